@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that are missing, with sudo when not root. Usage: setup.sh [tests] [checks]
+# Always those that build the libraries and the command; `tests` and `checks` add theirs.
+set -euo pipefail
+
+packages=(g++ cmake ninja-build pkg-config libeigen3-dev libbullet-dev libbullet-extras-dev libcli11-dev
+          nlohmann-json3-dev libosmesa6-dev)
+for group in "$@"; do
+  case "$group" in
+    tests) packages+=(libgtest-dev libgmock-dev) ;;
+    checks) packages+=(clang-format clang-tidy python3) ;;
+    *) echo "setup.sh: no group '$group'; there are tests and checks" >&2; exit 2 ;;
+  esac
+done
+
+missing=()
+for package in "${packages[@]}"; do
+  dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q '^install ok installed' || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then
+  echo "== set-up: all ${#packages[@]} packages are there"
+  exit 0
+fi
+
+echo "== set-up: installing ${missing[*]}"
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || { echo "setup.sh: not root and no sudo: install ${missing[*]}" >&2; exit 1; }
+  as_root=(sudo)
+fi
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+# Quiet unless it fails.
+run() {
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive "$@" >"$log" 2>&1 || { cat "$log" >&2; return 1; }
+}
+run apt-get update
+run apt-get install -y --no-install-recommends "${missing[@]}"

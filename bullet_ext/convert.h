@@ -1,0 +1,73 @@
+#pragma once
+/// Every conversion between Bullet's types, in the library's precision, and the core's, in double.
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Geometry>
+
+#include "BulletCollision/NarrowPhaseCollision/btManifoldPoint.h"
+#include "LinearMath/btMatrix3x3.h"
+#include "LinearMath/btVector3.h"
+#include "delassus/active_set.h"
+#include "delassus/types.h"
+
+namespace delassus::bullet {
+
+inline Vec3 toCore(const btVector3& v) { return {v[0], v[1], v[2]}; }
+
+inline Mat3 toCore(const btMatrix3x3& m) {
+  Mat3 out;
+  for (int i = 0; i < 3; ++i) out.row(i) = toCore(m[i]).transpose();
+  return out;
+}
+
+inline Vec6 toCore(const btVector3& linear, const btVector3& angular) {
+  Vec6 out;
+  out << toCore(linear), toCore(angular);
+  return out;
+}
+
+template <class Derived>
+btVector3 toBullet(const Eigen::MatrixBase<Derived>& v) {
+  static_assert(Derived::SizeAtCompileTime == 3);
+  return {static_cast<btScalar>(v[0]), static_cast<btScalar>(v[1]), static_cast<btScalar>(v[2])};
+}
+
+/// A bound on an impulse. Bullet's "infinity" is the build's largest number.
+inline double toCoreBound(btScalar bound) {
+  if (bound >= SIMD_INFINITY) return std::numeric_limits<double>::infinity();
+  if (bound <= -SIMD_INFINITY) return -std::numeric_limits<double>::infinity();
+  return bound;
+}
+
+/// The frame of a contact with normal n: columns n, t1, t2 with the tangents of btPlaneSpace1, orthonormal to double precision.
+///
+/// Narrow phase resets the directions of a point that it replaces to btPlaneSpace1 of the new normal and keeps the lateral
+/// impulses: components in this frame are the only ones that survive.
+inline Mat3 contactFrame(const btVector3& normal) {
+  btVector3 p, q;
+  btPlaneSpace1(normal, p, q);
+  Mat3 frame;
+  frame.col(0) = toCore(normal).normalized();
+  const Vec3 t1 = toCore(p);
+  frame.col(1) = (t1 - t1.dot(frame.col(0)) * frame.col(0)).normalized();
+  frame.col(2) = frame.col(0).cross(frame.col(1));
+  return frame;
+}
+
+/// The mode a contact point had after the last solve.
+///
+/// It lives in the point's m_prevRHS: Bullet carries that number along with the impulses when it replaces, moves or saves a
+/// point, clears it in a new one, and reads it in the articulated solver only.
+inline Mode rememberedMode(const btManifoldPoint& point) {
+  if (point.m_prevRHS == static_cast<btScalar>(Mode::Stick)) return Mode::Stick;
+  if (point.m_prevRHS == static_cast<btScalar>(Mode::Slide)) return Mode::Slide;
+  return Mode::Open;
+}
+
+inline void rememberMode(btManifoldPoint& point, Mode mode) {
+  point.m_prevRHS = static_cast<btScalar>(mode);
+}
+
+}  // namespace delassus::bullet

@@ -1,0 +1,157 @@
+#include <algorithm>
+#include <cmath>
+
+#include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
+#include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
+#include "bullet_ext/convert.h"
+#include "bullet_ext/gather.h"
+
+namespace delassus::bullet {
+namespace {
+
+/// What a joint writes for one row. Four scalars an axis and this alignment, because some joints write whole btVector3.
+struct alignas(16) InfoRow {
+  btScalar linearA[4], angularA[4], linearB[4], angularB[4];
+  btScalar error, cfm, lower, upper;
+};
+
+struct JointInfo {
+  std::vector<InfoRow> rows;
+  double damping = 1;
+};
+
+/// Asks the joint for its rows, everything set beforehand as Bullet's solvers set it.
+void askRows(btTypedConstraint& joint, int count, const btContactSolverInfo& info, JointInfo& out) {
+  InfoRow blank{};
+  blank.lower = -SIMD_INFINITY;
+  blank.upper = SIMD_INFINITY;
+  out.rows.assign(count, blank);
+  InfoRow& first = out.rows.front();
+  first.cfm = info.m_globalCfm;  // in the first row only: Bullet's joints inherit it there
+
+  btTypedConstraint::btConstraintInfo2 ask;
+  ask.fps = 1 / info.m_timeStep;
+  ask.erp = info.m_erp;
+  ask.m_J1linearAxis = first.linearA;
+  ask.m_J1angularAxis = first.angularA;
+  ask.m_J2linearAxis = first.linearB;
+  ask.m_J2angularAxis = first.angularB;
+  ask.rowskip = sizeof(InfoRow) / sizeof(btScalar);
+  ask.m_constraintError = &first.error;
+  ask.cfm = &first.cfm;
+  ask.m_lowerLimit = &first.lower;
+  ask.m_upperLimit = &first.upper;
+  ask.m_numIterations = info.m_numIterations;  // spring joints divide by it
+  ask.m_damping = info.m_damping;
+  joint.getInfo2(&ask);
+  out.damping = ask.m_damping;  // a joint may put its own in
+}
+
+Row6 jacobian(const btScalar* linear, const btScalar* angular) {
+  Row6 J;
+  J << linear[0], linear[1], linear[2], angular[0], angular[1], angular[2];
+  return J;
+}
+
+/// J M⁻¹ Jᵀ of one body, its linear and angular factors left out.
+double unfactoredResponse(const Group& group, int body, const Row6& J) {
+  if (!group.movable(body)) return 0;
+  const btRigidBody& rigid = *group.bodySources[body].rigid;
+  const Vec3 linear = J.head<3>().transpose(), angular = J.tail<3>().transpose();
+  return rigid.getInvMass() * linear.squaredNorm() +
+         angular.dot(toCore(rigid.getInvInertiaTensorWorld()) * angular);
+}
+
+double relativeVelocity(const Group& group, int body, const Row6& J) {
+  return body >= 0 ? J.dot(group.bodies[body].velocity) : 0;
+}
+
+Row toRow(const Group& group, int a, int b, const InfoRow& info, double damping,
+          btScalar breakingImpulse) {
+  Row row;
+  row.a = a;
+  row.b = b;
+  row.jacobianA = jacobian(info.linearA, info.angularA);
+  row.jacobianB = jacobian(info.linearB, info.angularB);
+  const double q = relativeVelocity(group, a, row.jacobianA) + relativeVelocity(group, b, row.jacobianB);
+  row.target = info.error + (1 - damping) * q;
+  row.lower = toCoreBound(info.lower <= -breakingImpulse ? -breakingImpulse : info.lower);
+  row.upper = toCoreBound(info.upper >= breakingImpulse ? breakingImpulse : info.upper);
+  row.compliance = info.cfm * (unfactoredResponse(group, a, row.jacobianA) +
+                               unfactoredResponse(group, b, row.jacobianB));
+
+  // An infinite error means "as hard as you may" (six-dof spring 2): the row stays at its bound.
+  if (std::abs(info.error) >= SIMD_INFINITY) {
+    row.lower = row.upper = info.error > 0 ? row.upper : row.lower;
+    row.target = 0;
+  }
+  return row;
+}
+
+/// What is wrong with a row, or null.
+const char* faultOf(const Row& row) {
+  if (!row.jacobianA.allFinite() || !row.jacobianB.allFinite()) return "its axis is not finite";
+  if (!std::isfinite(row.target)) return "its target velocity is not finite";
+  if (std::isnan(row.lower) || std::isnan(row.upper)) return "a bound is not a number";
+  if (row.lower > row.upper) return "its lower bound is above its upper one";
+  if (std::isinf(row.lower) && row.lower == row.upper) return "it asks for an infinite impulse";
+  if (!std::isfinite(row.compliance) || row.compliance < 0) return "its softness is not a number >= 0";
+  return nullptr;
+}
+
+void clearResult(btTypedConstraint& joint) {
+  joint.internalSetAppliedImpulse(0);
+  if (btJointFeedback* feedback = joint.getJointFeedback()) {
+    feedback->m_appliedForceBodyA.setZero();
+    feedback->m_appliedTorqueBodyA.setZero();
+    feedback->m_appliedForceBodyB.setZero();
+    feedback->m_appliedTorqueBodyB.setZero();
+  }
+}
+
+void gatherRows(Group& group, btTypedConstraint& joint, const JointInfo& asked,
+                const btContactSolverInfo& info, StepReport& report) {
+  const int a = bodyIndex(group, joint.getRigidBodyA(), info, report);
+  const int b = bodyIndex(group, joint.getRigidBodyB(), info, report);
+  if (a == leftOut || b == leftOut || (!group.movable(a) && !group.movable(b))) return;
+
+  JointSource source{&joint, static_cast<int>(group.rows.size()), 0, -1};
+  for (std::size_t i = 0; i < asked.rows.size(); ++i) {
+    const Row row = toRow(group, a, b, asked.rows[i], asked.damping, joint.getBreakingImpulseThreshold());
+    source.lastRow = -1;
+    if (const char* fault = faultOf(row)) {
+      report.tell("row " + std::to_string(i) + " of a joint of " + nameOf(joint.getRigidBodyA()) +
+                  " and " + nameOf(joint.getRigidBodyB()) + " left out: " + fault);
+      continue;
+    }
+    if (row.lower == 0 && row.upper == 0) continue;  // a motor or spring that may not push
+    source.lastRow = static_cast<int>(group.rows.size());
+    group.rows.push_back(row);
+  }
+  source.rowCount = static_cast<int>(group.rows.size()) - source.firstRow;
+  group.joints.push_back(source);
+}
+
+}  // namespace
+
+void gatherJoints(Group& group, btTypedConstraint** constraints, int count, const btContactSolverInfo& info,
+                  StepReport& report) {
+  JointInfo asked;
+  for (int i = 0; i < count; ++i) {
+    btTypedConstraint& joint = *constraints[i];
+    joint.buildJacobian();
+    clearResult(joint);
+    if (!joint.isEnabled()) continue;
+
+    btTypedConstraint::btConstraintInfo1 size{};  // btContactConstraint leaves it as it is
+    joint.getInfo1(&size);
+    if (size.m_numConstraintRows > 0) {
+      askRows(joint, size.m_numConstraintRows, info, asked);
+      gatherRows(group, joint, asked, info, report);
+    } else {
+      group.obsolete.push_back(&joint);
+    }
+  }
+}
+
+}  // namespace delassus::bullet

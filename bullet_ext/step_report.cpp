@@ -1,0 +1,15 @@
+#include "bullet_ext/step_report.h"
+
+#include <algorithm>
+
+namespace delassus {
+
+void StepReport::tell(const std::string& message) {
+  // A world that is broken everywhere has as many faults as parts; the first ones say enough.
+  constexpr std::size_t longest = 64;
+  if (messages.size() > longest) return;
+  if (std::find(messages.begin(), messages.end(), message) != messages.end()) return;
+  messages.push_back(messages.size() < longest ? message : "further messages are not kept");
+}
+
+}  // namespace delassus

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "demos/scenes/world.h"
+
+namespace demos {
+
+/// Where a picture of a scene is taken from. Metres; `fov` is the vertical angle of view in degrees.
+struct Camera {
+  btVector3 eye{0, 3, 12};
+  btVector3 target{0, 1, 0};
+  double fov = 40;
+};
+
+/// One scene: everything that a run, a test, a picture or a report needs to know about it.
+struct SceneDescription {
+  std::string name;
+  std::string summary;  ///< one line
+  double seconds = 5;   ///< simulated, s
+  Camera camera;
+  std::string expectation;  ///< the closed form or the law that the motion obeys
+  std::function<std::unique_ptr<World>()> build;
+};
+
+}  // namespace demos

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cmath>
+
+#include "delassus/types.h"
+
+namespace delassus {
+
+/// Euclidean projection on Coulomb's cone K_μ = { r : ‖r_t‖ ≤ μ r_n }, normal first (algorithms §6.1).
+inline Vec3 projectOnCone(const Vec3& x, double mu) {
+  const double t = std::hypot(x[1], x[2]);
+  if (t <= mu * x[0]) return x;
+  if (mu * t <= -x[0]) return Vec3::Zero();
+  const double n = (x[0] + mu * t) / (1 + mu * mu);
+  const double scale = t > 0 ? mu * n / t : 0;
+  return {n, scale * x[1], scale * x[2]};
+}
+
+/// De Saxcé's corrected velocity u + μ‖u_t‖ n: with it Coulomb's law reads K_μ ∋ r ⟂ corrected ∈ K_μ*.
+inline Vec3 correctedVelocity(const Vec3& u, double mu) {
+  return {u[0] + mu * std::hypot(u[1], u[2]), u[1], u[2]};
+}
+
+}  // namespace delassus

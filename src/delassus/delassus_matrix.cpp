@@ -1,0 +1,102 @@
+#include "delassus/delassus_matrix.h"
+
+#include <utility>
+
+namespace delassus {
+
+VectorXd BodySpace::impulse(const VectorXd& r) const {
+  VectorXd y = VectorXd::Zero(6 * bodies);
+  int at = 0;
+  for (const ContactRows& c : contacts) {
+    const Vec3 rc = r.segment<3>(at);
+    if (c.a >= 0) y.segment<6>(6 * c.a).noalias() += c.Ja.transpose() * rc;
+    if (c.b >= 0) y.segment<6>(6 * c.b).noalias() += c.Jb.transpose() * rc;
+    at += 3;
+  }
+  for (const ScalarRow& c : rows) {
+    if (c.a >= 0) y.segment<6>(6 * c.a).noalias() += c.Ja.transpose() * r[at];
+    if (c.b >= 0) y.segment<6>(6 * c.b).noalias() += c.Jb.transpose() * r[at];
+    ++at;
+  }
+  return y;
+}
+
+VectorXd BodySpace::relativeVelocity(const VectorXd& y) const {
+  VectorXd u = VectorXd::Zero(compliance.size());
+  int at = 0;
+  for (const ContactRows& c : contacts) {
+    if (c.a >= 0) u.segment<3>(at).noalias() += c.Ja * y.segment<6>(6 * c.a);
+    if (c.b >= 0) u.segment<3>(at).noalias() += c.Jb * y.segment<6>(6 * c.b);
+    at += 3;
+  }
+  for (const ScalarRow& c : rows) {
+    if (c.a >= 0) u[at] += c.Ja.dot(y.segment<6>(6 * c.a));
+    if (c.b >= 0) u[at] += c.Jb.dot(y.segment<6>(6 * c.b));
+    ++at;
+  }
+  return u;
+}
+
+DelassusMatrix::DelassusMatrix(Sparse entries)
+    : size_(static_cast<int>(entries.rows())), entries_(std::move(entries)) {}
+
+DelassusMatrix::DelassusMatrix(BodySpace space)
+    : size_(static_cast<int>(space.compliance.size())), inBodySpace_(true), space_(std::move(space)) {}
+
+VectorXd DelassusMatrix::operator*(const VectorXd& r) const {
+  if (!inBodySpace_) return entries_ * r;
+  return space_.relativeVelocity(space_.impulse(r)) + space_.compliance.cwiseProduct(r);
+}
+
+Mat3 DelassusMatrix::contactBlock(int first) const {
+  Mat3 W;
+  if (inBodySpace_) {
+    const BodySpace::ContactRows& c = space_.contacts[first / 3];
+    W = Vec3(space_.compliance.segment<3>(first)).asDiagonal();
+    if (c.a >= 0) W.noalias() += c.Ja * c.Ja.transpose();
+    if (c.b >= 0) W.noalias() += c.Jb * c.Jb.transpose();
+  } else {
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) W(i, j) = entries_.coeff(first + i, first + j);
+  }
+  return W;
+}
+
+VectorXd DelassusMatrix::diagonal() const {
+  if (!inBodySpace_) return entries_.diagonal();
+  VectorXd d = space_.compliance;
+  int at = 0;
+  for (const BodySpace::ContactRows& c : space_.contacts) {
+    if (c.a >= 0) d.segment<3>(at) += c.Ja.rowwise().squaredNorm();
+    if (c.b >= 0) d.segment<3>(at) += c.Jb.rowwise().squaredNorm();
+    at += 3;
+  }
+  for (const BodySpace::ScalarRow& c : space_.rows) {
+    if (c.a >= 0) d[at] += c.Ja.squaredNorm();
+    if (c.b >= 0) d[at] += c.Jb.squaredNorm();
+    ++at;
+  }
+  return d;
+}
+
+MatrixXd DelassusMatrix::dense() const {
+  if (!inBodySpace_) return MatrixXd(entries_);
+
+  MatrixXd J = MatrixXd::Zero(size_, 6 * space_.bodies);
+  int at = 0;
+  for (const BodySpace::ContactRows& c : space_.contacts) {
+    if (c.a >= 0) J.block<3, 6>(at, 6 * c.a) += c.Ja;
+    if (c.b >= 0) J.block<3, 6>(at, 6 * c.b) += c.Jb;
+    at += 3;
+  }
+  for (const BodySpace::ScalarRow& c : space_.rows) {
+    if (c.a >= 0) J.block<1, 6>(at, 6 * c.a) += c.Ja;
+    if (c.b >= 0) J.block<1, 6>(at, 6 * c.b) += c.Jb;
+    ++at;
+  }
+  MatrixXd W = J * J.transpose();
+  W.diagonal() += space_.compliance;
+  return W;
+}
+
+}  // namespace delassus

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "delassus/types.h"
+
+namespace delassus {
+
+/// W factored in body space: W = J̃ J̃ᵀ + diag(compliance), with the mass-normalised Jacobian J̃ = J B, M⁻¹ = B Bᵀ.
+///
+/// The generalised velocity y that goes with it has M = I: ½ yᵀy is the kinetic energy that the reactions
+/// add, y = J̃ᵀ r, and a locked axis is a zero column. Body blocks have six columns.
+struct BodySpace {
+  struct ContactRows {
+    int a, b;
+    Mat36 Ja, Jb;
+  };
+  struct ScalarRow {
+    int a, b;
+    Row6 Ja, Jb;
+  };
+
+  int bodies = 0;
+  std::vector<ContactRows> contacts;
+  std::vector<ScalarRow> rows;
+  VectorXd compliance;  ///< one entry an unknown, 1/kg
+
+  VectorXd impulse(const VectorXd& r) const;           ///< J̃ᵀ r
+  VectorXd relativeVelocity(const VectorXd& y) const;  ///< J̃ y
+};
+
+/// The Delassus matrix W = J M⁻¹ Jᵀ of one island: n contacts with three rows each, then m scalar rows.
+///
+/// One type, two storages: factored in body space (worlds), or explicit entries (problem files), which are kept
+/// exactly as read: neither symmetrised nor scaled.
+class DelassusMatrix {
+ public:
+  using Sparse = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+  DelassusMatrix() = default;
+  explicit DelassusMatrix(Sparse entries);
+  explicit DelassusMatrix(BodySpace space);
+
+  int size() const { return size_; }
+  bool inBodySpace() const { return inBodySpace_; }
+  const BodySpace& bodySpace() const { return space_; }
+  const Sparse& entries() const { return entries_; }  ///< explicit storage only
+
+  VectorXd operator*(const VectorXd& r) const;  ///< W r
+  /// The 3x3 diagonal block of the contact whose unknowns start at `first`.
+  Mat3 contactBlock(int first) const;
+  VectorXd diagonal() const;
+  MatrixXd dense() const;
+
+ private:
+  int size_ = 0;
+  bool inBodySpace_ = false;
+  BodySpace space_;
+  Sparse entries_;
+};
+
+}  // namespace delassus

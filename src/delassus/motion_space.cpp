@@ -1,0 +1,95 @@
+#include "delassus/motion_space.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace delassus {
+namespace {
+
+/// J with J Jᵀ = W for a symmetric positive semi-definite W: Cholesky with diagonal pivoting, stopped at the rank.
+MatrixXd pivotedCholesky(const MatrixXd& W) {
+  const int n = static_cast<int>(W.rows());
+  // Below this share of its own diagonal a pivot is round-off: the contact is redundant.
+  constexpr double redundant = 1e-13;
+  const VectorXd original = W.diagonal();
+  VectorXd pivots = original;
+  MatrixXd J = MatrixXd::Zero(n, n);
+  int rank = 0;
+  for (; rank < n; ++rank) {
+    int p = -1;
+    double best = redundant;
+    for (int i = 0; i < n; ++i) {
+      if (!(original[i] > 0)) continue;
+      const double share = pivots[i] / original[i];
+      if (share > best) best = share, p = i;
+    }
+    if (p < 0) break;
+    const VectorXd column =
+        (W.col(p) - J.leftCols(rank) * J.row(p).head(rank).transpose()) / std::sqrt(pivots[p]);
+    J.col(rank) = column;
+    pivots -= column.cwiseAbs2();
+    pivots[p] = 0;
+  }
+  return J.leftCols(rank);
+}
+
+}  // namespace
+
+void BodyMotion::setProblem(const Problem& problem) {
+  space_ = &problem.W.bodySpace();
+  edges_.clear();
+  const auto couple = [&](int a, int b) {
+    if (a >= 0 && b >= 0 && a != b) edges_.push_back({a, b});
+  };
+  for (const auto& c : space_->contacts) couple(c.a, c.b);
+  for (const auto& c : space_->rows) couple(c.a, c.b);
+  factor_.analyse(space_->bodies, edges_);
+}
+
+bool BodyMotion::factorise(const Stiffness& G) {
+  factor_.setIdentity();
+  int edge = 0;
+  for (std::size_t i = 0; i < space_->contacts.size(); ++i) {
+    const auto& c = space_->contacts[i];
+    const bool coupled = c.a >= 0 && c.b >= 0 && c.a != c.b;
+    const int at = coupled ? edge++ : -1;
+    if (G.contacts[i](0, 0) == 0) continue;
+    const Mat36 Ga = G.contacts[i] * c.Ja, Gb = G.contacts[i] * c.Jb;
+    if (c.a >= 0) factor_.addDiagonal(c.a, c.Ja.transpose() * Ga);
+    if (c.b >= 0) factor_.addDiagonal(c.b, c.Jb.transpose() * Gb);
+    if (coupled) factor_.addOffDiagonal(at, c.Ja.transpose() * Gb, c.Jb.transpose() * Ga);
+  }
+  for (std::size_t i = 0; i < space_->rows.size(); ++i) {
+    const auto& c = space_->rows[i];
+    const bool coupled = c.a >= 0 && c.b >= 0 && c.a != c.b;
+    const int at = coupled ? edge++ : -1;
+    const double g = G.rows[i];
+    if (g == 0) continue;
+    if (c.a >= 0) factor_.addDiagonal(c.a, c.Ja.transpose() * (g * c.Ja));
+    if (c.b >= 0) factor_.addDiagonal(c.b, c.Jb.transpose() * (g * c.Jb));
+    if (coupled) {
+      const Mat6 ab = c.Ja.transpose() * (g * c.Jb);
+      factor_.addOffDiagonal(at, ab, ab.transpose());
+    }
+  }
+  return factor_.factorise();
+}
+
+void FactoredMotion::setProblem(const Problem& problem) {
+  const MatrixXd W = problem.W.dense();
+  J_ = pivotedCholesky(0.5 * (W + W.transpose()));
+}
+
+bool FactoredMotion::factorise(const Stiffness& G) {
+  const int n = static_cast<int>(G.contacts.size());
+  GJ_.resize(J_.rows(), J_.cols());
+  for (int i = 0; i < n; ++i)
+    GJ_.middleRows<3>(3 * i).noalias() = G.contacts[i] * J_.middleRows<3>(3 * i);
+  for (int i = 3 * n; i < J_.rows(); ++i) GJ_.row(i) = G.rows[i - 3 * n] * J_.row(i);
+  K_.noalias() = J_.transpose() * GJ_;
+  K_.diagonal().array() += 1;
+  lu_.compute(K_);
+  return K_.allFinite();
+}
+
+}  // namespace delassus

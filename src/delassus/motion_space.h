@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/LU>
+#include <vector>
+
+#include "delassus/block_factor.h"
+#include "delassus/problem.h"
+
+namespace delassus {
+
+/// Derivative −dr/du of the reactions for one region: 3x3 per contact, a number per row. Zero where open or bounded.
+struct Stiffness {
+  std::vector<Mat3> contacts;
+  VectorXd rows;
+  bool symmetric = true;
+};
+
+/// A motion space is where the reactions of an island are felt: y = J̃ᵀ r with M = I, so that W = J̃ J̃ᵀ + diag(compliance).
+/// Each offers impulse (J̃ᵀ r), relativeVelocity (J̃ y), and the Newton matrix K = I + J̃ᵀ G J̃ of a region.
+
+/// Bodies of a world: six columns a body, K is sparse in 6x6 blocks over the body graph.
+class BodyMotion {
+ public:
+  void setProblem(const Problem& problem);
+
+  VectorXd impulse(const VectorXd& r) const { return space_->impulse(r); }
+  VectorXd relativeVelocity(const VectorXd& y) const { return space_->relativeVelocity(y); }
+  bool factorise(const Stiffness& G);
+  void solve(VectorXd& y) const { factor_.solve(y); }
+  std::size_t bytes() const { return factor_.bytes(); }
+
+ private:
+  const BodySpace* space_ = nullptr;
+  std::vector<BlockFactor::Edge> edges_;
+  BlockFactor factor_;
+};
+
+/// Explicit W: J̃ is its pivoted Cholesky factor, as many columns as W has rank. The asymmetry and the slightly negative
+/// eigenvalues of measured matrices are left out here; the walk sees them through u = W r + q.
+class FactoredMotion {
+ public:
+  void setProblem(const Problem& problem);
+
+  VectorXd impulse(const VectorXd& r) const { return J_.transpose() * r; }
+  VectorXd relativeVelocity(const VectorXd& y) const { return J_ * y; }
+  bool factorise(const Stiffness& G);
+  void solve(VectorXd& y) const { y = lu_.solve(y).eval(); }
+  std::size_t bytes() const { return sizeof(double) * (J_.size() + GJ_.size() + 2 * K_.size()); }
+
+ private:
+  MatrixXd J_, GJ_, K_;
+  Eigen::PartialPivLU<MatrixXd> lu_;
+};
+
+}  // namespace delassus

@@ -1,0 +1,218 @@
+#include "delassus/pivoting.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "delassus/lemke.h"
+#include "delassus/proximal_point.h"
+#include "delassus/region.h"
+#include "delassus/region_walk.h"
+
+namespace delassus {
+namespace {
+
+/// Largest |W_ij − W_ji|, against a unit diagonal, that still is round-off.
+constexpr double roundOffAsymmetry = 1e-13;
+
+/// Most unknowns for Lemke's dense tableau.
+constexpr int largestTableau = 400;
+
+/// Times the demands may be found incompatible and shifted again: the first shift is exact but for round-off.
+constexpr int shiftBudget = 3;
+
+/// Rows linked through W, in ascending order.
+std::vector<std::vector<int>> linkedRows(const MatrixXd& W) {
+  const int n = static_cast<int>(W.rows());
+  std::vector<std::vector<int>> groups;
+  std::vector<char> seen(n, 0);
+  for (int first = 0; first < n; ++first) {
+    if (seen[first]) continue;
+    std::vector<int> group = {first};
+    seen[first] = 1;
+    for (size_t k = 0; k < group.size(); ++k) {
+      for (int j = 0; j < n; ++j) {
+        if (seen[j] || (W(group[k], j) == 0 && W(j, group[k]) == 0)) continue;
+        seen[j] = 1;
+        group.push_back(j);
+      }
+    }
+    std::sort(group.begin(), group.end());
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+/// The problem in units that give W a unit diagonal; r = r~ / scale, u = scale u~.
+struct ScaledRows {
+  BoundedRows rows;
+  VectorXd scale;
+};
+
+ScaledRows scaleRows(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
+                     const VectorXd& upper) {
+  ScaledRows scaled;
+  const bool definiteDiagonal = W.diagonal().minCoeff() > 0;
+  scaled.scale = definiteDiagonal ? VectorXd(W.diagonal().cwiseSqrt()) : VectorXd::Ones(q.size());
+  const VectorXd inverse = scaled.scale.cwiseInverse();
+  BoundedRows& rows = scaled.rows;
+  rows.W = inverse.asDiagonal() * W * inverse.asDiagonal();
+  rows.q = q.cwiseProduct(inverse);
+  rows.lower = lower.cwiseProduct(scaled.scale);
+  rows.upper = upper.cwiseProduct(scaled.scale);
+  rows.symmetric = definiteDiagonal &&
+                   (rows.W - rows.W.transpose()).cwiseAbs().maxCoeff() <= roundOffAsymmetry;
+  return scaled;
+}
+
+bool unilateral(const VectorXd& lower, const VectorXd& upper) {
+  return (lower.array() == 0).all() &&
+         (upper.array() == std::numeric_limits<double>::infinity()).all();
+}
+
+/// A row that no reaction moves: W_ii = 0. It rests where its own u = q_i puts it.
+PivotResult immovableRow(double q, double lower, double upper, double tolerance) {
+  PivotResult result;
+  const bool atLower = q > 0 || lower == upper || (q == 0 && lower >= 0);
+  const double bound = atLower ? lower : upper;
+  const bool inBetween = (q == 0 && lower < 0 && upper > 0) || std::isinf(bound);
+  const double rest = std::clamp(0.0, lower, upper);
+  result.r = VectorXd::Constant(1, inBetween ? rest : bound);
+  result.u = VectorXd::Constant(1, q);
+  result.rows = {inBetween ? RowState::Free : atLower ? RowState::AtLower : RowState::AtUpper};
+  if (inBetween && std::abs(q) > tolerance) {
+    result.status = Status::Incompatible;
+    result.blamed = {0};
+  }
+  return result;
+}
+
+/// Contacts only, a handful: the paper's regions. False if they are redundant beyond a pair.
+bool pivotByRegion(const MatrixXd& W, const VectorXd& q, PivotResult& result) {
+  const RegionAnswer answer = solveRegion(W, q);
+  if (answer.redundancy == Redundancy::Dependent) return false;
+  const int n = static_cast<int>(q.size());
+  result.r = answer.r;
+  result.u = answer.u;
+  result.rows.resize(n);
+  for (int i = 0; i < n; ++i)
+    result.rows[i] = answer.persists(i) ? RowState::Free : RowState::AtLower;
+  result.regions = result.factorisations = answer.regionsTried;
+  if (answer.redundancy == Redundancy::Squeezed) {
+    result.status = Status::Incompatible;
+    result.blamed = {0, 1};
+  }
+  return true;
+}
+
+std::vector<RowState> statesAt(const BoundedRows& rows, const VectorXd& r) {
+  const VectorXd u = rows.W * r + rows.q;
+  std::vector<RowState> states(rows.size(), RowState::Free);
+  for (int i = 0; i < rows.size(); ++i) {
+    if (r[i] - u[i] <= rows.lower[i]) states[i] = RowState::AtLower;
+    if (r[i] - u[i] >= rows.upper[i]) states[i] = RowState::AtUpper;
+    states[i] = rows.possible(i, states[i]);
+  }
+  return states;
+}
+
+/// Linked rows by pivoting: directly; by proximal steps if W is singular; by Lemke's method if all else fails.
+PivotResult pivotLinked(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
+                        const VectorXd& upper, const std::vector<RowState>& guess,
+                        const PivotOptions& options) {
+  PivotResult result;
+  auto [rows, scale] = scaleRows(W, q, lower, upper);
+  if (rows.symmetric && rows.size() <= smallRegionSize && unilateral(lower, upper) &&
+      pivotByRegion(W, q, result))
+    return result;
+
+  const VectorXd rest = VectorXd::Zero(rows.size());
+  const double wanted = options.tolerance * q.cwiseQuotient(scale).cwiseAbs().maxCoeff();
+  RegionWalk walk(rows, guess.empty() ? rows.firstStates() : guess);
+  RowAnswer best;
+  best.r = rows.clamp(rest);
+  best.states = statesAt(rows, best.r);
+  best.residual = rows.naturalResidual(best.r);
+
+  if (walk.settle(rest, 0, options.regionBudget / 2) == RegionWalk::End::Settled) best.offer(rows, walk);
+  for (int k = 0; k < shiftBudget && best.residual > wanted; ++k) {
+    ProximalAnswer proximal = proximalPoint(rows, walk, options.regionBudget);
+    if (proximal.blamed.empty()) {
+      if (proximal.best.residual < best.residual) best = std::move(proximal.best);
+      break;
+    }
+    result.status = Status::Incompatible;
+    if (result.blamed.empty()) result.blamed = proximal.blamed;
+    rows.q += proximal.shift;
+    best.residual = rows.naturalResidual(best.r);
+  }
+
+  const auto solved = [&] { return best.residual <= std::max(wanted, rows.roundOff(best.r)); };
+  if (!solved() && rows.size() <= largestTableau) {
+    if (const auto r = lemke(rows, options.regionBudget, result.regions)) {
+      const VectorXd clamped = rows.clamp(*r);
+      const double residual = rows.naturalResidual(clamped);
+      RegionWalk polish(rows, statesAt(rows, *r));
+      if (residual < best.residual) best = {clamped, statesAt(rows, clamped), residual};
+      if (polish.settle(rest, 0, options.regionBudget) == RegionWalk::End::Settled) best.offer(rows, polish);
+      result.factorisations += polish.factorisations();
+    }
+  }
+  if (!solved() && result.status == Status::Solved) result.status = Status::OutOfBudget;
+
+  result.r = best.r.cwiseQuotient(scale);
+  result.u = W * result.r + q;
+  result.rows = std::move(best.states);
+  result.regions += walk.regions();
+  result.factorisations += walk.factorisations();
+  return result;
+}
+
+/// Solved < out of budget < incompatible: the news a user must hear.
+Status graver(Status a, Status b) { return std::max(a, b); }
+
+}  // namespace
+
+PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower, const VectorXd& upper,
+                  const std::vector<RowState>& guess, const PivotOptions& options) {
+  const int n = static_cast<int>(q.size());
+  assert(W.rows() == n && W.cols() == n && "pivot: W must be square, of q's size");
+  assert(lower.size() == n && upper.size() == n && "pivot: one pair of bounds a row");
+  assert((lower.array() <= upper.array()).all() && "pivot: lower must not exceed upper");
+  assert((guess.empty() || static_cast<int>(guess.size()) == n) && "pivot: one state a row");
+
+  PivotResult result;
+  result.r = VectorXd::Zero(n).cwiseMax(lower).cwiseMin(upper);
+  result.u = q;
+  result.rows.assign(n, RowState::Free);
+  if (!W.allFinite() || !q.allFinite()) {
+    result.u = VectorXd::Zero(n);
+    result.status = Status::OutOfBudget;
+    return result;
+  }
+
+  const double tolerance = n > 0 ? options.tolerance * q.cwiseAbs().maxCoeff() : 0;
+  for (const std::vector<int>& group : linkedRows(W)) {
+    std::vector<RowState> groupGuess;
+    if (!guess.empty())
+      for (const int i : group) groupGuess.push_back(guess[i]);
+    const int first = group.front();
+    const PivotResult part =
+        group.size() == 1 && W(first, first) == 0
+            ? immovableRow(q[first], lower[first], upper[first], tolerance)
+            : pivotLinked(W(group, group), q(group), lower(group), upper(group), groupGuess,
+                          options);
+    result.r(group) = part.r;
+    result.u(group) = part.u;
+    for (size_t k = 0; k < group.size(); ++k) result.rows[group[k]] = part.rows[k];
+    for (const int k : part.blamed) result.blamed.push_back(group[k]);
+    result.status = graver(result.status, part.status);
+    result.regions += part.regions;
+    result.factorisations += part.factorisations;
+  }
+  std::sort(result.blamed.begin(), result.blamed.end());
+  return result;
+}
+
+}  // namespace delassus

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "delassus/types.h"
+
+namespace delassus {
+
+/// Cholesky factor L Lᵀ = (W + shift I)_SS of the rows S that a region keeps, edited as contacts come and go
+/// (algorithms 4.2). Only the lower triangle of W is read; W must outlive the factor.
+///
+/// Adding a row costs s² flops, deleting the p-th one 2 (s − p)², both stable; after many edits it is factored anew.
+class PrincipalCholesky {
+ public:
+  /// A row whose pivot falls to `redundant` times its diagonal entry or below depends on the rows before it.
+  explicit PrincipalCholesky(const MatrixXd& W, double shift = 0, double redundant = 1e-10);
+
+  /// Factors the rows in this order. False if some are redundant: these are left out.
+  bool factor(const std::vector<int>& rows);
+  /// Comes to the same set as `factor(rows)`, in any order, by edits where they are cheaper.
+  bool retarget(const std::vector<int>& rows);
+  /// Adds row k at the end. False, and nothing added, if it is redundant.
+  bool append(int k);
+  /// Deletes the row that is at `position` in `rows()`.
+  void remove(int position);
+
+  /// (W + shift I)_SS⁻¹ b, with b ordered as `rows()`.
+  VectorXd solve(const VectorXd& b) const;
+
+  const std::vector<int>& rows() const { return rows_; }
+  bool edited() const { return edits_ > 0; }           ///< since the last factorisation from scratch
+  int factorisations() const { return factorisations_; }  ///< from scratch
+
+ private:
+  double entry(int i, int j) const;
+
+  const MatrixXd& W_;
+  double shift_, redundant_;
+  MatrixXd L_;
+  std::vector<int> rows_;
+  int edits_ = 0, factorisations_ = 0;
+};
+
+}  // namespace delassus

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "delassus/delassus_matrix.h"
+
+namespace delassus {
+
+/// The problem of one island. Unknown reactions r: three per contact (normal, t1, t2), then one per row.
+///
+///     u = W r + q
+///     contacts:  K_μ ∋ r ⟂ u + μ‖u_t‖ n ∈ K_μ*          (Signorini and Coulomb; De Saxcé's form)
+///     rows:      lower ≤ r ≤ upper, u ≥ 0 at lower, u ≤ 0 at upper, u = 0 in between
+///
+/// A contact without friction is a row with bounds [0, ∞). Impulses N·s, velocities m/s.
+struct Problem {
+  std::string name;
+  DelassusMatrix W;
+  VectorXd q;             ///< relative velocity without reactions, size 3 n + m
+  VectorXd friction;      ///< μ, size n
+  VectorXd lower, upper;  ///< bounds of the rows, size m
+
+  int contacts() const { return static_cast<int>(friction.size()); }
+  int rows() const { return static_cast<int>(lower.size()); }
+  int size() const { return 3 * contacts() + rows(); }
+};
+
+}  // namespace delassus

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <iosfwd>
+#include <stdexcept>
+#include <string>
+
+#include "delassus/problem.h"
+#include "delassus/solution.h"
+
+namespace delassus {
+
+/// A problem text that cannot be read: "file:line: what was expected, what stands there".
+class ProblemTextError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads `delassus-problem v1` (contacts with friction) or `lcp v1` (rows with bounds), told apart by the first line.
+/// Throws ProblemTextError. The overload with a stream uses `source` as the file's name in errors.
+Problem readProblem(const std::string& path);
+Problem readProblem(std::istream& in, const std::string& source);
+
+/// Writes the format that fits: `lcp v1` if the problem has no contacts, `delassus-problem v1` if it has no rows.
+/// A problem with both is not expressible and throws std::invalid_argument. W in body space is written as entries.
+/// Numbers have as many digits as reproduce them exactly; reading back gives the same problem, bit for bit.
+void writeProblem(std::ostream& out, const Problem& problem);
+void writeProblem(const std::string& path, const Problem& problem);
+
+/// Writes `solution v1`.
+void writeSolution(std::ostream& out, const Problem& problem, const Solution& solution);
+void writeSolution(const std::string& path, const Problem& problem, const Solution& solution);
+
+}  // namespace delassus

@@ -1,0 +1,226 @@
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <vector>
+
+#include "delassus/problem_text.h"
+#include "delassus/word_reader.h"
+
+namespace delassus {
+namespace {
+
+using Sparse = DelassusMatrix::Sparse;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The fewest digits that read back as the same double, in every locale.
+void appendNumber(std::string& text, double x) {
+  std::array<char, 32> digits;
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), x);
+  assert(error == std::errc() && "the shortest form of a double has at most 24 characters");
+  text.append(digits.data(), end);
+}
+
+void appendLine(std::string& text, const std::string& line) { text += line + "\n"; }
+
+/// Lines of `perLine` numbers from `first` to before `last`.
+void appendLines(std::string& text, const VectorXd& x, int first, int last, int perLine) {
+  for (int i = first; i < last; ++i) {
+    appendNumber(text, x[i]);
+    text += (i - first) % perLine == perLine - 1 ? '\n' : ' ';
+  }
+}
+
+void requireFinite(const Eigen::Ref<const VectorXd>& x, const char* what) {
+  if (!x.allFinite())
+    throw std::invalid_argument(
+        std::string("a problem text holds no infinite numbers and no NaN in ") + what);
+}
+
+/// A nameless problem is written as "unnamed", for the format wants a word there.
+std::string nameWord(const std::string& name) {
+  const auto standsOut = [](char c) { return static_cast<unsigned char>(c) > ' ' && c != 0x7f; };
+  if (name.size() > WordReader::longestWord || !std::all_of(name.begin(), name.end(), standsOut))
+    throw std::invalid_argument("the name of a problem must be one word to be written");
+  return name.empty() ? "unnamed" : name;
+}
+
+/// W = J̃ J̃ᵀ + diag(compliance) as entries. Both triangles sum the same products in the same order: exactly symmetric.
+Sparse explicitEntries(const DelassusMatrix& W) {
+  if (!W.inBodySpace()) return W.entries();
+
+  const BodySpace& space = W.bodySpace();
+  std::vector<Eigen::Triplet<double>> jacobian;
+  int row = 0;
+  const auto append = [&](int body, const auto& J) {
+    if (body < 0) return;
+    for (int i = 0; i < J.rows(); ++i)
+      for (int j = 0; j < 6; ++j) jacobian.emplace_back(row + i, 6 * body + j, J(i, j));
+  };
+  for (const BodySpace::ContactRows& c : space.contacts) {
+    append(c.a, c.Ja);
+    append(c.b, c.Jb);
+    row += 3;
+  }
+  for (const BodySpace::ScalarRow& c : space.rows) {
+    append(c.a, c.Ja);
+    append(c.b, c.Jb);
+    ++row;
+  }
+  Sparse J(W.size(), 6 * space.bodies);
+  J.setFromTriplets(jacobian.begin(), jacobian.end());
+
+  std::vector<Eigen::Triplet<double>> diagonal;
+  for (int i = 0; i < W.size(); ++i) diagonal.emplace_back(i, i, space.compliance[i]);
+  Sparse R(W.size(), W.size());
+  R.setFromTriplets(diagonal.begin(), diagonal.end());
+  return Sparse(J * Sparse(J.transpose())) + R;
+}
+
+struct MatrixText {
+  int entries = 0;
+  std::string text;
+};
+
+/// All side x side blocks with a stored value, and the diagonal ones.
+MatrixText matrixText(const DelassusMatrix& W, int side) {
+  Sparse matrix = explicitEntries(W);
+  matrix.makeCompressed();
+  requireFinite(Eigen::Map<const VectorXd>(matrix.valuePtr(), matrix.nonZeros()), "the matrix");
+  MatrixText out;
+  for (int row = 0; row < W.size() / side; ++row) {
+    std::map<int, std::array<double, 9>> blocks{{row, {}}};
+    for (int i = 0; i < side; ++i)
+      for (Sparse::InnerIterator w(matrix, row * side + i); w; ++w) {
+        const int column = static_cast<int>(w.col());
+        blocks[column / side][i * side + column % side] = w.value();
+      }
+    for (const auto& [column, values] : blocks) {
+      out.text += std::to_string(row) + " " + std::to_string(column);
+      for (int i = 0; i < side * side; ++i) {
+        out.text += ' ';
+        appendNumber(out.text, values[i]);
+      }
+      out.text += '\n';
+    }
+    out.entries += static_cast<int>(blocks.size());
+  }
+  return out;
+}
+
+bool unilateral(double lower, double upper) {
+  return lower == 0 && !std::signbit(lower) && upper == infinity;
+}
+
+void appendBounds(std::string& text, const Problem& problem) {
+  bool standard = true;
+  for (int i = 0; i < problem.rows(); ++i) {
+    if (!(problem.lower[i] <= problem.upper[i]) || problem.lower[i] == infinity ||
+        problem.upper[i] == -infinity)
+      throw std::invalid_argument(
+          "a problem text needs lower bounds that are not above the upper ones");
+    standard = standard && unilateral(problem.lower[i], problem.upper[i]);
+  }
+  if (standard) return;
+  appendLine(text, "bounds");
+  for (int i = 0; i < problem.rows(); ++i) {
+    appendNumber(text, problem.lower[i]);
+    text += ' ';
+    appendNumber(text, problem.upper[i]);
+    text += '\n';
+  }
+}
+
+std::string problemText(const Problem& problem) {
+  assert(problem.q.size() == problem.size() && problem.W.size() == problem.size() &&
+         "W, q, friction and bounds speak of the same unknowns");
+  if (problem.contacts() > 0 && problem.rows() > 0)
+    throw std::invalid_argument("a problem with both contacts and rows has no text format");
+  requireFinite(problem.q, "q");
+  requireFinite(problem.friction, "the friction");
+  if ((problem.friction.array() < 0).any())
+    throw std::invalid_argument("a problem text needs friction coefficients of at least 0");
+
+  const bool contacts = problem.contacts() > 0;
+  const MatrixText matrix = matrixText(problem.W, contacts ? 3 : 1);
+  std::string text;
+  appendLine(text, contacts ? "delassus-problem v1" : "lcp v1");
+  appendLine(text, "name " + nameWord(problem.name));
+  if (contacts) {
+    appendLine(text, "contacts " + std::to_string(problem.contacts()));
+    appendLine(text, "blocks " + std::to_string(matrix.entries));
+    appendLine(text, "mu");
+    appendLines(text, problem.friction, 0, problem.contacts(), 1);
+  } else {
+    appendLine(text, "size " + std::to_string(problem.rows()));
+    appendLine(text, "entries " + std::to_string(matrix.entries));
+    appendBounds(text, problem);
+  }
+  appendLine(text, "q");
+  appendLines(text, problem.q, 0, problem.size(), contacts ? 3 : 1);
+  appendLine(text, contacts ? "W" : "M");
+  text += matrix.text;
+  appendLine(text, "end");
+  return text;
+}
+
+std::string solutionText(const Problem& problem, const Solution& solution) {
+  assert(solution.r.size() == problem.size() && solution.u.size() == problem.size() &&
+         "the solution belongs to the problem");
+  requireFinite(solution.r, "r");
+  requireFinite(solution.u, "u");
+  std::string text;
+  const auto appendVector = [&](const char* letter, const VectorXd& x) {
+    appendLine(text, letter);
+    appendLines(text, x, 0, 3 * problem.contacts(), 3);
+    appendLines(text, x, 3 * problem.contacts(), problem.size(), 1);
+  };
+  appendLine(text, "solution v1");
+  appendLine(text, "name " + nameWord(problem.name));
+  appendLine(text, "status " + toString(solution.status));
+  appendVector("r", solution.r);
+  appendVector("u", solution.u);
+  appendLine(text, "end");
+  return text;
+}
+
+void writeText(const std::string& path, const std::string& text) {
+  errno = 0;
+  std::ofstream out(path, std::ios::binary);
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  out.close();
+  if (!out)
+    throw std::runtime_error(
+        path + ": cannot be written: " + (errno ? std::strerror(errno) : "output error"));
+}
+
+void writeText(std::ostream& out, const std::string& text) {
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+}
+
+}  // namespace
+
+void writeProblem(std::ostream& out, const Problem& problem) {
+  writeText(out, problemText(problem));
+}
+
+void writeProblem(const std::string& path, const Problem& problem) {
+  writeText(path, problemText(problem));
+}
+
+void writeSolution(std::ostream& out, const Problem& problem, const Solution& solution) {
+  writeText(out, solutionText(problem, solution));
+}
+
+void writeSolution(const std::string& path, const Problem& problem, const Solution& solution) {
+  writeText(path, solutionText(problem, solution));
+}
+
+}  // namespace delassus

@@ -1,0 +1,149 @@
+#include "delassus/proximal_newton.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "delassus/residual.h"
+
+namespace delassus {
+
+template <class Motion>
+void ProximalNewton<Motion>::setProblem(const Problem& problem) {
+  motion_.setProblem(problem);
+  const int n = problem.contacts();
+  scale_ = problem.W.diagonal();
+  for (int i = 0; i < n; ++i) scale_.segment<3>(3 * i).setConstant(scale_.segment<3>(3 * i).mean());
+  // A row that moves nothing (W_ii = 0) can do nothing: any finite weight leaves it harmless.
+  const double largest = std::max(scale_.maxCoeff(), 1e-300);
+  scale_ = scale_.cwiseMax(1e-14 * largest);
+  compliance_ = problem.W.inBodySpace() ? problem.W.bodySpace().compliance
+                                        : VectorXd::Zero(problem.size());
+  G_.contacts.resize(n);
+  G_.rows.resize(problem.rows());
+}
+
+template <class Motion>
+void ProximalNewton<Motion>::setWeights(const Problem&, double alpha) {
+  l_ = (compliance_ + alpha * scale_).cwiseInverse();
+}
+
+template <class Motion>
+void ProximalNewton<Motion>::respond(const Problem& problem, const VectorXd& u, Stiffness* G) {
+  const int n = problem.contacts(), m = problem.rows();
+  if (G) G->symmetric = true;
+  for (int i = 0; i < n; ++i) {
+    const int at = 3 * i;
+    const double mu = problem.friction[i];
+    const Vec3 l = l_.segment<3>(at);
+    const Vec3 z = center_.segment<3>(at) - l.cwiseProduct(u.segment<3>(at));
+    const double zt = std::hypot(z[1], z[2]), radius = mu * z[0];
+    auto r = r_.segment<3>(at);
+    if (z[0] <= 0) {
+      r.setZero();
+      if (G) G->contacts[i].setZero();
+    } else if (zt <= radius) {
+      r = z;
+      if (G) G->contacts[i] = l.asDiagonal();
+    } else {
+      const double c = z[1] / zt, s = z[2] / zt;
+      r = Vec3(z[0], radius * c, radius * s);
+      if (G) {
+        const double turn = radius / zt * l[1];
+        G->contacts[i] << l[0], 0, 0,                      //
+            mu * l[0] * c, turn * s * s, -turn * s * c,    //
+            mu * l[0] * s, -turn * s * c, turn * c * c;
+        G->symmetric = false;
+      }
+    }
+  }
+  for (int i = 0; i < m; ++i) {
+    const int at = 3 * n + i;
+    const double z = center_[at] - l_[at] * u[at];
+    r_[at] = std::clamp(z, problem.lower[i], problem.upper[i]);
+    if (G) G->rows[i] = z > problem.lower[i] && z < problem.upper[i] ? l_[at] : 0;
+  }
+}
+
+template <class Motion>
+typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(const Problem& problem,
+                                                                             int& budget,
+                                                                             Solution& count) {
+  constexpr int mostSteps = 25, mostHalvings = 8;
+  delta_ = VectorXd::Zero(motion_.impulse(center_).size());
+  VectorXd u = u_, F, step, trialDelta, trialF;
+
+  respond(problem, u, &G_);
+  F = delta_ - motion_.impulse(r_ - center_);
+  double error = F.norm();
+  for (int k = 0; k < mostSteps; ++k) {
+    const double size = std::max(delta_.norm(), motion_.impulse(r_ - center_).norm());
+    if (error <= 1e-9 * size || error == 0) return Inner::Converged;
+    if (budget-- <= 0) return Inner::Failed;
+    ++count.regions, ++count.factorisations;
+    if (!motion_.factorise(G_)) return Inner::Failed;
+    step = -F;
+    motion_.solve(step);
+    if (!step.allFinite()) return Inner::Failed;
+
+    // Halve the step until the energy norm of F falls; near a solution the full step is taken.
+    double t = 1;
+    double trialError = 0;
+    bool accepted = false;
+    for (int h = 0; h < mostHalvings; ++h, t *= 0.5) {
+      trialDelta = delta_ + t * step;
+      u = u_ + motion_.relativeVelocity(trialDelta);
+      respond(problem, u, nullptr);
+      trialF = trialDelta - motion_.impulse(r_ - center_);
+      trialError = trialF.norm();
+      if (trialError <= (1 - 1e-4 * t) * error) {
+        accepted = true;
+        break;
+      }
+    }
+    if (!accepted) return error <= 1e-6 * size ? Inner::Converged : Inner::Failed;
+    delta_.swap(trialDelta);
+    F.swap(trialF);
+    error = trialError;
+    respond(problem, u, &G_);
+  }
+  return Inner::Failed;
+}
+
+template <class Motion>
+bool ProximalNewton<Motion>::walk(const Problem& problem, double tolerance, double alpha,
+                                  int regionBudget, Solution& best) {
+  constexpr double smallest = 1e-12, largest = 10;
+  if (best.residual <= tolerance) return true;
+  center_ = best.r;
+  u_ = best.u;
+  r_ = center_;
+  double residual = best.residual;
+  int failures = 0;
+  for (int outer = 0; outer < 60; ++outer) {
+    setWeights(problem, alpha);
+    if (solveProximal(problem, regionBudget, best) == Inner::Failed) {
+      if (regionBudget <= 0 || ++failures > 4 || alpha >= largest) return false;
+      alpha *= 10;
+      continue;
+    }
+    center_ = r_;
+    u_ = problem.W * center_ + problem.q;
+    const double now = naturalResidual(problem, center_, u_).max;
+    if (now < best.residual) {
+      best.r = center_;
+      best.u = u_;
+      best.residual = now;
+    }
+    if (now <= tolerance) return true;
+    // A region that is known needs a small weight to finish; one that still changes needs a larger one.
+    if (now > 0.1 * residual && alpha <= smallest) return false;
+    residual = now;
+    alpha = std::max(smallest, 0.1 * alpha);
+  }
+  return false;
+}
+
+template class ProximalNewton<BodyMotion>;
+template class ProximalNewton<FactoredMotion>;
+
+}  // namespace delassus

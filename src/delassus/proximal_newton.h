@@ -1,0 +1,43 @@
+#pragma once
+
+#include "delassus/motion_space.h"
+#include "delassus/options.h"
+#include "delassus/solution.h"
+
+namespace delassus {
+
+/// The walk from region to region: a proximal Newton method in a motion space (algorithms §6.10, written in increments).
+///
+/// Around reactions r_k the law is answered by z = r_k − l (u_k + J̃ δ) with l = 1/(compliance + A), A = α W_aa, and
+/// r = P(z), P the projection of z_n on [0, ∞) and then of z_t on the disk of radius μ r_n (for rows: on the bounds).
+/// Each inner Newton step solves δ = J̃ᵀ (r − r_k) in one region; each outer step takes r_k ← r. A fixed point is an exact
+/// solution of Coulomb's law for any α, and the regularisation leaves no trace in it.
+template <class Motion>
+class ProximalNewton {
+ public:
+  void setProblem(const Problem& problem);
+
+  /// Improves best.r (with its u and residual) until its natural residual is at most `tolerance` (m/s), or the region
+  /// budget is spent. `alpha`: first proximal weight. Returns whether the tolerance was reached.
+  bool walk(const Problem& problem, double tolerance, double alpha, int regionBudget, Solution& best);
+
+  std::size_t bytes() const { return motion_.bytes(); }
+
+ private:
+  enum class Inner { Converged, Failed };
+
+  void setWeights(const Problem& problem, double alpha);
+  /// r = P(z) and, if asked, its derivative, for relative velocities u = u_k + J̃ δ.
+  void respond(const Problem& problem, const VectorXd& u, Stiffness* G);
+  Inner solveProximal(const Problem& problem, int& budget, Solution& count);
+
+  Motion motion_;
+  VectorXd scale_;       ///< mean diagonal of W_aa per unknown
+  VectorXd l_;           ///< 1/(compliance + A)
+  VectorXd compliance_;
+  VectorXd center_, u_;  ///< r_k and u_k
+  VectorXd r_, delta_;   ///< the answer of the inner problem
+  Stiffness G_;
+};
+
+}  // namespace delassus

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "delassus/region_walk.h"
+
+namespace delassus {
+
+/// Reactions with the states that gave them, and their natural residual.
+struct RowAnswer {
+  VectorXd r;
+  std::vector<RowState> states;
+  double residual = std::numeric_limits<double>::infinity();
+
+  /// Takes the other's place if it is better.
+  void offer(const BoundedRows& problem, const RegionWalk& walk);
+};
+
+/// What the proximal point method found. `shift` is added to q where the demands are incompatible: the least change, in
+/// the norm of scaled velocities, that makes them compatible.
+struct ProximalAnswer {
+  RowAnswer best;
+  VectorXd shift;
+  std::vector<int> blamed;
+};
+
+/// Solves problems with singular W by exact proximal steps from r = 0 (algorithms 5.2-5.5): the motion is that of W itself,
+/// the reactions have least norm.
+ProximalAnswer proximalPoint(const BoundedRows& problem, RegionWalk& walk, int regionBudget);
+
+}  // namespace delassus

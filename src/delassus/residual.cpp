@@ -1,0 +1,118 @@
+#include "delassus/residual.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "delassus/cone.h"
+
+namespace delassus {
+namespace {
+
+/// ‖W‖₂ = √ λ_max(Wᵀ W), also for blocks that are not symmetric. Scaled first, for squares of tiny masses may vanish.
+double spectralNorm(const Mat3& W) {
+  const double scale = W.cwiseAbs().maxCoeff();
+  if (!(scale > 0)) return scale;
+  const Mat3 S = W / scale;
+  Eigen::SelfAdjointEigenSolver<Mat3> eigen;
+  eigen.computeDirect(S.transpose() * S, Eigen::EigenvaluesOnly);
+  return scale * std::sqrt(std::max(0.0, eigen.eigenvalues()[2]));
+}
+
+/// Nothing compared with nothing is nothing; something compared with nothing is infinite.
+double ratio(double part, double whole) { return part == 0 ? 0 : part / whole; }
+
+/// Sizes of the diagonal blocks of W, 1/kg, one a contact or row: positive, so that 1/size is a step.
+///
+/// A block that vanishes gives no step. It takes the size of the largest block, which at least has the right unit, or
+/// 1 if all vanish: whatever the step, the residual is zero at the same reactions.
+template <class ContactSize>
+VectorXd blockSizes(const Problem& problem, ContactSize contactSize) {
+  const int n = problem.contacts(), m = problem.rows();
+  VectorXd sizes(n + m);
+  for (int a = 0; a < n; ++a) sizes[a] = contactSize(problem.W.contactBlock(3 * a));
+  if (m > 0) sizes.tail(m) = problem.W.diagonal().tail(m).cwiseAbs();
+
+  const double largest = sizes.size() > 0 ? sizes.maxCoeff() : 0;
+  const double instead = largest > 0 ? largest : 1;
+  for (double& size : sizes)
+    if (size < std::numeric_limits<double>::min()) size = instead;
+  return sizes;
+}
+
+/// Calls `visit(k, first, ‖F‖)` with F = r − P(r − s v), s = step(k), for each contact and then each row k, whose
+/// unknowns start at `first`.
+template <class Step, class Visit>
+void visitNaturalMap(const Problem& problem, const VectorXd& r, const VectorXd& u, Step step,
+                     Visit visit) {
+  const int n = problem.contacts(), m = problem.rows();
+  for (int a = 0; a < n; ++a) {
+    const Vec3 ra = r.segment<3>(3 * a);
+    const double mu = problem.friction[a];
+    const Vec3 v = correctedVelocity(u.segment<3>(3 * a), mu);
+    visit(a, 3 * a, (ra - projectOnCone(ra - step(a) * v, mu)).norm());
+  }
+  for (int i = 0; i < m; ++i) {
+    const int at = 3 * n + i;
+    const double s = step(n + i);
+    const double x = r[at] - s * u[at];
+    visit(n + i, at, std::abs(r[at] - std::min(std::max(x, problem.lower[i]), problem.upper[i])));
+  }
+}
+
+}  // namespace
+
+NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r, const VectorXd& u) {
+  assert(r.size() == problem.size() && u.size() == problem.size() && "one number an unknown");
+  const VectorXd size = blockSizes(problem, spectralNorm);
+
+  NaturalResidual residual;
+  double velocity2 = 0, energy = 0, freeEnergy = 0;
+  const auto step = [&](int k) { return 1 / size[k]; };
+  visitNaturalMap(problem, r, u, step, [&](int k, int first, double F) {
+    const double velocity = F * size[k];
+    // A NaN is the worst of all: it must not pass for a small residual.
+    if (residual.worst < 0 || velocity > residual.max || std::isnan(velocity)) {
+      residual.max = velocity;
+      residual.worst = first;
+    }
+    velocity2 += velocity * velocity;
+    energy += F * velocity;
+    const int unknowns = k < problem.contacts() ? 3 : 1;
+    freeEnergy += problem.q.segment(first, unknowns).squaredNorm() / size[k];
+  });
+  if (size.size() > 0) residual.rms = std::sqrt(velocity2 / static_cast<double>(size.size()));
+  residual.energy = std::sqrt(ratio(energy, freeEnergy));
+  return residual;
+}
+
+NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r) {
+  VectorXd u = problem.W * r;
+  u += problem.q;
+  return naturalResidual(problem, r, u);
+}
+
+FclibMeasures fclibMeasures(const Problem& problem, const VectorXd& r) {
+  assert(r.size() == problem.size() && "one number an unknown");
+  const VectorXd u = problem.W * r + problem.q;
+  const VectorXd size = blockSizes(problem, [](const Mat3& W) { return std::abs(W.trace()) / 3; });
+
+  double unscaled2 = 0, velocity2 = 0;
+  visitNaturalMap(
+      problem, r, u, [](int) { return 1.0; }, [&](int, int, double F) { unscaled2 += F * F; });
+  visitNaturalMap(
+      problem, r, u, [&](int k) { return 1 / size[k]; },
+      [&](int k, int, double F) { velocity2 += F * size[k] * F * size[k]; });
+
+  const double unscaled = std::sqrt(unscaled2), q = problem.q.norm();
+  FclibMeasures measures;
+  measures.rel = ratio(unscaled, q);
+  measures.merit1 = unscaled / (1 + std::sqrt(q));
+  measures.sic = ratio(unscaled, std::max({q, r.norm(), u.norm()}));
+  measures.vel = ratio(std::sqrt(velocity2), q);
+  return measures;
+}
+
+}  // namespace delassus

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "delassus/problem.h"
+
+namespace delassus {
+
+/// How far reactions are from the law, per contact or row and together (algorithms §9.1):
+///
+///     F = r − P(r − ρ v),  ρ = 1/‖W_aa‖,  v = u + μ‖u_t‖ n for contacts, u for rows; P projects on the cone or the bounds
+struct NaturalResidual {
+  double max = 0;     ///< largest ‖F‖/ρ, m/s
+  double rms = 0;     ///< root mean square of ‖F‖/ρ over contacts and rows, m/s
+  double energy = 0;  ///< √( Σ ‖F‖²/ρ  /  Σ ρ‖q‖² ), dimensionless
+  int worst = -1;     ///< first unknown of the contact or row with the largest ‖F‖/ρ
+};
+
+NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r, const VectorXd& u);
+/// The same with u = W r + q.
+NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r);
+
+/// The published measures on problem files: unit-dependent, for comparison only.
+struct FclibMeasures {
+  double rel = 0;     ///< |F(1)| / |q|
+  double merit1 = 0;  ///< |F(1)| / (1 + √|q|)
+  double sic = 0;     ///< |F(1)| / max(|q|, |r|, |u|)
+  double vel = 0;     ///< |(F_i(s_i)/s_i)_i| / |q|, s_i = 3 / trace(W_ii); for rows s_i = 1/|W_ii|
+};
+
+FclibMeasures fclibMeasures(const Problem& problem, const VectorXd& r);
+
+}  // namespace delassus

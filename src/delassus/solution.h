@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "delassus/active_set.h"
+#include "delassus/types.h"
+
+namespace delassus {
+
+enum class Status : unsigned char {
+  Solved,        ///< the natural residual is within the tolerance
+  OutOfBudget,   ///< best answer found within the budget; see its residual
+  Incompatible,  ///< no motion meets all demands: least-squares compromise; see `blamed`
+};
+
+/// solved, out_of_budget or incompatible.
+std::string toString(Status status);
+
+/// What the reactions of one island are, and how good they are.
+struct Solution {
+  VectorXd r;  ///< reactions, N·s
+  VectorXd u;  ///< relative velocities u = W r + q, m/s
+  ActiveSet activeSet;
+  Status status = Status::Solved;
+  double residual = 0;  ///< natural residual, largest over contacts and rows, m/s
+  int regions = 0;      ///< regions visited
+  int factorisations = 0;
+  int sweeps = 0;
+  std::vector<int> blamed;  ///< first unknown of each contact or row with incompatible demands
+};
+
+}  // namespace delassus

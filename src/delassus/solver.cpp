@@ -1,0 +1,159 @@
+#include "delassus/solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "delassus/cone.h"
+#include "delassus/one_contact.h"
+#include "delassus/proximal_newton.h"
+#include "delassus/residual.h"
+#include "delassus/split_problem.h"
+#include "delassus/sweeps.h"
+
+namespace delassus {
+namespace {
+
+/// Reads the modes from the point z = r − v/W_aa that the law projects (from r alone grazing contacts lie).
+ActiveSet readActiveSet(const Problem& problem, const VectorXd& r, const VectorXd& u) {
+  const int n = problem.contacts();
+  const VectorXd diagonal = problem.W.diagonal();
+  ActiveSet set;
+  set.contacts.reserve(n);
+  for (int i = 0; i < n; ++i) {
+    const int at = 3 * i;
+    const double mu = problem.friction[i];
+    const double mean = diagonal.segment<3>(at).mean();
+    const double rho = mean > 0 ? 1 / mean : 0;
+    const Vec3 z = r.segment<3>(at) - rho * correctedVelocity(u.segment<3>(at), mu);
+    const double zt = std::hypot(z[1], z[2]);
+    set.contacts.push_back(mu * zt <= -z[0] || (z[0] <= 0 && zt == 0) ? Mode::Open
+                           : zt < mu * z[0]                             ? Mode::Stick
+                                                                        : Mode::Slide);
+  }
+  set.rows.reserve(problem.rows());
+  for (int i = 0; i < problem.rows(); ++i) {
+    const int at = 3 * n + i;
+    const double z = r[at] - (diagonal[at] > 0 ? u[at] / diagonal[at] : 0);
+    set.rows.push_back(z <= problem.lower[i]   ? RowState::AtLower
+                       : z >= problem.upper[i] ? RowState::AtUpper
+                                               : RowState::Free);
+  }
+  return set;
+}
+
+/// Moves a guess into the cones and bounds.
+VectorXd feasible(const Problem& problem, VectorXd r) {
+  const int n = problem.contacts();
+  for (int i = 0; i < n; ++i)
+    r.segment<3>(3 * i) = projectOnCone(r.segment<3>(3 * i), problem.friction[i]);
+  for (int i = 0; i < problem.rows(); ++i)
+    r[3 * n + i] = std::clamp(r[3 * n + i], problem.lower[i], problem.upper[i]);
+  return r;
+}
+
+/// Takes r as the best answer if its residual is smaller.
+void consider(const Problem& problem, const VectorXd& r, Solution& best) {
+  VectorXd u = problem.W * r + problem.q;
+  const double residual = naturalResidual(problem, r, u).max;
+  if (best.r.size() == r.size() && !(residual < best.residual)) return;
+  best.r = r;
+  best.u = std::move(u);
+  best.residual = residual;
+}
+
+}  // namespace
+
+struct Solver::Workspace {
+  Sweeps sweeps;
+  ProximalNewton<BodyMotion> bodies;
+  ProximalNewton<FactoredMotion> factored;
+
+  template <class Newton>
+  void walk(Newton& newton, const Problem& problem, const Options& options, double tolerance,
+            bool warm, Solution& best);
+};
+
+/// A warm start is first tried as it is; else a few sweeps find the neighbourhood, the walk the region, in turns.
+template <class Newton>
+void Solver::Workspace::walk(Newton& newton, const Problem& problem, const Options& options,
+                             double tolerance, bool warm, Solution& best) {
+  constexpr double knownRegion = 1e-6, unknownRegion = 1e-1;
+  newton.setProblem(problem);
+  if (warm && newton.walk(problem, tolerance, knownRegion, options.newtonBudget / 4, best)) return;
+
+  sweeps.setProblem(problem);
+  VectorXd r = best.r;
+  for (int burst = 10; best.sweeps < options.sweepBudget; burst *= 2) {
+    for (int k = 0; k < burst; ++k) sweeps.sweep(problem, r);
+    best.sweeps += burst;
+    consider(problem, r, best);
+    const int left = options.newtonBudget - best.regions;
+    if (left <= 0 || newton.walk(problem, tolerance, unknownRegion, left, best)) return;
+  }
+}
+
+Solver::Solver(Options options)
+    : options_(options), workspace_(std::make_unique<Workspace>()) {}
+Solver::~Solver() = default;
+Solver::Solver(Solver&&) noexcept = default;
+Solver& Solver::operator=(Solver&&) noexcept = default;
+
+Solution Solver::solve(const Problem& problem, const VectorXd& guess) {
+  Solution best;
+  consider(problem, feasible(problem, VectorXd::Zero(problem.size())), best);
+  const double largestDemand = problem.size() > 0 ? problem.q.cwiseAbs().maxCoeff() : 0;
+  const double tolerance = options_.tolerance * largestDemand;
+
+  const bool warm = guess.size() == problem.size() && problem.size() > 0 && guess.any();
+  if (best.residual > tolerance && warm) consider(problem, feasible(problem, guess), best);
+
+  if (best.residual > tolerance) {
+    if (problem.contacts() == 1 && problem.rows() == 0) {
+      ++best.regions;
+      consider(problem, solveOneContact(problem.W.contactBlock(0), problem.q, problem.friction[0]), best);
+    }
+    if (best.residual > tolerance) {
+      if (problem.W.inBodySpace())
+        workspace_->walk(workspace_->bodies, problem, options_, tolerance, warm, best);
+      else
+        workspace_->walk(workspace_->factored, problem, options_, tolerance, warm, best);
+    }
+  }
+  best.status = best.residual <= tolerance ? Status::Solved : Status::OutOfBudget;
+  best.activeSet = readActiveSet(problem, best.r, best.u);
+  return best;
+}
+
+Solution solve(const Problem& problem, const Options& options) {
+  Solver solver(options);
+  if (problem.W.inBodySpace()) return solver.solve(problem);
+
+  // Parts that nothing couples are solved apart.
+  Solution whole;
+  whole.r = VectorXd::Zero(problem.size());
+  whole.u = whole.r;
+  whole.activeSet.contacts.resize(problem.contacts());
+  whole.activeSet.rows.resize(problem.rows());
+  for (const ProblemPart& part : splitProblem(problem)) {
+    const Solution s = solver.solve(part.problem);
+    const int n = part.problem.contacts();
+    for (int k = 0; k < part.problem.size(); ++k) {
+      whole.r[part.unknowns[k]] = s.r[k];
+      whole.u[part.unknowns[k]] = s.u[k];
+    }
+    for (int i = 0; i < n; ++i)
+      whole.activeSet.contacts[part.unknowns[3 * i] / 3] = s.activeSet.contacts[i];
+    for (int i = 0; i < part.problem.rows(); ++i)
+      whole.activeSet.rows[part.unknowns[3 * n + i] - 3 * problem.contacts()] = s.activeSet.rows[i];
+    whole.status = std::max(whole.status, s.status);
+    whole.residual = std::max(whole.residual, s.residual);
+    whole.regions += s.regions;
+    whole.factorisations += s.factorisations;
+    whole.sweeps += s.sweeps;
+    for (int blamed : s.blamed) whole.blamed.push_back(part.unknowns[blamed]);
+  }
+  return whole;
+}
+
+}  // namespace delassus

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+
+#include "delassus/options.h"
+#include "delassus/problem.h"
+#include "delassus/solution.h"
+
+namespace delassus {
+
+/// Walks from region to region until one holds its own answer. Owns the workspace; not thread-safe, one per thread.
+class Solver {
+ public:
+  explicit Solver(Options options = {});
+  ~Solver();
+  Solver(Solver&&) noexcept;
+  Solver& operator=(Solver&&) noexcept;
+
+  /// Solves `problem`, starting from the reactions `guess` (empty: from rest). The best answer is always returned.
+  Solution solve(const Problem& problem, const VectorXd& guess = {});
+
+  const Options& options() const { return options_; }
+
+ private:
+  struct Workspace;
+  Options options_;
+  std::unique_ptr<Workspace> workspace_;
+};
+
+/// One-off use.
+Solution solve(const Problem& problem, const Options& options = {});
+
+}  // namespace delassus

@@ -1,0 +1,20 @@
+#pragma once
+/// Fixed-size types shared by the whole core. Double precision always; frames are normal first.
+
+#include <Eigen/Core>
+
+namespace delassus {
+
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+using Vec6 = Eigen::Matrix<double, 6, 1>;  ///< linear part first, then angular
+using Row6 = Eigen::Matrix<double, 1, 6>;
+using Mat36 = Eigen::Matrix<double, 3, 6>;
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+using VectorXd = Eigen::VectorXd;
+using MatrixXd = Eigen::MatrixXd;
+
+/// Index of the fixed world where a body index is expected.
+constexpr int fixedWorld = -1;
+
+}  // namespace delassus

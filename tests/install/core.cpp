@@ -1,0 +1,13 @@
+// Two contacts pressed onto one body: the region in which both persist, found by the installed core.
+#include <cstdlib>
+
+#include "delassus/release.h"
+
+int main() {
+  Eigen::Matrix2d W;
+  W << 2, 1, 1, 2;
+  const Eigen::Vector2d q(-1, -1);
+  const auto release = delassus::analyseRelease(W, q);
+  const bool closed = (W * release.r + q).norm() < 1e-12;
+  return closed ? EXIT_SUCCESS : EXIT_FAILURE;
+}
