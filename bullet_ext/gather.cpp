@@ -127,9 +127,6 @@ GatheredPoint gatherPoint(const Pair& pair, const btManifoldPoint& point,
   c.target[0] = bounce - std::max(d, 0.0) / h + (split ? 0 : recovery);
   c.compliance = soft.cfm < 0 ? 0 : soft.cfm / h;
   out.push = split ? recovery : 0;
-
-  // max() above lets NaN through on one side only; what it may have hidden is refused here.
-  if (!std::isfinite(point.m_combinedRestitution)) c.target[0] = point.m_combinedRestitution;
   return out;
 }
 
@@ -144,8 +141,9 @@ const char* faultOf(const btManifoldPoint& point, const GatheredPoint& gathered)
   if (!std::isfinite(point.getDistance())) return "its distance is not finite";
   if (!c.armA.allFinite() || !c.armB.allFinite()) return "its position is not finite";
   if (!std::isfinite(c.friction)) return "its friction is not finite";
+  if (!std::isfinite(point.m_combinedRestitution)) return "its restitution is not finite";
   if (!c.target.allFinite() || !std::isfinite(c.compliance) || !std::isfinite(gathered.push))
-    return "its restitution or softness is not finite";
+    return "its softness is not finite";
   return nullptr;
 }
 

@@ -9,7 +9,7 @@ namespace delassus {
 /// Euclidean projection on Coulomb's cone K_μ = { r : ‖r_t‖ ≤ μ r_n }, normal first (algorithms §6.1).
 inline Vec3 projectOnCone(const Vec3& x, double mu) {
   const double t = std::hypot(x[1], x[2]);
-  if (t <= mu * x[0]) return x;
+  if (x[0] >= 0 && t <= mu * x[0]) return x;
   if (mu * t <= -x[0]) return Vec3::Zero();
   const double n = (x[0] + mu * t) / (1 + mu * mu);
   const double scale = t > 0 ? mu * n / t : 0;

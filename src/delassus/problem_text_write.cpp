@@ -78,6 +78,7 @@ Sparse explicitEntries(const DelassusMatrix& W) {
   J.setFromTriplets(jacobian.begin(), jacobian.end());
 
   std::vector<Eigen::Triplet<double>> diagonal;
+  diagonal.reserve(W.size());
   for (int i = 0; i < W.size(); ++i) diagonal.emplace_back(i, i, space.compliance[i]);
   Sparse R(W.size(), W.size());
   R.setFromTriplets(diagonal.begin(), diagonal.end());

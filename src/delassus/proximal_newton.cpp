@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "delassus/residual.h"
 
@@ -23,7 +24,7 @@ void ProximalNewton<Motion>::setProblem(const Problem& problem) {
 }
 
 template <class Motion>
-void ProximalNewton<Motion>::setWeights(const Problem&, double alpha) {
+void ProximalNewton<Motion>::setWeights(double alpha) {
   l_ = (compliance_ + alpha * scale_).cwiseInverse();
 }
 
@@ -65,13 +66,67 @@ void ProximalNewton<Motion>::respond(const Problem& problem, const VectorXd& u, 
 }
 
 template <class Motion>
-typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(const Problem& problem,
-                                                                             int& budget,
-                                                                             Solution& count) {
+void ProximalNewton<Motion>::respondInRegion(const Problem& problem, const Solution& from) {
+  const int n = problem.contacts(), m = problem.rows();
+  for (int i = 0; i < n; ++i) {
+    const int at = 3 * i;
+    const double mu = problem.friction[i];
+    const Vec3 g = from.r.segment<3>(at), l = l_.segment<3>(at);
+    const Vec3 held = center_.segment<3>(at) - l.cwiseProduct(u_.segment<3>(at));
+    auto r = r_.segment<3>(at);
+    switch (from.activeSet.contacts[i]) {
+      case Mode::Open:
+        r.setZero();
+        G_.contacts[i].setZero();
+        break;
+      case Mode::Stick:
+        r = held;
+        G_.contacts[i] = l.asDiagonal();
+        break;
+      case Mode::Slide: {
+        const double length = std::hypot(g[1], g[2]);
+        const double c = length > 0 ? g[1] / length : 0, s = length > 0 ? g[2] / length : 0;
+        // The direction may turn as it does at the guess: by μ r_n over the sliding speed.
+        const double speed = std::hypot(from.u[at + 1], from.u[at + 2]);
+        const double turn = length > 0 ? length / (length / l[1] + speed) : 0;
+        r = held[0] * Vec3(1, mu * c, mu * s);
+        const double across = turn * (-s * u_[at + 1] + c * u_[at + 2]);
+        r[1] += s * across;
+        r[2] -= c * across;
+        G_.contacts[i] << l[0], 0, 0,                      //
+            mu * l[0] * c, turn * s * s, -turn * s * c,    //
+            mu * l[0] * s, -turn * s * c, turn * c * c;
+        break;
+      }
+    }
+  }
+  for (int i = 0; i < m; ++i) {
+    const int at = 3 * n + i;
+    const RowState state = from.activeSet.rows[i];
+    const bool free = state == RowState::Free;
+    r_[at] = free ? center_[at] - l_[at] * u_[at]
+                  : state == RowState::AtLower ? problem.lower[i] : problem.upper[i];
+    G_.rows[i] = free ? l_[at] : 0;
+  }
+}
+
+template <class Motion>
+typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
+    const Problem& problem, int& budget, Solution& count, const Solution* region) {
   constexpr int mostSteps = 25, mostHalvings = 8;
   delta_ = VectorXd::Zero(motion_.impulse(center_).size());
   VectorXd u = u_, F, step, trialDelta, trialF;
 
+  if (region) {
+    if (budget-- <= 0) return Inner::Failed;
+    ++count.regions, ++count.factorisations;
+    respondInRegion(problem, *region);
+    if (!motion_.factorise(G_)) return Inner::Failed;
+    delta_ = motion_.impulse(r_ - center_);
+    motion_.solve(delta_);
+    if (!delta_.allFinite()) return Inner::Failed;
+    u = u_ + motion_.relativeVelocity(delta_);
+  }
   respond(problem, u, &G_);
   F = delta_ - motion_.impulse(r_ - center_);
   double error = F.norm();
@@ -112,17 +167,33 @@ typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(con
 template <class Motion>
 bool ProximalNewton<Motion>::walk(const Problem& problem, double tolerance, double alpha,
                                   int regionBudget, Solution& best) {
-  constexpr double smallest = 1e-12, largest = 10;
-  if (best.residual <= tolerance) return true;
   center_ = best.r;
   u_ = best.u;
+  return converge(problem, tolerance, alpha, regionBudget, false, best);
+}
+
+template <class Motion>
+bool ProximalNewton<Motion>::walkFromRegion(const Problem& problem, double tolerance, double alpha,
+                                            int regionBudget, Solution& best) {
+  center_ = VectorXd::Zero(problem.size());
+  u_ = problem.q;
+  return converge(problem, tolerance, alpha, regionBudget, true, best);
+}
+
+template <class Motion>
+bool ProximalNewton<Motion>::converge(const Problem& problem, double tolerance, double alpha,
+                                      int regionBudget, bool fromRegion, Solution& best) {
+  constexpr double smallest = 1e-12, largest = 10;
+  constexpr int mostOuters = 60, mostFailures = 4;
   r_ = center_;
-  double residual = best.residual;
+  double residual = std::numeric_limits<double>::infinity();
   int failures = 0;
-  for (int outer = 0; outer < 60; ++outer) {
-    setWeights(problem, alpha);
-    if (solveProximal(problem, regionBudget, best) == Inner::Failed) {
-      if (regionBudget <= 0 || ++failures > 4 || alpha >= largest) return false;
+  for (int outer = 0; outer < mostOuters; ++outer) {
+    setWeights(alpha);
+    const Solution* region = fromRegion && outer == 0 ? &best : nullptr;
+    if (solveProximal(problem, regionBudget, best, region) == Inner::Failed) {
+      if (fromRegion || regionBudget <= 0 || ++failures > mostFailures || alpha >= largest)
+        return false;
       alpha *= 10;
       continue;
     }
@@ -137,8 +208,8 @@ bool ProximalNewton<Motion>::walk(const Problem& problem, double tolerance, doub
     if (now <= tolerance) return true;
     // A region that is known needs a small weight to finish; one that still changes needs a larger one.
     if (now > 0.1 * residual && alpha <= smallest) return false;
+    if (now > 0.01 * residual || !fromRegion) alpha = std::max(smallest, 0.1 * alpha);
     residual = now;
-    alpha = std::max(smallest, 0.1 * alpha);
   }
   return false;
 }

@@ -21,15 +21,23 @@ class ProximalNewton {
   /// budget is spent. `alpha`: first proximal weight. Returns whether the tolerance was reached.
   bool walk(const Problem& problem, double tolerance, double alpha, int regionBudget, Solution& best);
 
+  /// The same, but tests the region of best.r first and starts its reactions from zero: the limit is the smoothest share
+  /// (least norm) among redundant contacts, whatever the guess was.
+  bool walkFromRegion(const Problem& problem, double tolerance, double alpha, int regionBudget, Solution& best);
+
   std::size_t bytes() const { return motion_.bytes(); }
 
  private:
   enum class Inner { Converged, Failed };
 
-  void setWeights(const Problem& problem, double alpha);
+  void setWeights(double alpha);
   /// r = P(z) and, if asked, its derivative, for relative velocities u = u_k + J̃ δ.
   void respond(const Problem& problem, const VectorXd& u, Stiffness* G);
-  Inner solveProximal(const Problem& problem, int& budget, Solution& count);
+  /// The same in one given region, that of `from`: an affine answer, right if the region is.
+  void respondInRegion(const Problem& problem, const Solution& from);
+  Inner solveProximal(const Problem& problem, int& budget, Solution& count, const Solution* region);
+  bool converge(const Problem& problem, double tolerance, double alpha, int regionBudget, bool fromRegion,
+                Solution& best);
 
   Motion motion_;
   VectorXd scale_;       ///< mean diagonal of W_aa per unknown

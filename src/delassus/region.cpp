@@ -13,6 +13,10 @@ namespace {
 /// a residual of 1e-2 |q| where the recursion left 1e-6 (algorithms 3.3).
 constexpr double cofactorPivot = 1e-4;
 
+/// For three contacts the error is ε over the determinant, the product of the pivots: measured 2e-8 |q| with two pivots just
+/// above 1e-4, 4e-13 |q| above this determinant.
+constexpr double cofactorDeterminant = 1e-2;
+
 /// A pivot this small against the unit diagonal says that a contact is dependent on the others (algorithms 3.5).
 constexpr double dependentPivot = 1e-10;
 
@@ -119,8 +123,9 @@ std::optional<Eigen::Vector3d> threeContacts(const Eigen::Matrix3d& W, const Eig
 
   // Scaled pivots of a Cholesky factorisation that starts with contact 0 and takes the larger of the others next.
   const double second = std::max(scaled(0, 1), scaled(0, 2));
-  const double third = determinant / (W.diagonal().prod() * second);
-  if (!(second > cofactorPivot && third > cofactorPivot)) return std::nullopt;
+  const double scaledDeterminant = determinant / W.diagonal().prod();
+  const bool pivotsSafe = second > cofactorPivot && scaledDeterminant > cofactorPivot * second;
+  if (!pivotsSafe || !(scaledDeterminant > cofactorDeterminant)) return std::nullopt;
 
   if ((M.array() > 0).all()) return M / determinant;
 

@@ -43,8 +43,8 @@ double oneContact(double W, double q);
 /// for cofactors to keep their digits (at most 1e-4).
 std::optional<Eigen::Vector2d> twoContacts(const Eigen::Matrix2d& W, const Eigen::Vector2d& q);
 
-/// n = 3 (paper §11): eight trihedra, by cofactors (algorithms 3.3). Empty where cofactors lose digits: if a pivot of the
-/// matrix scaled to unit diagonal is at most 1e-4.
+/// n = 3 (paper §11): eight trihedra, by cofactors (algorithms 3.3). Empty where cofactors lose digits: if, of the matrix
+/// scaled to unit diagonal, a pivot is at most 1e-4 or the determinant at most 1e-2.
 std::optional<Eigen::Vector3d> threeContacts(const Eigen::Matrix3d& W, const Eigen::Vector3d& q);
 
 /// Any n up to `smallRegionSize`, exact and backward stable whatever the conditioning (algorithms 3.4). W has unit diagonal.

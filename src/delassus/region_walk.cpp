@@ -70,12 +70,65 @@ RegionWalk::End RegionWalk::settle(const VectorXd& anchor, double alpha, int reg
       patience = blockPatience;
     } else if (patience > 0) {
       --patience;
+    } else if (problem_.symmetric) {
+      return descend(anchor, alpha, regionBudget);
     } else {
       objecting = {objecting.back()};  // Murty: a fixed order cannot cycle
     }
     for (const int row : objecting) changeState(row);
   }
   return End::OutOfBudget;
+}
+
+/// Primal active-set descent: r stays within its bounds and the cost falls with every region.
+RegionWalk::End RegionWalk::descend(const VectorXd& anchor, double alpha, int regionBudget) {
+  VectorXd r = problem_.clamp(anchor);
+  holdAtBounds(r);
+  for (; regions_ < regionBudget; ++regions_) {
+    if (!solveRegion(anchor, alpha)) return End::Singular;
+    const std::vector<int> objecting = objections();
+    if (objecting.empty()) {
+      ++regions_;
+      return End::Settled;
+    }
+    const auto freeObjects = [this](int i) { return states_[i] == RowState::Free; };
+    if (std::any_of(objecting.begin(), objecting.end(), freeObjects)) {
+      stepToFirstBound(r);
+    } else {
+      // The lowest point of this face: leave it where the cost falls fastest.
+      r = problem_.clamp(r_);
+      const auto less = [this](int i, int j) { return std::abs(u_[i]) < std::abs(u_[j]); };
+      changeState(*std::max_element(objecting.begin(), objecting.end(), less));
+    }
+  }
+  return End::OutOfBudget;
+}
+
+/// Rows of r that lie at a bound keep it.
+void RegionWalk::holdAtBounds(const VectorXd& r) {
+  for (int i = 0; i < problem_.size(); ++i) {
+    states_[i] = r[i] == problem_.lower[i]   ? RowState::AtLower
+                 : r[i] == problem_.upper[i] ? RowState::AtUpper
+                                             : RowState::Free;
+  }
+}
+
+/// Moves r towards the lowest point r_ of its face until the first rows meet their bounds; these are then held.
+void RegionWalk::stepToFirstBound(VectorXd& r) {
+  const VectorXd reachable = problem_.clamp(r_);
+  const auto fraction = [&](int i) {
+    return reachable[i] == r_[i] ? 1.0 : (reachable[i] - r[i]) / (r_[i] - r[i]);
+  };
+  double step = 1;
+  for (const int i : free_) step = std::min(step, fraction(i));
+  for (const int i : free_) {
+    if (reachable[i] != r_[i] && fraction(i) <= step) {
+      changeState(i);
+      r[i] = reachable[i];
+    } else {
+      r[i] += step * (r_[i] - r[i]);
+    }
+  }
 }
 
 /// False if the free rows are dependent. `anew` forbids edits of the last factor.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "delassus/cone.h"
@@ -42,6 +43,22 @@ ActiveSet readActiveSet(const Problem& problem, const VectorXd& r, const VectorX
   return set;
 }
 
+/// The paper's forced motion: all that approach are held, whatever the sign of their reactions will be.
+ActiveSet forcedActiveSet(const Problem& problem) {
+  // Bodies that fall together touch with q_n = 0 up to round-off: they are held too.
+  const double touching = 1e-6 * problem.q.cwiseAbs().maxCoeff();
+  ActiveSet set;
+  for (int i = 0; i < problem.contacts(); ++i)
+    set.contacts.push_back(problem.q[3 * i] <= touching ? Mode::Stick : Mode::Open);
+  for (int i = 0; i < problem.rows(); ++i) {
+    const double q = problem.q[3 * problem.contacts() + i];
+    set.rows.push_back(q > touching && std::isfinite(problem.lower[i])   ? RowState::AtLower
+                       : q < -touching && std::isfinite(problem.upper[i]) ? RowState::AtUpper
+                                                                   : RowState::Free);
+  }
+  return set;
+}
+
 /// Moves a guess into the cones and bounds.
 VectorXd feasible(const Problem& problem, VectorXd r) {
   const int n = problem.contacts();
@@ -74,23 +91,37 @@ struct Solver::Workspace {
             bool warm, Solution& best);
 };
 
-/// A warm start is first tried as it is; else a few sweeps find the neighbourhood, the walk the region, in turns.
+/// The regions most likely right are tried first, with reactions that start from zero: the warm one, or the paper's forced
+/// motion (every approaching contact held). Then a few sweeps find the neighbourhood and the walk the region, in turns.
 template <class Newton>
 void Solver::Workspace::walk(Newton& newton, const Problem& problem, const Options& options,
                              double tolerance, bool warm, Solution& best) {
   constexpr double knownRegion = 1e-6, unknownRegion = 1e-1;
   newton.setProblem(problem);
-  if (warm && newton.walk(problem, tolerance, knownRegion, options.newtonBudget / 4, best)) return;
+  VectorXd r = best.r;
+  const int firstTry = options.newtonBudget / (warm ? 4 : 16);
+  best.activeSet = warm ? readActiveSet(problem, best.r, best.u) : forcedActiveSet(problem);
+  if (newton.walkFromRegion(problem, tolerance, knownRegion, firstTry, best)) return;
 
   sweeps.setProblem(problem);
-  VectorXd r = best.r;
   for (int burst = 10; best.sweeps < options.sweepBudget; burst *= 2) {
     for (int k = 0; k < burst; ++k) sweeps.sweep(problem, r);
     best.sweeps += burst;
     consider(problem, r, best);
     const int left = options.newtonBudget - best.regions;
-    if (left <= 0 || newton.walk(problem, tolerance, unknownRegion, left, best)) return;
+    if (left <= 0) return;
+    if (newton.walk(problem, tolerance, unknownRegion, left, best)) break;
   }
+  if (best.residual > tolerance) return;
+
+  // The walk kept the self-stress of the sweeps; from its region the smoothest share is a step away.
+  best.activeSet = readActiveSet(problem, best.r, best.u);
+  Solution smooth = best;
+  smooth.residual = std::numeric_limits<double>::infinity();
+  const bool kept = newton.walkFromRegion(problem, tolerance, knownRegion, firstTry, smooth);
+  best.regions = smooth.regions;
+  best.factorisations = smooth.factorisations;
+  if (kept) best = std::move(smooth);
 }
 
 Solver::Solver(Options options)

@@ -34,24 +34,29 @@ class SlipDirections {
 
   /// All slips, sorted by sliding speed over friction force, |u_t| / |r_t|.
   std::vector<ReferenceContact> find() const {
-    std::vector<Real> angles;
     const Real step = 2 * std::acos(Real(-1)) / cells;
+    std::vector<Real> g;  // G at the corners of the cells, one cell beyond the full turn
+    for (int i = 0; i < cells + 2; ++i) g.push_back(G(i * step));
+
+    std::vector<Real> angles;
     for (int i = 0; i < cells; ++i) {
-      const Real a = i * step, b = (i + 1) * step;
-      if (oppositeSigns(a, b)) {
+      const Real a = i * step, b = (i + 1) * step, c = (i + 2) * step;
+      if (oppositeSigns(g[i], g[i + 1])) {
         angles.push_back(bisect(a, b));
-      } else if (oppositeSlopes(a, b)) {
-        // Two zeros, or none, in one cell: they are on either side of the extremum.
-        const Real top = extremum(a, b);
-        if (oppositeSigns(a, top)) angles.push_back(bisect(a, top));
-        if (oppositeSigns(top, b)) angles.push_back(bisect(top, b));
+      } else if (!oppositeSigns(g[i + 1], g[i + 2]) && std::abs(g[i + 1]) <= std::abs(g[i]) &&
+                 std::abs(g[i + 1]) <= std::abs(g[i + 2])) {
+        // Two zeros between a and c, or none: they are on either side of the extremum.
+        const Real top = extremum(a, c);
+        if (!oppositeSigns(g[i], G(top))) continue;
+        angles.push_back(bisect(a, top));
+        angles.push_back(bisect(top, c));
       }
     }
     return slipsAt(angles);
   }
 
  private:
-  static constexpr int cells = 7200;
+  static constexpr int cells = 1440;
 
   Vector direction(Real angle) const { return {1, -mu_ * std::cos(angle), -mu_ * std::sin(angle)}; }
 
@@ -69,8 +74,7 @@ class SlipDirections {
   /// Central difference, wide enough for the sign of the slope and narrow against a cell.
   Real slope(Real angle) const { return G(angle + 1e-7L) - G(angle - 1e-7L); }
 
-  bool oppositeSigns(Real a, Real b) const { return (G(a) > 0) != (G(b) > 0); }
-  bool oppositeSlopes(Real a, Real b) const { return (slope(a) > 0) != (slope(b) > 0); }
+  static bool oppositeSigns(Real a, Real b) { return (a > 0) != (b > 0); }
 
   template <class F>
   static Real bisectSign(Real a, Real b, F f) {

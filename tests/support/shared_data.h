@@ -24,7 +24,8 @@ inline std::filesystem::path sharedFolder() {
 
 /// What a test that skips for want of the folder says.
 inline constexpr const char* noSharedFolder =
-    "No folder with problem files: set DELASSUS_SHARED to the one that holds problems/ and worlds/.";
+    "No folder with problem files: set DELASSUS_SHARED to the one that holds problems/ and "
+    "worlds/.";
 
 /// The files of `subfolder` with one of the suffixes (".fc3d", ".lcp"), in the order of their names.
 inline std::vector<std::filesystem::path> sharedFiles(const std::string& subfolder,

@@ -1,0 +1,131 @@
+#include "bullet_ext/btDelassusConstraintSolver.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
+#include "bullet_ext/gather.h"
+#include "bullet_ext/push.h"
+#include "bullet_ext/solve_group.h"
+#include "bullet_ext/write_back.h"
+#include "delassus/solver.h"
+
+using namespace delassus;
+using namespace delassus::bullet;
+
+namespace {
+
+/// Adds the time until it goes to a counter; for the report only.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
+  ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double& seconds_;
+  Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace
+
+struct btDelassusConstraintSolver::Workspace {
+  explicit Workspace(const Options& options) : solver(options) {}
+
+  Solver solver;
+  Group group;
+  Answer answer;
+  Pushes pushes;
+  std::vector<ContactEvent> events;
+  StepReport report;
+  double residualSquares = 0;  ///< of the whole step, (m/s)²
+  long residualParts = 0;
+
+  void clearReport() {
+    report = StepReport{};
+    residualSquares = 0;
+    residualParts = 0;
+  }
+  void countSolve();
+};
+
+void btDelassusConstraintSolver::Workspace::countSolve() {
+  report.contacts += static_cast<int>(group.contacts.size());
+  report.rows += static_cast<int>(group.rows.size());
+  report.islands += static_cast<int>(answer.islands.size());
+  for (const IslandResult& island : answer.islands) {
+    ++(island.status == Status::Solved        ? report.solved
+       : island.status == Status::OutOfBudget ? report.outOfBudget
+                                              : report.incompatible);
+    report.residualMax = std::max(report.residualMax, island.residualMax);
+    residualSquares += island.residualRms * island.residualRms * island.parts;
+    residualParts += island.parts;
+    for (const std::string& name : island.blamed)
+      report.tell(name + ": no motion meets its demand; the nearest one is taken");
+  }
+  if (residualParts > 0) report.residualRms = std::sqrt(residualSquares / residualParts);
+
+  report.regions += answer.regions + pushes.regions;
+  report.factorisations += answer.factorisations + pushes.factorisations;
+  report.obsoleteConstraints += answer.obsoleteConstraints;
+  report.pushIslands += pushes.islands;
+  report.pushUnsolved += pushes.unsolved;
+  report.workspaceBytes = std::max(
+      report.workspaceBytes, group.bytes() + answer.bytes() + pushes.bodies.capacity() * sizeof(Body));
+}
+
+btDelassusConstraintSolver::btDelassusConstraintSolver(const Options& options, btDelassusPrecision)
+    : workspace_(std::make_unique<Workspace>(options)) {}
+
+btDelassusConstraintSolver::~btDelassusConstraintSolver() = default;
+
+void btDelassusConstraintSolver::prepareSolve(int, int) { workspace_->clearReport(); }
+
+btScalar btDelassusConstraintSolver::solveGroup(btCollisionObject** bodies, int bodyCount,
+                                                btPersistentManifold** manifolds, int manifoldCount,
+                                                btTypedConstraint** constraints, int constraintCount,
+                                                const btContactSolverInfo& info, btIDebugDraw*,
+                                                btDispatcher* dispatcher) {
+  Workspace& w = *workspace_;
+  if (!(info.m_timeStep > 0) || !std::isfinite(info.m_timeStep)) {
+    w.report.tell("step left out: its time step is not a positive number");
+    return 0;
+  }
+
+  {
+    const Stopwatch watch(w.report.secondsGather);
+    w.group.clear();
+    gatherBodies(w.group, bodies, bodyCount, info, w.report);
+    gatherContacts(w.group, manifolds, manifoldCount, info, dispatcher, w.report);
+    gatherJoints(w.group, constraints, constraintCount, info, w.report);
+  }
+  {
+    const Stopwatch watch(w.report.secondsSolve);
+    bullet::solveGroup(w.group, info, w.solver, w.answer);
+    solvePushes(w.group, w.solver, w.pushes);
+    w.countSolve();
+  }
+  {
+    const Stopwatch watch(w.report.secondsWriteBack);
+    w.events.clear();
+    writeVelocities(w.group, w.answer);
+    writePushes(w.group, w.pushes, info);
+    writeContacts(w.group, w.answer, w.report, listener_ ? &w.events : nullptr);
+    writeJoints(w.group, w.answer, info);
+  }
+  for (const ContactEvent& event : w.events) listener_(event);
+  return 0;
+}
+
+void btDelassusConstraintSolver::reset() {
+  workspace_ = std::make_unique<Workspace>(workspace_->solver.options());
+}
+
+const StepReport& btDelassusConstraintSolver::report() const { return workspace_->report; }
+
+void btDelassusConstraintSolver::setContactListener(std::function<void(const ContactEvent&)> listener) {
+  listener_ = std::move(listener);
+}

@@ -1,0 +1,98 @@
+#include "bullet_ext/obsolete.h"
+
+#include <algorithm>
+
+#include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
+#include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
+#include "bullet_ext/convert.h"
+
+namespace delassus::bullet {
+namespace {
+
+btSolverBody fixedSolverBody() {
+  btSolverBody body;
+  const btVector3 zero(0, 0, 0), one(1, 1, 1);
+  body.m_worldTransform.setIdentity();
+  body.m_deltaLinearVelocity = body.m_deltaAngularVelocity = zero;
+  body.m_angularFactor = body.m_linearFactor = one;
+  body.m_invMass = zero;
+  body.m_pushVelocity = body.m_turnVelocity = zero;
+  body.m_linearVelocity = body.m_angularVelocity = zero;
+  body.m_externalForceImpulse = body.m_externalTorqueImpulse = zero;
+  body.m_originalBody = nullptr;
+  return body;
+}
+
+btSolverBody solverBody(const Body& body, const BodySource& source) {
+  btSolverBody out = fixedSolverBody();
+  out.m_worldTransform = source.rigid->getWorldTransform();
+  out.m_angularFactor = source.rigid->getAngularFactor();
+  out.m_linearFactor = source.rigid->getLinearFactor();
+  out.m_invMass = toBullet(body.inverseMass);
+  out.m_linearVelocity = source.rigid->getLinearVelocity();
+  out.m_angularVelocity = source.rigid->getAngularVelocity();
+  const Vec6 gain = body.velocity - source.before;
+  out.m_externalForceImpulse = toBullet(gain.head<3>());
+  out.m_externalTorqueImpulse = toBullet(gain.tail<3>());
+  out.m_originalBody = source.rigid;
+  return out;
+}
+
+Vec6 delta(const btSolverBody& body) {
+  return toCore(body.m_deltaLinearVelocity, body.m_deltaAngularVelocity);
+}
+
+}  // namespace
+
+ObsoleteConstraints::ObsoleteConstraints(const Group& group, const btContactSolverInfo& info)
+    : info_(info), acted_(group.obsolete.size(), 0) {
+  for (std::size_t i = 0; i < group.bodies.size(); ++i) {
+    free_.push_back(group.bodies[i].velocity);
+    bodies_.push_back(solverBody(group.bodies[i], group.bodySources[i]));
+  }
+  bodies_.push_back(fixedSolverBody());
+}
+
+void ObsoleteConstraints::setDeltas(const std::vector<Body>& moved) {
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    const Vec6 gain = moved[i].velocity - free_[i];
+    bodies_[static_cast<int>(i)].m_deltaLinearVelocity = toBullet(gain.head<3>());
+    bodies_[static_cast<int>(i)].m_deltaAngularVelocity = toBullet(gain.tail<3>());
+  }
+}
+
+bool ObsoleteConstraints::sweep(Group& group, const std::vector<Body>& moved) {
+  setDeltas(moved);
+  bool changed = false;
+  const int fixed = bodies_.size() - 1;
+  for (std::size_t i = 0; i < group.obsolete.size(); ++i) {
+    btTypedConstraint& constraint = *group.obsolete[i];
+    const auto indexOf = [&](const btCollisionObject& object) {
+      const auto entry = group.indexOf.find(&object);
+      return entry == group.indexOf.end() ? fixedWorld : entry->second;
+    };
+    const int a = indexOf(constraint.getRigidBodyA()), b = indexOf(constraint.getRigidBodyB());
+    if (a == leftOut || b == leftOut) continue;
+
+    btSolverBody& bodyA = bodies_[a >= 0 ? a : fixed];
+    btSolverBody& bodyB = bodies_[b >= 0 ? b : fixed];
+    const Vec6 beforeA = delta(bodyA), beforeB = delta(bodyB);
+    constraint.solveConstraintObsolete(bodyA, bodyB, info_.m_timeStep);
+
+    const auto take = [&](int body, const Vec6& gain) {
+      if (!group.movable(body) || !gain.any()) return;
+      group.bodies[body].velocity += gain;
+      acted_[i] = 1;
+      changed = true;
+    };
+    take(a, delta(bodyA) - beforeA);
+    if (b != a) take(b, delta(bodyB) - beforeB);
+  }
+  return changed;
+}
+
+int ObsoleteConstraints::acted() const {
+  return static_cast<int>(std::count(acted_.begin(), acted_.end(), 1));
+}
+
+}  // namespace delassus::bullet

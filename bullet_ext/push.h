@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "bullet_ext/gather.h"
+#include "delassus/solver.h"
+
+namespace delassus::bullet {
+
+/// Split impulse: how the bodies have to be moved out of each other, as velocities over one step.
+///
+///     0 ≤ r' ⟂ W r' + s r' − p ≥ 0        bodies at rest, the contacts with p > 0 alone, no friction, no joints
+struct Pushes {
+  std::vector<Body> bodies;  ///< push velocities; empty if nothing has to move
+  int islands = 0, unsolved = 0, regions = 0, factorisations = 0;
+};
+
+void solvePushes(const Group& group, Solver& solver, Pushes& pushes);
+
+}  // namespace delassus::bullet

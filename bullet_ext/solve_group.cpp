@@ -1,0 +1,119 @@
+#include "bullet_ext/solve_group.h"
+
+#include <algorithm>
+
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
+#include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
+#include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
+#include "bullet_ext/obsolete.h"
+#include "delassus/island.h"
+#include "delassus/residual.h"
+
+namespace delassus::bullet {
+namespace {
+
+/// The reactions of `answer` that belong to the island, in the order of its unknowns.
+VectorXd reactionsOf(const Answer& answer, const Island& island) {
+  const auto contacts = static_cast<int>(island.frictional.size());
+  const auto scalars = static_cast<int>(island.frictionless.size() + island.rows.size());
+  VectorXd r(3 * contacts + scalars);
+  int at = 0;
+  for (int i : island.frictional) {
+    r.segment<3>(at) = answer.contacts[i];
+    at += 3;
+  }
+  for (int i : island.frictionless) r[at++] = answer.contacts[i][0];
+  for (int i : island.rows) r[at++] = answer.rows[i];
+  return r;
+}
+
+void keepReactions(const Island& island, const Solution& solution, Answer& answer) {
+  int at = 0, state = 0;
+  for (int i : island.frictional) {
+    answer.contacts[i] = solution.r.segment<3>(at);
+    answer.modes[i] = solution.activeSet.contacts[at / 3];
+    at += 3;
+  }
+  for (int i : island.frictionless) {
+    answer.contacts[i] = {solution.r[at++], 0, 0};
+    // Nothing holds a contact without friction in place: as long as it persists it slides.
+    const bool open = solution.activeSet.rows[state++] == RowState::AtLower;
+    answer.modes[i] = open ? Mode::Open : Mode::Slide;
+  }
+  for (int i : island.rows) answer.rows[i] = solution.r[at++];
+}
+
+/// Names the contact or joint whose first unknown is `unknown`.
+std::string nameOfPart(const Group& group, const Island& island, int unknown) {
+  const auto contacts = static_cast<int>(island.frictional.size());
+  const auto frictionless = static_cast<int>(island.frictionless.size());
+  const auto contactName = [&](int i) {
+    const PointSource& source = group.contactSources[i];
+    return "contact " + std::to_string(source.point) + " of " + nameOf(*source.manifold->getBody0()) +
+           " and " + nameOf(*source.manifold->getBody1());
+  };
+  if (unknown < 3 * contacts) return contactName(island.frictional[unknown / 3]);
+  const int scalar = unknown - 3 * contacts;
+  if (scalar < frictionless) return contactName(island.frictionless[scalar]);
+
+  const int row = island.rows[scalar - frictionless];
+  const auto joint = std::find_if(group.joints.begin(), group.joints.end(), [&](const JointSource& j) {
+    return row < j.firstRow + j.rowCount;
+  });
+  return "a joint of " + nameOf(joint->constraint->getRigidBodyA()) + " and " +
+         nameOf(joint->constraint->getRigidBodyB());
+}
+
+void solveIsland(const Group& group, const Island& island, Solver& solver, Answer& answer) {
+  const Problem problem = assemble(group.bodies, group.contacts, group.rows, island);
+  const Solution solution = solver.solve(problem, reactionsOf(answer, island));
+  answer.regions += solution.regions;
+  answer.factorisations += solution.factorisations;
+
+  IslandResult result{solution.status, solution.residual, 0, problem.contacts() + problem.rows(), {}};
+  if (solution.r.allFinite()) {
+    keepReactions(island, solution, answer);
+    applyReaction(answer.bodies, group.contacts, group.rows, island, solution.r);
+    result.residualRms = naturalResidual(problem, solution.r, solution.u).rms;
+  } else {
+    // Better no reaction than one that spoils the world; the residual says how good that is.
+    for (int i : island.frictional) answer.contacts[i].setZero();
+    for (int i : island.frictionless) answer.contacts[i].setZero();
+    for (int i : island.rows) answer.rows[i] = 0;
+    const NaturalResidual atRest = naturalResidual(problem, VectorXd::Zero(problem.size()));
+    result = {Status::OutOfBudget, atRest.max, atRest.rms, result.parts, {}};
+  }
+  for (int unknown : solution.blamed) result.blamed.push_back(nameOfPart(group, island, unknown));
+  answer.islands.push_back(std::move(result));
+}
+
+/// Solves every island, starting from the reactions in `answer`, which it replaces.
+void solveIslands(const Group& group, Solver& solver, Answer& answer) {
+  answer.islands.clear();
+  answer.bodies = group.bodies;
+  answer.modes.assign(group.contacts.size(), Mode::Open);
+  for (const Island& island : splitIslands(group.bodies, group.contacts, group.rows))
+    solveIsland(group, island, solver, answer);
+}
+
+}  // namespace
+
+std::size_t Answer::bytes() const {
+  const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
+  return of(bodies) + of(contacts) + of(modes) + of(rows) + of(islands);
+}
+
+void solveGroup(Group& group, const btContactSolverInfo& info, Solver& solver, Answer& answer) {
+  answer.regions = answer.factorisations = answer.obsoleteConstraints = 0;
+  answer.contacts = group.guess;
+  answer.rows.assign(group.rows.size(), 0);
+  solveIslands(group, solver, answer);
+  if (group.obsolete.empty()) return;
+
+  ObsoleteConstraints obsolete(group, info);
+  for (int sweep = 0; sweep < info.m_numIterations && obsolete.sweep(group, answer.bodies); ++sweep)
+    solveIslands(group, solver, answer);
+  answer.obsoleteConstraints = obsolete.acted();
+}
+
+}  // namespace delassus::bullet

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bullet_ext/gather.h"
+#include "delassus/active_set.h"
+#include "delassus/solver.h"
+
+namespace delassus::bullet {
+
+/// How the solve of one island ended.
+struct IslandResult {
+  Status status;
+  double residualMax, residualRms;  ///< m/s
+  int parts;                        ///< contacts and rows
+  std::vector<std::string> blamed;  ///< names of contacts and joints with incompatible demands
+};
+
+/// What the reactions of a group are and what motion they leave.
+struct Answer {
+  std::vector<Body> bodies;    ///< velocities after the reactions
+  std::vector<Vec3> contacts;  ///< reaction of each contact in its frame, N·s
+  std::vector<Mode> modes;     ///< of each contact
+  std::vector<double> rows;    ///< reaction of each row, N·s
+  std::vector<IslandResult> islands;
+  int regions = 0, factorisations = 0, obsoleteConstraints = 0;
+
+  std::size_t bytes() const;
+};
+
+/// Solves the whole group, starting from its guess, in turns with the constraints that solve themselves.
+///
+/// These see what the exact reactions did and change the free velocities in `group`; the exact solve follows each of their
+/// sweeps, until nothing changes or the sweeps of the step's budget are used up.
+void solveGroup(Group& group, const btContactSolverInfo& info, Solver& solver, Answer& answer);
+
+}  // namespace delassus::bullet

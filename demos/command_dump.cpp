@@ -1,0 +1,125 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+
+#include "bullet_ext/gather.h"
+#include "delassus/island.h"
+#include "delassus/problem_text.h"
+#include "demos/command.h"
+#include "demos/progress_bar.h"
+#include "demos/scenes/solvers.h"
+#include "demos/scenes/solver_decorator.h"
+#include "demos/subject.h"
+
+namespace demos {
+
+using namespace delassus;
+
+namespace {
+
+struct DumpArguments {
+  std::string subject;
+  double at = 0;
+  double hz = 60;
+  std::string out;
+};
+
+/// Keeps the problems of the groups that pass through while it is told to.
+class ProblemCatcher : public SolverDecorator {
+ public:
+  using SolverDecorator::SolverDecorator;
+  void start() { catching_ = true; }
+  const std::vector<Problem>& problems() const { return problems_; }
+
+ protected:
+  void beforeGroup(const GroupArguments& arguments) override {
+    if (!catching_) return;
+    bullet::Group group;
+    StepReport ignored;
+    bullet::gatherBodies(group, arguments.bodies, arguments.bodyCount, arguments.info, ignored);
+    bullet::gatherContacts(group, arguments.manifolds, arguments.manifoldCount, arguments.info,
+                           arguments.dispatcher, ignored);
+    bullet::gatherJoints(group, arguments.constraints, arguments.constraintCount, arguments.info,
+                         ignored);
+    for (const Island& island : splitIslands(group.bodies, group.contacts, group.rows))
+      problems_.push_back(assemble(group.bodies, group.contacts, group.rows, island));
+  }
+
+ private:
+  bool catching_ = false;
+  std::vector<Problem> problems_;
+};
+
+/// FILE for the only island, else FILE with its number before the suffix.
+std::string fileOf(const std::string& out, std::size_t island, std::size_t islands) {
+  if (islands == 1) return out;
+  const std::filesystem::path path(out);
+  const std::string name =
+      path.stem().string() + "-" + std::to_string(island) + path.extension().string();
+  return (path.parent_path() / name).string();
+}
+
+int dumpProblems(const DumpArguments& arguments) {
+  Subject subject = openSubject(arguments.subject);
+  NamedSolver solver("delassus");
+  ProblemCatcher catcher(solver.solver());
+  subject.world->setSolver(catcher);
+
+  ProgressBar bar(subject.name);
+  const long steps = std::lround(arguments.at * arguments.hz);
+  for (long i = 0; i < steps; ++i) {
+    subject.world->step(1 / arguments.hz);
+    bar.show(double(i) / double(steps));
+  }
+  catcher.start();
+  subject.world->step(1 / arguments.hz);
+
+  std::size_t written = 0;
+  for (std::size_t i = 0; i < catcher.problems().size(); ++i) {
+    Problem problem = catcher.problems()[i];
+    problem.name = subject.name + "-" + std::to_string(steps) + "-" + std::to_string(i);
+    if (problem.contacts() > 0 && problem.rows() > 0) {
+      std::fprintf(
+          stderr,
+          "delassus: island %zu has %d contacts and %d rows: no format holds both, left out\n", i,
+          problem.contacts(), problem.rows());
+      continue;
+    }
+    const std::string file = fileOf(arguments.out, i, catcher.problems().size());
+    writeProblem(file, problem);
+    std::printf("%s: %d %s\n", file.c_str(),
+                problem.contacts() > 0 ? problem.contacts() : problem.rows(),
+                problem.contacts() > 0 ? "contacts" : "rows");
+    ++written;
+  }
+  if (written == 0)
+    throw std::runtime_error("nothing to write: no island of that step fits a problem format");
+  return exitDone;
+}
+
+}  // namespace
+
+void addDumpCommand(CLI::App& app, Action& chosen) {
+  auto arguments = std::make_shared<DumpArguments>();
+  CLI::App* command =
+      app.add_subcommand("dump", "writes the problems of one step, an island a file");
+  command->add_option("subject", arguments->subject, "a built-in scene or a .bullet file")
+      ->required()
+      ->type_name("SCENE|FILE.bullet");
+  command->add_option("--at", arguments->at, "time of the step, s")
+      ->required()
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--hz", arguments->hz, "steps a second")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      ->add_option("--out", arguments->out, "file; several islands get a number before the suffix")
+      ->required()
+      ->type_name("FILE");
+  command->callback(
+      [&chosen, arguments] { chosen = [arguments] { return dumpProblems(*arguments); }; });
+}
+
+}  // namespace demos

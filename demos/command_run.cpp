@@ -1,0 +1,139 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "demos/command.h"
+#include "demos/progress_bar.h"
+#include "demos/scenes/simulate.h"
+#include "demos/subject.h"
+#include "demos/table.h"
+
+namespace demos {
+
+namespace {
+
+struct RunArguments {
+  std::string subject;
+  std::string solvers = "delassus";
+  double seconds = 0;  ///< 0: the scene's own
+  double hz = 60;
+  bool json = false;
+};
+
+nlohmann::ordered_json toJson(const std::string& scene, double hz, const RunSummary& run) {
+  nlohmann::ordered_json json;
+  json["scene"] = scene;
+  json["solver"] = run.solver;
+  json["precision"] = precisionName();
+  json["steps"] = run.steps;
+  json["hz"] = hz;
+  json["bodies"] = run.bodies;
+  json["contacts_max"] = run.contactsMax;
+  json["ms_median"] = run.msMedian;
+  json["ms_p95"] = run.msP95;
+  json["residual_rms"] = run.residualRms;
+  json["residual_max"] = run.residualMax;
+  json["penetration_max_m"] = run.penetrationMax;
+  json["kinetic_energy_j"] = run.kineticEnergy;
+  json["drift_max_m"] = run.driftMax;
+  json["joint_error_max_m"] = run.jointErrorMax;
+  json["reaction_over_weight"] = run.reactionOverWeight;
+  json["modes"] = {
+      {"open", run.modes.open}, {"stick", run.modes.stick}, {"slide", run.modes.slide}};
+  // Bullet's solvers have neither regions nor statuses: null and empty, not zero.
+  json["regions_per_step"] = nullptr;
+  json["factorisations_per_step"] = nullptr;
+  json["statuses"] = nlohmann::ordered_json::object();
+  if (run.regions) {
+    json["regions_per_step"] = run.regions->perStep;
+    json["factorisations_per_step"] = run.regions->factorisationsPerStep;
+    json["statuses"] = {{"solved", run.regions->solved},
+                        {"out_of_budget", run.regions->outOfBudget},
+                        {"incompatible", run.regions->incompatible}};
+  }
+  json["fallbacks"] = run.fallbacks;
+  return json;
+}
+
+void printTable(const std::vector<RunSummary>& runs) {
+  Table table({"solver", "ms median", "ms p95", "residual max", "rms m/s", "overlap m", "drift m",
+               "joints m", "kinetic J", "reaction/weight", "open/stick/slide", "fallbacks"});
+  for (const RunSummary& run : runs) {
+    const ModeCounts& modes = run.modes;
+    table.add({run.solver, shortNumber(run.msMedian), shortNumber(run.msP95),
+               shortNumber(run.residualMax), shortNumber(run.residualRms),
+               shortNumber(run.penetrationMax), shortNumber(run.driftMax),
+               shortNumber(run.jointErrorMax), shortNumber(run.kineticEnergy),
+               shortNumber(run.reactionOverWeight, 7),
+               std::to_string(modes.open) + "/" + std::to_string(modes.stick) + "/" +
+                   std::to_string(modes.slide),
+               std::to_string(run.fallbacks)});
+  }
+  std::fputs(table.text().c_str(), stdout);
+  for (const RunSummary& run : runs) {
+    if (!run.regions) continue;
+    std::printf(
+        "%s: %.3g regions and %.3g factorisations a step; islands: %ld solved, %ld out of budget, "
+        "%ld incompatible\n",
+        run.solver.c_str(), run.regions->perStep, run.regions->factorisationsPerStep,
+        run.regions->solved, run.regions->outOfBudget, run.regions->incompatible);
+  }
+}
+
+int runSubject(const RunArguments& arguments) {
+  // A wrong name is told before the first solver has run for minutes.
+  std::vector<NamedSolver> solvers;
+  for (const std::string& name : splitNames(arguments.solvers)) solvers.emplace_back(name);
+
+  std::vector<RunSummary> runs;
+  for (NamedSolver& solver : solvers) {
+    Subject subject = openSubject(arguments.subject);
+    RunSettings settings{arguments.seconds > 0 ? arguments.seconds : subject.seconds, arguments.hz};
+    if (runs.empty()) {
+      std::FILE* notesTo = arguments.json ? stderr : stdout;
+      for (const std::string& note : subject.notes)
+        std::fprintf(notesTo, "%s: %s\n", subject.name.c_str(), note.c_str());
+    }
+    ProgressBar bar(subject.name + " " + solver.name());
+    runs.push_back(simulate(*subject.world, solver, settings,
+                            [&bar](double fraction) { bar.show(fraction); }));
+    if (arguments.json)
+      std::printf("%s\n", toJson(subject.name, arguments.hz, runs.back()).dump().c_str());
+  }
+  if (!arguments.json && !runs.empty()) {
+    std::printf("%s: %d steps at %g Hz, %d bodies, up to %d contacts, %s precision\n",
+                arguments.subject.c_str(), runs[0].steps, arguments.hz, runs[0].bodies,
+                runs[0].contactsMax, precisionName());
+    printTable(runs);
+  }
+  return exitDone;
+}
+
+}  // namespace
+
+void addRunCommand(CLI::App& app, Action& chosen) {
+  auto arguments = std::make_shared<RunArguments>();
+  CLI::App* command = app.add_subcommand(
+      "run", "simulates without pictures; summary of motion, modes, residual, time");
+  command->add_option("subject", arguments->subject, "a built-in scene or a .bullet file")
+      ->required()
+      ->type_name("SCENE|FILE.bullet");
+  command
+      ->add_option("--solver", arguments->solvers,
+                   "one or more, with commas between: delassus, delassus:TOL, si:N, si2:N, nncg:N, "
+                   "dantzig, dantzig:CFM, lemke, pgs:N")
+      ->type_name("NAME[,NAME]")
+      ->capture_default_str();
+  command
+      ->add_option("--seconds", arguments->seconds,
+                   "simulated time (default: the scene's own; 5 for a file)")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--hz", arguments->hz, "steps a second")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_flag("--json", arguments->json, "one JSON object a line, one per solver");
+  command->callback(
+      [&chosen, arguments] { chosen = [arguments] { return runSubject(*arguments); }; });
+}
+
+}  // namespace demos

@@ -1,0 +1,116 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "delassus/problem_text.h"
+#include "delassus/residual.h"
+#include "delassus/solver.h"
+#include "demos/command.h"
+
+namespace demos {
+
+using namespace delassus;
+
+namespace {
+
+struct SolveArguments {
+  std::string file;
+  double tolerance = 1e-8;
+  bool json = false;
+  std::string solutionFile;
+};
+
+/// Contacts and rows that W couples: the number of connected components.
+int countIslands(const Problem& problem) {
+  const int contacts = problem.contacts(), parts = contacts + problem.rows();
+  const auto partOf = [contacts](int unknown) {
+    return unknown < 3 * contacts ? unknown / 3 : contacts + unknown - 3 * contacts;
+  };
+  std::vector<int> parent(std::size_t(parts), 0);
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&parent](int part) {
+    while (parent[part] != part) part = parent[part] = parent[parent[part]];
+    return part;
+  };
+  const auto& entries = problem.W.entries();
+  for (int row = 0; row < entries.outerSize(); ++row)
+    for (DelassusMatrix::Sparse::InnerIterator entry(entries, row); entry; ++entry)
+      if (entry.value() != 0) parent[root(partOf(row))] = root(partOf(int(entry.col())));
+  int islands = 0;
+  for (int part = 0; part < parts; ++part) islands += root(part) == part ? 1 : 0;
+  return islands;
+}
+
+int solveFile(const SolveArguments& arguments) {
+  const Problem problem = readProblem(arguments.file);
+  Options options;
+  // The solver's own measure is another than those of the file format: leave room between them.
+  options.tolerance = std::min(options.tolerance, 0.01 * arguments.tolerance);
+
+  const auto begin = std::chrono::steady_clock::now();
+  Solution solution = delassus::solve(problem, options);
+  const double ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+
+  // Solved is what both published measures call so, neither more nor less.
+  const FclibMeasures measures = fclibMeasures(problem, solution.r);
+  const bool within = measures.rel <= arguments.tolerance && measures.vel <= arguments.tolerance;
+  if (within)
+    solution.status = Status::Solved;
+  else if (solution.status == Status::Solved)
+    solution.status = Status::OutOfBudget;
+  if (!arguments.solutionFile.empty()) writeSolution(arguments.solutionFile, problem, solution);
+
+  const std::string kind = problem.contacts() > 0 ? "fc3d" : "lcp";
+  const int size = problem.contacts() > 0 ? problem.contacts() : problem.rows();
+  const int islands = countIslands(problem);
+  if (arguments.json) {
+    nlohmann::ordered_json json;
+    json["name"] = problem.name;
+    json["kind"] = kind;
+    json["size"] = size;
+    json["status"] = toString(solution.status);
+    json["rel"] = measures.rel;
+    json["vel"] = measures.vel;
+    json["ms"] = ms;
+    json["regions"] = solution.regions;
+    json["islands"] = islands;
+    std::printf("%s\n", json.dump().c_str());
+  } else {
+    std::printf("%s: %s, %d %s in %d %s\n", problem.name.c_str(), kind.c_str(), size,
+                problem.contacts() > 0 ? "contacts" : "rows", islands,
+                islands == 1 ? "island" : "islands");
+    std::printf("%s  rel %.3g  vel %.3g  (tolerance %g)  %.3g ms  %d regions\n",
+                toString(solution.status).c_str(), measures.rel, measures.vel, arguments.tolerance,
+                ms, solution.regions);
+  }
+  return within ? exitDone : exitAboveTolerance;
+}
+
+}  // namespace
+
+void addSolveCommand(CLI::App& app, Action& chosen) {
+  auto arguments = std::make_shared<SolveArguments>();
+  CLI::App* command =
+      app.add_subcommand("solve", "solves one problem file: status, residuals, time");
+  command->add_option("file", arguments->file, "delassus-problem v1 or lcp v1")
+      ->required()
+      ->type_name("FILE.fc3d|FILE.lcp");
+  command
+      ->add_option("--tolerance", arguments->tolerance,
+                   "what both rel and vel have to reach; exit status 3 if not")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_flag("--json", arguments->json, "one JSON object");
+  command
+      ->add_option("--solution", arguments->solutionFile,
+                   "writes reactions and velocities (solution v1)")
+      ->type_name("FILE");
+  command->callback(
+      [&chosen, arguments] { chosen = [arguments] { return solveFile(*arguments); }; });
+}
+
+}  // namespace demos

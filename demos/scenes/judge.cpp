@@ -1,0 +1,111 @@
+#include "demos/scenes/judge.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bullet_ext/convert.h"
+#include "delassus/island.h"
+#include "delassus/residual.h"
+#include "demos/scenes/measures.h"
+
+namespace demos {
+
+using namespace delassus;
+using delassus::bullet::toCore;
+
+namespace {
+
+/// What the solver wrote at a contact point, in the contact's frame, N·s.
+Vec3 inFrame(const Contact& contact, const btManifoldPoint& point) {
+  Vec3 r = contact.frame.transpose() * toCore(writtenReaction(point));
+  r[0] = point.m_appliedImpulse;
+  return r;
+}
+
+}  // namespace
+
+double Verdict::rms() const { return count > 0 ? std::sqrt(sumOfSquares / double(count)) : 0; }
+
+Verdict JudgedSolver::takeVerdict() { return std::exchange(verdict_, {}); }
+
+void JudgedSolver::beforeGroup(const GroupArguments& arguments) {
+  btContactSolverInfo info = arguments.info;
+  info.m_globalCfm = cfm_;
+  StepReport ignored;
+  group_.clear();
+  bullet::gatherBodies(group_, arguments.bodies, arguments.bodyCount, info, ignored);
+  bullet::gatherContacts(group_, arguments.manifolds, arguments.manifoldCount, info,
+                         arguments.dispatcher, ignored);
+  bullet::gatherJoints(group_, arguments.constraints, arguments.constraintCount, info, ignored);
+  lendFeedback(arguments);
+}
+
+void JudgedSolver::afterGroup(const GroupArguments& arguments) {
+  const std::vector<double> rows = rowReactions(arguments.info.m_timeStep);
+  takeFeedbackBack();
+
+  const auto written = [&](int contact) {
+    const auto& source = group_.contactSources[contact];
+    return inFrame(group_.contacts[contact], source.manifold->getContactPoint(source.point));
+  };
+  for (const Island& island : splitIslands(group_.bodies, group_.contacts, group_.rows)) {
+    const Problem problem = assemble(group_.bodies, group_.contacts, group_.rows, island);
+    VectorXd r(problem.size());
+    int next = 0;
+    for (const int i : island.frictional) r.segment<3>(std::exchange(next, next + 3)) = written(i);
+    for (const int i : island.frictionless) r[next++] = written(i)[0];
+    for (const int i : island.rows) r[next++] = rows[i];
+
+    const NaturalResidual residual = naturalResidual(problem, r);
+    const long count = problem.contacts() + problem.rows();
+    verdict_.max = std::max(verdict_.max, residual.max);
+    verdict_.sumOfSquares += residual.rms * residual.rms * double(count);
+    verdict_.count += count;
+  }
+}
+
+void JudgedSolver::lendFeedback(const GroupArguments& arguments) {
+  lent_.assign(std::size_t(arguments.constraintCount), {});
+  borrowers_.clear();
+  for (int i = 0; i < arguments.constraintCount; ++i) {
+    btTypedConstraint* joint = arguments.constraints[i];
+    if (joint->getJointFeedback() != nullptr) continue;
+    joint->setJointFeedback(&lent_[i]);
+    borrowers_.push_back(joint);
+  }
+}
+
+void JudgedSolver::takeFeedbackBack() {
+  for (btTypedConstraint* joint : borrowers_) joint->setJointFeedback(nullptr);
+}
+
+std::vector<double> JudgedSolver::rowReactions(double timeStep) const {
+  std::vector<double> reactions(group_.rows.size(), 0);
+  for (const auto& joint : group_.joints) {
+    // The feedback is Σ Jᵀ r / h on either body, with the locked axes of the body left out.
+    const btJointFeedback& feedback = *joint.constraint->getJointFeedback();
+    Eigen::Matrix<double, 12, 1> impulse;
+    impulse << toCore(feedback.m_appliedForceBodyA, feedback.m_appliedTorqueBodyA),
+        toCore(feedback.m_appliedForceBodyB, feedback.m_appliedTorqueBodyB);
+    Eigen::Matrix<double, 12, 1> factor;
+    const btRigidBody &a = joint.constraint->getRigidBodyA(),
+                      &b = joint.constraint->getRigidBodyB();
+    factor << toCore(a.getLinearFactor(), a.getAngularFactor()),
+        toCore(b.getLinearFactor(), b.getAngularFactor());
+
+    MatrixXd directions(12, joint.rowCount);
+    for (int i = 0; i < joint.rowCount; ++i) {
+      const Row& row = group_.rows[joint.firstRow + i];
+      directions.col(i) << row.jacobianA.transpose(), row.jacobianB.transpose();
+    }
+    const VectorXd r = (factor.asDiagonal() * directions)
+                           .completeOrthogonalDecomposition()
+                           .solve(impulse * timeStep);
+    std::copy(r.begin(), r.end(), reactions.begin() + joint.firstRow);
+  }
+  return reactions;
+}
+
+}  // namespace demos

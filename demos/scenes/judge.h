@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vector>
+
+#include "bullet_ext/gather.h"
+#include "delassus/problem.h"
+#include "demos/scenes/solver_decorator.h"
+
+namespace demos {
+
+/// The natural residual of one step, over all islands, m/s.
+struct Verdict {
+  double max = 0;
+  double sumOfSquares = 0;
+  long count = 0;  ///< contacts and joint rows judged
+
+  double rms() const;
+};
+
+/// Judges any Bullet solver by the law that ours is judged by.
+///
+/// Before a group is solved, the problem (W, q, friction, bounds) is gathered from the same arguments that the solver gets;
+/// after it, the reactions that the solver wrote into Bullet's contact points and joint feedback are put into that problem.
+/// A joint's feedback is all rows together; they are told apart by least squares, exact where the rows are independent.
+class JudgedSolver : public SolverDecorator {
+ public:
+  /// `cfm` is the global CFM of the scene: what a solver adds to it for its own sake counts as its error.
+  JudgedSolver(btConstraintSolver& inner, btScalar cfm) : SolverDecorator(inner), cfm_(cfm) {}
+
+  /// The verdict on all groups since the last call.
+  Verdict takeVerdict();
+
+ protected:
+  void beforeGroup(const GroupArguments& group) override;
+  void afterGroup(const GroupArguments& group) override;
+
+ private:
+  void lendFeedback(const GroupArguments& arguments);
+  std::vector<double> rowReactions(double timeStep) const;
+  void takeFeedbackBack();
+
+  btScalar cfm_;
+  Verdict verdict_;
+  delassus::bullet::Group group_;
+  std::vector<btJointFeedback> lent_;  ///< for joints whose user asked for none
+  std::vector<btTypedConstraint*> borrowers_;
+};
+
+}  // namespace demos

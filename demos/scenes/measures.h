@@ -1,0 +1,48 @@
+#pragma once
+
+#include <btBulletDynamicsCommon.h>
+
+#include <vector>
+
+#include "demos/scenes/world.h"
+
+namespace demos {
+
+/// How far a joint is pulled apart along the directions that it locks, m. Zero for joints that are disabled or hold no points.
+double jointError(const btTypedConstraint& joint);
+double largestJointError(const btDiscreteDynamicsWorld& world);
+
+/// Deepest overlap of two bodies, as the narrow phase of the last step saw it, m.
+double deepestPenetration(const btDiscreteDynamicsWorld& world);
+
+/// ½ m v² + ½ ω·I ω, all bodies, J.
+double kineticEnergy(const World& world);
+/// −m g·x of all bodies, J; forces of gravity are those of each body.
+double potentialEnergy(const World& world);
+
+/// What the immovable bodies carried of the weight in the last step: Σ reactions along −G over |G|, G the weight of all
+/// movable bodies. 1 at rest. Zero in a world without weight.
+double reactionOverWeight(const World& world, double timeStep);
+
+/// Contacts of the last step by what the solver wrote: without reaction; inside their cone; on its border.
+struct ModeCounts {
+  int open = 0, stick = 0, slide = 0;
+};
+ModeCounts writtenModes(const btDiscreteDynamicsWorld& world);
+
+/// Where bodies were when this was made, and the largest distance of any of them from there, m.
+class Drift {
+ public:
+  explicit Drift(const World& world);
+  double largest() const;
+
+ private:
+  std::vector<btRigidBody*> bodies_;
+  std::vector<btVector3> start_;
+};
+
+/// The reaction on body 0 that a solver wrote into a point, N·s. A stock solver with one friction direction leaves the second
+/// impulse as it was: zero, in a world that it alone has stepped.
+btVector3 writtenReaction(const btManifoldPoint& point);
+
+}  // namespace demos

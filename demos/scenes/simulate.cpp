@@ -1,0 +1,113 @@
+#include "demos/scenes/simulate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "bullet_ext/btDelassusConstraintSolver.h"
+#include "demos/scenes/judge.h"
+#include "demos/scenes/timed_solver.h"
+
+namespace demos {
+
+namespace {
+
+/// The value below which the fraction `share` of `values` lies.
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  const std::size_t place = std::min(values.size() - 1, std::size_t(share * double(values.size())));
+  std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(place), values.end());
+  return values[place];
+}
+
+/// The residual of a step, by our solver's own report or by the judge of the others.
+class StepJudge {
+ public:
+  StepJudge(btConstraintSolver& solver, const btDelassusConstraintSolver* delassus, btScalar cfm)
+      : delassus_(delassus),
+        judged_(solver, cfm),
+        solver_(delassus != nullptr ? solver : judged_) {}
+
+  btConstraintSolver& solver() { return solver_; }
+
+  Verdict takeVerdict() {
+    if (delassus_ == nullptr) return judged_.takeVerdict();
+    const delassus::StepReport& report = delassus_->report();
+    const long count = report.contacts + report.rows;
+    return {report.residualMax, report.residualRms * report.residualRms * double(count), count};
+  }
+
+ private:
+  const btDelassusConstraintSolver* delassus_;
+  JudgedSolver judged_;
+  btConstraintSolver& solver_;
+};
+
+void count(RunSummary& summary, const delassus::StepReport& report) {
+  RunSummary::Regions& regions = *summary.regions;
+  regions.perStep += report.regions;
+  regions.factorisationsPerStep += report.factorisations;
+  regions.solved += report.solved;
+  regions.outOfBudget += report.outOfBudget;
+  regions.incompatible += report.incompatible;
+  summary.modes = {report.open, report.stick, report.slide};
+}
+
+}  // namespace
+
+RunSummary simulate(World& world, NamedSolver& named, const RunSettings& settings,
+                    const std::function<void(double)>& progress) {
+  btDiscreteDynamicsWorld& dynamics = world.dynamics();
+  const btScalar sceneCfm = dynamics.getSolverInfo().m_globalCfm;
+  named.configure(dynamics.getSolverInfo());
+  TimedSolver timed(named.solver());
+  StepJudge judge(timed, named.delassus(), sceneCfm);
+  world.setSolver(judge.solver());
+
+  RunSummary summary;
+  summary.solver = named.name();
+  summary.steps = std::max(1, int(std::lround(settings.seconds * settings.hz)));
+  summary.bodies = int(world.movableBodies().size());
+  if (named.delassus() != nullptr) summary.regions.emplace();
+  const Drift drift(world);
+  const int settled = summary.steps / 4;
+  std::vector<double> milliseconds;
+  Verdict verdict;
+  for (int step = 0; step < summary.steps; ++step) {
+    world.step(1 / settings.hz);
+
+    milliseconds.push_back(1e3 * timed.takeSeconds());
+    const Verdict now = judge.takeVerdict();
+    if (step >= settled) {
+      verdict.max = std::max(verdict.max, now.max);
+      verdict.sumOfSquares += now.sumOfSquares;
+      verdict.count += now.count;
+      summary.reactionOverWeight +=
+          reactionOverWeight(world, 1 / settings.hz) / (summary.steps - settled);
+    }
+    if (summary.regions) count(summary, named.delassus()->report());
+    summary.contactsMax = std::max(summary.contactsMax, world.contactCount());
+    summary.penetrationMax = std::max(summary.penetrationMax, deepestPenetration(dynamics));
+    summary.jointErrorMax = std::max(summary.jointErrorMax, largestJointError(dynamics));
+    summary.driftMax = std::max(summary.driftMax, drift.largest());
+    progress(double(step + 1) / summary.steps);
+  }
+
+  if (summary.regions) {
+    summary.regions->perStep /= summary.steps;
+    summary.regions->factorisationsPerStep /= summary.steps;
+  } else {
+    summary.modes = writtenModes(dynamics);
+  }
+  summary.msMedian = quantile(milliseconds, 0.5);
+  summary.msP95 = quantile(milliseconds, 0.95);
+  summary.residualMax = verdict.max;
+  summary.residualRms = verdict.rms();
+  summary.kineticEnergy = kineticEnergy(world);
+  summary.fallbacks = named.fallbacks();
+  // The decorators end with this call; the world must not keep them.
+  world.setSolver(named.solver());
+  return summary;
+}
+
+}  // namespace demos

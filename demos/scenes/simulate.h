@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "demos/scenes/measures.h"
+#include "demos/scenes/solvers.h"
+
+namespace demos {
+
+struct RunSettings {
+  double seconds = 5;  ///< simulated, s
+  double hz = 60;      ///< steps a second
+};
+
+/// One solver on one world: what moved, how well the law was kept, what it cost. The keys of `run --json`.
+///
+/// Residuals are over the last three quarters of the run, m/s. Times are of solveGroup alone, per step.
+struct RunSummary {
+  std::string solver;
+  int steps = 0;
+  int bodies = 0;
+  int contactsMax = 0;
+  double msMedian = 0, msP95 = 0;
+  double residualRms = 0, residualMax = 0;
+  double penetrationMax = 0;      ///< m, over the run
+  double kineticEnergy = 0;       ///< J, at the end
+  double driftMax = 0;            ///< largest distance of any body from its start, over the run, m
+  double jointErrorMax = 0;       ///< m, over the run
+  double reactionOverWeight = 0;  ///< mean of the last three quarters
+  ModeCounts modes;               ///< of the last step
+  int fallbacks = 0;
+
+  /// What only our solver can tell.
+  struct Regions {
+    double perStep = 0, factorisationsPerStep = 0;
+    long solved = 0, outOfBudget = 0, incompatible = 0;  ///< islands, all steps
+  };
+  std::optional<Regions> regions;
+};
+
+/// Steps `world` with `named`. `progress` is told the fraction done after each step.
+RunSummary simulate(World& world, NamedSolver& named, const RunSettings& settings,
+                    const std::function<void(double)>& progress);
+
+}  // namespace demos

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "demos/scenes/scene.h"
+
+namespace demos {
+
+/// What a command is about: a built-in scene or a .bullet file, freshly built.
+struct Subject {
+  std::string name;
+  std::unique_ptr<World> world;
+  double seconds;                  ///< how long it is simulated unless the user says otherwise
+  std::vector<std::string> notes;  ///< what there is to say about a file
+};
+
+/// `name` is a file if it ends in ".bullet" or has a slash in it, else a scene.
+/// Throws UnknownScene or BulletFileError.
+Subject openSubject(const std::string& name);
+
+/// "double" or "float": the precision of the Bullet library in this build.
+const char* precisionName();
+
+}  // namespace demos

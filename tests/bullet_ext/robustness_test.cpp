@@ -1,0 +1,212 @@
+/// Hard problems and broken input: redundancy, mass ratios, scales, demands that nothing can meet, numbers that are none.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/support/bullet_world.h"
+
+namespace delassus::testing {
+namespace {
+
+constexpr double g = BulletWorld::gravity;
+constexpr double h = BulletWorld::step;
+
+TEST(Parity, Row33RedundantContactsShareTheLoadEvenly) {
+  DelassusWorld world;
+  world.addGround();
+  world.addCube({0, btScalar(0.5), 0});
+  world.advance(30);
+  ASSERT_EQ(world.points().size(), 4u);
+  for (const btManifoldPoint* point : world.points())
+    EXPECT_NEAR(point->m_appliedImpulse, g * h / 4, tolerance(1e-8, 1e-4)) << "the least norm";
+}
+
+TEST(Parity, Row33DoubledHingesAndABoxInACorner) {
+  DelassusWorld world;
+  world.addGround();
+  world.addBox({1, 5, 5}, {-1, 0, 0}, 0);
+  world.addBox({5, 5, 1}, {0, 0, -1}, 0);
+  btRigidBody& cornered = world.addCube({btScalar(0.5), btScalar(0.5), btScalar(0.5)});
+  btRigidBody& door = world.addBox({0.5, 0.5, 0.1}, {10, 5, 0});
+  for (int i = 0; i < 3; ++i)
+    world.addJoint<btHingeConstraint>(door, btVector3(btScalar(-0.5), btScalar(0.2) * i, 0), btVector3(0, 0, 1));
+  for (int i = 0; i < 60; ++i) {
+    cornered.applyCentralForce({-3, 0, -2});
+    world.advance();
+    ASSERT_EQ(world.report().solved, world.report().islands);
+    ASSERT_LT(world.report().residualMax, 1e-6);
+  }
+  EXPECT_NEAR(cornered.getLinearVelocity().length(), 0, tolerance(1e-8, 1e-3));
+}
+
+TEST(Parity, Row34TowerCarriesAThousandTimesItsOwnMass) {
+  DelassusWorld world;
+  world.addGround();
+  std::vector<btRigidBody*> tower;
+  for (int i = 0; i < 10; ++i)
+    tower.push_back(&world.addCube({0, btScalar(0.5) + i, 0}, i == 9 ? btScalar(1000) : btScalar(1)));
+  world.advance(600);
+  for (int i = 0; i < 10; ++i) {
+    const btVector3 drift = tower[i]->getWorldTransform().getOrigin() - btVector3(0, btScalar(0.5) + i, 0);
+    EXPECT_LT(drift.length(), tolerance(5e-4, 2e-3)) << i;
+  }
+}
+
+TEST(Parity, Row35ChainKeepsItsLength) {
+  DelassusWorld world;
+  constexpr int links = 20;
+  const btScalar half = btScalar(0.1);
+  btRigidBody* last = nullptr;
+  for (int i = 0; i < links; ++i) {
+    btRigidBody& link = world.addBox({half, btScalar(0.02), btScalar(0.02)}, {half * (2 * i + 1), 0, 0}, btScalar(0.1));
+    link.setIgnoreCollisionCheck(last, true);
+    if (last)
+      world.addJoint<btPoint2PointConstraint>(*last, link, btVector3(half, 0, 0), btVector3(-half, 0, 0));
+    else
+      world.addJoint<btPoint2PointConstraint>(link, btVector3(-half, 0, 0));
+    last = &link;
+  }
+  btRigidBody& bob = world.addSphere(btScalar(0.3), {half * 2 * links + btScalar(0.4), 0, 0}, 100);
+  bob.setIgnoreCollisionCheck(last, true);
+  world.addJoint<btPoint2PointConstraint>(*last, bob, btVector3(half, 0, 0), btVector3(btScalar(-0.4), 0, 0));
+
+  const double length = half * 2 * links;
+  double longest = 0;
+  for (int i = 0; i < 240; ++i) {
+    world.advance();
+    const btVector3 end = bob.getWorldTransform() * btVector3(btScalar(-0.4), 0, 0);
+    longest = std::max<double>(longest, end.length());
+  }
+  // The joints' own velocity-level law lets a swinging link run off its circle by (ω h)²/2 a step before ERP acts.
+  EXPECT_LT(longest, length * (1 + 1e-2));
+
+  world.advance(1200);
+  EXPECT_LT(last->getWorldTransform().getOrigin().length(), length);
+}
+
+/// Height of a small pile after a while, everything in units of the first box.
+std::vector<double> pile(double mass, double length) {
+  DelassusWorld world;
+  world.info().m_splitImpulse = false;
+  world->setGravity({0, btScalar(-g * length), 0});
+  const auto scaled = [&](double x, double y, double z) {
+    return btVector3(btScalar(length * x), btScalar(length * y), btScalar(length * z));
+  };
+  btRigidBody& first = world.addBox(scaled(0.5, 0.5, 0.5), scaled(0, 0, 0), btScalar(mass));
+  btRigidBody& second = world.addBox(scaled(0.5, 0.3, 0.2), scaled(1, 0, 0), btScalar(3 * mass));
+  first.setIgnoreCollisionCheck(&second, true);
+  const btVector3 inFirst = scaled(0.5, 0.1, 0), inSecond = scaled(-0.5, 0.1, 0);
+  world.addJoint<btPoint2PointConstraint>(first, scaled(-0.5, 0.5, 0.1));
+  world.addJoint<btPoint2PointConstraint>(first, second, inFirst, inSecond);
+  world.advance(60);
+  std::vector<double> out;
+  for (const btRigidBody* body : {&first, &second})
+    for (int k = 0; k < 3; ++k) out.push_back(body->getWorldTransform().getOrigin()[k] / length);
+  return out;
+}
+
+TEST(Parity, Row52ScaleOfMassesAndLengthsDoesNotMatter) {
+  const std::vector<double> reference = pile(1, 1);
+  for (double mass : {1e-4, 1e4})
+    for (double length : {1e-2, 1.0, 1e2}) {
+      const std::vector<double> scaled = pile(mass, length);
+      for (std::size_t i = 0; i < reference.size(); ++i)
+        EXPECT_NEAR(scaled[i], reference[i], tolerance(1e-6, 2e-2)) << mass << " " << length;
+    }
+}
+
+TEST(Parity, Row52ContactImpulsesScaleWithMass) {
+  for (double mass : {1e-4, 1.0, 1e4}) {
+    DelassusWorld world;
+    world.addGround();
+    for (int i = 0; i < 5; ++i) world.addCube({0, btScalar(0.5) + i, 0}, btScalar(mass));
+    world.advance(60);
+    double onGround = 0;
+    for (const btManifoldPoint* point : world.points())
+      if (std::abs(point->getPositionWorldOnB().y()) < 0.1) onGround += point->m_appliedImpulse;
+    EXPECT_NEAR(onGround / (5 * mass * g * h), 1, tolerance(1e-6, 2e-3)) << mass;
+  }
+}
+
+TEST(Parity, Row53DemandsThatNoMotionMeetsAreNamed) {
+  DelassusWorld world;
+  btRigidBody& body = world.addCube({0, 0, 0});
+  // The same point of the body is wanted in two places a metre apart.
+  world.addJoint<btPoint2PointConstraint>(body, btVector3(0, 0, 0)).setPivotB({btScalar(0.5), 0, 0});
+  world.addJoint<btPoint2PointConstraint>(body, btVector3(0, 0, 0)).setPivotB({btScalar(-0.5), 0, 0});
+  world.advance(120);
+  EXPECT_EQ(world.report().incompatible, 1);
+  EXPECT_GT(world.report().residualMax, 0.1);
+  EXPECT_FALSE(world.report().messages.empty());
+  EXPECT_NEAR(body.getWorldTransform().getOrigin().length(), 0, tolerance(1e-3, 1e-2)) << "the compromise is in the middle";
+}
+
+constexpr btScalar notANumber = std::numeric_limits<btScalar>::quiet_NaN();
+
+TEST(Robustness, ABrokenBodyIsNamedAndTheRestIsSolved) {
+  DelassusWorld world;
+  world.addGround();
+  btRigidBody& sound = world.addCube({0, btScalar(0.5), 0});
+  btRigidBody& broken = world.addCube({5, 5, 0});
+  broken.setLinearVelocity({0, notANumber, 0});
+  btRigidBody& partner = world.addCube({7, 5, 0});
+  world.addJoint<btPoint2PointConstraint>(broken, partner, btVector3(1, 0, 0), btVector3(-1, 0, 0));
+  world.advance();
+  const auto& messages = world.report().messages;
+  ASSERT_EQ(messages.size(), 1u) << "once a step";
+  EXPECT_EQ(messages[0], "body 2 left out: its velocity is not finite");
+  EXPECT_NEAR(sound.getLinearVelocity().y(), 0, tolerance(1e-9, 1e-5));
+  EXPECT_NEAR(partner.getLinearVelocity().y(), -g * h, 100 * precision) << "falls as if alone";
+}
+
+btScalar brokenValue = 0;
+bool breakFriction(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int, const btCollisionObjectWrapper*,
+                   int, int) {
+  point.m_combinedFriction = brokenValue;
+  return true;
+}
+
+TEST(Robustness, ABrokenContactIsNamedAndLeftOut) {
+  DelassusWorld world;
+  world.addGround();
+  btRigidBody& box = world.addCube({0, btScalar(0.5), 0});
+  box.setCollisionFlags(box.getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+  brokenValue = notANumber;
+  gContactAddedCallback = breakFriction;
+  world.advance();
+  gContactAddedCallback = nullptr;
+  EXPECT_EQ(world.report().contacts, 0);
+  ASSERT_EQ(world.report().messages.size(), 4u);
+  EXPECT_NE(world.report().messages[0].find("friction is not finite"), std::string::npos);
+  EXPECT_NEAR(box.getLinearVelocity().y(), -g * h, 100 * precision);
+}
+
+TEST(Robustness, ANormalThatIsNotUnitIsRefused) {
+  btDelassusConstraintSolver solver;
+  btBoxShape shape(btVector3(0.5, 0.5, 0.5));
+  btRigidBody ground(0, nullptr, &shape), box(1, nullptr, &shape, btVector3(1, 1, 1));
+  for (const btVector3& normal : {btVector3(0, 2, 0), btVector3(0, 0, 0), btVector3(notANumber, 1, 0)}) {
+    btPersistentManifold manifold(&box, &ground, 0, btScalar(0.02), btScalar(1));
+    btManifoldPoint point({0, 0, 0}, {0, 0, 0}, normal, 0);
+    point.m_combinedFriction = btScalar(0.5);
+    manifold.addManifoldPoint(point);
+    btPersistentManifold* manifolds[] = {&manifold};
+    btCollisionObject* bodies[] = {&box};
+    solver.prepareSolve(1, 1);
+    solver.solveGroup(bodies, 1, manifolds, 1, nullptr, 0, btContactSolverInfo(), nullptr, nullptr);
+    EXPECT_EQ(solver.report().contacts, 0);
+    EXPECT_EQ(solver.report().messages.size(), 1u);
+  }
+}
+
+TEST(Robustness, MessagesStayFew) {
+  StepReport report;
+  for (int i = 0; i < 1000; ++i) report.tell("part " + std::to_string(i % 500));
+  EXPECT_EQ(report.messages.size(), 65u);
+  EXPECT_EQ(report.messages.back(), "further messages are not kept");
+}
+
+}  // namespace
+}  // namespace delassus::testing
