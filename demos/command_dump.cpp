@@ -8,9 +8,10 @@
 #include "delassus/island.h"
 #include "delassus/problem_text.h"
 #include "demos/command.h"
+#include "demos/number_checks.h"
 #include "demos/progress_bar.h"
-#include "demos/scenes/solvers.h"
 #include "demos/scenes/solver_decorator.h"
+#include "demos/scenes/solvers.h"
 #include "demos/subject.h"
 
 namespace demos {
@@ -108,11 +109,9 @@ void addDumpCommand(CLI::App& app, Action& chosen) {
   command->add_option("subject", arguments->subject, "a built-in scene or a .bullet file")
       ->required()
       ->type_name("SCENE|FILE.bullet");
-  command->add_option("--at", arguments->at, "time of the step, s")
-      ->required()
-      ->check(CLI::NonNegativeNumber);
+  command->add_option("--at", arguments->at, "time of the step, s")->required()->check(atLeastZero);
   command->add_option("--hz", arguments->hz, "steps a second")
-      ->check(CLI::PositiveNumber)
+      ->check(greaterThanZero)
       ->capture_default_str();
   command
       ->add_option("--out", arguments->out, "file; several islands get a number before the suffix")

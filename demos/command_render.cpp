@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "demos/command.h"
+#include "demos/number_checks.h"
 
 namespace demos {
 
@@ -34,7 +35,7 @@ void addRenderCommand(CLI::App& app, Action& chosen) {
       ->capture_default_str();
   command->add_option("--at", arguments->at, "times of the pictures, s")
       ->delimiter(',')
-      ->check(CLI::NonNegativeNumber)
+      ->check(atLeastZero)
       ->type_name("T,...");
   command->add_flag("--video", arguments->video, "an mp4 of the whole run");
   command->add_option("--out", arguments->out, "folder for what is made")

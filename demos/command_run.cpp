@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "demos/command.h"
+#include "demos/number_checks.h"
 #include "demos/progress_bar.h"
 #include "demos/scenes/simulate.h"
 #include "demos/subject.h"
@@ -84,6 +85,7 @@ int runSubject(const RunArguments& arguments) {
   // A wrong name is told before the first solver has run for minutes.
   std::vector<NamedSolver> solvers;
   for (const std::string& name : splitNames(arguments.solvers)) solvers.emplace_back(name);
+  if (solvers.empty()) solvers.emplace_back(arguments.solvers);
 
   std::vector<RunSummary> runs;
   for (NamedSolver& solver : solvers) {
@@ -127,9 +129,9 @@ void addRunCommand(CLI::App& app, Action& chosen) {
   command
       ->add_option("--seconds", arguments->seconds,
                    "simulated time (default: the scene's own; 5 for a file)")
-      ->check(CLI::PositiveNumber);
+      ->check(greaterThanZero);
   command->add_option("--hz", arguments->hz, "steps a second")
-      ->check(CLI::PositiveNumber)
+      ->check(greaterThanZero)
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "one JSON object a line, one per solver");
   command->callback(

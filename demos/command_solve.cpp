@@ -9,6 +9,7 @@
 #include "delassus/residual.h"
 #include "delassus/solver.h"
 #include "demos/command.h"
+#include "demos/number_checks.h"
 
 namespace demos {
 
@@ -102,7 +103,7 @@ void addSolveCommand(CLI::App& app, Action& chosen) {
   command
       ->add_option("--tolerance", arguments->tolerance,
                    "what both rel and vel have to reach; exit status 3 if not")
-      ->check(CLI::PositiveNumber)
+      ->check(greaterThanZero)
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "one JSON object");
   command

@@ -8,11 +8,15 @@ echo "== build: Release, the command alone, in build/"
 cmake --preset release -DDELASSUS_TESTS=OFF --log-level=WARNING
 cmake --build --preset release --parallel "$(nproc)" --target delassus_command -- --quiet
 
-solvers=delassus,si:10,dantzig:1e-6
-echo "== stack_10_heavy_top: a tower of ten boxes, 1 kg each, under 1000 kg"
-build/demos/delassus run stack_10_heavy_top --solver "$solvers"
+command=build/demos/delassus
+echo "== stack_10_heavy_top: nine boxes of 1 kg under one of 1000 kg"
+$command run stack_10_heavy_top --solver delassus,si:10,dantzig:1e-6
+
+# Dantzig's time grows with the cube of the contacts: it gets a minute a world.
 for world in ../shared/worlds/*.bullet; do
   [ -e "$world" ] || continue
   echo "== $(basename "$world")"
-  build/demos/delassus run "$world" --solver "$solvers" --seconds 4
+  $command run "$world" --solver delassus,si:10 --seconds 4
+  timeout 60 $command run "$world" --solver dantzig:1e-6 --seconds 4 ||
+    echo "dantzig:1e-6 on $(basename "$world"): stopped after a minute of computing"
 done

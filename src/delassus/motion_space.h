@@ -12,7 +12,10 @@ namespace delassus {
 struct Stiffness {
   std::vector<Mat3> contacts;
   VectorXd rows;
-  bool symmetric = true;
+
+  bool operator==(const Stiffness& other) const {
+    return contacts == other.contacts && rows.size() == other.rows.size() && rows == other.rows;
+  }
 };
 
 /// A motion space is where the reactions of an island are felt: y = J̃ᵀ r with M = I, so that W = J̃ J̃ᵀ + diag(compliance).

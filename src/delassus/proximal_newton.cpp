@@ -21,6 +21,8 @@ void ProximalNewton<Motion>::setProblem(const Problem& problem) {
                                         : VectorXd::Zero(problem.size());
   G_.contacts.resize(n);
   G_.rows.resize(problem.rows());
+  factored_.contacts.clear();
+  factored_.rows.resize(0);
 }
 
 template <class Motion>
@@ -31,7 +33,6 @@ void ProximalNewton<Motion>::setWeights(double alpha) {
 template <class Motion>
 void ProximalNewton<Motion>::respond(const Problem& problem, const VectorXd& u, Stiffness* G) {
   const int n = problem.contacts(), m = problem.rows();
-  if (G) G->symmetric = true;
   for (int i = 0; i < n; ++i) {
     const int at = 3 * i;
     const double mu = problem.friction[i];
@@ -53,7 +54,6 @@ void ProximalNewton<Motion>::respond(const Problem& problem, const VectorXd& u, 
         G->contacts[i] << l[0], 0, 0,                      //
             mu * l[0] * c, turn * s * s, -turn * s * c,    //
             mu * l[0] * s, -turn * s * c, turn * c * c;
-        G->symmetric = false;
       }
     }
   }
@@ -111,17 +111,31 @@ void ProximalNewton<Motion>::respondInRegion(const Problem& problem, const Solut
 }
 
 template <class Motion>
+bool ProximalNewton<Motion>::factorise(Solution& count) {
+  if (factored_ == G_) return true;
+  ++count.factorisations;
+  const bool fine = motion_.factorise(G_);
+  if (fine)
+    factored_ = G_;
+  else
+    factored_.contacts.clear(), factored_.rows.resize(0);
+  return fine;
+}
+
+template <class Motion>
 typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
     const Problem& problem, int& budget, Solution& count, const Solution* region) {
-  constexpr int mostSteps = 25, mostHalvings = 8;
+  // An inner answer only has to be better than what the outer step corrects anyway; at round-off the line search stalls.
+  constexpr double enough = 1e-7, stalled = 1e-2;
+  constexpr int mostSteps = 40, mostHalvings = 10;
   delta_ = VectorXd::Zero(motion_.impulse(center_).size());
   VectorXd u = u_, F, step, trialDelta, trialF;
 
   if (region) {
     if (budget-- <= 0) return Inner::Failed;
-    ++count.regions, ++count.factorisations;
+    ++count.regions;
     respondInRegion(problem, *region);
-    if (!motion_.factorise(G_)) return Inner::Failed;
+    if (!factorise(count)) return Inner::Failed;
     delta_ = motion_.impulse(r_ - center_);
     motion_.solve(delta_);
     if (!delta_.allFinite()) return Inner::Failed;
@@ -132,10 +146,10 @@ typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
   double error = F.norm();
   for (int k = 0; k < mostSteps; ++k) {
     const double size = std::max(delta_.norm(), motion_.impulse(r_ - center_).norm());
-    if (error <= 1e-9 * size || error == 0) return Inner::Converged;
+    if (error <= enough * size) return Inner::Converged;
     if (budget-- <= 0) return Inner::Failed;
-    ++count.regions, ++count.factorisations;
-    if (!motion_.factorise(G_)) return Inner::Failed;
+    ++count.regions;
+    if (!factorise(count)) return Inner::Failed;
     step = -F;
     motion_.solve(step);
     if (!step.allFinite()) return Inner::Failed;
@@ -155,7 +169,7 @@ typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
         break;
       }
     }
-    if (!accepted) return error <= 1e-6 * size ? Inner::Converged : Inner::Failed;
+    if (!accepted) return error <= stalled * size ? Inner::Converged : Inner::Failed;
     delta_.swap(trialDelta);
     F.swap(trialF);
     error = trialError;
@@ -205,7 +219,7 @@ bool ProximalNewton<Motion>::converge(const Problem& problem, double tolerance, 
       best.u = u_;
       best.residual = now;
     }
-    if (now <= tolerance) return true;
+    if (now <= std::max(tolerance, roundOff(scale_, center_))) return true;
     // A region that is known needs a small weight to finish; one that still changes needs a larger one.
     if (now > 0.1 * residual && alpha <= smallest) return false;
     if (now > 0.01 * residual || !fromRegion) alpha = std::max(smallest, 0.1 * alpha);

@@ -35,6 +35,8 @@ class ProximalNewton {
   void respond(const Problem& problem, const VectorXd& u, Stiffness* G);
   /// The same in one given region, that of `from`: an affine answer, right if the region is.
   void respondInRegion(const Problem& problem, const Solution& from);
+  /// Factors the Newton matrix of G_, unless that very region is factored already.
+  bool factorise(Solution& count);
   Inner solveProximal(const Problem& problem, int& budget, Solution& count, const Solution* region);
   bool converge(const Problem& problem, double tolerance, double alpha, int regionBudget, bool fromRegion,
                 Solution& best);
@@ -45,7 +47,7 @@ class ProximalNewton {
   VectorXd compliance_;
   VectorXd center_, u_;  ///< r_k and u_k
   VectorXd r_, delta_;   ///< the answer of the inner problem
-  Stiffness G_;
+  Stiffness G_, factored_;
 };
 
 }  // namespace delassus

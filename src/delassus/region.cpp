@@ -14,7 +14,7 @@ namespace {
 constexpr double cofactorPivot = 1e-4;
 
 /// For three contacts the error is ε over the determinant, the product of the pivots: measured 2e-8 |q| with two pivots just
-/// above 1e-4, 4e-13 |q| above this determinant.
+/// above 1e-4, 3e-14 |q| above this determinant.
 constexpr double cofactorDeterminant = 1e-2;
 
 /// A pivot this small against the unit diagonal says that a contact is dependent on the others (algorithms 3.5).

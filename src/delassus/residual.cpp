@@ -94,6 +94,11 @@ NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r) {
   return naturalResidual(problem, r, u);
 }
 
+double roundOff(const VectorXd& diagonal, const VectorXd& r) {
+  if (r.size() == 0) return 0;
+  return 8 * std::numeric_limits<double>::epsilon() * diagonal.cwiseProduct(r).cwiseAbs().maxCoeff();
+}
+
 FclibMeasures fclibMeasures(const Problem& problem, const VectorXd& r) {
   assert(r.size() == problem.size() && "one number an unknown");
   const VectorXd u = problem.W * r + problem.q;

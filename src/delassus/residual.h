@@ -18,6 +18,9 @@ NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r, const
 /// The same with u = W r + q.
 NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r);
 
+/// What round-off alone leaves in u = W r + q, m/s: a few ε of the largest W_aa r_a. A residual cannot be read finer.
+double roundOff(const VectorXd& diagonal, const VectorXd& r);
+
 /// The published measures on problem files: unit-dependent, for comparison only.
 struct FclibMeasures {
   double rel = 0;     ///< |F(1)| / |q|

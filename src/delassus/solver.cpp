@@ -112,7 +112,7 @@ void Solver::Workspace::walk(Newton& newton, const Problem& problem, const Optio
     if (left <= 0) return;
     if (newton.walk(problem, tolerance, unknownRegion, left, best)) break;
   }
-  if (best.residual > tolerance) return;
+  if (best.residual > std::max(tolerance, roundOff(problem.W.diagonal(), best.r))) return;
 
   // The walk kept the self-stress of the sweeps; from its region the smoothest share is a step away.
   best.activeSet = readActiveSet(problem, best.r, best.u);
@@ -151,7 +151,8 @@ Solution Solver::solve(const Problem& problem, const VectorXd& guess) {
         workspace_->walk(workspace_->factored, problem, options_, tolerance, warm, best);
     }
   }
-  best.status = best.residual <= tolerance ? Status::Solved : Status::OutOfBudget;
+  const double attainable = std::max(tolerance, roundOff(problem.W.diagonal(), best.r));
+  best.status = best.residual <= attainable ? Status::Solved : Status::OutOfBudget;
   best.activeSet = readActiveSet(problem, best.r, best.u);
   return best;
 }

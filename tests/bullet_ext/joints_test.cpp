@@ -42,6 +42,9 @@ std::vector<JointCase> jointCases() {
          auto& slider = w.addJoint<btSliderConstraint>(a, b, frameA, frameB, true);
          slider.setLowerLinLimit(btScalar(-0.02));
          slider.setUpperLinLimit(btScalar(0.02));
+         // Bullet drops a locked angle's row in steps where the angle is zero to the last bit.
+         slider.setLowerAngLimit(btScalar(-0.1));
+         slider.setUpperAngLimit(btScalar(0.1));
        }},
       {"six_dof", [=](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
          auto& joint = w.addJoint<btGeneric6DofConstraint>(a, b, frameA, frameB, true);
@@ -109,10 +112,10 @@ TEST(Parity, Row28EveryJointType) {
   for (const JointCase& joint : jointCases()) {
     SCOPED_TRACE(joint.name);
     DelassusWorld ours;
-    StockWorld stock(10000);  // a locked slider converges that slowly
+    StockWorld stock(5000);
     ours.info().m_numIterations = stock.info().m_numIterations;  // spring joints read it
     const Pendulum p = addPendulum(ours, joint.add), s = addPendulum(stock, joint.add);
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < 40; ++i) {
       ours.advance();
       stock.advance();
       ASSERT_EQ(ours.report().solved, ours.report().islands) << i;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -54,36 +55,63 @@ TEST(Parity, Row34TowerCarriesAThousandTimesItsOwnMass) {
   }
 }
 
-TEST(Parity, Row35ChainKeepsItsLength) {
-  DelassusWorld world;
-  constexpr int links = 20;
-  const btScalar half = btScalar(0.1);
+constexpr int links = 20;
+constexpr btScalar halfLink = btScalar(0.1);
+constexpr double chainLength = links * 2 * halfLink;
+
+/// A chain of links of 0.1 kg from the origin along `along`, and a ball of 100 kg at its end.
+struct Chain {
+  btRigidBody& ball;
+  btVector3 hook;  ///< in the ball
+
+  double length() const { return (ball.getWorldTransform() * hook).length(); }
+};
+
+Chain addChain(BulletWorld& world, const btVector3& along) {
+  const btVector3 toEnd = halfLink * along, thin(btScalar(0.02), btScalar(0.02), btScalar(0.02));
+  const auto join = [&](btRigidBody& a, btRigidBody& b, const btVector3& inB) {
+    a.setIgnoreCollisionCheck(&b, true);
+    b.setIgnoreCollisionCheck(&a, true);
+    world.addJoint<btPoint2PointConstraint>(a, b, toEnd, inB);
+  };
   btRigidBody* last = nullptr;
   for (int i = 0; i < links; ++i) {
-    btRigidBody& link = world.addBox({half, btScalar(0.02), btScalar(0.02)}, {half * (2 * i + 1), 0, 0}, btScalar(0.1));
-    link.setIgnoreCollisionCheck(last, true);
+    btRigidBody& link = world.addBox(thin + btScalar(0.8) * toEnd.absolute(), (2 * i + 1) * toEnd, btScalar(0.1));
     if (last)
-      world.addJoint<btPoint2PointConstraint>(*last, link, btVector3(half, 0, 0), btVector3(-half, 0, 0));
+      join(*last, link, -toEnd);
     else
-      world.addJoint<btPoint2PointConstraint>(link, btVector3(-half, 0, 0));
+      world.addJoint<btPoint2PointConstraint>(link, -toEnd);
     last = &link;
   }
-  btRigidBody& bob = world.addSphere(btScalar(0.3), {half * 2 * links + btScalar(0.4), 0, 0}, 100);
-  bob.setIgnoreCollisionCheck(last, true);
-  world.addJoint<btPoint2PointConstraint>(*last, bob, btVector3(half, 0, 0), btVector3(btScalar(-0.4), 0, 0));
+  const btVector3 hook = btScalar(-0.4) * along;
+  btRigidBody& ball = world.addSphere(btScalar(0.3), btScalar(chainLength) * along - hook, 100);
+  join(*last, ball, hook);
+  return {ball, hook};
+}
 
-  const double length = half * 2 * links;
-  double longest = 0;
-  for (int i = 0; i < 240; ++i) {
-    world.advance();
-    const btVector3 end = bob.getWorldTransform() * btVector3(btScalar(-0.4), 0, 0);
-    longest = std::max<double>(longest, end.length());
-  }
-  // The joints' own velocity-level law lets a swinging link run off its circle by (ω h)²/2 a step before ERP acts.
-  EXPECT_LT(longest, length * (1 + 1e-2));
+TEST(Parity, Row35HangingChainKeepsItsLength) {
+  DelassusWorld world;
+  const Chain chain = addChain(world, {0, -1, 0});
+  world.advance(300);
+  EXPECT_NEAR(chain.length(), chainLength, 1e-3 * chainLength);
+}
 
-  world.advance(1200);
-  EXPECT_LT(last->getWorldTransform().getOrigin().length(), length);
+TEST(Parity, Row35SwingingChainKeepsItsLength) {
+  // Under this load the links vibrate across the chain with 2√(T/(m L)) = 440 rad/s: no solver of velocities follows that at
+  // 60 Hz, stock run to convergence falls as ours does. At 1 kHz the step is fit for the chain, and the solver is seen.
+  const auto longest = [](BulletWorld& world) {
+    const Chain chain = addChain(world, {1, 0, 0});
+    double length = 0;
+    for (int i = 0; i < 500; ++i) {
+      world->stepSimulation(btScalar(1e-3), 0);
+      length = std::max(length, chain.length());
+    }
+    return length;
+  };
+  DelassusWorld ours;
+  StockWorld stock(10);
+  EXPECT_LT(longest(ours), (1 + 1e-3) * chainLength);
+  EXPECT_GT(longest(stock), (1 + 1e-2) * chainLength) << "what the test would look like if the rows were not solved";
 }
 
 /// Height of a small pile after a while, everything in units of the first box.
@@ -97,6 +125,9 @@ std::vector<double> pile(double mass, double length) {
   btRigidBody& first = world.addBox(scaled(0.5, 0.5, 0.5), scaled(0, 0, 0), btScalar(mass));
   btRigidBody& second = world.addBox(scaled(0.5, 0.3, 0.2), scaled(1, 0, 0), btScalar(3 * mass));
   first.setIgnoreCollisionCheck(&second, true);
+  // Bullet's implicit gyroscopic terms compare determinants of inertia with an absolute number.
+  first.setFlags(0);
+  second.setFlags(0);
   const btVector3 inFirst = scaled(0.5, 0.1, 0), inSecond = scaled(-0.5, 0.1, 0);
   world.addJoint<btPoint2PointConstraint>(first, scaled(-0.5, 0.5, 0.1));
   world.addJoint<btPoint2PointConstraint>(first, second, inFirst, inSecond);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+namespace demos {
+
+/// Checks of numbers on the command line, for CLI11: an empty answer says that the text is good.
+inline std::string finiteFrom(const std::string& text, bool zeroToo) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool good =
+      !text.empty() && *end == '\0' && std::isfinite(value) && (zeroToo ? value >= 0 : value > 0);
+  return good ? ""
+              : "'" + text + "' is not a number " + (zeroToo ? "of at least" : "greater than") +
+                    " 0";
+}
+inline std::string greaterThanZero(const std::string& text) { return finiteFrom(text, false); }
+inline std::string atLeastZero(const std::string& text) { return finiteFrom(text, true); }
+
+}  // namespace demos

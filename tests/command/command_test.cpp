@@ -1,0 +1,212 @@
+// The command as its users meet it: exit status, messages, JSON.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+namespace {
+
+using nlohmann::json;
+
+struct Outcome {
+  int status;
+  std::string out, err;
+};
+
+class Command : public testing::Test {
+ protected:
+  std::filesystem::path folder_ = std::filesystem::temp_directory_path() /
+                                  ("delassus_command_" + std::to_string(getpid()) +
+                                   testing::UnitTest::GetInstance()->current_test_info()->name());
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(file(name)) << text;
+    return file(name);
+  }
+  static std::string read(const std::string& path) {
+    std::stringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+  }
+
+  Outcome call(const std::string& arguments) const {
+    const std::string line =
+        std::string(DELASSUS_COMMAND) + " " + arguments + " >" + file("out") + " 2>" + file("err");
+    const int answer = std::system(line.c_str());
+    EXPECT_TRUE(WIFEXITED(answer)) << arguments;
+    return {WEXITSTATUS(answer), read(file("out")), read(file("err"))};
+  }
+
+  /// One ball of W = 1 pressed on a plane with friction: the solution is plain.
+  std::string easyProblem() const {
+    return write("easy.fc3d",
+                 "delassus-problem v1\nname easy\ncontacts 1\nblocks 1\nmu\n0.5\nq\n-1 0.1 0\n"
+                 "W\n0 0 1 0 0 0 1 0 0 0 1\nend\n");
+  }
+};
+
+int lines(const std::string& text) { return int(std::count(text.begin(), text.end(), '\n')); }
+
+TEST_F(Command, helpsEverywhere) {
+  for (const char* sub : {"", "scenes", "run", "render", "report", "solve", "dump", "atlas"}) {
+    const Outcome outcome = call(std::string(sub) + " --help");
+    EXPECT_EQ(outcome.status, 0) << sub;
+    EXPECT_GT(outcome.out.size(), 80U) << sub;
+  }
+}
+
+TEST_F(Command, refusesBadUsageWithTwo) {
+  for (const char* bad :
+       {"", "fly", "run", "run --no-such-flag", "run one_box --hz 0", "run one_box --seconds -1",
+        "run one_box --seconds nan", "run one_box --hz many", "solve", "dump one_box --at 1",
+        "scenes extra"}) {
+    const Outcome outcome = call(bad);
+    EXPECT_EQ(outcome.status, 2) << bad;
+    EXPECT_FALSE(outcome.err.empty()) << bad;
+  }
+}
+
+TEST_F(Command, namesTheNearestScene) {
+  const Outcome outcome = call("run one_bx");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("one_box"), std::string::npos);
+  EXPECT_EQ(lines(outcome.err), 1);
+}
+
+TEST_F(Command, namesTheSolversThatExist) {
+  const Outcome outcome = call("run one_box --solver delassus,sj:10");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("sj:10"), std::string::npos);
+  EXPECT_NE(outcome.err.find("si:N"), std::string::npos);
+  EXPECT_EQ(lines(outcome.err), 1);
+}
+
+TEST_F(Command, namesAFileThatCannotBeRead) {
+  for (const std::string& path :
+       {file("no/such.bullet"), folder_.string() + "/", write("bad.bullet", "nonsense")}) {
+    const Outcome outcome = call("run " + path);
+    EXPECT_EQ(outcome.status, 1) << path;
+    EXPECT_NE(outcome.err.find(path), std::string::npos) << outcome.err;
+    EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
+  }
+}
+
+TEST_F(Command, runsAndTellsInJson) {
+  const Outcome outcome = call("run one_box --solver delassus,si:10 --seconds 0.5 --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::istringstream out(outcome.out);
+  for (const char* solver : {"delassus", "si:10"}) {
+    std::string line;
+    ASSERT_TRUE(std::getline(out, line));
+    const json run = json::parse(line);
+    for (const char* key : {"scene",
+                            "solver",
+                            "precision",
+                            "steps",
+                            "hz",
+                            "bodies",
+                            "contacts_max",
+                            "ms_median",
+                            "ms_p95",
+                            "residual_rms",
+                            "residual_max",
+                            "penetration_max_m",
+                            "kinetic_energy_j",
+                            "drift_max_m",
+                            "joint_error_max_m",
+                            "reaction_over_weight",
+                            "modes",
+                            "regions_per_step",
+                            "factorisations_per_step",
+                            "statuses",
+                            "fallbacks"})
+      EXPECT_TRUE(run.contains(key)) << key;
+    EXPECT_EQ(run["scene"], "one_box");
+    EXPECT_EQ(run["solver"], solver);
+    EXPECT_EQ(run["steps"], 30);
+    EXPECT_EQ(run["contacts_max"], 4);
+    EXPECT_NEAR(run["reaction_over_weight"].get<double>(), 1, 0.05);
+  }
+}
+
+TEST_F(Command, comparesSolversInOneTable) {
+  const Outcome outcome = call("run one_box --solver delassus,si:10 --seconds 0.2");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.out.find("\ndelassus "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\nsi:10 "), std::string::npos) << outcome.out;
+  EXPECT_TRUE(outcome.err.empty()) << "no progress bar to a file";
+}
+
+TEST_F(Command, listsScenes) {
+  const Outcome outcome = call("scenes");
+  EXPECT_EQ(outcome.status, 0);
+  for (const char* scene : {"bead_in_angle", "stack_10_heavy_top", "arch_thin", "gripper"})
+    EXPECT_NE(outcome.out.find(scene), std::string::npos) << scene;
+}
+
+TEST_F(Command, solvesAProblem) {
+  const Outcome outcome = call("solve " + easyProblem() + " --json --solution " + file("solution"));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const json solved = json::parse(outcome.out);
+  for (const char* key :
+       {"name", "kind", "size", "status", "rel", "vel", "ms", "regions", "islands"})
+    EXPECT_TRUE(solved.contains(key)) << key;
+  EXPECT_EQ(solved["name"], "easy");
+  EXPECT_EQ(solved["size"], 1);
+  EXPECT_EQ(solved["islands"], 1);
+  EXPECT_EQ(solved["status"], "solved");
+  EXPECT_LE(solved["vel"].get<double>(), 1e-8);
+  EXPECT_EQ(read(file("solution")).rfind("solution v1\n", 0), 0U);
+}
+
+TEST_F(Command, endsWithThreeAboveTheTolerance) {
+  // u = −1 whatever r is: no solution.
+  const std::string hopeless =
+      write("hopeless.lcp", "lcp v1\nname hopeless\nsize 1\nentries 1\nq\n-1\nM\n0 0 0\nend\n");
+  const Outcome outcome = call("solve " + hopeless + " --json");
+  EXPECT_EQ(outcome.status, 3) << outcome.err;
+  EXPECT_NE(json::parse(outcome.out)["status"], "solved");
+}
+
+TEST_F(Command, namesAProblemThatCannotBeRead) {
+  const std::string good = read(easyProblem());
+  for (const std::string& path :
+       {write("truncated.fc3d", good.substr(0, 60)), write("empty.fc3d", ""), folder_.string(),
+        file("missing.lcp"),
+        write("nan.fc3d", "delassus-problem v1\nname x\ncontacts 1\nblocks 1\nmu\nnan\n")}) {
+    const Outcome outcome = call("solve " + path);
+    EXPECT_EQ(outcome.status, 1) << path;
+    EXPECT_NE(outcome.err.find(path), std::string::npos) << outcome.err;
+    EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
+  }
+}
+
+TEST_F(Command, dumpsWhatItCanSolve) {
+  const Outcome dumped = call("dump stack_10 --at 0.1 --out " + file("stack.fc3d"));
+  ASSERT_EQ(dumped.status, 0) << dumped.err;
+  const Outcome solved = call("solve " + file("stack.fc3d") + " --json");
+  EXPECT_EQ(solved.status, 0) << solved.out << solved.err;
+  EXPECT_EQ(json::parse(solved.out)["size"], 40);
+}
+
+TEST_F(Command, dumpsAnIslandAFile) {
+  const Outcome dumped = call("dump box_headings --at 0 --out " + file("box.fc3d"));
+  ASSERT_EQ(dumped.status, 0) << dumped.err;
+  for (int i = 0; i < 12; ++i)
+    EXPECT_TRUE(std::filesystem::exists(file("box-" + std::to_string(i) + ".fc3d"))) << i;
+  EXPECT_EQ(call("dump bead_under_plane --at 0.9 --out " + file("none")).status, 1)
+      << "no contact, nothing to write";
+}
+
+}  // namespace

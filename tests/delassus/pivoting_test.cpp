@@ -1,0 +1,359 @@
+#include "delassus/pivoting.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "delassus/lemke.h"
+#include "delassus/region_walk.h"
+#include "tests/support/brute_force.h"
+#include "tests/support/random_problems.h"
+
+namespace delassus {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+PivotResult pivotContacts(const MatrixXd& W, const VectorXd& q,
+                          const std::vector<RowState>& guess = {}) {
+  const auto n = q.size();
+  return pivot(W, q, VectorXd::Zero(n), VectorXd::Constant(n, infinity), guess);
+}
+
+/// |r − s|_W: the difference of the two motions, √J.
+double motionDistance(const MatrixXd& W, const VectorXd& r, const VectorXd& s) {
+  return std::sqrt(std::max(0.0, (r - s).dot(W * (r - s))));
+}
+
+double naturalResidual(const PivotResult& result, const VectorXd& lower, const VectorXd& upper) {
+  const VectorXd projected = (result.r - result.u).cwiseMax(lower).cwiseMin(upper);
+  return (result.r - projected).cwiseAbs().maxCoeff();
+}
+
+unsigned persistingSet(const std::vector<RowState>& rows) {
+  unsigned set = 0;
+  for (size_t i = 0; i < rows.size(); ++i)
+    if (rows[i] == RowState::Free) set |= 1u << i;
+  return set;
+}
+
+/// §8, §11: the 2ⁿ regions fill the space and never overlap; the region found is the one of enumeration.
+///
+/// 202 000 random W over n = 1…10, condition numbers 1 to 1e10, half of the q drawn as q = −W f. On a wall, or nearer to
+/// it than round-off, two labels stand for one motion: then the motions must agree.
+class RegionTheory : public testing::TestWithParam<int> {
+ protected:
+  static int samples(int n) { return n <= 6 ? 31000 : n == 7 ? 9000 : n == 8 ? 4500 : n == 9 ? 1700 : 800; }
+
+  /// The block pivoting itself, from the region of all contacts: small problems do not reach it through `pivot`.
+  static VectorXd walkFromAll(const MatrixXd& W, const VectorXd& q, RegionWalk::End& end) {
+    const int n = static_cast<int>(q.size());
+    const VectorXd scale = W.diagonal().cwiseSqrt();
+    const VectorXd inverse = scale.cwiseInverse();
+    const BoundedRows rows{inverse.asDiagonal() * W * inverse.asDiagonal(), q.cwiseProduct(inverse),
+                           VectorXd::Zero(n), VectorXd::Constant(n, infinity), true};
+    RegionWalk walk(rows, std::vector<RowState>(n, RowState::Free));
+    end = walk.settle(VectorXd::Zero(n), 0, 200);
+    return rows.clamp(walk.r()).cwiseProduct(inverse);
+  }
+};
+
+TEST_P(RegionTheory, TheRegionIsThatOfEnumeration) {
+  const int n = GetParam();
+  Random random(1000 + n);
+  int otherLabels = 0;
+  for (int k = 0; k < samples(n); ++k) {
+    const double condition = std::pow(10.0, k % 11);
+    const MatrixXd W = randomDelassus(n, condition, random);
+    const VectorXd f = normalVector(n, random);
+    const VectorXd q = k & 1 ? VectorXd(normalVector(n, random)) : VectorXd(-W * f);
+
+    const PivotResult answer = pivotContacts(W, q);
+    ASSERT_EQ(answer.status, Status::Solved) << "sample " << k;
+    const BruteForce truth = enumerateRegions(W, q);
+
+    // ε √condition is what round-off in q alone does to the motion; the work of the largest reactions sets the scale.
+    const double size = std::sqrt(std::max(0.0, -q.dot(truth.r)));
+    const double tolerance = 1e-10 * std::sqrt(condition) * (size + q.norm());
+    if (persistingSet(answer.rows) != truth.persisting) ++otherLabels;
+    ASSERT_LT(motionDistance(W, answer.r, truth.r), tolerance) << "sample " << k;
+
+    RegionWalk::End end;
+    const VectorXd walked = walkFromAll(W, q, end);
+    if (end == RegionWalk::End::Settled) {
+      ASSERT_LT(motionDistance(W, walked, truth.r), tolerance) << "sample " << k;
+    } else {
+      ASSERT_EQ(end, RegionWalk::End::Singular) << "sample " << k;
+      ASSERT_GT(condition, 1e8);
+    }
+  }
+  EXPECT_LT(otherLabels, samples(n) / 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Contacts, RegionTheory, testing::Range(1, 11));
+
+/// Algorithms 13c: a 3x3 on which block pivoting without its guard goes round for ever.
+class BlockPivotCycle : public testing::Test {
+ protected:
+  BlockPivotCycle() : W(3, 3), q(3) {
+    W << 0.334512, -0.735715, -0.426742, -0.735715, 6.77267, 2.12606, -0.426742, 2.12606, 0.88023;
+    q << 0.753427, -0.610738, -0.941291;
+  }
+  MatrixXd W;
+  VectorXd q;
+};
+
+TEST_F(BlockPivotCycle, WithoutTheGuardRegionsRepeat) {
+  std::set<unsigned> visited;
+  unsigned region = 7;
+  while (visited.insert(region).second) {
+    std::vector<int> S;
+    for (int i = 0; i < 3; ++i)
+      if (region >> i & 1) S.push_back(i);
+    VectorXd r = VectorXd::Zero(3);
+    if (!S.empty()) r(S) = -MatrixXd(W(S, S)).llt().solve(VectorXd(q(S)));
+    const VectorXd u = W * r + q;
+    unsigned objecting = 0;
+    for (int i = 0; i < 3; ++i)
+      if (region >> i & 1 ? r[i] < 0 : u[i] < 0) objecting |= 1u << i;
+    ASSERT_NE(objecting, 0u) << "this walk has ended";
+    region ^= objecting;
+  }
+  EXPECT_EQ(visited.size(), 4u);
+}
+
+TEST_F(BlockPivotCycle, WithTheGuardEveryStartEndsInTheRegion) {
+  const BoundedRows rows{W, q, VectorXd::Zero(3), VectorXd::Constant(3, infinity), true};
+  BoundedRows general = rows;
+  general.symmetric = false;  // Murty's guard instead of descent
+  for (const BoundedRows& problem : {rows, general}) {
+    for (unsigned start = 0; start < 8; ++start) {
+      std::vector<RowState> states(3, RowState::AtLower);
+      for (int i = 0; i < 3; ++i)
+        if (start >> i & 1) states[i] = RowState::Free;
+      RegionWalk walk(problem, states);
+      EXPECT_EQ(walk.settle(VectorXd::Zero(3), 0, 50), RegionWalk::End::Settled);
+      EXPECT_EQ(persistingSet(walk.states()), 4u);
+      EXPECT_NEAR(walk.r()[2], 1.06936937, 1e-8);
+    }
+  }
+  const PivotResult answer = pivotContacts(W, q);
+  EXPECT_NEAR(answer.u[0], 0.297082177, 1e-9);
+  EXPECT_NEAR(answer.u[1], 1.66280544, 1e-8);
+  EXPECT_NEAR(answer.u[2], 0, 1e-15);
+}
+
+/// Kinds of rows in one solve: contacts [0, ∞), motors [−m, m], joints, limits (−∞, 0].
+void randomBounds(int n, Random& random, VectorXd& lower, VectorXd& upper) {
+  lower.resize(n);
+  upper.resize(n);
+  for (int i = 0; i < n; ++i) {
+    const double m = uniform(random, 0, 2);
+    switch (static_cast<int>(uniform(random, 0, 5))) {
+      case 0: lower[i] = 0, upper[i] = infinity; break;
+      case 1: lower[i] = -m, upper[i] = m; break;
+      case 2: lower[i] = -infinity, upper[i] = infinity; break;
+      case 3: lower[i] = -infinity, upper[i] = 0; break;
+      default: lower[i] = upper[i] = m;  // a row that has lost its say
+    }
+  }
+}
+
+TEST(Pivoting, RowsWithBoundsFindTheRegionOfEnumeration) {
+  Random random(21);
+  for (int k = 0; k < 1500; ++k) {
+    const int n = 1 + k % 6;
+    const MatrixXd W = randomDelassus(n, std::pow(10.0, k % 5), random);
+    const VectorXd q = normalVector(n, random);
+    VectorXd lower, upper;
+    randomBounds(n, random, lower, upper);
+
+    const PivotResult answer = pivot(W, q, lower, upper);
+    ASSERT_EQ(answer.status, Status::Solved);
+    ASSERT_LT(naturalResidual(answer, lower, upper), 1e-9);
+    const VectorXd truth = enumerateBoundedRegions(W, q, lower, upper);
+    ASSERT_LT(motionDistance(W, answer.r, truth), 1e-9);
+    for (int i = 0; i < n; ++i) {
+      switch (answer.rows[i]) {
+        case RowState::AtLower: ASSERT_DOUBLE_EQ(answer.r[i], lower[i]); break;
+        case RowState::AtUpper: ASSERT_DOUBLE_EQ(answer.r[i], upper[i]); break;
+        case RowState::Free: ASSERT_NEAR(answer.u[i], 0, 1e-9);
+      }
+    }
+  }
+}
+
+TEST(Pivoting, TheRegionOfTheLastStepIsOneVisit) {
+  Random random(22);
+  const int n = 60;
+  const MatrixXd W = randomDelassus(n, 1e4, random);
+  const VectorXd q = normalVector(n, random);
+  const PivotResult cold = pivotContacts(W, q);
+  const PivotResult warm = pivotContacts(W, 1.001 * q, cold.rows);
+  EXPECT_GT(cold.regions, 1);
+  EXPECT_EQ(warm.regions, 1);
+  EXPECT_EQ(warm.factorisations, 1);
+  EXPECT_EQ(warm.rows, cold.rows);
+  EXPECT_LT((warm.r - 1.001 * cold.r).norm(), 1e-9 * cold.r.norm());
+}
+
+TEST(Pivoting, AnyGuessLeadsToTheSameMotion) {
+  Random random(23);
+  const int n = 40;
+  const MatrixXd W = randomDelassus(n, 1e3, random);
+  const VectorXd q = normalVector(n, random);
+  const PivotResult cold = pivotContacts(W, q);
+  for (int k = 0; k < 50; ++k) {
+    std::vector<RowState> guess(n);
+    for (RowState& state : guess) state = static_cast<RowState>(static_cast<int>(uniform(random, 0, 3)));
+    const PivotResult guessed = pivotContacts(W, q, guess);
+    EXPECT_EQ(guessed.rows, cold.rows);
+    EXPECT_LT(motionDistance(W, guessed.r, cold.r), 1e-12);
+  }
+}
+
+TEST(Pivoting, SameInputSameBits) {
+  Random random(24);
+  const MatrixXd J = randomJacobian(50, 30, random);
+  const MatrixXd W = J * J.transpose();
+  const VectorXd q = normalVector(50, random);
+  const PivotResult a = pivotContacts(W, q), b = pivotContacts(W, q);
+  EXPECT_EQ(a.r, b.r);
+  EXPECT_EQ(a.u, b.u);
+  EXPECT_EQ(a.rows, b.rows);
+}
+
+// Round-off in q must not decide how much work is done: thousands of contacts at rest on one wall of their regions.
+TEST(Pivoting, TiesAreHarmless) {
+  Random random(25);
+  for (int k = 0; k < 300; ++k) {
+    const int n = 2 + k % 30;
+    const MatrixXd W = randomDelassus(n, 1e3, random);
+    VectorXd f = normalVector(n, random).cwiseAbs();
+    for (int i = 0; i < n; i += 2) f[i] = 0;  // r_i = 0 = u_i, up to round-off
+    const PivotResult answer = pivotContacts(W, -W * f);
+    ASSERT_EQ(answer.status, Status::Solved);
+    ASSERT_LT(motionDistance(W, answer.r, f), 1e-12);
+    ASSERT_LT(answer.regions, 200);
+  }
+}
+
+TEST(Pivoting, RowsThatAreNotLinkedAreSolvedOnTheirOwn) {
+  Random random(26);
+  const int n = 9;
+  MatrixXd W = MatrixXd::Zero(2 * n, 2 * n);
+  const MatrixXd A = randomDelassus(n, 100, random), B = randomDelassus(n, 100, random);
+  const VectorXd q = normalVector(2 * n, random);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      W(2 * i, 2 * j) = A(i, j);  // interleaved
+      W(2 * i + 1, 2 * j + 1) = B(i, j);
+    }
+  }
+  const PivotResult together = pivotContacts(W, q);
+  const PivotResult even = pivotContacts(A, q(Eigen::seqN(0, n, 2)));
+  const PivotResult odd = pivotContacts(B, q(Eigen::seqN(1, n, 2)));
+  EXPECT_EQ(VectorXd(together.r(Eigen::seqN(0, n, 2))), even.r);
+  EXPECT_EQ(VectorXd(together.r(Eigen::seqN(1, n, 2))), odd.r);
+  EXPECT_EQ(together.regions, even.regions + odd.regions);
+}
+
+TEST(Pivoting, NothingToDo) {
+  const PivotResult nothing = pivot(MatrixXd(0, 0), VectorXd(0), VectorXd(0), VectorXd(0));
+  EXPECT_EQ(nothing.status, Status::Solved);
+  const PivotResult rest = pivotContacts(MatrixXd::Identity(8, 8) + MatrixXd::Ones(8, 8),
+                                         VectorXd::Zero(8));
+  EXPECT_EQ(rest.status, Status::Solved);
+  EXPECT_EQ(rest.r, VectorXd::Zero(8));
+}
+
+TEST(Pivoting, NumbersThatAreNotFiniteAreNotPassedOn) {
+  MatrixXd W = MatrixXd::Identity(2, 2);
+  W(0, 1) = std::numeric_limits<double>::quiet_NaN();
+  const PivotResult answer = pivotContacts(W, VectorXd::Constant(2, -1));
+  EXPECT_EQ(answer.status, Status::OutOfBudget);
+  EXPECT_TRUE(answer.r.allFinite());
+  EXPECT_TRUE(answer.u.allFinite());
+}
+
+TEST(Pivoting, ASpentBudgetIsSaid) {
+  Random random(27);
+  const int n = 60;
+  const MatrixXd W = randomDelassus(n, 1e6, random);
+  PivotOptions options;
+  options.regionBudget = 2;
+  const PivotResult answer = pivot(W, normalVector(n, random), VectorXd::Zero(n),
+                                   VectorXd::Constant(n, infinity), {}, options);
+  EXPECT_EQ(answer.status, Status::OutOfBudget);
+  EXPECT_TRUE(answer.r.allFinite());
+  EXPECT_GE(answer.r.minCoeff(), 0);
+}
+
+// Problem files hold matrices that are no Delassus matrices. An upper triangular P-matrix on which Murty's least-index
+// rule, one contact at a time, takes 2ⁿ steps.
+TEST(Pivoting, NonsymmetricMatricesAreServed) {
+  const int n = 8;
+  MatrixXd W = MatrixXd::Identity(n, n);
+  W.triangularView<Eigen::StrictlyUpper>().setConstant(2);
+  const PivotResult answer = pivotContacts(W, VectorXd::Constant(n, -1));
+  EXPECT_EQ(answer.status, Status::Solved);
+  VectorXd expected = VectorXd::Zero(n);
+  expected[n - 1] = 1;
+  EXPECT_LT((answer.r - expected).norm(), 1e-14);
+
+  // Random matrices with a positive definite symmetric part.
+  Random random(28);
+  for (int k = 0; k < 200; ++k) {
+    const int m = 2 + k % 20;
+    const MatrixXd A = normalMatrix(m, m, random);
+    const MatrixXd general = randomDelassus(m, 100, random) + A - A.transpose();
+    const PivotResult mixed = pivotContacts(general, normalVector(m, random));
+    ASSERT_EQ(mixed.status, Status::Solved);
+    ASSERT_LT(mixed.r.cwiseMin(mixed.u).cwiseAbs().maxCoeff(), 1e-9);
+  }
+}
+
+// The optimality conditions of a linear program: a skew matrix, all of whose diagonal entries vanish.
+//     minimise cᵀx, A x ≥ b, x ≥ 0:   W = [0 −Aᵀ; A 0],   q = (c, −b)
+TEST(Pivoting, LinearProgramsAreServed) {
+  Random random(29);
+  for (int k = 0; k < 100; ++k) {
+    const int n = 2 + k % 7, m = 1 + k % 5;
+    const MatrixXd A = normalMatrix(m, n, random).cwiseAbs();
+    MatrixXd W = MatrixXd::Zero(n + m, n + m);
+    W.topRightCorner(n, m) = -A.transpose();
+    W.bottomLeftCorner(m, n) = A;
+    VectorXd q(n + m);
+    q << normalVector(n, random).cwiseAbs(), -normalVector(m, random).cwiseAbs();
+    const PivotResult program = pivotContacts(W, q);
+    ASSERT_EQ(program.status, Status::Solved) << "program " << k;
+    ASSERT_LT(program.r.cwiseMin(program.u).cwiseAbs().maxCoeff(), 1e-9);
+    ASSERT_NEAR(q.dot(program.r), 0, 1e-9);  // strong duality
+  }
+}
+
+TEST(Lemke, AgreesWithPivotingOnEveryKindOfRow) {
+  Random random(30);
+  for (int k = 0; k < 500; ++k) {
+    const int n = 1 + k % 12;
+    BoundedRows rows;
+    rows.W = randomDelassus(n, 100, random);
+    rows.q = normalVector(n, random);
+    randomBounds(n, random, rows.lower, rows.upper);
+    int pivots = 0;
+    const auto r = lemke(rows, 500, pivots);
+    ASSERT_TRUE(r);
+    const PivotResult pivoted = pivot(rows.W, rows.q, rows.lower, rows.upper);
+    ASSERT_LT(motionDistance(rows.W, *r, pivoted.r), 1e-9);
+  }
+}
+
+TEST(Lemke, ARayIsSaid) {
+  const BoundedRows impossible{MatrixXd::Zero(2, 2), VectorXd::Constant(2, -1), VectorXd::Zero(2),
+                               VectorXd::Constant(2, infinity), false};
+  int pivots = 0;
+  EXPECT_FALSE(lemke(impossible, 100, pivots));
+}
+
+}  // namespace
+}  // namespace delassus

@@ -1,0 +1,113 @@
+// Laws that hold on every scene, and on real Bullet worlds.
+#include <algorithm>
+
+#include "demos/scenes/bullet_file.h"
+#include "tests/scenes/run_scene.h"
+#include "tests/support/shared_data.h"
+
+namespace demos {
+namespace {
+
+constexpr double hz = 60;
+
+/// The residual that 99 % of the steps must keep: of the law, and of what single precision can say of positions.
+constexpr double residualTolerance = 1e-6;  // m/s
+
+/// Steps `run` and checks that the law was solved, by our solver alone, and that the numbers stay numbers.
+void expectLawKept(OnRegions& run, double seconds) {
+  const int steps = int(std::lround(seconds * hz));
+  int above = 0, obsolete = 0;
+  double worst = 0;
+  for (int i = 0; i < steps; ++i) {
+    run.world->step(1 / hz);
+    above += run.solver.report().residualMax > residualTolerance ? 1 : 0;
+    worst = std::max(worst, run.solver.report().residualMax);
+    obsolete += run.solver.report().obsoleteConstraints;
+    ASSERT_TRUE(allFinite(stateOf(*run.world))) << "step " << i;
+  }
+  EXPECT_LE(above, steps / 100) << "steps above the tolerance, of " << steps << "; the worst has "
+                                << worst << " m/s";
+  EXPECT_EQ(obsolete, 0);
+}
+
+class EveryScene : public testing::TestWithParam<std::string> {};
+
+bool isLarge(const std::string& scene) {
+  return scene == "pyramid_50" || scene == "pyramid_20" || scene == "spheres_bin";
+}
+
+TEST_P(EveryScene, keepsTheLawInItsFirstSteps) {
+  OnRegions run(GetParam());
+  expectLawKept(run, isLarge(GetParam()) ? 3 / hz : 0.5);
+}
+
+TEST_P(EveryScene, keepsTheLawToItsEndSlow) {
+  const SceneDescription& scene = findScene(GetParam());
+  OnRegions run(scene.build());
+  expectLawKept(run, isLarge(scene.name) ? 1 : scene.seconds);
+}
+
+std::vector<std::string> sceneNames() {
+  std::vector<std::string> names;
+  for (const SceneDescription& scene : catalogue()) names.push_back(scene.name);
+  return names;
+}
+
+std::string byName(const testing::TestParamInfo<std::string>& info) { return info.param; }
+
+INSTANTIATE_TEST_SUITE_P(catalogue, EveryScene, testing::ValuesIn(sceneNames()), byName);
+
+// Nothing drives these scenes and nothing bounces in them.
+class PassiveScene : public testing::TestWithParam<std::string> {};
+
+// What is lifted out of a penetration by the erp gains height; that is the only source of energy, and a small one.
+TEST_P(PassiveScene, gainsNoEnergy) {
+  OnRegions run(GetParam());
+  double weight = 0;
+  for (const btRigidBody* body : run.world->movableBodies())
+    weight += double(body->getGravity().length()) / double(body->getInvMass());
+  double lowest = totalEnergy(*run.world);
+  double gained = 0;
+  for (int i = 0; i < 60; ++i) {
+    run.world->step(1 / hz);
+    const double energy = totalEnergy(*run.world);
+    gained = std::max(gained, energy - lowest);
+    lowest = std::min(lowest, energy);
+  }
+  constexpr double height = 1e-3;  // m
+  EXPECT_LT(gained, height * weight);
+}
+
+INSTANTIATE_TEST_SUITE_P(catalogue, PassiveScene,
+                         testing::Values("bead_under_plane", "bead_in_angle", "bead_in_angle_wide",
+                                         "bead_in_trihedron", "ball_off_ball", "sliding_ladder",
+                                         "incline", "box_headings", "one_box", "stack_10",
+                                         "stack_10_heavy_top", "pyramid_10", "arch", "arch_thin",
+                                         "card_house", "domino_run"),
+                         byName);
+
+class EveryWorld : public testing::TestWithParam<std::string> {
+ protected:
+  std::string path() const {
+    return (delassus::test::sharedFolder() / "worlds" / (GetParam() + ".bullet")).string();
+  }
+  void SetUp() override {
+    if (delassus::test::sharedFolder().empty()) GTEST_SKIP() << delassus::test::noSharedFolder;
+  }
+};
+
+TEST_P(EveryWorld, keepsTheLawInItsFirstSteps) {
+  OnRegions run(loadBulletFile(path()).world);
+  expectLawKept(run, 0.5);
+}
+
+TEST_P(EveryWorld, keepsTheLawForFiveSecondsSlow) {
+  OnRegions run(loadBulletFile(path()).world);
+  expectLawKept(run, 5);
+}
+
+INSTANTIATE_TEST_SUITE_P(worlds, EveryWorld, testing::Values("slope", "spider", "testFileFracture"),
+                         byName);
+
+}  // namespace
+}  // namespace demos

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "bullet_ext/btDelassusConstraintSolver.h"
+#include "demos/scenes/catalogue.h"
+#include "demos/scenes/measures.h"
+
+namespace demos {
+
+constexpr bool doublePrecision = sizeof(btScalar) == sizeof(double);
+
+/// `inDouble` or `inFloat`, by the build of Bullet.
+inline double byPrecision(double inDouble, double inFloat) {
+  return doublePrecision ? inDouble : inFloat;
+}
+
+/// A world on our solver.
+struct OnRegions {
+  btDelassusConstraintSolver solver;  // outlives the world
+  std::unique_ptr<World> world;
+
+  explicit OnRegions(std::unique_ptr<World> built) : world(std::move(built)) {
+    world->setSolver(solver);
+  }
+  explicit OnRegions(const std::string& scene) : OnRegions(findScene(scene).build()) {}
+
+  btRigidBody& body(int i = 0) const { return *world->movableBodies()[std::size_t(i)]; }
+};
+
+/// Every number that says where the bodies are and how they move.
+inline std::vector<btScalar> stateOf(const World& world) {
+  std::vector<btScalar> state;
+  for (const btRigidBody* body : world.movableBodies()) {
+    const btTransform& pose = body->getWorldTransform();
+    for (int i = 0; i < 3; ++i) {
+      state.push_back(pose.getOrigin()[i]);
+      state.push_back(body->getLinearVelocity()[i]);
+      state.push_back(body->getAngularVelocity()[i]);
+      for (int j = 0; j < 3; ++j) state.push_back(pose.getBasis()[i][j]);
+    }
+  }
+  return state;
+}
+
+inline bool allFinite(const std::vector<btScalar>& state) {
+  for (const btScalar number : state)
+    if (!std::isfinite(number)) return false;
+  return true;
+}
+
+inline double totalEnergy(const World& world) {
+  return kineticEnergy(world) + potentialEnergy(world);
+}
+
+}  // namespace demos

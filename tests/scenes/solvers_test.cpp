@@ -1,0 +1,116 @@
+#include "demos/scenes/solvers.h"
+
+#include "demos/scenes/builders.h"
+#include "demos/scenes/judge.h"
+#include "demos/scenes/simulate.h"
+#include "tests/scenes/run_scene.h"
+
+namespace demos {
+namespace {
+
+RunSummary runFor(std::unique_ptr<World> world, const std::string& solver, double seconds) {
+  NamedSolver named(solver);
+  return simulate(*world, named, {seconds, 60}, [](double) {});
+}
+
+class EveryName : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryName, holdsABox) {
+  const RunSummary run = runFor(buildGridOfBoxes(1, 3), GetParam(), 0.5);
+  EXPECT_EQ(run.solver, GetParam());
+  EXPECT_EQ(run.steps, 30);
+  EXPECT_EQ(run.bodies, 1);
+  EXPECT_EQ(run.contactsMax, 4);
+  // CFM lets the box sink by cfm m g / 4 an erp; Dantzig without it and Lemke fail now and then and fall back.
+  EXPECT_LT(run.driftMax, 1e-3);
+  EXPECT_NEAR(run.reactionOverWeight, 1, 0.05);
+  EXPECT_EQ(run.regions.has_value(), GetParam().rfind("delassus", 0) == 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(names, EveryName,
+                         testing::Values("delassus", "delassus:1e-4", "si:10", "si2:10", "nncg:10",
+                                         "dantzig", "dantzig:1e-6", "lemke", "pgs:50"));
+
+TEST(NamedSolver, refusesWhatIsNoName) {
+  for (const char* name :
+       {"", "si", "si:", "si:0", "si:-3", "si:ten", "si:10x", "si:1e9", "delassus:", "delassus:0",
+        "delassus:nan", "dantzig:-1", "lemke:3", "pgs", "bullet", "Delassus"}) {
+    SCOPED_TRACE(name);
+    EXPECT_THROW(NamedSolver{name}, UnknownSolver);
+  }
+  try {
+    NamedSolver("sj:10");
+  } catch (const UnknownSolver& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("sj:10"), std::string::npos);
+    for (const char* known :
+         {"delassus:TOL", "si:N", "si2:N", "nncg:N", "dantzig:CFM", "lemke", "pgs:N"})
+      EXPECT_NE(message.find(known), std::string::npos) << known;
+  }
+}
+
+TEST(NamedSolver, asksForWhatItsNameSays) {
+  btContactSolverInfo info;
+  NamedSolver("si2:37").configure(info);
+  EXPECT_EQ(info.m_numIterations, 37);
+  EXPECT_EQ(info.m_leastSquaresResidualThreshold, 0);
+  EXPECT_NE(info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS, 0);
+
+  btContactSolverInfo untouched, other;
+  NamedSolver("delassus").configure(other);
+  EXPECT_EQ(other.m_numIterations, untouched.m_numIterations);
+  EXPECT_EQ(other.m_solverMode, untouched.m_solverMode);
+
+  NamedSolver("dantzig:1e-6").configure(other);
+  EXPECT_EQ(other.m_globalCfm, btScalar(1e-6));
+}
+
+TEST(NamedSolver, countsFallbacks) {
+  // Redundant contacts are what Dantzig's method cannot take without CFM.
+  EXPECT_GT(runFor(buildStack(10, 1), "dantzig", 1).fallbacks, 0);
+  EXPECT_EQ(runFor(buildStack(10, 1), "si:10", 0.1).fallbacks, 0);
+}
+
+TEST(SplitNames, splitsAtCommas) {
+  EXPECT_EQ(splitNames("delassus,si:10"), (std::vector<std::string>{"delassus", "si:10"}));
+  EXPECT_EQ(splitNames("delassus"), (std::vector<std::string>{"delassus"}));
+  EXPECT_EQ(splitNames(",,a,"), (std::vector<std::string>{"a"}));
+  EXPECT_TRUE(splitNames("").empty());
+}
+
+// The judge: a stock solver run long comes to the same law, run short it does not.
+TEST(Judge, seesSequentialImpulsesConverge) {
+  const double few = runFor(buildStack(5, 1), "si2:2", 0.5).residualMax;
+  const double many = runFor(buildStack(5, 1), "si2:2000", 0.5).residualMax;
+  EXPECT_GT(few, 1e-3);
+  EXPECT_LT(many, byPrecision(1e-6, 1e-4));
+}
+
+TEST(Judge, tellsTheRowsOfJointsApart) {
+  // Frictionless and free: the rows of point joints and of hinges alone, warm from nothing.
+  const double few = runFor(buildNewtonCradle(1), "si:2", 0.5).residualMax;
+  const double many = runFor(buildNewtonCradle(1), "si:3000", 0.5).residualMax;
+  EXPECT_GT(few, 100 * many);
+  EXPECT_LT(many, byPrecision(1e-5, 1e-2));
+}
+
+TEST(Judge, agreesWithOurOwnReport) {
+  NamedSolver named("delassus");
+  const auto world = buildPyramid(4);
+  JudgedSolver judged(named.solver(), 0);
+  world->setSolver(judged);
+  for (int i = 0; i < 30; ++i) {
+    world->step(1.0 / 60);
+    EXPECT_LT(judged.takeVerdict().max, byPrecision(1e-8, 1e-4));
+    EXPECT_LT(named.delassus()->report().residualMax, 1e-8);
+  }
+}
+
+TEST(Simulate, timesEveryStep) {
+  const RunSummary run = runFor(buildStack(3, 1), "si:1000", 0.2);
+  EXPECT_GT(run.msMedian, 0);
+  EXPECT_GE(run.msP95, run.msMedian);
+}
+
+}  // namespace
+}  // namespace demos
