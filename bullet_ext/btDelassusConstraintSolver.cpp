@@ -73,8 +73,9 @@ void btDelassusConstraintSolver::Workspace::countSolve() {
   report.obsoleteConstraints += answer.obsoleteConstraints;
   report.pushIslands += pushes.islands;
   report.pushUnsolved += pushes.unsolved;
-  report.workspaceBytes = std::max(
-      report.workspaceBytes, group.bytes() + answer.bytes() + pushes.bodies.capacity() * sizeof(Body));
+  report.workspaceBytes =
+      std::max(report.workspaceBytes,
+               group.bytes() + answer.bytes() + pushes.bodies.capacity() * sizeof(Body));
 }
 
 btDelassusConstraintSolver::btDelassusConstraintSolver(const Options& options, btDelassusPrecision)
@@ -86,7 +87,8 @@ void btDelassusConstraintSolver::prepareSolve(int, int) { workspace_->clearRepor
 
 btScalar btDelassusConstraintSolver::solveGroup(btCollisionObject** bodies, int bodyCount,
                                                 btPersistentManifold** manifolds, int manifoldCount,
-                                                btTypedConstraint** constraints, int constraintCount,
+                                                btTypedConstraint** constraints,
+                                                int constraintCount,
                                                 const btContactSolverInfo& info, btIDebugDraw*,
                                                 btDispatcher* dispatcher) {
   Workspace& w = *workspace_;
@@ -126,6 +128,7 @@ void btDelassusConstraintSolver::reset() {
 
 const StepReport& btDelassusConstraintSolver::report() const { return workspace_->report; }
 
-void btDelassusConstraintSolver::setContactListener(std::function<void(const ContactEvent&)> listener) {
+void btDelassusConstraintSolver::setContactListener(
+    std::function<void(const ContactEvent&)> listener) {
   listener_ = std::move(listener);
 }

@@ -10,13 +10,15 @@
 #include "bullet_ext/step_report.h"
 #include "delassus/options.h"
 
-/// Steps a Bullet world on Delassus' regions: contacts with Coulomb's round cone and joints, solved exactly, island by island.
+/// Steps a Bullet world on Delassus' regions: contacts with Coulomb's round cone and joints, solved
+/// exactly, island by island.
 ///
 ///     btDelassusConstraintSolver solver;
 ///     btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
 ///
-/// Drop-in for btSequentialImpulseConstraintSolver in a world of rigid bodies. One solver a world: it owns its workspace and
-/// has no memory of a world; reactions are kept in Bullet's contact points.
+/// Drop-in for btSequentialImpulseConstraintSolver in a world of rigid bodies. One solver a world:
+/// it owns its workspace and has no memory of a world; reactions are kept in Bullet's contact
+/// points.
 class btDelassusConstraintSolver : public btConstraintSolver {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();
@@ -34,15 +36,18 @@ class btDelassusConstraintSolver : public btConstraintSolver {
                       btDispatcher* dispatcher) override;
   /// Forgets the last step's report and the workspace.
   void reset() override;
-  /// BT_MLCP_SOLVER: of Bullet's names the nearest. Contacts and joints are one mixed complementarity problem, solved by pivoting
-  /// between regions, not by sequential impulses. (BT_MULTIBODY_SOLVER would be cast to a class that this is not.)
+  /// BT_MLCP_SOLVER: of Bullet's names the nearest. Contacts and joints are one mixed
+  /// complementarity problem, solved by pivoting between regions, not by sequential impulses.
+  /// (BT_MULTIBODY_SOLVER would be cast to a class that this is not.)
   btConstraintSolverType getSolverType() const override { return BT_MLCP_SOLVER; }
 
-  /// The whole last world step. In a solver pool, which does not announce steps, sums go on until reset().
+  /// The whole last world step. In a solver pool, which does not announce steps, sums go on until
+  /// reset().
   const delassus::StepReport& report() const;
 
-  /// Called at the end of each solveGroup with every contact whose mode changed, in the order of Bullet's manifolds. The listener
-  /// must not add or remove anything in the world. An empty function ends it; then nothing is computed for it.
+  /// Called at the end of each solveGroup with every contact whose mode changed, in the order of
+  /// Bullet's manifolds. The listener must not add or remove anything in the world. An empty
+  /// function ends it; then nothing is computed for it.
   void setContactListener(std::function<void(const delassus::ContactEvent&)> listener);
 
  private:

@@ -41,10 +41,11 @@ inline double toCoreBound(btScalar bound) {
   return bound;
 }
 
-/// The frame of a contact with normal n: columns n, t1, t2 with the tangents of btPlaneSpace1, orthonormal to double precision.
+/// The frame of a contact with normal n: columns n, t1, t2 with the tangents of btPlaneSpace1,
+/// orthonormal to double precision.
 ///
-/// Narrow phase resets the directions of a point that it replaces to btPlaneSpace1 of the new normal and keeps the lateral
-/// impulses: components in this frame are the only ones that survive.
+/// Narrow phase resets the directions of a point that it replaces to btPlaneSpace1 of the new
+/// normal and keeps the lateral impulses: components in this frame are the only ones that survive.
 inline Mat3 contactFrame(const btVector3& normal) {
   btVector3 p, q;
   btPlaneSpace1(normal, p, q);
@@ -58,8 +59,9 @@ inline Mat3 contactFrame(const btVector3& normal) {
 
 /// The mode a contact point had after the last solve.
 ///
-/// It lives in the point's m_prevRHS: Bullet carries that number along with the impulses when it replaces, moves or saves a
-/// point, clears it in a new one, and reads it in the articulated solver only.
+/// It lives in the point's m_prevRHS: Bullet carries that number along with the impulses when it
+/// replaces, moves or saves a point, clears it in a new one, and reads it in the articulated solver
+/// only.
 inline Mode rememberedMode(const btManifoldPoint& point) {
   if (point.m_prevRHS == static_cast<btScalar>(Mode::Stick)) return Mode::Stick;
   if (point.m_prevRHS == static_cast<btScalar>(Mode::Slide)) return Mode::Slide;

@@ -31,13 +31,15 @@ const char* faultOf(const btRigidBody& rigid) {
   return nullptr;
 }
 
-/// The gain of angular velocity from the inertia of rotation over one step, in each mode the body asks for.
+/// The gain of angular velocity from the inertia of rotation over one step, in each mode the body
+/// asks for.
 Vec3 gyroscopicGain(const btRigidBody& rigid, const btContactSolverInfo& info) {
   Vec3 gain = Vec3::Zero();
   const int flags = rigid.getFlags();
   if (flags & BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT)
     gain -= toCore(rigid.getInvInertiaTensorWorld()) *
-            toCore(rigid.computeGyroscopicForceExplicit(info.m_maxGyroscopicForce)) * info.m_timeStep;
+            toCore(rigid.computeGyroscopicForceExplicit(info.m_maxGyroscopicForce)) *
+            info.m_timeStep;
   if (flags & BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD)
     gain += toCore(rigid.computeGyroscopicImpulseImplicit_World(info.m_timeStep));
   if (flags & BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY)
@@ -155,7 +157,8 @@ Vec3 guessOf(const btManifoldPoint& point, const btContactSolverInfo& info) {
   return info.m_warmstartingFactor * last;
 }
 
-/// The dispatcher's word, as in groups that the world has split itself; an unsplit group comes unfiltered.
+/// The dispatcher's word, as in groups that the world has split itself; an unsplit group comes
+/// unfiltered.
 bool responds(btDispatcher* dispatcher, const btCollisionObject& a, const btCollisionObject& b) {
   return dispatcher ? dispatcher->needsResponse(&a, &b)
                     : a.hasContactResponse() && b.hasContactResponse();
@@ -251,8 +254,8 @@ int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo
   return entry->second;
 }
 
-void gatherBodies(Group& group, btCollisionObject** bodies, int count, const btContactSolverInfo& info,
-                  StepReport& report) {
+void gatherBodies(Group& group, btCollisionObject** bodies, int count,
+                  const btContactSolverInfo& info, StepReport& report) {
   for (int i = 0; i < count; ++i) bodyIndex(group, *bodies[i], info, report);
 }
 

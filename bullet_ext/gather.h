@@ -42,13 +42,14 @@ struct Group {
 
   std::vector<Contact> contacts;
   std::vector<PointSource> contactSources;
-  std::vector<double> pushes;       ///< wanted normal push velocity of each contact, m/s (split impulse)
-  std::vector<Vec3> guess;          ///< reaction of each contact to start from, N·s
-  std::vector<PointSource> idle;    ///< points that were passed but take no part
+  std::vector<double> pushes;  ///< wanted normal push velocity of each contact, m/s (split impulse)
+  std::vector<Vec3> guess;     ///< reaction of each contact to start from, N·s
+  std::vector<PointSource> idle;  ///< points that were passed but take no part
 
   std::vector<Row> rows;
-  std::vector<JointSource> joints;           ///< enabled joints that have rows
-  std::vector<btTypedConstraint*> obsolete;  ///< enabled constraints without rows (contract of getInfo1)
+  std::vector<JointSource> joints;  ///< enabled joints that have rows
+  std::vector<btTypedConstraint*>
+      obsolete;  ///< enabled constraints without rows (contract of getInfo1)
 
   std::unordered_map<const btCollisionObject*, int> indexOf;  ///< for look-up only
 
@@ -59,30 +60,37 @@ struct Group {
 
 /// Index of the object in `group`, which it joins if it is new: a body, fixedWorld or leftOut.
 ///
-/// Its free velocity over the step h is that of Bullet's solvers, gyroscopic terms Δω evaluated at the start of the step and
-/// locked axes kept still:  v + h F/m,  ω + A (h I⁻¹ T + Δω),  A = angular factor;  M⁻¹ = diag(L/m, A I⁻¹ A), L = linear factor.
-int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo& info, StepReport& report);
+/// Its free velocity over the step h is that of Bullet's solvers, with gyroscopic terms Δω taken at
+/// the start of the step and locked axes kept still (L, A: linear and angular factor):
+///
+///     v + h F/m,   ω + A (h I⁻¹ T + Δω),   M⁻¹ = diag(L/m, A I⁻¹ A)
+int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo& info,
+              StepReport& report);
 
 /// Bodies, then contacts with the target velocities of Bullet's sequential impulse solver:
 ///
-///     d = distance + slop,  e' = max(0, −e a) if |a| ≥ threshold else 0,  a = relative velocity before forces
-///     target = e' − d/h             d > 0: the contact may close its gap, no more
-///     target = e' + erp (−d)/h      d ≤ 0; or target = e' and push = erp (−d)/h if the impulse is split
-///     compliance = cfm/h            cfm = 1/(h k + c), erp = h k/(h k + c) for a contact with stiffness k and damping c
+///     d = distance + slop        e' = max(0, −e a) if |a| ≥ threshold, else 0
+///     d > 0:  target = e' − d/h              the contact may close its gap, no more
+///     d ≤ 0:  target = e' + erp (−d)/h
+///        or:  target = e',  push = erp (−d)/h    where the impulse is split
+///     compliance = cfm/h;  with stiffness k and damping c:  cfm = 1/(h k + c),  erp = h k cfm
 ///
+/// where a is the relative velocity before forces.
 /// A contact with its own softness is never split: the spring would be lost to the push.
-void gatherBodies(Group& group, btCollisionObject** bodies, int count, const btContactSolverInfo& info,
-                  StepReport& report);
+void gatherBodies(Group& group, btCollisionObject** bodies, int count,
+                  const btContactSolverInfo& info, StepReport& report);
 void gatherContacts(Group& group, btPersistentManifold** manifolds, int count,
                     const btContactSolverInfo& info, btDispatcher* dispatcher, StepReport& report);
 
-/// Rows of the joints as their getInfo1 and getInfo2 answer. With the joint's damping D and its dimensionless softness χ:
+/// Rows of the joints as their getInfo1 and getInfo2 answer. With the joint's damping D and its
+/// dimensionless softness χ:
 ///
-///     target = error + (1 − D) J v_f,   compliance = χ W_ii  (W_ii of masses without linear and angular factors)
+///     target = error + (1 − D) J v_f,   compliance = χ W_ii
 ///
+/// W_ii is that of the masses without linear and angular factors, as in Bullet's solvers.
 /// A disabled joint has no rows; its impulse and feedback are cleared.
-void gatherJoints(Group& group, btTypedConstraint** constraints, int count, const btContactSolverInfo& info,
-                  StepReport& report);
+void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
+                  const btContactSolverInfo& info, StepReport& report);
 
 /// How messages call an object: by its place in the world.
 std::string nameOf(const btCollisionObject& object);

@@ -9,7 +9,8 @@
 namespace delassus::bullet {
 namespace {
 
-/// What a joint writes for one row. Four scalars an axis and this alignment, because some joints write whole btVector3.
+/// What a joint writes for one row. Four scalars an axis and this alignment, because some joints
+/// write whole btVector3.
 struct alignas(16) InfoRow {
   btScalar linearA[4], angularA[4], linearB[4], angularB[4];
   btScalar error, cfm, lower, upper;
@@ -73,7 +74,8 @@ Row toRow(const Group& group, int a, int b, const InfoRow& info, double damping,
   row.b = b;
   row.jacobianA = jacobian(info.linearA, info.angularA);
   row.jacobianB = jacobian(info.linearB, info.angularB);
-  const double q = relativeVelocity(group, a, row.jacobianA) + relativeVelocity(group, b, row.jacobianB);
+  const double q =
+      relativeVelocity(group, a, row.jacobianA) + relativeVelocity(group, b, row.jacobianB);
   row.target = info.error + (1 - damping) * q;
   row.lower = toCoreBound(info.lower <= -breakingImpulse ? -breakingImpulse : info.lower);
   row.upper = toCoreBound(info.upper >= breakingImpulse ? breakingImpulse : info.upper);
@@ -95,7 +97,8 @@ const char* faultOf(const Row& row) {
   if (std::isnan(row.lower) || std::isnan(row.upper)) return "a bound is not a number";
   if (row.lower > row.upper) return "its lower bound is above its upper one";
   if (std::isinf(row.lower) && row.lower == row.upper) return "it asks for an infinite impulse";
-  if (!std::isfinite(row.compliance) || row.compliance < 0) return "its softness is not a number >= 0";
+  if (!std::isfinite(row.compliance) || row.compliance < 0)
+    return "its softness is not a number >= 0";
   return nullptr;
 }
 
@@ -117,7 +120,8 @@ void gatherRows(Group& group, btTypedConstraint& joint, const JointInfo& asked,
 
   JointSource source{&joint, static_cast<int>(group.rows.size()), 0, -1};
   for (std::size_t i = 0; i < asked.rows.size(); ++i) {
-    const Row row = toRow(group, a, b, asked.rows[i], asked.damping, joint.getBreakingImpulseThreshold());
+    const Row row =
+        toRow(group, a, b, asked.rows[i], asked.damping, joint.getBreakingImpulseThreshold());
     source.lastRow = -1;
     if (const char* fault = faultOf(row)) {
       report.tell("row " + std::to_string(i) + " of a joint of " + nameOf(joint.getRigidBodyA()) +
@@ -134,8 +138,8 @@ void gatherRows(Group& group, btTypedConstraint& joint, const JointInfo& asked,
 
 }  // namespace
 
-void gatherJoints(Group& group, btTypedConstraint** constraints, int count, const btContactSolverInfo& info,
-                  StepReport& report) {
+void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
+                  const btContactSolverInfo& info, StepReport& report) {
   JointInfo asked;
   for (int i = 0; i < count; ++i) {
     btTypedConstraint& joint = *constraints[i];

@@ -8,16 +8,19 @@
 
 namespace delassus::bullet {
 
-/// The constraints of a group that have no rows and move bodies themselves, in solveConstraintObsolete.
+/// The constraints of a group that have no rows and move bodies themselves, in
+/// solveConstraintObsolete.
 ///
-/// They are given btSolverBody as Bullet's sequential impulse solver gives them: the velocity of the start of the step, the
-/// gain from forces apart, and in the delta velocities what reactions have done.
+/// They are given btSolverBody as Bullet's sequential impulse solver gives them: the velocity of
+/// the start of the step, the gain from forces apart, and in the delta velocities what reactions
+/// have done.
 class ObsoleteConstraints {
  public:
   ObsoleteConstraints(const Group& group, const btContactSolverInfo& info);
 
-  /// Calls each constraint once with the motion that the reactions left, `moved`. What the constraints change is added to the
-  /// free velocities in `group`. Returns whether anything changed.
+  /// Calls each constraint once with the motion that the reactions left, `moved`. What the
+  /// constraints change is added to the free velocities in `group`. Returns whether anything
+  /// changed.
   bool sweep(Group& group, const std::vector<Body>& moved);
 
   /// How many constraints have changed a velocity so far.
@@ -27,7 +30,7 @@ class ObsoleteConstraints {
   void setDeltas(const std::vector<Body>& moved);
 
   const btContactSolverInfo& info_;
-  std::vector<Vec6> free_;                     ///< free velocities before any of the constraints acted
+  std::vector<Vec6> free_;  ///< free velocities before any of the constraints acted
   btAlignedObjectArray<btSolverBody> bodies_;  ///< one a body, and the fixed world at the end
   std::vector<char> acted_;                    ///< by constraint
 };

@@ -9,7 +9,9 @@ namespace delassus::bullet {
 
 /// Split impulse: how the bodies have to be moved out of each other, as velocities over one step.
 ///
-///     0 ≤ r' ⟂ W r' + s r' − p ≥ 0        bodies at rest, the contacts with p > 0 alone, no friction, no joints
+///     0 ≤ r' ⟂ W r' + s r' − p ≥ 0
+///
+/// Bodies start from rest; the contacts with p > 0 alone take part, without friction or joints.
 struct Pushes {
   std::vector<Body> bodies;  ///< push velocities; empty if nothing has to move
   int islands = 0, unsolved = 0, regions = 0, factorisations = 0;

@@ -49,17 +49,17 @@ std::string nameOfPart(const Group& group, const Island& island, int unknown) {
   const auto frictionless = static_cast<int>(island.frictionless.size());
   const auto contactName = [&](int i) {
     const PointSource& source = group.contactSources[i];
-    return "contact " + std::to_string(source.point) + " of " + nameOf(*source.manifold->getBody0()) +
-           " and " + nameOf(*source.manifold->getBody1());
+    return "contact " + std::to_string(source.point) + " of " +
+           nameOf(*source.manifold->getBody0()) + " and " + nameOf(*source.manifold->getBody1());
   };
   if (unknown < 3 * contacts) return contactName(island.frictional[unknown / 3]);
   const int scalar = unknown - 3 * contacts;
   if (scalar < frictionless) return contactName(island.frictionless[scalar]);
 
   const int row = island.rows[scalar - frictionless];
-  const auto joint = std::find_if(group.joints.begin(), group.joints.end(), [&](const JointSource& j) {
-    return row < j.firstRow + j.rowCount;
-  });
+  const auto joint =
+      std::find_if(group.joints.begin(), group.joints.end(),
+                   [&](const JointSource& j) { return row < j.firstRow + j.rowCount; });
   return "a joint of " + nameOf(joint->constraint->getRigidBodyA()) + " and " +
          nameOf(joint->constraint->getRigidBodyB());
 }
@@ -70,7 +70,8 @@ void solveIsland(const Group& group, const Island& island, Solver& solver, Answe
   answer.regions += solution.regions;
   answer.factorisations += solution.factorisations;
 
-  IslandResult result{solution.status, solution.residual, 0, problem.contacts() + problem.rows(), {}};
+  IslandResult result{
+      solution.status, solution.residual, 0, problem.contacts() + problem.rows(), {}};
   if (solution.r.allFinite()) {
     keepReactions(island, solution, answer);
     applyReaction(answer.bodies, group.contacts, group.rows, island, solution.r);

@@ -29,10 +29,12 @@ struct Answer {
   std::size_t bytes() const;
 };
 
-/// Solves the whole group, starting from its guess, in turns with the constraints that solve themselves.
+/// Solves the whole group, starting from its guess, in turns with the constraints that solve
+/// themselves.
 ///
-/// These see what the exact reactions did and change the free velocities in `group`; the exact solve follows each of their
-/// sweeps, until nothing changes or the sweeps of the step's budget are used up.
+/// These see what the exact reactions did and change the free velocities in `group`; the exact
+/// solve follows each of their sweeps, until nothing changes or the sweeps of the step's budget are
+/// used up.
 void solveGroup(Group& group, const btContactSolverInfo& info, Solver& solver, Answer& answer);
 
 }  // namespace delassus::bullet

@@ -15,12 +15,14 @@ void writeVelocities(const Group& group, const Answer& answer);
 /// Poses of the bodies that are pushed: x + h p, and a turn scaled by the turn factor of the info.
 void writePushes(const Group& group, const Pushes& pushes, const btContactSolverInfo& info);
 
-/// Impulses, the directions they refer to and modes of all points, idle ones included (zero, open). Counts modes in `report`.
-/// Where `events` is given it receives the contacts that changed their mode, in the order of the group.
+/// Impulses, the directions they refer to and modes of all points, idle ones included (zero, open).
+/// Counts modes in `report`. Where `events` is given it receives the contacts that changed their
+/// mode, in the order of the group.
 void writeContacts(const Group& group, const Answer& answer, StepReport& report,
                    std::vector<ContactEvent>* events);
 
-/// Impulses and feedback of the joints. A joint with a reaction at its breaking impulse is disabled.
+/// Impulses and feedback of the joints. A joint with a reaction at its breaking impulse is
+/// disabled.
 void writeJoints(const Group& group, const Answer& answer, const btContactSolverInfo& info);
 
 }  // namespace delassus::bullet

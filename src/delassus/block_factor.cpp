@@ -123,7 +123,8 @@ bool BlockFactor::factorise() {
 
 void BlockFactor::solve(VectorXd& x) const {
   VectorXd z(x.size());
-  for (int body = 0; body < bodies_; ++body) z.segment<6>(6 * place_[body]) = x.segment<6>(6 * body);
+  for (int body = 0; body < bodies_; ++body)
+    z.segment<6>(6 * place_[body]) = x.segment<6>(6 * body);
 
   for (int j = 0; j < bodies_; ++j)
     for (int at = begin_[j]; at < begin_[j + 1]; ++at)
@@ -134,13 +135,17 @@ void BlockFactor::solve(VectorXd& x) const {
     z.segment<6>(6 * j) = diagonalInverse_[j] * Vec6(z.segment<6>(6 * j));
   }
 
-  for (int body = 0; body < bodies_; ++body) x.segment<6>(6 * body) = z.segment<6>(6 * place_[body]);
+  for (int body = 0; body < bodies_; ++body)
+    x.segment<6>(6 * body) = z.segment<6>(6 * place_[body]);
 }
 
 std::size_t BlockFactor::bytes() const {
-  return sizeof(Mat6) * (diagonal_.size() + diagonalInverse_.size() + lower_.size() + upper_.size()) +
-         sizeof(int) * (place_.size() + begin_.size() + row_.size() + ancestorBegin_.size() + slot_.size()) +
-         sizeof(Ancestor) * ancestors_.size() + sizeof(Edge) * edges_.size() + sizeof(Target) * target_.size();
+  return sizeof(Mat6) *
+             (diagonal_.size() + diagonalInverse_.size() + lower_.size() + upper_.size()) +
+         sizeof(int) *
+             (place_.size() + begin_.size() + row_.size() + ancestorBegin_.size() + slot_.size()) +
+         sizeof(Ancestor) * ancestors_.size() + sizeof(Edge) * edges_.size() +
+         sizeof(Target) * target_.size();
 }
 
 }  // namespace delassus

@@ -57,10 +57,11 @@ class BlockFactor {
   std::vector<int> row_;            ///< off-diagonal block -> its row
   std::vector<int> ancestorBegin_;  ///< row -> its first ancestor; size bodies + 1
   std::vector<Ancestor> ancestors_;
-  std::vector<int> slot_;           ///< scratch: row -> block of the column being eliminated
+  std::vector<int> slot_;  ///< scratch: row -> block of the column being eliminated
 
   std::vector<Mat6> diagonal_, diagonalInverse_;
-  std::vector<Mat6> lower_, upper_;  ///< block (row, column) of L and block (column, row) of U, transposed
+  std::vector<Mat6> lower_,
+      upper_;  ///< block (row, column) of L and block (column, row) of U, transposed
 };
 
 }  // namespace delassus

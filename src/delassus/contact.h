@@ -13,9 +13,10 @@ struct Contact {
   int a = fixedWorld, b = fixedWorld;
   Vec3 armA = Vec3::Zero(), armB = Vec3::Zero();  ///< from each centre of mass to its point, m
   Mat3 frame = Mat3::Identity();  ///< columns n, t1, t2; n points from body b to body a
-  double friction = 0;            ///< Coulomb's μ ≥ 0; 0 leaves the tangential rows out altogether
-  Vec3 target = Vec3::Zero();     ///< wanted relative velocity in the frame, m/s (restitution, gap, belt)
-  double compliance = 0;          ///< added to W_nn, 1/kg
+  double friction = 0;  ///< Coulomb's μ ≥ 0; 0 leaves the tangential rows out altogether
+  Vec3 target =
+      Vec3::Zero();       ///< wanted relative velocity in the frame, m/s (restitution, gap, belt)
+  double compliance = 0;  ///< added to W_nn, 1/kg
 };
 
 }  // namespace delassus

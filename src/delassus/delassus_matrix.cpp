@@ -41,7 +41,9 @@ DelassusMatrix::DelassusMatrix(Sparse entries)
     : size_(static_cast<int>(entries.rows())), entries_(std::move(entries)) {}
 
 DelassusMatrix::DelassusMatrix(BodySpace space)
-    : size_(static_cast<int>(space.compliance.size())), inBodySpace_(true), space_(std::move(space)) {}
+    : size_(static_cast<int>(space.compliance.size())),
+      inBodySpace_(true),
+      space_(std::move(space)) {}
 
 VectorXd DelassusMatrix::operator*(const VectorXd& r) const {
   if (!inBodySpace_) return entries_ * r;

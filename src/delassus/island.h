@@ -21,7 +21,8 @@ struct Island {
 
 /// Splits a step into islands, ordered by their first body. Contacts and rows between immovable bodies have no
 /// unknowns and appear in no island.
-std::vector<Island> splitIslands(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
+std::vector<Island> splitIslands(const std::vector<Body>& bodies,
+                                 const std::vector<Contact>& contacts,
                                  const std::vector<Row>& rows);
 
 /// W, q, friction and bounds of one island.

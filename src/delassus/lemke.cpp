@@ -130,7 +130,8 @@ std::optional<VectorXd> solveBounded(const MatrixXd& W, const VectorXd& q, const
 
 std::optional<VectorXd> lemke(const BoundedRows& problem, int pivotBudget, int& pivots) {
   std::vector<int> equations, bounded;
-  for (int i = 0; i < problem.size(); ++i) (problem.bilateral(i) ? equations : bounded).push_back(i);
+  for (int i = 0; i < problem.size(); ++i)
+    (problem.bilateral(i) ? equations : bounded).push_back(i);
 
   Eigen::FullPivLU<MatrixXd> lu;
   if (!equations.empty()) lu.compute(problem.W(equations, equations));
@@ -141,9 +142,9 @@ std::optional<VectorXd> lemke(const BoundedRows& problem, int pivotBudget, int& 
   const MatrixXd coupling = lu.solve(MatrixXd(problem.W(equations, bounded)));
   const VectorXd alone = lu.solve(VectorXd(problem.q(equations)));
   const MatrixXd row = problem.W(bounded, equations);
-  const auto r = solveBounded(problem.W(bounded, bounded) - row * coupling,
-                              problem.q(bounded) - row * alone, problem.lower(bounded),
-                              problem.upper(bounded), pivotBudget, pivots);
+  const auto r =
+      solveBounded(problem.W(bounded, bounded) - row * coupling, problem.q(bounded) - row * alone,
+                   problem.lower(bounded), problem.upper(bounded), pivotBudget, pivots);
   if (!r) return std::nullopt;
   VectorXd all(problem.size());
   all(bounded) = *r;

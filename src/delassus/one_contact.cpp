@@ -79,8 +79,7 @@ Vec3 solveOneContact(const Mat3& W, const Vec3& q, double friction) {
   if (friction <= 0) return {-q[0] / W(0, 0), 0, 0};
 
   const Vec3 stick = -(W.inverse() * q);
-  if (stick.allFinite() && stick[0] > 0 &&
-      std::hypot(stick[1], stick[2]) <= friction * stick[0])
+  if (stick.allFinite() && stick[0] > 0 && std::hypot(stick[1], stick[2]) <= friction * stick[0])
     return stick;
   return slide(W, q, friction);
 }

@@ -19,6 +19,10 @@ constexpr double roundOffAsymmetry = 1e-13;
 /// Most unknowns for Lemke's dense tableau.
 constexpr int largestTableau = 400;
 
+/// Disagreement of redundant demands, of the largest q, that is taken for round-off: of the data, and of a shift that was
+/// computed from reactions of size shift/alpha.
+constexpr double consistentData = 1e-12, consistentShift = 1e-9;
+
 /// Times the demands may be found incompatible and shifted again: the first shift is exact but for round-off.
 constexpr int shiftBudget = 3;
 
@@ -61,8 +65,8 @@ ScaledRows scaleRows(const MatrixXd& W, const VectorXd& q, const VectorXd& lower
   rows.q = q.cwiseProduct(inverse);
   rows.lower = lower.cwiseProduct(scaled.scale);
   rows.upper = upper.cwiseProduct(scaled.scale);
-  rows.symmetric = definiteDiagonal &&
-                   (rows.W - rows.W.transpose()).cwiseAbs().maxCoeff() <= roundOffAsymmetry;
+  rows.symmetric =
+      definiteDiagonal && (rows.W - rows.W.transpose()).cwiseAbs().maxCoeff() <= roundOffAsymmetry;
   return scaled;
 }
 
@@ -128,18 +132,24 @@ PivotResult pivotLinked(const MatrixXd& W, const VectorXd& q, const VectorXd& lo
     return result;
 
   const VectorXd rest = VectorXd::Zero(rows.size());
-  const double wanted = options.tolerance * q.cwiseQuotient(scale).cwiseAbs().maxCoeff();
+  const double largest = rows.q.cwiseAbs().maxCoeff();
+  const double wanted = options.tolerance * largest;
   RegionWalk walk(rows, guess.empty() ? rows.firstStates() : guess);
   RowAnswer best;
   best.r = rows.clamp(rest);
   best.states = statesAt(rows, best.r);
   best.residual = rows.naturalResidual(best.r);
 
-  if (walk.settle(rest, 0, options.regionBudget / 2) == RegionWalk::End::Settled) best.offer(rows, walk);
-  for (int k = 0; k < shiftBudget && best.residual > wanted; ++k) {
-    ProximalAnswer proximal = proximalPoint(rows, walk, options.regionBudget);
+  bool unique = false;
+  if (walk.settle(rest, 0, options.regionBudget / 2) == RegionWalk::End::Settled) {
+    best.offer(rows, walk);
+    unique = best.residual <= wanted && !walk.redundantTies();
+  }
+  for (int k = 0; k < shiftBudget && !unique; ++k) {
+    const double goodEnough = (k == 0 ? consistentData : consistentShift) * largest;
+    ProximalAnswer proximal = proximalPoint(rows, walk, goodEnough, options.regionBudget);
     if (proximal.blamed.empty()) {
-      if (proximal.best.residual < best.residual) best = std::move(proximal.best);
+      if (proximal.best.residual < std::max(best.residual, wanted)) best = std::move(proximal.best);
       break;
     }
     result.status = Status::Incompatible;
@@ -155,7 +165,8 @@ PivotResult pivotLinked(const MatrixXd& W, const VectorXd& q, const VectorXd& lo
       const double residual = rows.naturalResidual(clamped);
       RegionWalk polish(rows, statesAt(rows, *r));
       if (residual < best.residual) best = {clamped, statesAt(rows, clamped), residual};
-      if (polish.settle(rest, 0, options.regionBudget) == RegionWalk::End::Settled) best.offer(rows, polish);
+      if (polish.settle(rest, 0, options.regionBudget) == RegionWalk::End::Settled)
+        best.offer(rows, polish);
       result.factorisations += polish.factorisations();
     }
   }
@@ -174,8 +185,9 @@ Status graver(Status a, Status b) { return std::max(a, b); }
 
 }  // namespace
 
-PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower, const VectorXd& upper,
-                  const std::vector<RowState>& guess, const PivotOptions& options) {
+PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
+                  const VectorXd& upper, const std::vector<RowState>& guess,
+                  const PivotOptions& options) {
   const int n = static_cast<int>(q.size());
   assert(W.rows() == n && W.cols() == n && "pivot: W must be square, of q's size");
   assert(lower.size() == n && upper.size() == n && "pivot: one pair of bounds a row");
@@ -198,11 +210,10 @@ PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower, c
     if (!guess.empty())
       for (const int i : group) groupGuess.push_back(guess[i]);
     const int first = group.front();
-    const PivotResult part =
-        group.size() == 1 && W(first, first) == 0
-            ? immovableRow(q[first], lower[first], upper[first], tolerance)
-            : pivotLinked(W(group, group), q(group), lower(group), upper(group), groupGuess,
-                          options);
+    const PivotResult part = group.size() == 1 && W(first, first) == 0
+                                 ? immovableRow(q[first], lower[first], upper[first], tolerance)
+                                 : pivotLinked(W(group, group), q(group), lower(group),
+                                               upper(group), groupGuess, options);
     result.r(group) = part.r;
     result.u(group) = part.u;
     for (size_t k = 0; k < group.size(); ++k) result.rows[group[k]] = part.rows[k];

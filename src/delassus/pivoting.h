@@ -17,13 +17,14 @@ struct PivotOptions {
 
 /// Reactions and motion of rows with bounds, and the region they lie in.
 struct PivotResult {
-  VectorXd r;                  ///< N·s, within the bounds; of least norm Σ W_ii r_i² where it is not unique
-  VectorXd u;                  ///< W r + q, m/s: unique
+  VectorXd r;  ///< N·s, within the bounds; of least norm Σ W_ii r_i² where it is not unique
+  VectorXd u;  ///< W r + q, m/s: unique
   std::vector<RowState> rows;  ///< the region; on a wall between two regions either name may stand
   Status status = Status::Solved;
   int regions = 0;
-  int factorisations = 0;   ///< from scratch; edits of a factor are not counted
-  std::vector<int> blamed;  ///< rows whose demands no motion meets together; u is the least-squares compromise
+  int factorisations = 0;  ///< from scratch; edits of a factor are not counted
+  std::vector<int>
+      blamed;  ///< rows whose demands no motion meets together; u is the least-squares compromise
 };
 
 /// Finds the region of rows with bounds, for any number of rows (algorithms 3 to 5):
@@ -33,7 +34,8 @@ struct PivotResult {
 /// Bounds may be infinite: contacts are [0, ∞), joints (−∞, ∞), motors [−m, m]. W = J M⁻¹ Jᵀ is symmetric positive
 /// semi-definite, often singular; a W that is neither is served too, with an honest status and no promise.
 /// `guess` is the region to look at first, or empty. Rows that are not linked through W are solved on their own.
-PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower, const VectorXd& upper,
-                  const std::vector<RowState>& guess = {}, const PivotOptions& options = {});
+PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
+                  const VectorXd& upper, const std::vector<RowState>& guess = {},
+                  const PivotOptions& options = {});
 
 }  // namespace delassus

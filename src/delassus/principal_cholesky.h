@@ -28,7 +28,7 @@ class PrincipalCholesky {
   VectorXd solve(const VectorXd& b) const;
 
   const std::vector<int>& rows() const { return rows_; }
-  bool edited() const { return edits_ > 0; }           ///< since the last factorisation from scratch
+  bool edited() const { return edits_ > 0; }  ///< since the last factorisation from scratch
   int factorisations() const { return factorisations_; }  ///< from scratch
 
  private:

@@ -17,8 +17,8 @@ void ProximalNewton<Motion>::setProblem(const Problem& problem) {
   // A row that moves nothing (W_ii = 0) can do nothing: any finite weight leaves it harmless.
   const double largest = std::max(scale_.maxCoeff(), 1e-300);
   scale_ = scale_.cwiseMax(1e-14 * largest);
-  compliance_ = problem.W.inBodySpace() ? problem.W.bodySpace().compliance
-                                        : VectorXd::Zero(problem.size());
+  compliance_ =
+      problem.W.inBodySpace() ? problem.W.bodySpace().compliance : VectorXd::Zero(problem.size());
   G_.contacts.resize(n);
   G_.rows.resize(problem.rows());
   factored_.contacts.clear();
@@ -51,8 +51,8 @@ void ProximalNewton<Motion>::respond(const Problem& problem, const VectorXd& u, 
       r = Vec3(z[0], radius * c, radius * s);
       if (G) {
         const double turn = radius / zt * l[1];
-        G->contacts[i] << l[0], 0, 0,                      //
-            mu * l[0] * c, turn * s * s, -turn * s * c,    //
+        G->contacts[i] << l[0], 0, 0,                    //
+            mu * l[0] * c, turn * s * s, -turn * s * c,  //
             mu * l[0] * s, -turn * s * c, turn * c * c;
       }
     }
@@ -93,8 +93,8 @@ void ProximalNewton<Motion>::respondInRegion(const Problem& problem, const Solut
         const double across = turn * (-s * u_[at + 1] + c * u_[at + 2]);
         r[1] += s * across;
         r[2] -= c * across;
-        G_.contacts[i] << l[0], 0, 0,                      //
-            mu * l[0] * c, turn * s * s, -turn * s * c,    //
+        G_.contacts[i] << l[0], 0, 0,                    //
+            mu * l[0] * c, turn * s * s, -turn * s * c,  //
             mu * l[0] * s, -turn * s * c, turn * c * c;
         break;
       }
@@ -104,8 +104,9 @@ void ProximalNewton<Motion>::respondInRegion(const Problem& problem, const Solut
     const int at = 3 * n + i;
     const RowState state = from.activeSet.rows[i];
     const bool free = state == RowState::Free;
-    r_[at] = free ? center_[at] - l_[at] * u_[at]
-                  : state == RowState::AtLower ? problem.lower[i] : problem.upper[i];
+    r_[at] = free                         ? center_[at] - l_[at] * u_[at]
+             : state == RowState::AtLower ? problem.lower[i]
+                                          : problem.upper[i];
     G_.rows[i] = free ? l_[at] : 0;
   }
 }

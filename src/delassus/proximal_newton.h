@@ -19,11 +19,13 @@ class ProximalNewton {
 
   /// Improves best.r (with its u and residual) until its natural residual is at most `tolerance` (m/s), or the region
   /// budget is spent. `alpha`: first proximal weight. Returns whether the tolerance was reached.
-  bool walk(const Problem& problem, double tolerance, double alpha, int regionBudget, Solution& best);
+  bool walk(const Problem& problem, double tolerance, double alpha, int regionBudget,
+            Solution& best);
 
   /// The same, but tests the region of best.r first and starts its reactions from zero: the limit is the smoothest share
   /// (least norm) among redundant contacts, whatever the guess was.
-  bool walkFromRegion(const Problem& problem, double tolerance, double alpha, int regionBudget, Solution& best);
+  bool walkFromRegion(const Problem& problem, double tolerance, double alpha, int regionBudget,
+                      Solution& best);
 
   std::size_t bytes() const { return motion_.bytes(); }
 
@@ -38,12 +40,12 @@ class ProximalNewton {
   /// Factors the Newton matrix of G_, unless that very region is factored already.
   bool factorise(Solution& count);
   Inner solveProximal(const Problem& problem, int& budget, Solution& count, const Solution* region);
-  bool converge(const Problem& problem, double tolerance, double alpha, int regionBudget, bool fromRegion,
-                Solution& best);
+  bool converge(const Problem& problem, double tolerance, double alpha, int regionBudget,
+                bool fromRegion, Solution& best);
 
   Motion motion_;
-  VectorXd scale_;       ///< mean diagonal of W_aa per unknown
-  VectorXd l_;           ///< 1/(compliance + A)
+  VectorXd scale_;  ///< mean diagonal of W_aa per unknown
+  VectorXd l_;      ///< 1/(compliance + A)
   VectorXd compliance_;
   VectorXd center_, u_;  ///< r_k and u_k
   VectorXd r_, delta_;   ///< the answer of the inner problem

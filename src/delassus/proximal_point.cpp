@@ -40,7 +40,8 @@ void RowAnswer::offer(const BoundedRows& problem, const RegionWalk& walk) {
   if (itsResidual < residual) *this = {clamped, walk.states(), itsResidual};
 }
 
-ProximalAnswer proximalPoint(const BoundedRows& problem, RegionWalk& walk, int regionBudget) {
+ProximalAnswer proximalPoint(const BoundedRows& problem, RegionWalk& walk, double goodEnough,
+                             int regionBudget) {
   ProximalAnswer answer;
   answer.shift = VectorXd::Zero(problem.size());
   VectorXd anchor = VectorXd::Zero(problem.size());
@@ -67,6 +68,7 @@ ProximalAnswer proximalPoint(const BoundedRows& problem, RegionWalk& walk, int r
       break;
     }
     if (residual > slowContraction * previous) {
+      if (residual <= goodEnough) break;
       if (alpha > 2 * lastAlpha) {
         alpha *= alphaFactor;
       } else if (residual > 0.5 * previous) {

@@ -26,7 +26,9 @@ struct ProximalAnswer {
 };
 
 /// Solves problems with singular W by exact proximal steps from r = 0 (algorithms 5.2-5.5): the motion is that of W itself,
-/// the reactions have least norm.
-ProximalAnswer proximalPoint(const BoundedRows& problem, RegionWalk& walk, int regionBudget);
+/// the reactions have least norm. Steps go on while they help; once the natural residual is within `goodEnough`, slow
+/// help is not sought: the data themselves disagree by that much, and to follow them would spoil the shares.
+ProximalAnswer proximalPoint(const BoundedRows& problem, RegionWalk& walk, double goodEnough,
+                             int regionBudget);
 
 }  // namespace delassus

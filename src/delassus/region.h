@@ -16,13 +16,14 @@ namespace delassus {
 constexpr int smallRegionSize = 6;
 
 using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, smallRegionSize, 1>;
-using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, smallRegionSize, smallRegionSize>;
+using SmallMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, smallRegionSize, smallRegionSize>;
 
 /// What redundancy of the contacts leaves open.
 enum class Redundancy : unsigned char {
-  None,       ///< the reaction is unique
-  Shared,     ///< one constraint stated twice: the load is shared, least norm
-  Squeezed,   ///< two contacts push against each other: no motion meets both, least-squares compromise
+  None,      ///< the reaction is unique
+  Shared,    ///< one constraint stated twice: the load is shared, least norm
+  Squeezed,  ///< two contacts push against each other: no motion meets both, least-squares compromise
   Dependent,  ///< W is singular to working precision: r and u are not set, ask `pivot`
 };
 

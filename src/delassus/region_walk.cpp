@@ -80,6 +80,18 @@ RegionWalk::End RegionWalk::settle(const VectorXd& anchor, double alpha, int reg
   return End::OutOfBudget;
 }
 
+bool RegionWalk::redundantTies() {
+  if (!problem_.symmetric || !cholesky_) return false;
+  const double velocity = problem_.roundOff(r_);
+  bool redundant = false;
+  for (int i = 0; i < problem_.size(); ++i) {
+    const bool tie = states_[i] != RowState::Free && std::abs(u_[i]) <= velocity;
+    if (tie && !problem_.constant(i)) redundant = !cholesky_->append(i) || redundant;
+  }
+  alpha_ = -1;  // the factor has more rows now than its region
+  return redundant;
+}
+
 /// Primal active-set descent: r stays within its bounds and the cost falls with every region.
 RegionWalk::End RegionWalk::descend(const VectorXd& anchor, double alpha, int regionBudget) {
   VectorXd r = problem_.clamp(anchor);
@@ -211,8 +223,8 @@ std::vector<int> RegionWalk::objections() const {
   std::vector<int> rows;
   for (int i = 0; i < problem_.size(); ++i) {
     if (problem_.constant(i)) continue;
-    const bool objects = states_[i] == RowState::Free
-                             ? r_[i] < problem_.lower[i] - reaction || r_[i] > problem_.upper[i] + reaction
+    const bool objects = states_[i] == RowState::Free ? r_[i] < problem_.lower[i] - reaction ||
+                                                            r_[i] > problem_.upper[i] + reaction
                          : states_[i] == RowState::AtLower ? u_[i] < -velocity
                                                            : u_[i] > velocity;
     if (objects) rows.push_back(i);

@@ -52,6 +52,9 @@ class RegionWalk {
   /// has visited `regionBudget` regions.
   End settle(const VectorXd& anchor, double alpha, int regionBudget);
 
+  /// Whether a row that rests at its bound with u = 0 depends on the free rows: then the settled r is one of many.
+  bool redundantTies();
+
   const VectorXd& r() const { return r_; }  ///< answer of the last region
   const std::vector<RowState>& states() const { return states_; }
   int regions() const { return regions_; }

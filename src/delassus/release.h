@@ -27,15 +27,16 @@ enum class Wall : unsigned char {
 ///
 /// and every wall of the first kind is orthogonal to every one of the second.
 struct ReleaseAnalysis {
-  VectorXd forced;               ///< f = −W⁻¹ q, the paper's μ: reactions if all contacts were held (§3), N·s
+  VectorXd forced;  ///< f = −W⁻¹ q, the paper's μ: reactions if all contacts were held (§3), N·s
   std::vector<bool> persisting;  ///< the region (§8, §11): true if the contact is kept
   VectorXd r;                    ///< reduced reactions, the paper's μ' (§5): zero where released
   VectorXd u;                    ///< opening velocities: zero where kept, m/s
   double distance = std::numeric_limits<double>::infinity();  ///< to the nearest wall, √J
-  Wall wall = Wall::Face;        ///< what that wall is at its nearest point
-  std::vector<int> changing;     ///< contacts that vanish there: they may change from kept to released or back
+  Wall wall = Wall::Face;  ///< what that wall is at its nearest point
+  std::vector<int>
+      changing;  ///< contacts that vanish there: they may change from kept to released or back
   Status status = Status::Solved;
-  std::vector<int> blamed;       ///< if incompatible, as in PivotResult
+  std::vector<int> blamed;  ///< if incompatible, as in PivotResult
 };
 
 /// Answers for any number of contacts. W symmetric positive semi-definite. Where contacts are redundant, f and r are the

@@ -96,7 +96,8 @@ NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r) {
 
 double roundOff(const VectorXd& diagonal, const VectorXd& r) {
   if (r.size() == 0) return 0;
-  return 8 * std::numeric_limits<double>::epsilon() * diagonal.cwiseProduct(r).cwiseAbs().maxCoeff();
+  return 8 * std::numeric_limits<double>::epsilon() *
+         diagonal.cwiseProduct(r).cwiseAbs().maxCoeff();
 }
 
 FclibMeasures fclibMeasures(const Problem& problem, const VectorXd& r) {

@@ -29,8 +29,8 @@ ActiveSet readActiveSet(const Problem& problem, const VectorXd& r, const VectorX
     const Vec3 z = r.segment<3>(at) - rho * correctedVelocity(u.segment<3>(at), mu);
     const double zt = std::hypot(z[1], z[2]);
     set.contacts.push_back(mu * zt <= -z[0] || (z[0] <= 0 && zt == 0) ? Mode::Open
-                           : zt < mu * z[0]                             ? Mode::Stick
-                                                                        : Mode::Slide);
+                           : zt < mu * z[0]                           ? Mode::Stick
+                                                                      : Mode::Slide);
   }
   set.rows.reserve(problem.rows());
   for (int i = 0; i < problem.rows(); ++i) {
@@ -52,9 +52,9 @@ ActiveSet forcedActiveSet(const Problem& problem) {
     set.contacts.push_back(problem.q[3 * i] <= touching ? Mode::Stick : Mode::Open);
   for (int i = 0; i < problem.rows(); ++i) {
     const double q = problem.q[3 * problem.contacts() + i];
-    set.rows.push_back(q > touching && std::isfinite(problem.lower[i])   ? RowState::AtLower
+    set.rows.push_back(q > touching && std::isfinite(problem.lower[i])    ? RowState::AtLower
                        : q < -touching && std::isfinite(problem.upper[i]) ? RowState::AtUpper
-                                                                   : RowState::Free);
+                                                                          : RowState::Free);
   }
   return set;
 }
@@ -124,8 +124,7 @@ void Solver::Workspace::walk(Newton& newton, const Problem& problem, const Optio
   if (kept) best = std::move(smooth);
 }
 
-Solver::Solver(Options options)
-    : options_(options), workspace_(std::make_unique<Workspace>()) {}
+Solver::Solver(Options options) : options_(options), workspace_(std::make_unique<Workspace>()) {}
 Solver::~Solver() = default;
 Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
@@ -142,7 +141,8 @@ Solution Solver::solve(const Problem& problem, const VectorXd& guess) {
   if (best.residual > tolerance) {
     if (problem.contacts() == 1 && problem.rows() == 0) {
       ++best.regions;
-      consider(problem, solveOneContact(problem.W.contactBlock(0), problem.q, problem.friction[0]), best);
+      consider(problem, solveOneContact(problem.W.contactBlock(0), problem.q, problem.friction[0]),
+               best);
     }
     if (best.residual > tolerance) {
       if (problem.W.inBodySpace())

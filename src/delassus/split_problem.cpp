@@ -9,7 +9,9 @@ namespace delassus {
 std::vector<ProblemPart> splitProblem(const Problem& problem) {
   const int n = problem.contacts(), size = problem.size();
   const DelassusMatrix::Sparse& W = problem.W.entries();
-  const auto leader = [&](int unknown) { return unknown < 3 * n ? unknown - unknown % 3 : unknown; };
+  const auto leader = [&](int unknown) {
+    return unknown < 3 * n ? unknown - unknown % 3 : unknown;
+  };
 
   Links links(size);
   for (int i = 0; i < size; ++i) links.join(i, leader(i));
@@ -46,8 +48,7 @@ std::vector<ProblemPart> splitProblem(const Problem& problem) {
         upper.push_back(problem.upper[i - 3 * n]);
       }
       for (DelassusMatrix::Sparse::InnerIterator it(W, i); it; ++it)
-        if (partOf[it.col()] == partOf[i])
-          entries.emplace_back(k, place[it.col()], it.value());
+        if (partOf[it.col()] == partOf[i]) entries.emplace_back(k, place[it.col()], it.value());
     }
     const auto vector = [](const std::vector<double>& x) {
       return VectorXd(Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));

@@ -32,7 +32,8 @@ double Sweeps::sweepBodies(const Problem& problem, VectorXd& r) {
   for (std::size_t i = 0; i < space.contacts.size(); ++i, at += 3) {
     if (!(diagonal_[at] > 0)) continue;
     const auto& c = space.contacts[i];
-    Vec3 u = problem.q.segment<3>(at) + space.compliance.segment<3>(at).cwiseProduct(r.segment<3>(at));
+    Vec3 u =
+        problem.q.segment<3>(at) + space.compliance.segment<3>(at).cwiseProduct(r.segment<3>(at));
     if (c.a >= 0) u.noalias() += c.Ja * y_.segment<6>(6 * c.a);
     if (c.b >= 0) u.noalias() += c.Jb * y_.segment<6>(6 * c.b);
     const Vec3 next = solveOneContact(blocks_[i], u - blocks_[i] * r.segment<3>(at),
@@ -69,8 +70,10 @@ double Sweeps::sweepEntries(const Problem& problem, VectorXd& r) {
     if (!(diagonal_[at] > 0)) continue;
     Vec3 u = problem.q.segment<3>(at);
     for (int k = 0; k < 3; ++k)
-      for (DelassusMatrix::Sparse::InnerIterator it(W, at + k); it; ++it) u[k] += it.value() * r[it.col()];
-    const Vec3 next = solveOneContact(blocks_[i], u - blocks_[i] * r.segment<3>(at), problem.friction[i]);
+      for (DelassusMatrix::Sparse::InnerIterator it(W, at + k); it; ++it)
+        u[k] += it.value() * r[it.col()];
+    const Vec3 next =
+        solveOneContact(blocks_[i], u - blocks_[i] * r.segment<3>(at), problem.friction[i]);
     change = std::max(change, diagonal_[at] * (next - r.segment<3>(at)).norm());
     r.segment<3>(at) = next;
   }

@@ -11,7 +11,8 @@ namespace {
 
 void expectSameMotion(const btRigidBody& a, const btRigidBody& b, double allowed) {
   for (int i = 0; i < 3; ++i) {
-    EXPECT_NEAR(a.getWorldTransform().getOrigin()[i], b.getWorldTransform().getOrigin()[i], allowed);
+    EXPECT_NEAR(a.getWorldTransform().getOrigin()[i], b.getWorldTransform().getOrigin()[i],
+                allowed);
     EXPECT_NEAR(a.getLinearVelocity()[i], b.getLinearVelocity()[i], allowed);
     EXPECT_NEAR(a.getAngularVelocity()[i], b.getAngularVelocity()[i], allowed);
   }
@@ -51,8 +52,9 @@ btRigidBody& addHandle(BulletWorld& world, int gyroscopicFlag) {
 }
 
 TEST(Parity, Row03GyroscopicModes) {
-  for (int flag : {0, int(BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT), int(BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD),
-                   int(BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY)}) {
+  for (int flag :
+       {0, int(BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT), int(BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD),
+        int(BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY)}) {
     SCOPED_TRACE(flag);
     DelassusWorld ours;
     StockWorld stock;
@@ -116,11 +118,15 @@ TEST(Parity, Row05RotatingPlatformTurnsABox) {
   btRigidBody& box = world.addCube({0, btScalar(0.5), 0});
   const btScalar spin = btScalar(0.5);
   for (int i = 1; i <= 120; ++i) {
-    platform.setWorldTransform(btTransform(btQuaternion(btVector3(0, 1, 0), spin * i * BulletWorld::step),
-                                           btVector3(0, btScalar(-0.5), 0)));
+    platform.setWorldTransform(
+        btTransform(btQuaternion(btVector3(0, 1, 0), spin * i * BulletWorld::step),
+                    btVector3(0, btScalar(-0.5), 0)));
     world.advance();
   }
-  EXPECT_NEAR(box.getAngularVelocity().y(), spin, tolerance(1e-6, 1e-3));
+  // Bullet derives the platform's velocity from its poses; in float that is noisy itself.
+  EXPECT_NEAR(box.getAngularVelocity().y(), platform.getAngularVelocity().y(),
+              tolerance(1e-6, 1e-3));
+  EXPECT_NEAR(box.getAngularVelocity().y(), spin, tolerance(1e-6, 1e-2));
 }
 
 TEST(Parity, Row06VelocityOfAStaticBodyIsIgnored) {
@@ -138,9 +144,11 @@ TEST(Parity, Row07NoMotionInLockedAxes) {
   std::vector<btRigidBody*> boxes;
   for (int i = 0; i < 6; ++i) {
     // Turned and shifted out of the plane, so that contacts do push along the locked axes.
-    btTransform pose(btQuaternion(btVector3(1, 2, 3).normalized(), btScalar(0.2) * i),
-                     btVector3(btScalar(0.3) * (i % 2), 1 + btScalar(1.3) * i, btScalar(0.1) * (i % 3)));
-    btRigidBody& box = world.addBody(std::make_unique<btBoxShape>(btVector3(0.5, 0.5, 0.5)), pose, 1);
+    btTransform pose(
+        btQuaternion(btVector3(1, 2, 3).normalized(), btScalar(0.2) * i),
+        btVector3(btScalar(0.3) * (i % 2), 1 + btScalar(1.3) * i, btScalar(0.1) * (i % 3)));
+    btRigidBody& box =
+        world.addBody(std::make_unique<btBoxShape>(btVector3(0.5, 0.5, 0.5)), pose, 1);
     box.setLinearFactor({1, 1, 0});
     box.setAngularFactor({0, 0, 1});
     boxes.push_back(&box);

@@ -20,7 +20,8 @@ btRigidBody& addSlab(BulletWorld& world) {
 }
 
 void tilt(BulletWorld& world, btRigidBody& body, double angle, double heading) {
-  const btVector3 gravity(btScalar(g * std::sin(angle) * std::cos(heading)), btScalar(-g * std::cos(angle)),
+  const btVector3 gravity(btScalar(g * std::sin(angle) * std::cos(heading)),
+                          btScalar(-g * std::cos(angle)),
                           btScalar(g * std::sin(angle) * std::sin(heading)));
   world->setGravity(gravity);
   body.setGravity(gravity);
@@ -34,7 +35,8 @@ TEST(Parity, Row17SticksBelowTheFrictionAngle) {
     world.advance(1);  // the first step settles the rounding of the initial pose
     const btVector3 start = slab.getWorldTransform().getOrigin();
     world.advance(600);
-    EXPECT_LT((slab.getWorldTransform().getOrigin() - start).length(), tolerance(1e-6, 1e-4)) << heading;
+    EXPECT_LT((slab.getWorldTransform().getOrigin() - start).length(), tolerance(1e-6, 1e-4))
+        << heading;
   }
 }
 
@@ -46,14 +48,16 @@ TEST(Parity, Row17SlidesAboveTheFrictionAngle) {
     tilt(world, slab, angle, heading);
     constexpr int steps = 120;
     world.advance(steps);
-    const double expected = g * (std::sin(angle) - friction * std::cos(angle)) * steps * BulletWorld::step;
+    const double expected =
+        g * (std::sin(angle) - friction * std::cos(angle)) * steps * BulletWorld::step;
     const btVector3 v = slab.getLinearVelocity();
     EXPECT_NEAR(std::hypot(v.x(), v.z()), expected, tolerance(1e-3, 1e-2) * expected);
     EXPECT_NEAR(std::atan2(v.z(), v.x()), heading, tolerance(1e-3, 1e-2)) << "along the fall line";
   }
 }
 
-/// Slides `body` at `speed` in many directions of the ground; it must lose μ g per second on a straight path.
+/// Slides `body` at `speed` in many directions of the ground; it must lose μ g per second on a
+/// straight path.
 template <class Add>
 void expectRoundCone(const Add& add, double speed, int steps) {
   for (int angle = 0; angle <= 90; angle += 15) {
@@ -80,7 +84,8 @@ TEST(Parity, Row18SlidingFrictionIsTheSameInAllDirections) {
     return runner;
   };
   expectRoundCone(addRunner, 4, 30);
-  // Four points that share the load; one step, since Bullet's narrow phase drops points of a box that slides on.
+  // Four points that share the load; one step, since Bullet's narrow phase drops points of a box
+  // that slides on.
   expectRoundCone(addSlab, 1, 1);
 }
 

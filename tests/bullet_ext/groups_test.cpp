@@ -1,9 +1,9 @@
-/// How a world hands its parts over: batches, empty groups, unsplit islands, sleeping, removal, threads.
+/// How a world hands its parts over: batches, empty groups, unsplit islands, sleeping, removal,
+/// threads.
 
 #include <gtest/gtest.h>
 
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
-#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorldMt.h>
 
 #include <cstring>
 #include <random>
@@ -19,8 +19,9 @@ std::vector<btScalar> motionOf(btDiscreteDynamicsWorld& world) {
   std::vector<btScalar> motion;
   for (int i = 0; i < world.getNumCollisionObjects(); ++i) {
     const btRigidBody& body = *btRigidBody::upcast(world.getCollisionObjectArray()[i]);
-    for (const btVector3& v : {body.getWorldTransform().getOrigin(), body.getWorldTransform().getBasis()[0],
-                               body.getLinearVelocity(), body.getAngularVelocity()})
+    for (const btVector3& v :
+         {body.getWorldTransform().getOrigin(), body.getWorldTransform().getBasis()[0],
+          body.getLinearVelocity(), body.getAngularVelocity()})
       motion.insert(motion.end(), {v.x(), v.y(), v.z()});
   }
   return motion;
@@ -38,7 +39,8 @@ void build(BulletWorld& world) {
   std::uniform_real_distribution<btScalar> some(btScalar(-0.2), btScalar(0.2));
   for (int heap = 0; heap < 6; ++heap)
     for (int i = 0; i < 3; ++i)
-      world.addCube({btScalar(3 * heap) + some(random), btScalar(0.6) + i * btScalar(1.1), some(random)});
+      world.addCube(
+          {btScalar(3 * heap) + some(random), btScalar(0.6) + i * btScalar(1.1), some(random)});
   for (int i = 0; i < 4; ++i) {
     btRigidBody& ball = world.addSphere(btScalar(0.2), {btScalar(3 * i), 5, 5});
     world.addJoint<btPoint2PointConstraint>(ball, btVector3(1, 0, 0));
@@ -89,7 +91,8 @@ TEST(Parity, Row38UnsplitIslandsSkipObjectsWithoutResponse) {
   world->addCollisionObject(&ghost);
   world.advance(30);
   EXPECT_NEAR(resting.getWorldTransform().getOrigin().y(), 0.5, tolerance(1e-9, 1e-4));
-  EXPECT_NEAR(sensor.getLinearVelocity().y(), -BulletWorld::gravity * 30 * BulletWorld::step, 1e3 * precision)
+  EXPECT_NEAR(sensor.getLinearVelocity().y(), -BulletWorld::gravity * 30 * BulletWorld::step,
+              1e3 * precision)
       << "falls through everything";
   world->removeCollisionObject(&ghost);
 }
@@ -148,14 +151,16 @@ TEST(Parity, Row43SolverInfoIsReadAtEachStep) {
   world.info().m_erp2 = btScalar(0.5);
   const double depth = 0.5 - ball.getWorldTransform().getOrigin().y();
   world.advance();
-  EXPECT_NEAR(ball.getLinearVelocity().y(), 0.5 * depth / BulletWorld::step, tolerance(1e-10, 1e-4));
+  EXPECT_NEAR(ball.getLinearVelocity().y(), 0.5 * depth / BulletWorld::step,
+              tolerance(1e-10, 1e-4));
 }
 
 TEST(Parity, Row44BodiesAndJointsMayBeRemovedAtAnyTime) {
   DelassusWorld world;
   world.addGround();
   const auto tower = addTower(world, 5);
-  auto& joint = world.addJoint<btPoint2PointConstraint>(*tower[3], *tower[4], btVector3(0, 0.5, 0), btVector3(0, -0.5, 0));
+  auto& joint = world.addJoint<btPoint2PointConstraint>(*tower[3], *tower[4], btVector3(0, 0.5, 0),
+                                                        btVector3(0, -0.5, 0));
   world.delassus().setContactListener([](const ContactEvent&) {});
   world.advance(5);
   world.remove(joint);
@@ -173,7 +178,8 @@ TEST(Parity, Row45ResetForgets) {
     btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
     btBoxShape shape(btVector3(0.5, 0.5, 0.5));
     btRigidBody ground(0, nullptr, &shape), box(1, nullptr, &shape, btVector3(1, 1, 1));
-    box.setWorldTransform(btTransform(btQuaternion(btVector3(1, 1, 0).normalized(), btScalar(0.4)), btVector3(btScalar(0.2), btScalar(1.3), 0)));
+    box.setWorldTransform(btTransform(btQuaternion(btVector3(1, 1, 0).normalized(), btScalar(0.4)),
+                                      btVector3(btScalar(0.2), btScalar(1.3), 0)));
     world.addRigidBody(&ground);
     world.addRigidBody(&box);
     for (int i = 0; i < 60; ++i) world.stepSimulation(BulletWorld::step, 0);

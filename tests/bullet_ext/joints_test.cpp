@@ -1,4 +1,5 @@
-/// Joints of every Bullet type against stock run to convergence; motors, springs, feedback, breaking, user constraints.
+/// Joints of every Bullet type against stock run to convergence; motors, springs, feedback,
+/// breaking, user constraints.
 
 #include <gtest/gtest.h>
 
@@ -32,13 +33,15 @@ const btVector3 inA(btScalar(0.6), 0, 0), inB(btScalar(-0.6), 0, 0);
 std::vector<JointCase> jointCases() {
   const btTransform frameA = frameAt(inA), frameB = frameAt(inB);
   return {
-      {"point2point", [](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
-         w.addJoint<btPoint2PointConstraint>(a, b, inA, inB);
+      {"point2point", [](BulletWorld& w, btRigidBody& a,
+                         btRigidBody& b) { w.addJoint<btPoint2PointConstraint>(a, b, inA, inB); }},
+      {"hinge",
+       [=](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
+         w.addJoint<btHingeConstraint>(a, b, frameA, frameB)
+             .setLimit(btScalar(-0.05), btScalar(0.05));
        }},
-      {"hinge", [=](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
-         w.addJoint<btHingeConstraint>(a, b, frameA, frameB).setLimit(btScalar(-0.05), btScalar(0.05));
-       }},
-      {"slider", [=](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
+      {"slider",
+       [=](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
          auto& slider = w.addJoint<btSliderConstraint>(a, b, frameA, frameB, true);
          slider.setLowerLinLimit(btScalar(-0.02));
          slider.setUpperLinLimit(btScalar(0.02));
@@ -46,12 +49,14 @@ std::vector<JointCase> jointCases() {
          slider.setLowerAngLimit(btScalar(-0.1));
          slider.setUpperAngLimit(btScalar(0.1));
        }},
-      {"six_dof", [=](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
+      {"six_dof",
+       [=](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
          auto& joint = w.addJoint<btGeneric6DofConstraint>(a, b, frameA, frameB, true);
          joint.setAngularLowerLimit({btScalar(-0.1), 0, 0});
          joint.setAngularUpperLimit({btScalar(0.1), 0, 0});
        }},
-      {"six_dof_spring", [=](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
+      {"six_dof_spring",
+       [=](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
          auto& joint = w.addJoint<btGeneric6DofSpringConstraint>(a, b, frameA, frameB, true);
          joint.setLinearLowerLimit({-1, 0, 0});
          joint.setLinearUpperLimit({1, 0, 0});
@@ -59,7 +64,8 @@ std::vector<JointCase> jointCases() {
          joint.setStiffness(0, 50);
          joint.setEquilibriumPoint();
        }},
-      {"six_dof_spring_2", [=](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
+      {"six_dof_spring_2",
+       [=](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
          auto& joint = w.addJoint<btGeneric6DofSpring2Constraint>(a, b, frameA, frameB);
          joint.setLinearLowerLimit({-1, 0, 0});
          joint.setLinearUpperLimit({1, 0, 0});
@@ -68,22 +74,25 @@ std::vector<JointCase> jointCases() {
          joint.setDamping(0, 1);
          joint.setEquilibriumPoint();
        }},
-      {"cone_twist", [=](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
+      {"cone_twist",
+       [=](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
          w.addJoint<btConeTwistConstraint>(a, b, frameA, frameB)
              .setLimit(btScalar(0.1), btScalar(0.1), btScalar(0.05));
        }},
-      {"fixed", [=](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
-         w.addJoint<btFixedConstraint>(a, b, frameA, frameB);
-       }},
-      {"gear", [](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
+      {"fixed", [=](BulletWorld& w, btRigidBody& a,
+                    btRigidBody& b) { w.addJoint<btFixedConstraint>(a, b, frameA, frameB); }},
+      {"gear",
+       [](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
          w.addJoint<btPoint2PointConstraint>(b, b.getWorldTransform().getOrigin() * 0);
          w.addJoint<btGearConstraint>(a, b, btVector3(0, 0, 1), btVector3(0, 0, 1), btScalar(2));
        }},
-      {"universal", [](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
+      {"universal",
+       [](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
          btVector3 anchor(btScalar(0.6), 0, 0), axis1(0, 1, 0), axis2(0, 0, 1);
          w.addJoint<btUniversalConstraint>(a, b, anchor, axis1, axis2);
        }},
-      {"hinge_2", [](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
+      {"hinge_2",
+       [](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
          btVector3 anchor(btScalar(0.6), 0, 0), axis1(0, 1, 0), axis2(0, 0, 1);
          w.addJoint<btHinge2Constraint>(a, b, anchor, axis1, axis2);
        }},
@@ -129,7 +138,8 @@ TEST(Parity, Row28EveryJointType) {
 }
 
 TEST(Parity, Row28JointSoftnessIsRelative) {
-  // The sag of a loaded point joint: ERP closes what softness gives way, χ W m g h = erp d/h with W = 1/m.
+  // The sag of a loaded point joint: ERP closes what softness gives way, χ W m g h = erp d/h with W
+  // = 1/m.
   DelassusWorld world;
   btRigidBody& ball = world.addSphere(btScalar(0.2), {0, 0, 0}, 3);
   auto& joint = world.addJoint<btPoint2PointConstraint>(ball, btVector3(0, 0, 0));
@@ -152,7 +162,8 @@ TEST(Parity, Row29HingeMotorPushesWithItsMaximumImpulse) {
   constexpr int steps = 30;
   world.advance(steps);
   const double inverseInertia = wheel.getInvInertiaDiagLocal().z();
-  EXPECT_NEAR(std::abs(wheel.getAngularVelocity().z()), steps * impulse * inverseInertia, 1e4 * precision);
+  EXPECT_NEAR(std::abs(wheel.getAngularVelocity().z()), steps * impulse * inverseInertia,
+              1e4 * precision);
 }
 
 TEST(Parity, Row29HingeLimitPushesOneWay) {
@@ -203,7 +214,8 @@ TEST(Parity, Row29SpringFrequencyWhateverTheIterations) {
 struct Hanging {
   DelassusWorld world;
   btRigidBody& ball = world.addSphere(btScalar(0.2), {0, -1, 0}, 3);
-  btPoint2PointConstraint& joint = world.addJoint<btPoint2PointConstraint>(ball, btVector3(0, 1, 0));
+  btPoint2PointConstraint& joint =
+      world.addJoint<btPoint2PointConstraint>(ball, btVector3(0, 1, 0));
 };
 
 TEST(Parity, Row30FeedbackIsTheWeight) {
@@ -231,7 +243,8 @@ TEST(Parity, Row31DisabledJointIsSkipped) {
   DelassusWorld world;
   btRigidBody& near = world.addCube({0, 5, 0});
   btRigidBody& far = world.addCube({50, 5, 0});
-  auto& disabled = world.addJoint<btPoint2PointConstraint>(near, far, btVector3(25, 0, 0), btVector3(-25, 0, 0));
+  auto& disabled =
+      world.addJoint<btPoint2PointConstraint>(near, far, btVector3(25, 0, 0), btVector3(-25, 0, 0));
   disabled.setEnabled(false);
   world.addJoint<btPoint2PointConstraint>(near, btVector3(0, 0, 0));
   world.advance(30);
@@ -246,14 +259,19 @@ class FallBrake : public btTypedConstraint {
   FallBrake(btRigidBody& body, btScalar speed)
       : btTypedConstraint(MAX_CONSTRAINT_TYPE, body), speed_(speed) {}
   void getInfo1(btConstraintInfo1* info) override { info->m_numConstraintRows = info->nub = 0; }
-  void getInfo2(btConstraintInfo2*) override { FAIL() << "a constraint without rows is not asked for them"; }
+  void getInfo2(btConstraintInfo2*) override {
+    FAIL() << "a constraint without rows is not asked for them";
+  }
   void setParam(int, btScalar, int) override {}
   btScalar getParam(int, int) const override { return 0; }
   void solveConstraintObsolete(btSolverBody& body, btSolverBody&, btScalar) override {
     ++calls;
-    const btVector3 velocity = body.m_linearVelocity + body.m_externalForceImpulse + body.getDeltaLinearVelocity();
+    const btVector3 velocity =
+        body.m_linearVelocity + body.m_externalForceImpulse + body.getDeltaLinearVelocity();
     const btScalar missing = -speed_ - velocity.y();
-    if (missing > 0) body.internalApplyImpulse(btVector3(0, 1, 0) * body.internalGetInvMass(), {0, 0, 0}, missing / body.internalGetInvMass().y());
+    if (missing > 0)
+      body.internalApplyImpulse(btVector3(0, 1, 0) * body.internalGetInvMass(), {0, 0, 0},
+                                missing / body.internalGetInvMass().y());
   }
   int calls = 0;
 
@@ -270,7 +288,8 @@ TEST(Parity, Row32ConstraintsWithoutRowsSolveThemselves) {
     btRigidBody& upper = world.addCube({0, btScalar(11), 0});
     world.addJoint<FallBrake>(lower, btScalar(1));
     world.advance(60);
-    EXPECT_NEAR(lower.getLinearVelocity().y(), -1, tolerance(1e-6, 1e-3)) << "with another body on top";
+    EXPECT_NEAR(lower.getLinearVelocity().y(), -1, tolerance(1e-6, 1e-3))
+        << "with another body on top";
     return upper;
   };
   const btRigidBody &a = run(ours), &b = run(stock);

@@ -1,4 +1,5 @@
-/// Normal rows: gaps, restitution, penetration, slop, softness (Bullet's contract, contact normal rows).
+/// Normal rows: gaps, restitution, penetration, slop, softness (Bullet's contract, contact normal
+/// rows).
 
 #include <gtest/gtest.h>
 
@@ -41,7 +42,8 @@ constexpr double oneStep = tolerance(1e-12, 2e-5);
 
 TEST(Parity, Row08SpeculativeGap) {
   EXPECT_NEAR(velocityAfterOneStep({0.015, 1, 1}), 1 - 0.015 / h, oneStep);
-  EXPECT_NEAR(velocityAfterOneStep({0.015, 1, 0}), -0.015 / h, oneStep) << "closes the gap, no more";
+  EXPECT_NEAR(velocityAfterOneStep({0.015, 1, 0}), -0.015 / h, oneStep)
+      << "closes the gap, no more";
   EXPECT_NEAR(velocityAfterOneStep({0.015, 0.5, 0}), -0.5, oneStep) << "does not get there";
 }
 
@@ -105,7 +107,9 @@ double restingDepth(const Prepare& prepare, int steps = 600) {
 constexpr double resting = tolerance(1e-7, 2e-5);
 
 TEST(Parity, Row13SlopIsTheRestingDepth) {
-  EXPECT_NEAR(restingDepth([](BulletWorld& world, btRigidBody&) { world.info().m_linearSlop = btScalar(0.01); }),
+  EXPECT_NEAR(restingDepth([](BulletWorld& world, btRigidBody&) {
+                world.info().m_linearSlop = btScalar(0.01);
+              }),
               0.01, resting);
 }
 
@@ -140,7 +144,8 @@ double depthWithPointSoftness(const PointSoftness& softness) {
   gContactAddedCallback = soften;
   const double depth = restingDepth([](BulletWorld& world, btRigidBody& ball) {
     world.info().m_globalCfm = btScalar(0.002);
-    ball.setCollisionFlags(ball.getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+    ball.setCollisionFlags(ball.getCollisionFlags() |
+                           btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
   });
   gContactAddedCallback = nullptr;
   return depth;
@@ -148,10 +153,14 @@ double depthWithPointSoftness(const PointSoftness& softness) {
 
 TEST(Parity, Row15PointSoftnessReplacesEachNumber) {
   const int cfm = BT_CONTACT_FLAG_HAS_CONTACT_CFM, erp = BT_CONTACT_FLAG_HAS_CONTACT_ERP;
-  EXPECT_NEAR(depthWithPointSoftness({0, btScalar(0.01), btScalar(0.4)}), softDepth(0.002, 0.2), resting);
-  EXPECT_NEAR(depthWithPointSoftness({cfm, btScalar(0.01), btScalar(0.4)}), softDepth(0.01, 0.2), resting);
-  EXPECT_NEAR(depthWithPointSoftness({erp, btScalar(0.01), btScalar(0.4)}), softDepth(0.002, 0.4), resting);
-  EXPECT_NEAR(depthWithPointSoftness({cfm | erp, btScalar(0.01), btScalar(0.4)}), softDepth(0.01, 0.4), resting);
+  EXPECT_NEAR(depthWithPointSoftness({0, btScalar(0.01), btScalar(0.4)}), softDepth(0.002, 0.2),
+              resting);
+  EXPECT_NEAR(depthWithPointSoftness({cfm, btScalar(0.01), btScalar(0.4)}), softDepth(0.01, 0.2),
+              resting);
+  EXPECT_NEAR(depthWithPointSoftness({erp, btScalar(0.01), btScalar(0.4)}), softDepth(0.002, 0.4),
+              resting);
+  EXPECT_NEAR(depthWithPointSoftness({cfm | erp, btScalar(0.01), btScalar(0.4)}),
+              softDepth(0.01, 0.4), resting);
 }
 
 TEST(Parity, Row16SpringCarriesAtAllDepthsSplitOrNot) {

@@ -1,4 +1,5 @@
-/// Hard problems and broken input: redundancy, mass ratios, scales, demands that nothing can meet, numbers that are none.
+/// Hard problems and broken input: redundancy, mass ratios, scales, demands that nothing can meet,
+/// numbers that are none.
 
 #include <gtest/gtest.h>
 
@@ -32,7 +33,8 @@ TEST(Parity, Row33DoubledHingesAndABoxInACorner) {
   btRigidBody& cornered = world.addCube({btScalar(0.5), btScalar(0.5), btScalar(0.5)});
   btRigidBody& door = world.addBox({0.5, 0.5, 0.1}, {10, 5, 0});
   for (int i = 0; i < 3; ++i)
-    world.addJoint<btHingeConstraint>(door, btVector3(btScalar(-0.5), btScalar(0.2) * i, 0), btVector3(0, 0, 1));
+    world.addJoint<btHingeConstraint>(door, btVector3(btScalar(-0.5), btScalar(0.2) * i, 0),
+                                      btVector3(0, 0, 1));
   for (int i = 0; i < 60; ++i) {
     cornered.applyCentralForce({-3, 0, -2});
     world.advance();
@@ -47,10 +49,12 @@ TEST(Parity, Row34TowerCarriesAThousandTimesItsOwnMass) {
   world.addGround();
   std::vector<btRigidBody*> tower;
   for (int i = 0; i < 10; ++i)
-    tower.push_back(&world.addCube({0, btScalar(0.5) + i, 0}, i == 9 ? btScalar(1000) : btScalar(1)));
+    tower.push_back(
+        &world.addCube({0, btScalar(0.5) + i, 0}, i == 9 ? btScalar(1000) : btScalar(1)));
   world.advance(600);
   for (int i = 0; i < 10; ++i) {
-    const btVector3 drift = tower[i]->getWorldTransform().getOrigin() - btVector3(0, btScalar(0.5) + i, 0);
+    const btVector3 drift =
+        tower[i]->getWorldTransform().getOrigin() - btVector3(0, btScalar(0.5) + i, 0);
     EXPECT_LT(drift.length(), tolerance(5e-4, 2e-3)) << i;
   }
 }
@@ -76,7 +80,8 @@ Chain addChain(BulletWorld& world, const btVector3& along) {
   };
   btRigidBody* last = nullptr;
   for (int i = 0; i < links; ++i) {
-    btRigidBody& link = world.addBox(thin + btScalar(0.8) * toEnd.absolute(), (2 * i + 1) * toEnd, btScalar(0.1));
+    btRigidBody& link =
+        world.addBox(thin + btScalar(0.8) * toEnd.absolute(), (2 * i + 1) * toEnd, btScalar(0.1));
     if (last)
       join(*last, link, -toEnd);
     else
@@ -97,8 +102,9 @@ TEST(Parity, Row35HangingChainKeepsItsLength) {
 }
 
 TEST(Parity, Row35SwingingChainKeepsItsLength) {
-  // Under this load the links vibrate across the chain with 2√(T/(m L)) = 440 rad/s: no solver of velocities follows that at
-  // 60 Hz, stock run to convergence falls as ours does. At 1 kHz the step is fit for the chain, and the solver is seen.
+  // Under this load the links vibrate across the chain with 2√(T/(m L)) = 440 rad/s: no solver of
+  // velocities follows that at 60 Hz, stock run to convergence falls as ours does. At 1 kHz the
+  // step is fit for the chain, and the solver is seen.
   const auto longest = [](BulletWorld& world) {
     const Chain chain = addChain(world, {1, 0, 0});
     double length = 0;
@@ -111,7 +117,8 @@ TEST(Parity, Row35SwingingChainKeepsItsLength) {
   DelassusWorld ours;
   StockWorld stock(10);
   EXPECT_LT(longest(ours), (1 + 1e-3) * chainLength);
-  EXPECT_GT(longest(stock), (1 + 1e-2) * chainLength) << "what the test would look like if the rows were not solved";
+  EXPECT_GT(longest(stock), (1 + 1e-2) * chainLength)
+      << "what the test would look like if the rows were not solved";
 }
 
 /// Height of a small pile after a while, everything in units of the first box.
@@ -165,13 +172,16 @@ TEST(Parity, Row53DemandsThatNoMotionMeetsAreNamed) {
   DelassusWorld world;
   btRigidBody& body = world.addCube({0, 0, 0});
   // The same point of the body is wanted in two places a metre apart.
-  world.addJoint<btPoint2PointConstraint>(body, btVector3(0, 0, 0)).setPivotB({btScalar(0.5), 0, 0});
-  world.addJoint<btPoint2PointConstraint>(body, btVector3(0, 0, 0)).setPivotB({btScalar(-0.5), 0, 0});
+  world.addJoint<btPoint2PointConstraint>(body, btVector3(0, 0, 0))
+      .setPivotB({btScalar(0.5), 0, 0});
+  world.addJoint<btPoint2PointConstraint>(body, btVector3(0, 0, 0))
+      .setPivotB({btScalar(-0.5), 0, 0});
   world.advance(120);
   EXPECT_EQ(world.report().incompatible, 1);
   EXPECT_GT(world.report().residualMax, 0.1);
   EXPECT_FALSE(world.report().messages.empty());
-  EXPECT_NEAR(body.getWorldTransform().getOrigin().length(), 0, tolerance(1e-3, 1e-2)) << "the compromise is in the middle";
+  EXPECT_NEAR(body.getWorldTransform().getOrigin().length(), 0, tolerance(1e-3, 1e-2))
+      << "the compromise is in the middle";
 }
 
 constexpr btScalar notANumber = std::numeric_limits<btScalar>::quiet_NaN();
@@ -193,8 +203,8 @@ TEST(Robustness, ABrokenBodyIsNamedAndTheRestIsSolved) {
 }
 
 btScalar brokenValue = 0;
-bool breakFriction(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int, const btCollisionObjectWrapper*,
-                   int, int) {
+bool breakFriction(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+                   const btCollisionObjectWrapper*, int, int) {
   point.m_combinedFriction = brokenValue;
   return true;
 }
@@ -218,7 +228,8 @@ TEST(Robustness, ANormalThatIsNotUnitIsRefused) {
   btDelassusConstraintSolver solver;
   btBoxShape shape(btVector3(0.5, 0.5, 0.5));
   btRigidBody ground(0, nullptr, &shape), box(1, nullptr, &shape, btVector3(1, 1, 1));
-  for (const btVector3& normal : {btVector3(0, 2, 0), btVector3(0, 0, 0), btVector3(notANumber, 1, 0)}) {
+  for (const btVector3& normal :
+       {btVector3(0, 2, 0), btVector3(0, 0, 0), btVector3(notANumber, 1, 0)}) {
     btPersistentManifold manifold(&box, &ground, 0, btScalar(0.02), btScalar(1));
     btManifoldPoint point({0, 0, 0}, {0, 0, 0}, normal, 0);
     point.m_combinedFriction = btScalar(0.5);

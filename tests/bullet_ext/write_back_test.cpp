@@ -96,7 +96,8 @@ TEST(ContactListener, TellsTouchSlideStopAndRelease) {
   };
 
   advanceUntilTold();
-  EXPECT_NEAR(events.front().reaction.length(), world.points()[0]->m_appliedImpulse, 10 * precision);
+  EXPECT_NEAR(events.front().reaction.length(), world.points()[0]->m_appliedImpulse,
+              10 * precision);
   expectOne(Mode::Open, Mode::Stick, "landing");
   // Slower than 0.02 m a step: beyond that Bullet makes a new point, which has no memory.
   ball.setLinearVelocity({1, 0, 0});

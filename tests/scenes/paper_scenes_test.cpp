@@ -47,8 +47,9 @@ void expectPredictedOutcome(std::unique_ptr<World> built) {
   for (int i = 0; i < u.size(); ++i) {
     EXPECT_NEAR(u[i], predicted.u[i], tolerance) << "opening velocity of contact " << i;
     // On a wall of the region either label is right; the motion is the same.
-    if (predicted.distance > 2 * tolerance)
+    if (predicted.distance > 2 * tolerance) {
       EXPECT_EQ(u[i] <= tolerance, bool(predicted.persisting[i])) << "contact " << i;
+    }
   }
   EXPECT_EQ(run.solver.report().outOfBudget + run.solver.report().incompatible, 0);
 }

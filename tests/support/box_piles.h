@@ -50,8 +50,8 @@ inline Pile makeTower(const std::vector<double>& masses, double friction, double
     pile.bodies.push_back(makeBox(masses[i], 0.5, v));
     for (double x : {-0.5, 0.5})
       for (double y : {-0.5, 0.5})
-        pile.contacts.push_back(
-            makeRestingPoint(i, i - 1, {x, y, -0.5}, i > 0 ? Vec3(x, y, 0.5) : Vec3::Zero(), friction));
+        pile.contacts.push_back(makeRestingPoint(i, i - 1, {x, y, -0.5},
+                                                 i > 0 ? Vec3(x, y, 0.5) : Vec3::Zero(), friction));
   }
   return pile;
 }
@@ -75,7 +75,8 @@ inline Pile makePyramid(int base, double friction, double disturbance, double ma
       if (layer == 0) {
         for (double x : {-0.5, 0.5})
           for (double y : {-0.5, 0.5})
-            pile.contacts.push_back(makeRestingPoint(me, fixedWorld, {x, y, -0.5}, Vec3::Zero(), friction));
+            pile.contacts.push_back(
+                makeRestingPoint(me, fixedWorld, {x, y, -0.5}, Vec3::Zero(), friction));
         continue;
       }
       for (int dx = 0; dx < 2; ++dx)

@@ -15,9 +15,12 @@ constexpr double precision = SIMD_EPSILON;
 constexpr bool isDouble = sizeof(btScalar) == sizeof(double);
 
 /// Picks the tolerance that goes with the precision of the build.
-constexpr double tolerance(double inDouble, double inFloat) { return isDouble ? inDouble : inFloat; }
+constexpr double tolerance(double inDouble, double inFloat) {
+  return isDouble ? inDouble : inFloat;
+}
 
-/// A world that owns all that is in it: gravity 9.81 along −y, 60 Hz, bodies of friction 0.5 that never sleep.
+/// A world that owns all that is in it: gravity 9.81 along −y, 60 Hz, bodies of friction 0.5 that
+/// never sleep.
 class BulletWorld {
  public:
   explicit BulletWorld(std::unique_ptr<btConstraintSolver> solver)
@@ -47,7 +50,8 @@ class BulletWorld {
   }
   const StepReport& report() { return delassus().report(); }
 
-  btRigidBody& addBody(std::unique_ptr<btCollisionShape> shape, const btTransform& pose, btScalar mass) {
+  btRigidBody& addBody(std::unique_ptr<btCollisionShape> shape, const btTransform& pose,
+                       btScalar mass) {
     btVector3 inertia(0, 0, 0);
     if (mass > 0) shape->calculateLocalInertia(mass, inertia);
     btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, shape.get(), inertia);
@@ -68,7 +72,8 @@ class BulletWorld {
   btRigidBody& addSphere(btScalar radius, const btVector3& position, btScalar mass = 1) {
     return addBody(std::make_unique<btSphereShape>(radius), at(position), mass);
   }
-  /// A wide static slab with its top at y = 0 and friction 1, so that a pair has the friction of the other body.
+  /// A wide static slab with its top at y = 0 and friction 1, so that a pair has the friction of
+  /// the other body.
   btRigidBody& addGround() {
     btRigidBody& ground = addBox(btVector3(100, 1, 100), btVector3(0, -1, 0), 0);
     ground.setFriction(1);
@@ -102,7 +107,8 @@ class BulletWorld {
     std::vector<btManifoldPoint*> all;
     for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
       btPersistentManifold* manifold = dispatcher_.getManifoldByIndexInternal(i);
-      for (int j = 0; j < manifold->getNumContacts(); ++j) all.push_back(&manifold->getContactPoint(j));
+      for (int j = 0; j < manifold->getNumContacts(); ++j)
+        all.push_back(&manifold->getContactPoint(j));
     }
     return all;
   }
