@@ -23,7 +23,7 @@ namespace {
 struct DumpArguments {
   std::string subject;
   double at = 0;
-  double hz = 60;
+  double hz = 0;  ///< 0: the scene's own
   std::string out;
 };
 
@@ -68,14 +68,15 @@ int dumpProblems(const DumpArguments& arguments) {
   ProblemCatcher catcher(solver.solver());
   subject.world->setSolver(catcher);
 
+  const double hz = arguments.hz > 0 ? arguments.hz : subject.hz;
   ProgressBar bar(subject.name);
-  const long steps = std::lround(arguments.at * arguments.hz);
+  const long steps = std::lround(arguments.at * hz);
   for (long i = 0; i < steps; ++i) {
-    subject.world->step(1 / arguments.hz);
+    subject.world->step(1 / hz);
     bar.show(double(i) / double(steps));
   }
   catcher.start();
-  subject.world->step(1 / arguments.hz);
+  subject.world->step(1 / hz);
 
   std::size_t written = 0;
   for (std::size_t i = 0; i < catcher.problems().size(); ++i) {
@@ -110,9 +111,10 @@ void addDumpCommand(CLI::App& app, Action& chosen) {
       ->required()
       ->type_name("SCENE|FILE.bullet");
   command->add_option("--at", arguments->at, "time of the step, s")->required()->check(atLeastZero);
-  command->add_option("--hz", arguments->hz, "steps a second")
-      ->check(greaterThanZero)
-      ->capture_default_str();
+  command
+      ->add_option("--hz", arguments->hz,
+                   "steps a second (default: the scene's own, 60 for most and for files)")
+      ->check(greaterThanZero);
   command
       ->add_option("--out", arguments->out, "file; several islands get a number before the suffix")
       ->required()

@@ -17,17 +17,17 @@ struct RunArguments {
   std::string subject;
   std::string solvers = "delassus";
   double seconds = 0;  ///< 0: the scene's own
-  double hz = 60;
+  double hz = 0;       ///< 0: the scene's own
   bool json = false;
 };
 
-nlohmann::ordered_json toJson(const std::string& scene, double hz, const RunSummary& run) {
+nlohmann::ordered_json toJson(const std::string& scene, const RunSummary& run) {
   nlohmann::ordered_json json;
   json["scene"] = scene;
   json["solver"] = run.solver;
   json["precision"] = precisionName();
   json["steps"] = run.steps;
-  json["hz"] = hz;
+  json["hz"] = run.hz;
   json["bodies"] = run.bodies;
   json["contacts_max"] = run.contactsMax;
   json["ms_median"] = run.msMedian;
@@ -90,7 +90,8 @@ int runSubject(const RunArguments& arguments) {
   std::vector<RunSummary> runs;
   for (NamedSolver& solver : solvers) {
     Subject subject = openSubject(arguments.subject);
-    RunSettings settings{arguments.seconds > 0 ? arguments.seconds : subject.seconds, arguments.hz};
+    RunSettings settings{arguments.seconds > 0 ? arguments.seconds : subject.seconds,
+                         arguments.hz > 0 ? arguments.hz : subject.hz};
     if (runs.empty()) {
       std::FILE* notesTo = arguments.json ? stderr : stdout;
       for (const std::string& note : subject.notes)
@@ -99,12 +100,11 @@ int runSubject(const RunArguments& arguments) {
     ProgressBar bar(subject.name + " " + solver.name());
     runs.push_back(simulate(*subject.world, solver, settings,
                             [&bar](double fraction) { bar.show(fraction); }));
-    if (arguments.json)
-      std::printf("%s\n", toJson(subject.name, arguments.hz, runs.back()).dump().c_str());
+    if (arguments.json) std::printf("%s\n", toJson(subject.name, runs.back()).dump().c_str());
   }
   if (!arguments.json && !runs.empty()) {
     std::printf("%s: %d steps at %g Hz, %d bodies, up to %d contacts, %s precision\n",
-                arguments.subject.c_str(), runs[0].steps, arguments.hz, runs[0].bodies,
+                arguments.subject.c_str(), runs[0].steps, runs[0].hz, runs[0].bodies,
                 runs[0].contactsMax, precisionName());
     printTable(runs);
   }
@@ -130,9 +130,10 @@ void addRunCommand(CLI::App& app, Action& chosen) {
       ->add_option("--seconds", arguments->seconds,
                    "simulated time (default: the scene's own; 5 for a file)")
       ->check(greaterThanZero);
-  command->add_option("--hz", arguments->hz, "steps a second")
-      ->check(greaterThanZero)
-      ->capture_default_str();
+  command
+      ->add_option("--hz", arguments->hz,
+                   "steps a second (default: the scene's own, 60 for most and for files)")
+      ->check(greaterThanZero);
   command->add_flag("--json", arguments->json, "one JSON object a line, one per solver");
   command->callback(
       [&chosen, arguments] { chosen = [arguments] { return runSubject(*arguments); }; });

@@ -19,11 +19,11 @@ bool isFile(const std::string& name) {
 Subject openSubject(const std::string& name) {
   if (!isFile(name)) {
     const SceneDescription& scene = findScene(name);
-    return {scene.name, scene.build(), scene.seconds, {}};
+    return {scene.name, scene.build(), scene.seconds, scene.hz, {}};
   }
-  constexpr double usualSeconds = 5;
+  constexpr double usualSeconds = 5, usualHz = 60;
   LoadedFile file = loadBulletFile(name);
-  return {name, std::move(file.world), usualSeconds, std::move(file.notes)};
+  return {name, std::move(file.world), usualSeconds, usualHz, std::move(file.notes)};
 }
 
 const char* precisionName() { return sizeof(btScalar) == sizeof(double) ? "double" : "float"; }

@@ -13,6 +13,7 @@ struct Subject {
   std::string name;
   std::unique_ptr<World> world;
   double seconds;                  ///< how long it is simulated unless the user says otherwise
+  double hz;                       ///< and at how many steps a second
   std::vector<std::string> notes;  ///< what there is to say about a file
 };
 

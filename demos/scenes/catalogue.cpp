@@ -12,6 +12,10 @@ namespace {
 
 constexpr double degree = M_PI / 180;
 
+/// Steps that treat a tension T explicitly are stable while h ω < 2. For links of mass m and length L that zigzag,
+/// ω² = 12 T/(m L): at T = 1.6 · 981 N, 0.1 kg and 0.5 m, that asks for 306 Hz of any solver.
+constexpr double chainRate = 480;
+
 Camera seenFrom(double x, double y, double z, double targetY = 1, double fov = 40) {
   return {vec3(x, y, z), vec3(0, targetY, 0), fov};
 }
@@ -35,9 +39,9 @@ void addPaperScenes(std::vector<SceneDescription>& scenes) {
                     "one forced reaction is positive and yet both contacts are lost (paper, 10)",
                     [] { return buildBeadInAngle(0.5, 15 * degree); }});
   scenes.push_back({"bead_in_trihedron",
-                    "bead in a corner of three planes, pulled out along one of them", 1, close,
+                    "bead in a corner of three planes, pressed on one of them and lifted", 1, close,
                     "the region that keeps one contact and releases two, of eight (paper, 11)",
-                    [] { return buildBeadInTrihedron(0.4, vec3(1, -0.3, 0.2)); }});
+                    [] { return buildBeadInTrihedron(0.4, vec3(-0.92, 0.1, 0)); }});
   scenes.push_back(
       {"rod_on_supports", "frictionless rod on two wide supports (B < 0), one end pulled up", 0.5,
        seenFrom(0, 2, 8),
@@ -117,7 +121,7 @@ void addRoundAndHungScenes(std::vector<SceneDescription>& scenes) {
   scenes.push_back({"heavy_ball_chain", "100 kg ball on twenty links of 0.1 kg, swung at a wall", 6,
                     seenFrom(0, 8, 30, 7),
                     "the chain stretches less than a thousandth of its length",
-                    [] { return buildHeavyBallChain(20, 100); }});
+                    [] { return buildHeavyBallChain(20, 100); }, chainRate});
   scenes.push_back({"newton_cradle", "five hung balls, restitution 1, one let go from 45 degrees",
                     5, seenFrom(0, 2.5, 10, 2.5),
                     "no energy is gained; the strings keep their length",

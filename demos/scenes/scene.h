@@ -23,6 +23,7 @@ struct SceneDescription {
   Camera camera;
   std::string expectation;  ///< the closed form or the law that the motion obeys
   std::function<std::unique_ptr<World>()> build;
+  double hz = 60;  ///< steps a second
 };
 
 }  // namespace demos

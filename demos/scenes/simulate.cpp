@@ -66,6 +66,7 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
 
   RunSummary summary;
   summary.solver = named.name();
+  summary.hz = settings.hz;
   summary.steps = std::max(1, int(std::lround(settings.seconds * settings.hz)));
   summary.bodies = int(world.movableBodies().size());
   if (named.delassus() != nullptr) summary.regions.emplace();

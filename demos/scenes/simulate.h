@@ -20,6 +20,7 @@ struct RunSettings {
 struct RunSummary {
   std::string solver;
   int steps = 0;
+  double hz = 60;
   int bodies = 0;
   int contactsMax = 0;
   double msMedian = 0, msP95 = 0;

@@ -3,9 +3,9 @@
 namespace delassus {
 
 struct Options {
-  double tolerance = 1e-10;  ///< natural residual to reach, relative to the largest |q|; > 0
-  int newtonBudget = 200;    ///< most regions visited per island; work, never time
-  int sweepBudget = 200;     ///< most block Gauss-Seidel sweeps per island
+  double tolerance = 1e-9;  ///< natural residual to reach, relative to the largest |q|; > 0
+  int newtonBudget = 200;   ///< most regions visited per island; work, never time
+  int sweepBudget = 200;    ///< most block Gauss-Seidel sweeps per island
 };
 
 }  // namespace delassus

@@ -14,16 +14,17 @@ namespace delassus {
 namespace {
 
 /// Largest |W_ij − W_ji|, against a unit diagonal, that still is round-off.
-constexpr double roundOffAsymmetry = 1e-13;
+constexpr double roundOffAsymmetry = 1e-12;
 
 /// Most unknowns for Lemke's dense tableau.
 constexpr int largestTableau = 400;
 
-/// Disagreement of redundant demands, of the largest q, that is taken for round-off: of the data, and of a shift that was
-/// computed from reactions of size shift/alpha.
+/// Disagreement of redundant demands, of the largest q, that is taken for round-off: of the data,
+/// and of a shift that was computed from reactions of size shift/alpha.
 constexpr double consistentData = 1e-12, consistentShift = 1e-9;
 
-/// Times the demands may be found incompatible and shifted again: the first shift is exact but for round-off.
+/// Times the demands may be found incompatible and shifted again: the first shift is exact but for
+/// round-off.
 constexpr int shiftBudget = 3;
 
 /// Rows linked through W, in ascending order.
@@ -121,12 +122,14 @@ std::vector<RowState> statesAt(const BoundedRows& rows, const VectorXd& r) {
   return states;
 }
 
-/// Linked rows by pivoting: directly; by proximal steps if W is singular; by Lemke's method if all else fails.
+/// Linked rows by pivoting: directly; by proximal steps if W is singular; by Lemke's method if all
+/// else fails.
 PivotResult pivotLinked(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
                         const VectorXd& upper, const std::vector<RowState>& guess,
                         const PivotOptions& options) {
   PivotResult result;
-  auto [rows, scale] = scaleRows(W, q, lower, upper);
+  ScaledRows scaled = scaleRows(W, q, lower, upper);
+  BoundedRows& rows = scaled.rows;
   if (rows.symmetric && rows.size() <= smallRegionSize && unilateral(lower, upper) &&
       pivotByRegion(W, q, result))
     return result;
@@ -172,7 +175,7 @@ PivotResult pivotLinked(const MatrixXd& W, const VectorXd& q, const VectorXd& lo
   }
   if (!solved() && result.status == Status::Solved) result.status = Status::OutOfBudget;
 
-  result.r = best.r.cwiseQuotient(scale);
+  result.r = best.r.cwiseQuotient(scaled.scale);
   result.u = W * result.r + q;
   result.rows = std::move(best.states);
   result.regions += walk.regions();

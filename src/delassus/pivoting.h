@@ -9,8 +9,8 @@
 namespace delassus {
 
 struct PivotOptions {
-  /// Natural residual that counts as solved, relative to the largest |q|, both scaled to unit diagonal of W. Where it
-  /// lies below the rounding floor ε‖r‖ of the reactions, the floor counts.
+  /// Natural residual that counts as solved, relative to the largest |q|, both scaled to unit
+  /// diagonal of W. Where it lies below the rounding floor ε‖r‖ of the reactions, the floor counts.
   double tolerance = 1e-10;
   int regionBudget = 1000;  ///< most regions visited; work, never time
 };
@@ -31,9 +31,10 @@ struct PivotResult {
 ///
 ///     u = W r + q,   lower ≤ r ≤ upper,   u ≥ 0 at lower, u ≤ 0 at upper, u = 0 in between
 ///
-/// Bounds may be infinite: contacts are [0, ∞), joints (−∞, ∞), motors [−m, m]. W = J M⁻¹ Jᵀ is symmetric positive
-/// semi-definite, often singular; a W that is neither is served too, with an honest status and no promise.
-/// `guess` is the region to look at first, or empty. Rows that are not linked through W are solved on their own.
+/// Bounds may be infinite: contacts are [0, ∞), joints (−∞, ∞), motors [−m, m]. W = J M⁻¹ Jᵀ is
+/// symmetric positive semi-definite, often singular; a W that is neither is served too, with an
+/// honest status and no promise. `guess` is the region to look at first, or empty. Rows that are
+/// not linked through W are solved on their own.
 PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
                   const VectorXd& upper, const std::vector<RowState>& guess = {},
                   const PivotOptions& options = {});

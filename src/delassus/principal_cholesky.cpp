@@ -24,7 +24,8 @@ bool PrincipalCholesky::factor(const std::vector<int>& rows) {
   for (int j = 0; j < s; ++j)
     for (int i = j; i < s; ++i) L_(i, j) = entry(rows[i], rows[j]);
 
-  // All at once; a pivot that vanishes sends us to the row-by-row construction, which can leave rows out.
+  // All at once; a pivot that vanishes sends us to the row-by-row construction, which can leave
+  // rows out.
   Eigen::Ref<MatrixXd> block = L_.topLeftCorner(s, s);
   const Eigen::LLT<Eigen::Ref<MatrixXd>> llt(block);
   bool independent = llt.info() == Eigen::Success;

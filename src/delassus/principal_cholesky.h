@@ -6,13 +6,15 @@
 
 namespace delassus {
 
-/// Cholesky factor L Lᵀ = (W + shift I)_SS of the rows S that a region keeps, edited as contacts come and go
-/// (algorithms 4.2). Only the lower triangle of W is read; W must outlive the factor.
+/// Cholesky factor L Lᵀ = (W + shift I)_SS of the rows S that a region keeps, edited as contacts
+/// come and go (algorithms 4.2). Only the lower triangle of W is read; W must outlive the factor.
 ///
-/// Adding a row costs s² flops, deleting the p-th one 2 (s − p)², both stable; after many edits it is factored anew.
+/// Adding a row costs s² flops, deleting the p-th one 2 (s − p)², both stable; after many edits it
+/// is factored anew.
 class PrincipalCholesky {
  public:
-  /// A row whose pivot falls to `redundant` times its diagonal entry or below depends on the rows before it.
+  /// A row whose pivot falls to `redundant` times its diagonal entry or below depends on the rows
+  /// before it.
   explicit PrincipalCholesky(const MatrixXd& W, double shift = 0, double redundant = 1e-10);
 
   /// Factors the rows in this order. False if some are redundant: these are left out.

@@ -147,7 +147,7 @@ typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
   double error = F.norm();
   for (int k = 0; k < mostSteps; ++k) {
     const double size = std::max(delta_.norm(), motion_.impulse(r_ - center_).norm());
-    if (error <= enough * size) return Inner::Converged;
+    if (error <= std::max(enough * size, fine_)) return Inner::Converged;
     if (budget-- <= 0) return Inner::Failed;
     ++count.regions;
     if (!factorise(count)) return Inner::Failed;
@@ -200,6 +200,8 @@ bool ProximalNewton<Motion>::converge(const Problem& problem, double tolerance, 
                                       int regionBudget, bool fromRegion, Solution& best) {
   constexpr double smallest = 1e-12, largest = 10;
   constexpr int mostOuters = 60, mostFailures = 4;
+  // An error of the motion (in energy norm) that no contact can tell from the tolerance.
+  fine_ = 0.1 * tolerance / std::sqrt(scale_.maxCoeff());
   r_ = center_;
   double residual = std::numeric_limits<double>::infinity();
   int failures = 0;

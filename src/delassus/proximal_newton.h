@@ -49,6 +49,7 @@ class ProximalNewton {
   VectorXd compliance_;
   VectorXd center_, u_;  ///< r_k and u_k
   VectorXd r_, delta_;   ///< the answer of the inner problem
+  double fine_ = 0;      ///< inner error that is small enough whatever the size of the step
   Stiffness G_, factored_;
 };
 

@@ -5,8 +5,9 @@
 namespace delassus {
 namespace {
 
-/// Relative to the unit diagonal. A step leaves alpha/(alpha + σ) of the error in a mode of eigenvalue σ, and
-/// ε/alpha of round-off in the null space: large enough for the second, reduced when the first is slow.
+/// Relative to the unit diagonal. A step leaves alpha/(alpha + σ) of the error in a mode of
+/// eigenvalue σ, and ε/alpha of round-off in the null space: large enough for the second, reduced
+/// when the first is slow.
 constexpr double firstAlpha = 1e-6, lastAlpha = 1e-12, alphaFactor = 1e-2;
 constexpr double largestAlpha = 1e-2;  ///< where round-off in W makes it indefinite
 
@@ -19,7 +20,8 @@ constexpr double nullVelocity = 1e-12;
 /// Entries of a direction below this part of its largest are zero.
 constexpr double negligible = 1e-6;
 
-/// Whether d proves that no motion meets all demands: admissible for ever, W d = 0, d·q < 0 (algorithms 5.5).
+/// Whether d proves that no motion meets all demands: admissible for ever, W d = 0, d·q < 0
+/// (algorithms 5.5).
 bool provesIncompatible(const BoundedRows& problem, const VectorXd& d, double residual) {
   const double size = d.cwiseAbs().maxCoeff();
   if (!problem.symmetric || !(size > 0)) return false;
@@ -28,7 +30,8 @@ bool provesIncompatible(const BoundedRows& problem, const VectorXd& d, double re
     if (d[i] < -negligible * size && !std::isinf(problem.lower[i])) return false;
   }
   if ((problem.W * d).cwiseAbs().maxCoeff() > nullVelocity * size) return false;
-  // d·q / ‖d‖² · d is the compromise's shift; a residual not explained by it is only slow convergence.
+  // d·q / ‖d‖² · d is the compromise's shift; a residual not explained by it is only slow
+  // convergence.
   return d.dot(problem.q) * size < -0.5 * residual * d.squaredNorm();
 }
 

@@ -17,17 +17,18 @@ struct RowAnswer {
   void offer(const BoundedRows& problem, const RegionWalk& walk);
 };
 
-/// What the proximal point method found. `shift` is added to q where the demands are incompatible: the least change, in
-/// the norm of scaled velocities, that makes them compatible.
+/// What the proximal point method found. `shift` is added to q where the demands are incompatible:
+/// the least change, in the norm of scaled velocities, that makes them compatible.
 struct ProximalAnswer {
   RowAnswer best;
   VectorXd shift;
   std::vector<int> blamed;
 };
 
-/// Solves problems with singular W by exact proximal steps from r = 0 (algorithms 5.2-5.5): the motion is that of W itself,
-/// the reactions have least norm. Steps go on while they help; once the natural residual is within `goodEnough`, slow
-/// help is not sought: the data themselves disagree by that much, and to follow them would spoil the shares.
+/// Solves problems with singular W by exact proximal steps from r = 0 (algorithms 5.2-5.5): the
+/// motion is that of W itself, the reactions have least norm. Steps go on while they help; once the
+/// natural residual is within `goodEnough`, slow help is not sought: the data themselves disagree
+/// by that much, and to follow them would spoil the shares.
 ProximalAnswer proximalPoint(const BoundedRows& problem, RegionWalk& walk, double goodEnough,
                              int regionBudget);
 

@@ -9,15 +9,16 @@
 namespace delassus {
 namespace {
 
-/// Cofactors are used only if every pivot of the scaled matrix exceeds this: at a condition number of 1e10 they left
-/// a residual of 1e-2 |q| where the recursion left 1e-6 (algorithms 3.3).
+/// Cofactors are used only if every pivot of the scaled matrix exceeds this: at a condition number
+/// of 1e10 they left a residual of 1e-2 |q| where the recursion left 1e-6 (algorithms 3.3).
 constexpr double cofactorPivot = 1e-4;
 
-/// For three contacts the error is ε over the determinant, the product of the pivots: measured 2e-8 |q| with two pivots just
-/// above 1e-4, 3e-14 |q| above this determinant.
+/// For three contacts the error is ε over the determinant, the product of the pivots: measured 2e-8
+/// |q| with two pivots just above 1e-4, 3e-14 |q| above this determinant.
 constexpr double cofactorDeterminant = 1e-2;
 
-/// A pivot this small against the unit diagonal says that a contact is dependent on the others (algorithms 3.5).
+/// A pivot this small against the unit diagonal says that a contact is dependent on the others
+/// (algorithms 3.5).
 constexpr double dependentPivot = 1e-10;
 
 /// Round-off of sums of q's, in units of the largest |q| (algorithms 3.6).
@@ -82,7 +83,8 @@ Redundancy redundantPair(bool opposed, const SmallVector& q, SmallVector& r) {
     }
     return Redundancy::Shared;
   }
-  // Squeezed between two walls, u0 + u1 = q0 + q1 whatever the reactions: one wall pushes, the other carries nothing.
+  // Squeezed between two walls, u0 + u1 = q0 + q1 whatever the reactions: one wall pushes, the
+  // other carries nothing.
   const double shortfall = std::max(0.0, -(q[0] + q[1]) / 2);
   const int pushing = q[0] < q[1] ? 0 : 1;
   r[pushing] = std::max(0.0, -q[pushing] - shortfall);
@@ -121,7 +123,8 @@ std::optional<Eigen::Vector3d> threeContacts(const Eigen::Matrix3d& W, const Eig
   const Eigen::Vector3d M = -K * q;
   const double determinant = W.row(0).dot(K.row(0));
 
-  // Scaled pivots of a Cholesky factorisation that starts with contact 0 and takes the larger of the others next.
+  // Scaled pivots of a Cholesky factorisation that starts with contact 0 and takes the larger of
+  // the others next.
   const double second = std::max(scaled(0, 1), scaled(0, 2));
   const double scaledDeterminant = determinant / W.diagonal().prod();
   const bool pivotsSafe = second > cofactorPivot && scaledDeterminant > cofactorPivot * second;

@@ -12,7 +12,8 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// Pivots at or below this part of the diagonal are dependent rows (algorithms 3.5).
 constexpr double dependentPivot = 1e-10;
 
-/// Block changes of state allowed without a new smallest number of objections, before single changes.
+/// Block changes of state allowed without a new smallest number of objections, before single
+/// changes.
 constexpr int blockPatience = 10;
 
 }  // namespace
@@ -125,7 +126,8 @@ void RegionWalk::holdAtBounds(const VectorXd& r) {
   }
 }
 
-/// Moves r towards the lowest point r_ of its face until the first rows meet their bounds; these are then held.
+/// Moves r towards the lowest point r_ of its face until the first rows meet their bounds; these
+/// are then held.
 void RegionWalk::stepToFirstBound(VectorXd& r) {
   const VectorXd reachable = problem_.clamp(r_);
   const auto fraction = [&](int i) {
@@ -170,7 +172,8 @@ bool RegionWalk::factorFreeRows(double alpha, bool anew) {
 
   if (!cholesky_ || alpha != alpha_) {
     if (cholesky_) factorisations_ += cholesky_->factorisations();
-    // With a shift every pivot is at least the shift; rounding may eat it, then the factor is useless.
+    // With a shift every pivot is at least the shift; rounding may eat it, then the factor is
+    // useless.
     const double redundant = alpha > 0 ? epsilon : dependentPivot;
     cholesky_ = std::make_unique<PrincipalCholesky>(problem_.W, alpha, redundant);
     alpha_ = alpha;
@@ -197,8 +200,9 @@ bool RegionWalk::solveRegion(const VectorXd& anchor, double alpha) {
   return true;
 }
 
-/// r_F = anchor_F − (W_FF + alpha I)⁻¹ (W r + q)_F with the other rows at their bounds: in this form a proximal step is also
-/// a step of refinement on the residual of W itself. False if the residual is more than rounding explains.
+/// r_F = anchor_F − (W_FF + alpha I)⁻¹ (W r + q)_F with the other rows at their bounds: in this
+/// form a proximal step is also a step of refinement on the residual of W itself. False if the
+/// residual is more than rounding explains.
 bool RegionWalk::answerRegion(const VectorXd& anchor, double alpha) {
   r_ = anchor;
   for (int i = 0; i < problem_.size(); ++i) {

@@ -25,7 +25,8 @@ struct BoundedRows {
   double naturalResidual(const VectorXd& r) const;
   /// What round-off may leave of u at these reactions: 64 ε max|q| + 16 ε ‖r‖ (algorithms 3.6, 10).
   double roundOff(const VectorXd& r) const;
-  /// A state that a row can take: constant rows stay at their bound, bilateral rows are free, and no row sits at infinity.
+  /// A state that a row can take: constant rows stay at their bound, bilateral rows are free, and
+  /// no row sits at infinity.
   RowState possible(int i, RowState wished) const;
   /// The states that the signs of q at the reactions nearest to zero suggest.
   std::vector<RowState> firstStates() const;
@@ -33,10 +34,11 @@ struct BoundedRows {
 
 /// Guarded block principal pivoting over the regions of bounded rows (algorithms 4.3, 4.5).
 ///
-/// Every region asks one linear solve; the rows that object to its answer change state all together. When that has not
-/// helped for a while a guard makes the walk finite. W symmetric: descent of ½ rᵀW r + qᵀr from face to face, which needs
-/// few regions even where W is nearly singular (Murty's rule wandered for thousands on 570 rows of a Kapla tower).
-/// Otherwise: Murty's single changes in a fixed order, finite for every P-matrix.
+/// Every region asks one linear solve; the rows that object to its answer change state all
+/// together. When that has not helped for a while a guard makes the walk finite. W symmetric:
+/// descent of ½ rᵀW r + qᵀr from face to face, which needs few regions even where W is nearly
+/// singular (Murty's rule wandered for thousands on 570 rows of a Kapla tower). Otherwise: Murty's
+/// single changes in a fixed order, finite for every P-matrix.
 class RegionWalk {
  public:
   enum class End : unsigned char {
@@ -47,12 +49,13 @@ class RegionWalk {
 
   RegionWalk(const BoundedRows& problem, std::vector<RowState> start);
 
-  /// Walks to the region of the problem with W + alpha I in place of W and q − alpha anchor in place of q: a proximal
-  /// step from `anchor` (algorithms 5.2). alpha = 0 is the problem itself. Gives up when this walk, with all earlier calls,
-  /// has visited `regionBudget` regions.
+  /// Walks to the region of the problem with W + alpha I in place of W and q − alpha anchor in
+  /// place of q: a proximal step from `anchor` (algorithms 5.2). alpha = 0 is the problem itself.
+  /// Gives up when this walk, with all earlier calls, has visited `regionBudget` regions.
   End settle(const VectorXd& anchor, double alpha, int regionBudget);
 
-  /// Whether a row that rests at its bound with u = 0 depends on the free rows: then the settled r is one of many.
+  /// Whether a row that rests at its bound with u = 0 depends on the free rows: then the settled r
+  /// is one of many.
   bool redundantTies();
 
   const VectorXd& r() const { return r_; }  ///< answer of the last region

@@ -9,7 +9,8 @@
 namespace delassus {
 namespace {
 
-/// Eigenvalues of a matrix with unit diagonal at or below this part of the largest are those of redundant contacts.
+/// Eigenvalues of a matrix with unit diagonal at or below this part of the largest are those of
+/// redundant contacts.
 constexpr double redundantEigenvalue = 1e-10;
 
 /// Distances below this part of ‖f‖ are round-off.
@@ -27,8 +28,8 @@ MatrixXd generalisedInverse(const MatrixXd& W) {
   return V * inverse.asDiagonal() * V.transpose();
 }
 
-/// The walls r_i = 0 or u_j = 0 of one kind: `value` is how far each contact is from vanishing, and a change of the forced
-/// motion of norm 1 changes it by at most √gram_ii.
+/// The walls r_i = 0 or u_j = 0 of one kind: `value` is how far each contact is from vanishing, and
+/// a change of the forced motion of norm 1 changes it by at most √gram_ii.
 struct Walls {
   std::vector<int> contacts;
   VectorXd value;
@@ -50,7 +51,8 @@ void lookAtWalls(const Walls& walls, const Walls& others, double zero, ReleaseAn
   }
   if (nearest < 0) return;
 
-  // At the foot of the perpendicular: its own kind has moved along the Gram matrix, the other kind not at all.
+  // At the foot of the perpendicular: its own kind has moved along the Gram matrix, the other kind
+  // not at all.
   Walls foot = walls;
   foot.value -= walls.gram.col(nearest) * (walls.value[nearest] / walls.gram(nearest, nearest));
   analysis.changing.clear();

@@ -8,20 +8,23 @@
 
 namespace delassus {
 
-/// A wall of the region that holds q, by the number of contacts whose reaction or opening velocity vanishes there.
+/// A wall of the region that holds q, by the number of contacts whose reaction or opening velocity
+/// vanishes there.
 enum class Wall : unsigned char {
   Face,    ///< one contact: behind the wall exactly this one changes (paper §11)
   Edge,    ///< several contacts: the region behind is not known in advance, it must be computed
   Vertex,  ///< all contacts (two or more): likewise
 };
 
-/// The paper's question and its answer: of n unilateral constraints that all touch, which will the motion keep?
+/// The paper's question and its answer: of n unilateral constraints that all touch, which will the
+/// motion keep?
 ///
 ///     u = W r + q,   0 ≤ r ⊥ u ≥ 0
 ///
-/// The distance is measured between forced motions in the norm of W, ‖f‖² = fᵀ W f = qᵀ W⁻¹ q, in √J: half its square is
-/// the kinetic energy (paper §4) of the smallest change of the forced motion that reaches the wall. With S the persisting
-/// contacts, G = W_SS⁻¹ and R the released ones, the walls and their distances are
+/// The distance is measured between forced motions in the norm of W, ‖f‖² = fᵀ W f = qᵀ W⁻¹ q, in
+/// √J: half its square is the kinetic energy (paper §4) of the smallest change of the forced motion
+/// that reaches the wall. With S the persisting contacts, G = W_SS⁻¹ and R the released ones, the
+/// walls and their distances are
 ///
 ///     r_i = 0, i ∈ S:   r_i / √G_ii               u_j = 0, j ∈ R:   u_j / √(W_jj − W_jS G W_Sj)
 ///
@@ -39,8 +42,9 @@ struct ReleaseAnalysis {
   std::vector<int> blamed;  ///< if incompatible, as in PivotResult
 };
 
-/// Answers for any number of contacts. W symmetric positive semi-definite. Where contacts are redundant, f and r are the
-/// shares of least norm, and the distances are those at which these shares lose a contact.
+/// Answers for any number of contacts. W symmetric positive semi-definite. Where contacts are
+/// redundant, f and r are the shares of least norm, and the distances are those at which these
+/// shares lose a contact.
 ReleaseAnalysis analyseRelease(const MatrixXd& W, const VectorXd& q);
 
 }  // namespace delassus

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
+#include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
 
 #include <cstring>
 #include <random>

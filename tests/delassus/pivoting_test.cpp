@@ -37,15 +37,20 @@ unsigned persistingSet(const std::vector<RowState>& rows) {
   return set;
 }
 
-/// §8, §11: the 2ⁿ regions fill the space and never overlap; the region found is the one of enumeration.
+/// §8, §11: the 2ⁿ regions fill the space and never overlap; the region found is the one of
+/// enumeration.
 ///
-/// 202 000 random W over n = 1…10, condition numbers 1 to 1e10, half of the q drawn as q = −W f. On a wall, or nearer to
-/// it than round-off, two labels stand for one motion: then the motions must agree.
+/// 202 000 random W over n = 1…10, condition numbers 1 to 1e10, half of the q drawn as q = −W f. On
+/// a wall, or nearer to it than round-off, two labels stand for one motion: then the motions must
+/// agree.
 class RegionTheory : public testing::TestWithParam<int> {
  protected:
-  static int samples(int n) { return n <= 6 ? 31000 : n == 7 ? 9000 : n == 8 ? 4500 : n == 9 ? 1700 : 800; }
+  static int samples(int n) {
+    return n <= 6 ? 31000 : n == 7 ? 9000 : n == 8 ? 4500 : n == 9 ? 1700 : 800;
+  }
 
-  /// The block pivoting itself, from the region of all contacts: small problems do not reach it through `pivot`.
+  /// The block pivoting itself, from the region of all contacts: small problems do not reach it
+  /// through `pivot`.
   static VectorXd walkFromAll(const MatrixXd& W, const VectorXd& q, RegionWalk::End& end) {
     const int n = static_cast<int>(q.size());
     const VectorXd scale = W.diagonal().cwiseSqrt();
@@ -72,7 +77,8 @@ TEST_P(RegionTheory, TheRegionIsThatOfEnumeration) {
     ASSERT_EQ(answer.status, Status::Solved) << "sample " << k;
     const BruteForce truth = enumerateRegions(W, q);
 
-    // ε √condition is what round-off in q alone does to the motion; the work of the largest reactions sets the scale.
+    // ε √condition is what round-off in q alone does to the motion; the work of the largest
+    // reactions sets the scale.
     const double size = std::sqrt(std::max(0.0, -q.dot(truth.r)));
     const double tolerance = 1e-10 * std::sqrt(condition) * (size + q.norm());
     if (persistingSet(answer.rows) != truth.persisting) ++otherLabels;
@@ -150,11 +156,20 @@ void randomBounds(int n, Random& random, VectorXd& lower, VectorXd& upper) {
   for (int i = 0; i < n; ++i) {
     const double m = uniform(random, 0, 2);
     switch (static_cast<int>(uniform(random, 0, 5))) {
-      case 0: lower[i] = 0, upper[i] = infinity; break;
-      case 1: lower[i] = -m, upper[i] = m; break;
-      case 2: lower[i] = -infinity, upper[i] = infinity; break;
-      case 3: lower[i] = -infinity, upper[i] = 0; break;
-      default: lower[i] = upper[i] = m;  // a row that has lost its say
+      case 0:
+        lower[i] = 0, upper[i] = infinity;
+        break;
+      case 1:
+        lower[i] = -m, upper[i] = m;
+        break;
+      case 2:
+        lower[i] = -infinity, upper[i] = infinity;
+        break;
+      case 3:
+        lower[i] = -infinity, upper[i] = 0;
+        break;
+      default:
+        lower[i] = upper[i] = m;  // a row that has lost its say
     }
   }
 }
@@ -175,9 +190,14 @@ TEST(Pivoting, RowsWithBoundsFindTheRegionOfEnumeration) {
     ASSERT_LT(motionDistance(W, answer.r, truth), 1e-9);
     for (int i = 0; i < n; ++i) {
       switch (answer.rows[i]) {
-        case RowState::AtLower: ASSERT_DOUBLE_EQ(answer.r[i], lower[i]); break;
-        case RowState::AtUpper: ASSERT_DOUBLE_EQ(answer.r[i], upper[i]); break;
-        case RowState::Free: ASSERT_NEAR(answer.u[i], 0, 1e-9);
+        case RowState::AtLower:
+          ASSERT_DOUBLE_EQ(answer.r[i], lower[i]);
+          break;
+        case RowState::AtUpper:
+          ASSERT_DOUBLE_EQ(answer.r[i], upper[i]);
+          break;
+        case RowState::Free:
+          ASSERT_NEAR(answer.u[i], 0, 1e-9);
       }
     }
   }
@@ -205,7 +225,8 @@ TEST(Pivoting, AnyGuessLeadsToTheSameMotion) {
   const PivotResult cold = pivotContacts(W, q);
   for (int k = 0; k < 50; ++k) {
     std::vector<RowState> guess(n);
-    for (RowState& state : guess) state = static_cast<RowState>(static_cast<int>(uniform(random, 0, 3)));
+    for (RowState& state : guess)
+      state = static_cast<RowState>(static_cast<int>(uniform(random, 0, 3)));
     const PivotResult guessed = pivotContacts(W, q, guess);
     EXPECT_EQ(guessed.rows, cold.rows);
     EXPECT_LT(motionDistance(W, guessed.r, cold.r), 1e-12);
@@ -223,7 +244,8 @@ TEST(Pivoting, SameInputSameBits) {
   EXPECT_EQ(a.rows, b.rows);
 }
 
-// Round-off in q must not decide how much work is done: thousands of contacts at rest on one wall of their regions.
+// Round-off in q must not decide how much work is done: thousands of contacts at rest on one wall
+// of their regions.
 TEST(Pivoting, TiesAreHarmless) {
   Random random(25);
   for (int k = 0; k < 300; ++k) {
@@ -261,8 +283,8 @@ TEST(Pivoting, RowsThatAreNotLinkedAreSolvedOnTheirOwn) {
 TEST(Pivoting, NothingToDo) {
   const PivotResult nothing = pivot(MatrixXd(0, 0), VectorXd(0), VectorXd(0), VectorXd(0));
   EXPECT_EQ(nothing.status, Status::Solved);
-  const PivotResult rest = pivotContacts(MatrixXd::Identity(8, 8) + MatrixXd::Ones(8, 8),
-                                         VectorXd::Zero(8));
+  const PivotResult rest =
+      pivotContacts(MatrixXd::Identity(8, 8) + MatrixXd::Ones(8, 8), VectorXd::Zero(8));
   EXPECT_EQ(rest.status, Status::Solved);
   EXPECT_EQ(rest.r, VectorXd::Zero(8));
 }
@@ -289,8 +311,8 @@ TEST(Pivoting, ASpentBudgetIsSaid) {
   EXPECT_GE(answer.r.minCoeff(), 0);
 }
 
-// Problem files hold matrices that are no Delassus matrices. An upper triangular P-matrix on which Murty's least-index
-// rule, one contact at a time, takes 2ⁿ steps.
+// Problem files hold matrices that are no Delassus matrices. An upper triangular P-matrix on which
+// Murty's least-index rule, one contact at a time, takes 2ⁿ steps.
 TEST(Pivoting, NonsymmetricMatricesAreServed) {
   const int n = 8;
   MatrixXd W = MatrixXd::Identity(n, n);
@@ -313,7 +335,8 @@ TEST(Pivoting, NonsymmetricMatricesAreServed) {
   }
 }
 
-// The optimality conditions of a linear program: a skew matrix, all of whose diagonal entries vanish.
+// The optimality conditions of a linear program: a skew matrix, all of whose diagonal entries
+// vanish.
 //     minimise cᵀx, A x ≥ b, x ≥ 0:   W = [0 −Aᵀ; A 0],   q = (c, −b)
 TEST(Pivoting, LinearProgramsAreServed) {
   Random random(29);

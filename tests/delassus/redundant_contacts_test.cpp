@@ -1,4 +1,5 @@
-/// Redundant contacts (algorithms 5): W is singular, the motion is unique, the reaction is the share of least norm.
+/// Redundant contacts (algorithms 5): W is singular, the motion is unique, the reaction is the
+/// share of least norm.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +23,8 @@ PivotResult pivotJoints(const MatrixXd& W, const VectorXd& q) {
   return pivot(W, q, VectorXd::Constant(n, -infinity), VectorXd::Constant(n, infinity));
 }
 
-/// Largest violation of 0 ≤ r ⊥ u ≥ 0. W is positive semi-definite: zero says that the motion is the one of Gauss' principle.
+/// Largest violation of 0 ≤ r ⊥ u ≥ 0. W is positive semi-definite: zero says that the motion is
+/// the one of Gauss' principle.
 double violation(const PivotResult& result) {
   return result.r.cwiseMin(result.u).cwiseAbs().maxCoeff();
 }
@@ -57,7 +59,8 @@ TEST(RedundantContacts, TheMotionIsExact) {
 }
 
 TEST(RedundantContacts, TargetsThatDisagreeStillHaveOneMotion) {
-  // Restitution and gaps: q is not J v any more. All normals have a positive component: the demands are compatible.
+  // Restitution and gaps: q is not J v any more. All normals have a positive component: the demands
+  // are compatible.
   Random random(32);
   for (int k = 0; k < 1000; ++k) {
     const int n = 2 + k % 20, freedoms = 1 + k % 6;
@@ -69,7 +72,8 @@ TEST(RedundantContacts, TargetsThatDisagreeStillHaveOneMotion) {
   }
 }
 
-// Σ W_ii r_i² is least. The truth: enumeration of W + 1e-9 diag W, whose reaction tends to that of least norm.
+// Σ W_ii r_i² is least. The truth: enumeration of W + 1e-9 diag W, whose reaction tends to that of
+// least norm.
 TEST(RedundantContacts, TheReactionHasLeastNorm) {
   Random random(33);
   for (int k = 0; k < 300; ++k) {
@@ -107,7 +111,8 @@ TEST(RedundantContacts, CornersOfAStackCarryTheirShare) {
   }
 }
 
-// Between floor and ceiling. The floor wants the box to rise by `rise`, the ceiling wants it down by `fall`.
+// Between floor and ceiling. The floor wants the box to rise by `rise`, the ceiling wants it down
+// by `fall`.
 class SqueezedBox : public testing::Test {
  protected:
   static MatrixXd jacobian() {
@@ -147,7 +152,8 @@ TEST_F(SqueezedBox, DemandsThatNoMotionMeetsAreNamedAndShared) {
   EXPECT_LT((answer.u - VectorXd::Constant(8, -0.75)).cwiseAbs().maxCoeff(), 1e-8);
 }
 
-// The shortfall s = max(0, −u) of the compromise is the least: normal to all that reactions can do, W s = 0.
+// The shortfall s = max(0, −u) of the compromise is the least: normal to all that reactions can do,
+// W s = 0.
 TEST(RedundantContacts, TheCompromiseIsLeastSquares) {
   Random random(34);
   int incompatible = 0;
@@ -230,7 +236,8 @@ TEST(RedundantContacts, RowsThatNothingMovesKeepTheirVelocity) {
   EXPECT_EQ(stuck.r, VectorXd(Vec3(0, 0, 0)));
 }
 
-// Corners that disagree by float round-off, as in a world in single precision: still one motion, still finite shares.
+// Corners that disagree by float round-off, as in a world in single precision: still one motion,
+// still finite shares.
 TEST(RedundantContacts, FloatRoundOffDoesNoHarm) {
   Random random(35);
   for (int k = 0; k < 200; ++k) {

@@ -21,7 +21,8 @@ Matrix2d pair(double a, double c, double d) {
   return W;
 }
 
-/// The current idea that §10 warns of: hold the contacts with a positive forced reaction, drop the others.
+/// The current idea that §10 warns of: hold the contacts with a positive forced reaction, drop the
+/// others.
 VectorXd currentIdea(const MatrixXd& W, const VectorXd& q) {
   const VectorXd forced = -W.llt().solve(q);
   std::vector<int> S;
@@ -192,7 +193,8 @@ TEST(Region, TheMotionIsContinuousAcrossWalls) {
   }
 }
 
-// r is the projection of f on the non-negative orthant in the metric of W: it cannot spread two forced motions.
+// r is the projection of f on the non-negative orthant in the metric of W: it cannot spread two
+// forced motions.
 TEST(Region, TheMotionIsANonExpansiveFunctionOfTheForcedMotion) {
   Random random(16);
   for (int k = 0; k < 5000; ++k) {

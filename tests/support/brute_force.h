@@ -9,11 +9,13 @@
 
 namespace delassus {
 
-/// The truth by enumeration, in extended precision: the region whose answer violates its own signs least.
+/// The truth by enumeration, in extended precision: the region whose answer violates its own signs
+/// least.
 struct BruteForce {
   unsigned persisting = 0;  ///< bit i set: contact i is kept
   VectorXd r, u;
-  double violation = std::numeric_limits<double>::infinity();  ///< largest wrong sign, scaled to unit diagonal
+  double violation =
+      std::numeric_limits<double>::infinity();  ///< largest wrong sign, scaled to unit diagonal
 };
 
 /// All 2ⁿ regions of u = W r + q, 0 ≤ r ⊥ u ≥ 0, for W symmetric positive definite.
@@ -41,8 +43,8 @@ inline BruteForce enumerateRegions(const MatrixXd& W, const VectorXd& q) {
     }
     Vector u = exactW * r + exactQ;
     for (int k = 0; k < s; ++k) u[S[k]] = 0;
-    const Real violation = std::max<Real>(0, std::max(-(r.cwiseProduct(scale)).minCoeff(),
-                                                      -(u.cwiseQuotient(scale)).minCoeff()));
+    const Real violation = std::max<Real>(
+        0, std::max(-(r.cwiseProduct(scale)).minCoeff(), -(u.cwiseQuotient(scale)).minCoeff()));
     if (static_cast<double>(violation) < best.violation)
       best = {region, r.cast<double>(), u.cast<double>(), static_cast<double>(violation)};
   }

@@ -24,7 +24,8 @@ inline MatrixXd normalMatrix(int rows, int columns, Random& random) {
   return MatrixXd::NullaryExpr(rows, columns, [&] { return normal(random); });
 }
 
-/// Symmetric positive definite, eigenvalues log-uniform over [1/condition, 1] with both ends taken, random axes.
+/// Symmetric positive definite, eigenvalues log-uniform over [1/condition, 1] with both ends taken,
+/// random axes.
 inline MatrixXd randomDelassus(int n, double condition, Random& random) {
   const MatrixXd Q = normalMatrix(n, n, random).householderQr().householderQ();
   VectorXd eigenvalues =
@@ -35,20 +36,22 @@ inline MatrixXd randomDelassus(int n, double condition, Random& random) {
   return (W + W.transpose()) / 2;
 }
 
-/// W = J Jᵀ of n contacts that a system with `freedoms` degrees of freedom and unit masses feels; singular if n > freedoms.
+/// W = J Jᵀ of n contacts that a system with `freedoms` degrees of freedom and unit masses feels;
+/// singular if n > freedoms.
 inline MatrixXd randomJacobian(int n, int freedoms, Random& random) {
   return normalMatrix(n, freedoms, random);
 }
 
-/// W = J M⁻¹ Jᵀ of a stack of `boxes` unit cubes resting on the ground, normals only, four corners a face: rank 3 a face.
-/// `massRatio` is the mass of each box over the mass of the box below it.
+/// W = J M⁻¹ Jᵀ of a stack of `boxes` unit cubes resting on the ground, normals only, four corners
+/// a face: rank 3 a face. `massRatio` is the mass of each box over the mass of the box below it.
 inline MatrixXd boxStackJacobian(int boxes, double massRatio = 1) {
   MatrixXd J = MatrixXd::Zero(4 * boxes, 3 * boxes);
   for (int box = 0; box < boxes; ++box) {
     const double mass = std::pow(massRatio, box);
     for (int corner = 0; corner < 4; ++corner) {
       const double x = corner & 1 ? 0.5 : -0.5, y = corner & 2 ? 0.5 : -0.5;
-      // Rise, and rotation about the two horizontal axes (I = m/6), all normalised by the square root of inertia.
+      // Rise, and rotation about the two horizontal axes (I = m/6), all normalised by the square
+      // root of inertia.
       const Vec3 row(1, y * std::sqrt(6.0), -x * std::sqrt(6.0));
       J.block<1, 3>(4 * box + corner, 3 * box) = row.transpose() / std::sqrt(mass);
       if (box > 0)
