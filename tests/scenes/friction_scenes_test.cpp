@@ -22,24 +22,60 @@ TEST(Incline, holdsOneDegreeBelowTheFrictionAngle) {
   EXPECT_LT(drift.largest(), byPrecision(1e-6, 1e-4));
 }
 
-// a = g (sin θ − μ cos θ) along the fall line, whatever the heading of the box.
+/// One step of a box sliding down a slope.
+struct SlidingStep {
+  double acceleration;  ///< along the fall line, m/s²
+  double across;        ///< along the contour, m/s²
+  double disturbance;   ///< spin and velocity off the slope at the end of the step, rad/s and m/s
+  int points;           ///< that carried the box
+  double residual;      ///< m/s
+};
+
+std::vector<SlidingStep> slide(double angle, double heading, double seconds) {
+  const btVector3 fall = vec3(std::cos(angle), -std::sin(angle), 0),
+                  up = vec3(std::sin(angle), std::cos(angle), 0);
+  OnRegions run(buildInclines({{angle, heading}}));
+  std::vector<SlidingStep> steps;
+  while (run.world->time() < seconds) {
+    const btVector3 before = run.body().getLinearVelocity();
+    run.world->step(1 / hz);
+    const btVector3 after = run.body().getLinearVelocity(),
+                    gained = (after - before) * btScalar(hz);
+    const double disturbance =
+        std::fabs(double(after.dot(up))) + double(run.body().getAngularVelocity().length());
+    steps.push_back({double(gained.dot(fall)), double(gained.z()), disturbance,
+                     run.solver.report().contacts, run.solver.report().residualMax});
+  }
+  return steps;
+}
+
+// a = g (sin θ − μ cos θ) along the fall line, whatever the heading of the box: within a thousandth in every step that the
+// box begins and ends flat on the slope. Now and then Bullet's narrow phase leaves two points under the box, which then
+// tips on to the missing ones: such a spell begins with the points, while the law goes on being solved.
 TEST(Incline, acceleratesByTheLawAboveTheFrictionAngle) {
   const double angle = frictionAngle() + degree;
   const double expected = 9.81 * (std::sin(angle) - usualFriction * std::cos(angle));
-  const btVector3 fall = vec3(std::cos(angle), -std::sin(angle), 0);
-  OnRegions run(buildInclines(slopesAt(angle)));
-  run.world->run(0.5, hz);
-  std::vector<btVector3> before;
-  for (const btRigidBody* body : run.world->movableBodies())
-    before.push_back(body->getLinearVelocity());
-  constexpr double seconds = 2;
-  run.world->run(seconds, hz);
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    const btVector3 gained = run.body(int(i)).getLinearVelocity() - before[i];
-    EXPECT_NEAR(double(gained.dot(fall)) / seconds, expected, byPrecision(1e-3, 1e-2) * expected)
-        << "lane " << i;
-    EXPECT_NEAR(gained.z(), 0, byPrecision(1e-3, 1e-2) * expected)
-        << "lane " << i << " strays from the fall line";
+  const double flat = byPrecision(1e-5, 1e-3);
+  for (const double heading : {0.0, 17.0, 30.0, 45.0, 71.0}) {
+    SCOPED_TRACE(testing::Message() << "heading " << heading << " degrees");
+    const std::vector<SlidingStep> steps = slide(angle, heading * degree, 2.5);
+    int undisturbed = 0;
+    double mean = 0;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      mean += steps[i].acceleration / double(steps.size());
+      EXPECT_LT(steps[i].residual, 1e-8) << "step " << i;
+      const bool flatBefore = i == 0 || steps[i - 1].disturbance < flat,
+                 flatAfter = steps[i].disturbance < flat;
+      if (flatBefore && !flatAfter)
+        EXPECT_LT(steps[i].points, 4) << "the spell that begins at step " << i;
+      if (!flatBefore || !flatAfter) continue;
+      ++undisturbed;
+      EXPECT_NEAR(steps[i].acceleration, expected, byPrecision(1e-3, 1e-1) * expected)
+          << "step " << i;
+      EXPECT_NEAR(steps[i].across, 0, byPrecision(1e-3, 1e-1) * expected) << "step " << i;
+    }
+    EXPECT_GT(undisturbed, int(steps.size()) / 3);
+    EXPECT_NEAR(mean, expected, 1e-2 * expected);
   }
 }
 
