@@ -6,6 +6,7 @@
 
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "bullet_ext/gather.h"
+#include "bullet_ext/memory.h"
 #include "bullet_ext/push.h"
 #include "bullet_ext/solve_group.h"
 #include "bullet_ext/write_back.h"
@@ -16,17 +17,17 @@ using namespace delassus::bullet;
 
 namespace {
 
-/// Adds the time until it goes to a counter; for the report only.
-class Stopwatch {
+/// Adds the time since the last lap to a counter; for the report only.
+class Laps {
  public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
-  ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
+  void end(double& seconds) {
+    const Clock::time_point now = Clock::now();
+    seconds += std::chrono::duration<double>(now - start_).count();
+    start_ = now;
+  }
 
  private:
   using Clock = std::chrono::steady_clock;
-  double& seconds_;
   Clock::time_point start_ = Clock::now();
 };
 
@@ -37,6 +38,7 @@ struct btDelassusConstraintSolver::Workspace {
 
   Solver solver;
   Group group;
+  Memory memory;
   Answer answer;
   Pushes pushes;
   std::vector<ContactEvent> events;
@@ -74,8 +76,7 @@ void btDelassusConstraintSolver::Workspace::countSolve() {
   report.pushIslands += pushes.islands;
   report.pushUnsolved += pushes.unsolved;
   report.workspaceBytes =
-      std::max(report.workspaceBytes,
-               group.bytes() + answer.bytes() + pushes.bodies.capacity() * sizeof(Body));
+      std::max(report.workspaceBytes, group.bytes() + memory.bytes() + answer.bytes() + pushes.bytes());
 }
 
 btDelassusConstraintSolver::btDelassusConstraintSolver(const Options& options, btDelassusPrecision)
@@ -83,7 +84,10 @@ btDelassusConstraintSolver::btDelassusConstraintSolver(const Options& options, b
 
 btDelassusConstraintSolver::~btDelassusConstraintSolver() = default;
 
-void btDelassusConstraintSolver::prepareSolve(int, int) { workspace_->clearReport(); }
+void btDelassusConstraintSolver::prepareSolve(int, int) {
+  workspace_->clearReport();
+  workspace_->memory.nextStep();
+}
 
 btScalar btDelassusConstraintSolver::solveGroup(btCollisionObject** bodies, int bodyCount,
                                                 btPersistentManifold** manifolds, int manifoldCount,
@@ -97,27 +101,27 @@ btScalar btDelassusConstraintSolver::solveGroup(btCollisionObject** bodies, int 
     return 0;
   }
 
-  {
-    const Stopwatch watch(w.report.secondsGather);
-    w.group.clear();
-    gatherBodies(w.group, bodies, bodyCount, info, w.report);
-    gatherContacts(w.group, manifolds, manifoldCount, info, dispatcher, w.report);
-    gatherJoints(w.group, constraints, constraintCount, info, w.report);
-  }
-  {
-    const Stopwatch watch(w.report.secondsSolve);
-    bullet::solveGroup(w.group, info, w.solver, w.answer);
-    solvePushes(w.group, w.solver, w.pushes);
-    w.countSolve();
-  }
-  {
-    const Stopwatch watch(w.report.secondsWriteBack);
-    w.events.clear();
-    writeVelocities(w.group, w.answer);
-    writePushes(w.group, w.pushes, info);
-    writeContacts(w.group, w.answer, w.report, listener_ ? &w.events : nullptr);
-    writeJoints(w.group, w.answer, info);
-  }
+  Laps laps;
+  w.group.clear();
+  gatherBodies(w.group, bodies, bodyCount, info, w.report);
+  gatherContacts(w.group, manifolds, manifoldCount, info, dispatcher, w.report);
+  gatherJoints(w.group, constraints, constraintCount, info, w.report);
+  if (info.m_solverMode & SOLVER_USE_WARMSTARTING) w.memory.recall(w.group);
+  laps.end(w.report.secondsGather);
+
+  bullet::solveGroup(w.group, info, w.solver, w.answer);
+  solvePushes(w.group, w.solver, w.pushes);
+  w.countSolve();
+  w.memory.keep(w.group, w.answer);
+  laps.end(w.report.secondsSolve);
+
+  w.events.clear();
+  writeVelocities(w.group, w.answer);
+  writePushes(w.group, w.pushes, info);
+  writeContacts(w.group, w.answer, w.report, listener_ ? &w.events : nullptr);
+  writeJoints(w.group, w.answer, info);
+  laps.end(w.report.secondsWriteBack);
+
   for (const ContactEvent& event : w.events) listener_(event);
   return 0;
 }

@@ -46,7 +46,7 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   const delassus::StepReport& report() const;
 
   /// Called at the end of each solveGroup with every contact whose mode changed, in the order of
-  /// Bullet's manifolds. The listener must not add or remove anything in the world. An empty
+  /// Bullet's manifolds: first those that took part, then those that were left out. The listener must not add or remove anything in the world. An empty
   /// function ends it; then nothing is computed for it.
   void setContactListener(std::function<void(const delassus::ContactEvent&)> listener);
 

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Geometry>
-
 #include "BulletCollision/NarrowPhaseCollision/btManifoldPoint.h"
 #include "LinearMath/btMatrix3x3.h"
 #include "LinearMath/btVector3.h"
@@ -39,22 +37,6 @@ inline double toCoreBound(btScalar bound) {
   if (bound >= SIMD_INFINITY) return std::numeric_limits<double>::infinity();
   if (bound <= -SIMD_INFINITY) return -std::numeric_limits<double>::infinity();
   return bound;
-}
-
-/// The frame of a contact with normal n: columns n, t1, t2 with the tangents of btPlaneSpace1,
-/// orthonormal to double precision.
-///
-/// Narrow phase resets the directions of a point that it replaces to btPlaneSpace1 of the new
-/// normal and keeps the lateral impulses: components in this frame are the only ones that survive.
-inline Mat3 contactFrame(const btVector3& normal) {
-  btVector3 p, q;
-  btPlaneSpace1(normal, p, q);
-  Mat3 frame;
-  frame.col(0) = toCore(normal).normalized();
-  const Vec3 t1 = toCore(p);
-  frame.col(1) = (t1 - t1.dot(frame.col(0)) * frame.col(0)).normalized();
-  frame.col(2) = frame.col(0).cross(frame.col(1));
-  return frame;
 }
 
 /// The mode a contact point had after the last solve.

@@ -1,8 +1,10 @@
 #pragma once
 
-#include <unordered_map>
+#include <string>
 #include <vector>
 
+#include "LinearMath/btScalar.h"
+#include "bullet_ext/body_table.h"
 #include "bullet_ext/step_report.h"
 #include "delassus/body.h"
 #include "delassus/contact.h"
@@ -35,6 +37,13 @@ struct JointSource {
   int lastRow;             ///< the joint's own last row, or -1 if that row takes no part
 };
 
+/// What a joint writes for one row. Four scalars an axis and this alignment, because some joints
+/// write whole btVector3.
+struct alignas(16) InfoRow {
+  btScalar linearA[4], angularA[4], linearB[4], angularB[4];
+  btScalar error, cfm, lower, upper;
+};
+
 /// One solveGroup call in the core's words. Order follows Bullet's arrays, never addresses.
 struct Group {
   std::vector<Body> bodies;  ///< dynamic and kinematic ones; everything else is the fixed world
@@ -47,11 +56,12 @@ struct Group {
   std::vector<PointSource> idle;  ///< points that were passed but take no part
 
   std::vector<Row> rows;
-  std::vector<JointSource> joints;  ///< enabled joints that have rows
-  std::vector<btTypedConstraint*>
-      obsolete;  ///< enabled constraints without rows (contract of getInfo1)
+  std::vector<double> rowGuess;              ///< reaction of each row to start from, N·s
+  std::vector<JointSource> joints;           ///< enabled joints that have rows
+  std::vector<btTypedConstraint*> obsolete;  ///< enabled constraints without rows in getInfo1
 
-  std::unordered_map<const btCollisionObject*, int> indexOf;  ///< for look-up only
+  BodyTable indexOf;
+  std::vector<InfoRow> asked;  ///< of the joint that is being gathered
 
   void clear();
   std::size_t bytes() const;
@@ -77,6 +87,7 @@ int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo
 ///
 /// where a is the relative velocity before forces.
 /// A contact with its own softness is never split: the spring would be lost to the push.
+/// Friction: see contact_frame.h.
 void gatherBodies(Group& group, btCollisionObject** bodies, int count,
                   const btContactSolverInfo& info, StepReport& report);
 void gatherContacts(Group& group, btPersistentManifold** manifolds, int count,

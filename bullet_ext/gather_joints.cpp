@@ -9,25 +9,15 @@
 namespace delassus::bullet {
 namespace {
 
-/// What a joint writes for one row. Four scalars an axis and this alignment, because some joints
-/// write whole btVector3.
-struct alignas(16) InfoRow {
-  btScalar linearA[4], angularA[4], linearB[4], angularB[4];
-  btScalar error, cfm, lower, upper;
-};
-
-struct JointInfo {
-  std::vector<InfoRow> rows;
-  double damping = 1;
-};
-
-/// Asks the joint for its rows, everything set beforehand as Bullet's solvers set it.
-void askRows(btTypedConstraint& joint, int count, const btContactSolverInfo& info, JointInfo& out) {
+/// Asks the joint for its rows, everything set beforehand as Bullet's solvers set it. Returns the
+/// joint's damping.
+double askRows(btTypedConstraint& joint, int count, const btContactSolverInfo& info,
+               std::vector<InfoRow>& rows) {
   InfoRow blank{};
   blank.lower = -SIMD_INFINITY;
   blank.upper = SIMD_INFINITY;
-  out.rows.assign(count, blank);
-  InfoRow& first = out.rows.front();
+  rows.assign(count, blank);
+  InfoRow& first = rows.front();
   first.cfm = info.m_globalCfm;  // in the first row only: Bullet's joints inherit it there
 
   btTypedConstraint::btConstraintInfo2 ask;
@@ -45,7 +35,7 @@ void askRows(btTypedConstraint& joint, int count, const btContactSolverInfo& inf
   ask.m_numIterations = info.m_numIterations;  // spring joints divide by it
   ask.m_damping = info.m_damping;
   joint.getInfo2(&ask);
-  out.damping = ask.m_damping;  // a joint may put its own in
+  return ask.m_damping;  // a joint may put its own in
 }
 
 Row6 jacobian(const btScalar* linear, const btScalar* angular) {
@@ -112,16 +102,16 @@ void clearResult(btTypedConstraint& joint) {
   }
 }
 
-void gatherRows(Group& group, btTypedConstraint& joint, const JointInfo& asked,
+void gatherRows(Group& group, btTypedConstraint& joint, double damping,
                 const btContactSolverInfo& info, StepReport& report) {
   const int a = bodyIndex(group, joint.getRigidBodyA(), info, report);
   const int b = bodyIndex(group, joint.getRigidBodyB(), info, report);
   if (a == leftOut || b == leftOut || (!group.movable(a) && !group.movable(b))) return;
 
   JointSource source{&joint, static_cast<int>(group.rows.size()), 0, -1};
-  for (std::size_t i = 0; i < asked.rows.size(); ++i) {
+  for (std::size_t i = 0; i < group.asked.size(); ++i) {
     const Row row =
-        toRow(group, a, b, asked.rows[i], asked.damping, joint.getBreakingImpulseThreshold());
+        toRow(group, a, b, group.asked[i], damping, joint.getBreakingImpulseThreshold());
     source.lastRow = -1;
     if (const char* fault = faultOf(row)) {
       report.tell("row " + std::to_string(i) + " of a joint of " + nameOf(joint.getRigidBodyA()) +
@@ -140,7 +130,6 @@ void gatherRows(Group& group, btTypedConstraint& joint, const JointInfo& asked,
 
 void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
                   const btContactSolverInfo& info, StepReport& report) {
-  JointInfo asked;
   for (int i = 0; i < count; ++i) {
     btTypedConstraint& joint = *constraints[i];
     joint.buildJacobian();
@@ -150,8 +139,8 @@ void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
     btTypedConstraint::btConstraintInfo1 size{};  // btContactConstraint leaves it as it is
     joint.getInfo1(&size);
     if (size.m_numConstraintRows > 0) {
-      askRows(joint, size.m_numConstraintRows, info, asked);
-      gatherRows(group, joint, asked, info, report);
+      const double damping = askRows(joint, size.m_numConstraintRows, info, group.asked);
+      gatherRows(group, joint, damping, info, report);
     } else {
       group.obsolete.push_back(&joint);
     }

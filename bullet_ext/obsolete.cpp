@@ -68,8 +68,8 @@ bool ObsoleteConstraints::sweep(Group& group, const std::vector<Body>& moved) {
   for (std::size_t i = 0; i < group.obsolete.size(); ++i) {
     btTypedConstraint& constraint = *group.obsolete[i];
     const auto indexOf = [&](const btCollisionObject& object) {
-      const auto entry = group.indexOf.find(&object);
-      return entry == group.indexOf.end() ? fixedWorld : entry->second;
+      const int* index = group.indexOf.find(&object);
+      return index ? *index : fixedWorld;
     };
     const int a = indexOf(constraint.getRigidBodyA()), b = indexOf(constraint.getRigidBodyB());
     if (a == leftOut || b == leftOut) continue;

@@ -5,8 +5,8 @@
 namespace delassus::bullet {
 namespace {
 
-std::vector<Contact> deepContacts(const Group& group) {
-  std::vector<Contact> deep;
+void findDeepContacts(const Group& group, std::vector<Contact>& deep) {
+  deep.clear();
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {
     if (!(group.pushes[i] > 0)) continue;
     Contact contact = group.contacts[i];
@@ -14,15 +14,19 @@ std::vector<Contact> deepContacts(const Group& group) {
     contact.target = {group.pushes[i], 0, 0};
     deep.push_back(contact);
   }
-  return deep;
 }
 
 }  // namespace
 
+std::size_t Pushes::bytes() const {
+  return bodies.capacity() * sizeof(Body) + deep.capacity() * sizeof(Contact);
+}
+
 void solvePushes(const Group& group, Solver& solver, Pushes& pushes) {
   pushes.bodies.clear();
   pushes.islands = pushes.unsolved = pushes.regions = pushes.factorisations = 0;
-  const std::vector<Contact> deep = deepContacts(group);
+  std::vector<Contact>& deep = pushes.deep;
+  findDeepContacts(group, deep);
   if (deep.empty()) return;
 
   pushes.bodies = group.bodies;

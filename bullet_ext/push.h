@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "bullet_ext/gather.h"
@@ -13,8 +14,11 @@ namespace delassus::bullet {
 ///
 /// Bodies start from rest; the contacts with p > 0 alone take part, without friction or joints.
 struct Pushes {
-  std::vector<Body> bodies;  ///< push velocities; empty if nothing has to move
+  std::vector<Contact> deep;  ///< contacts with p > 0, without friction
+  std::vector<Body> bodies;   ///< push velocities; empty if nothing has to move
   int islands = 0, unsolved = 0, regions = 0, factorisations = 0;
+
+  std::size_t bytes() const;
 };
 
 void solvePushes(const Group& group, Solver& solver, Pushes& pushes);

@@ -12,11 +12,12 @@
 namespace delassus::bullet {
 namespace {
 
-/// The reactions of `answer` that belong to the island, in the order of its unknowns.
-VectorXd reactionsOf(const Answer& answer, const Island& island) {
+/// Collects in `answer.guess` the reactions of the island, in the order of its unknowns.
+void collectGuess(const Island& island, Answer& answer) {
   const auto contacts = static_cast<int>(island.frictional.size());
   const auto scalars = static_cast<int>(island.frictionless.size() + island.rows.size());
-  VectorXd r(3 * contacts + scalars);
+  VectorXd& r = answer.guess;
+  r.resize(3 * contacts + scalars);
   int at = 0;
   for (int i : island.frictional) {
     r.segment<3>(at) = answer.contacts[i];
@@ -24,7 +25,6 @@ VectorXd reactionsOf(const Answer& answer, const Island& island) {
   }
   for (int i : island.frictionless) r[at++] = answer.contacts[i][0];
   for (int i : island.rows) r[at++] = answer.rows[i];
-  return r;
 }
 
 void keepReactions(const Island& island, const Solution& solution, Answer& answer) {
@@ -66,7 +66,8 @@ std::string nameOfPart(const Group& group, const Island& island, int unknown) {
 
 void solveIsland(const Group& group, const Island& island, Solver& solver, Answer& answer) {
   const Problem problem = assemble(group.bodies, group.contacts, group.rows, island);
-  const Solution solution = solver.solve(problem, reactionsOf(answer, island));
+  collectGuess(island, answer);
+  const Solution solution = solver.solve(problem, answer.guess);
   answer.regions += solution.regions;
   answer.factorisations += solution.factorisations;
 
@@ -101,13 +102,15 @@ void solveIslands(const Group& group, Solver& solver, Answer& answer) {
 
 std::size_t Answer::bytes() const {
   const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-  return of(bodies) + of(contacts) + of(modes) + of(rows) + of(islands);
+  return of(bodies) + of(contacts) + of(modes) + of(rows) + of(islands) +
+         static_cast<std::size_t>(guess.size()) * sizeof(double);
 }
 
 void solveGroup(Group& group, const btContactSolverInfo& info, Solver& solver, Answer& answer) {
   answer.regions = answer.factorisations = answer.obsoleteConstraints = 0;
   answer.contacts = group.guess;
-  answer.rows.assign(group.rows.size(), 0);
+  answer.rows = group.rowGuess;
+  answer.rows.resize(group.rows.size(), 0);
   solveIslands(group, solver, answer);
   if (group.obsolete.empty()) return;
 

@@ -24,6 +24,7 @@ struct Answer {
   std::vector<Mode> modes;     ///< of each contact
   std::vector<double> rows;    ///< reaction of each row, N·s
   std::vector<IslandResult> islands;
+  VectorXd guess;  ///< of the island that is being solved
   int regions = 0, factorisations = 0, obsoleteConstraints = 0;
 
   std::size_t bytes() const;

@@ -139,6 +139,11 @@ Problem assemble(const std::vector<Body>& bodies, const std::vector<Contact>& co
   const auto velocity = [&](int body) -> Vec6 {
     return body >= 0 ? bodies[body].velocity : Vec6::Zero();
   };
+  double largestTerm = 0;
+  const auto difference = [&](const auto& a, const auto& b, const auto& target) {
+    largestTerm = std::max({largestTerm, a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()});
+    return (a + b - target).eval();
+  };
 
   int at = 0;
   for (int i : island.frictional) {
@@ -149,7 +154,8 @@ Problem assemble(const std::vector<Body>& bodies, const std::vector<Contact>& co
     if (entry.b >= 0) entry.Jb = massNormalised<3>(Jb, roots[entry.b]);
     space.contacts.push_back(entry);
     space.compliance[at] = c.compliance;
-    problem.q.segment<3>(at) = Ja * velocity(c.a) + Jb * velocity(c.b) - c.target;
+    problem.q.segment<3>(at) =
+        difference(Vec3(Ja * velocity(c.a)), Vec3(Jb * velocity(c.b)), c.target);
     problem.friction[at / 3] = c.friction;
     at += 3;
   }
@@ -161,7 +167,8 @@ Problem assemble(const std::vector<Body>& bodies, const std::vector<Contact>& co
     if (entry.b >= 0) entry.Jb = massNormalised<1>(Jb, roots[entry.b]);
     space.rows.push_back(entry);
     space.compliance[at] = compliance;
-    problem.q[at] = Ja.dot(velocity(a)) + Jb.dot(velocity(b)) - target;
+    problem.q.segment<1>(at) =
+        difference(Vec1(Ja * velocity(a)), Vec1(Jb * velocity(b)), Vec1(target));
     problem.lower[at - 3 * n] = lower;
     problem.upper[at - 3 * n] = upper;
     ++at;
@@ -177,6 +184,7 @@ Problem assemble(const std::vector<Body>& bodies, const std::vector<Contact>& co
     addRow(c.a, c.b, c.jacobianA, c.jacobianB, c.target, c.lower, c.upper, c.compliance);
   }
 
+  problem.roundOff = 4 * std::numeric_limits<double>::epsilon() * largestTerm;
   problem.W = DelassusMatrix(std::move(space));
   return problem;
 }

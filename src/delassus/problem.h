@@ -19,6 +19,7 @@ struct Problem {
   VectorXd q;             ///< relative velocity without reactions, size 3 n + m
   VectorXd friction;      ///< μ, size n
   VectorXd lower, upper;  ///< bounds of the rows, size m
+  double roundOff = 0;    ///< error of q from velocities that cancel in it, m/s
 
   int contacts() const { return static_cast<int>(friction.size()); }
   int rows() const { return static_cast<int>(lower.size()); }

@@ -21,8 +21,19 @@ void ProximalNewton<Motion>::setProblem(const Problem& problem) {
       problem.W.inBodySpace() ? problem.W.bodySpace().compliance : VectorXd::Zero(problem.size());
   G_.contacts.resize(n);
   G_.rows.resize(problem.rows());
+  forgetFactor();
+}
+
+template <class Motion>
+void ProximalNewton<Motion>::forgetFactor() {
   factored_.contacts.clear();
   factored_.rows.resize(0);
+}
+
+template <class Motion>
+Motion& ProximalNewton<Motion>::motion() {
+  forgetFactor();
+  return motion_;
 }
 
 template <class Motion>
@@ -119,7 +130,7 @@ bool ProximalNewton<Motion>::factorise(Solution& count) {
   if (fine)
     factored_ = G_;
   else
-    factored_.contacts.clear(), factored_.rows.resize(0);
+    forgetFactor();
   return fine;
 }
 
@@ -180,55 +191,94 @@ typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
 }
 
 template <class Motion>
-bool ProximalNewton<Motion>::walk(const Problem& problem, double tolerance, double alpha,
-                                  int regionBudget, Solution& best) {
+Outcome ProximalNewton<Motion>::walk(const Problem& problem, double tolerance, double alpha,
+                                     int regionBudget, Solution& best) {
   center_ = best.r;
   u_ = best.u;
   return converge(problem, tolerance, alpha, regionBudget, false, best);
 }
 
 template <class Motion>
-bool ProximalNewton<Motion>::walkFromRegion(const Problem& problem, double tolerance, double alpha,
-                                            int regionBudget, Solution& best) {
+Outcome ProximalNewton<Motion>::walkFromRegion(const Problem& problem, double tolerance,
+                                               double alpha, int regionBudget, Solution& best) {
   center_ = VectorXd::Zero(problem.size());
   u_ = problem.q;
   return converge(problem, tolerance, alpha, regionBudget, true, best);
 }
 
+/// Incompatible demands let the reactions grow without end, by the same d each time, along which no body moves: J̃ᵀ d = 0.
+/// The motion is then the compromise, nearest to the demands in least squares, weighted by the W_aa. Contacts with friction
+/// have no part in it: what is squeezed may slip out, u_n = −μ |u_t| being no demand at all.
 template <class Motion>
-bool ProximalNewton<Motion>::converge(const Problem& problem, double tolerance, double alpha,
-                                      int regionBudget, bool fromRegion, Solution& best) {
-  constexpr double smallest = 1e-12, largest = 10;
+bool ProximalNewton<Motion>::growsInVain(const Problem& problem, double tolerance,
+                                         double residual) const {
+  const VectorXd d = r_ - center_;
+  const int frictional = 3 * problem.contacts();
+  const VectorXd open = d.cwiseQuotient(l_);
+  if (open.size() == frictional || open.cwiseAbs().maxCoeff() < 0.1 * residual) return false;
+  if (frictional > 0 && open.head(frictional).cwiseAbs().maxCoeff() > 1e-6 * residual) return false;
+  const VectorXd moved = motion_.relativeVelocity(motion_.impulse(d));
+  return moved.cwiseAbs().maxCoeff() <= std::max(tolerance, 1e-6 * residual);
+}
+
+/// Takes the part along d = r − center out of the reactions, and names those whose demands it was.
+template <class Motion>
+void ProximalNewton<Motion>::compromise(const Problem& problem, Solution& best) {
+  const VectorXd d = r_ - center_;
+  const VectorXd open = scale_.cwiseProduct(d);
+  best.r = center_ - d * (open.dot(center_) / open.dot(d));
+  best.u = problem.W * best.r + problem.q;
+  best.residual = naturalResidual(problem, best.r, best.u).max;
+  const double largest = open.cwiseAbs().maxCoeff();
+  best.blamed.clear();
+  for (int i = 0; i < problem.contacts(); ++i)
+    if (open.segment<3>(3 * i).norm() > 0.1 * largest) best.blamed.push_back(3 * i);
+  for (int at = 3 * problem.contacts(); at < problem.size(); ++at)
+    if (std::abs(open[at]) > 0.1 * largest) best.blamed.push_back(at);
+}
+
+template <class Motion>
+Outcome ProximalNewton<Motion>::converge(const Problem& problem, double tolerance, double alpha,
+                                         int regionBudget, bool fromRegion, Solution& best) {
+  constexpr double smallest = 1e-12, largest = 10, hardly = 1e-8;
   constexpr int mostOuters = 60, mostFailures = 4;
   // An error of the motion (in energy norm) that no contact can tell from the tolerance.
   fine_ = 0.1 * tolerance / std::sqrt(scale_.maxCoeff());
   r_ = center_;
-  double residual = std::numeric_limits<double>::infinity();
+  double residual = fromRegion ? std::numeric_limits<double>::infinity() : best.residual;
   int failures = 0;
   for (int outer = 0; outer < mostOuters; ++outer) {
     setWeights(alpha);
     const Solution* region = fromRegion && outer == 0 ? &best : nullptr;
     if (solveProximal(problem, regionBudget, best, region) == Inner::Failed) {
+      if (best.residual <= tolerance) return Outcome::Reached;
       if (fromRegion || regionBudget <= 0 || ++failures > mostFailures || alpha >= largest)
-        return false;
+        return Outcome::Lost;
       alpha *= 10;
       continue;
     }
+    const VectorXd u = problem.W * r_ + problem.q;
+    const double now = naturalResidual(problem, r_, u).max;
+    if (now > 0.5 * residual && alpha <= hardly && growsInVain(problem, tolerance, now)) {
+      compromise(problem, best);
+      return Outcome::Incompatible;
+    }
     center_ = r_;
-    u_ = problem.W * center_ + problem.q;
-    const double now = naturalResidual(problem, center_, u_).max;
+    u_ = u;
     if (now < best.residual) {
       best.r = center_;
       best.u = u_;
       best.residual = now;
     }
-    if (now <= std::max(tolerance, roundOff(scale_, center_))) return true;
+    // Some digits more if they come by themselves: then the next step may stand on these reactions.
+    const double aim = now > 0.1 * residual ? tolerance : 0.1 * tolerance;
+    if (now <= std::max(aim, roundOff(scale_, center_))) return Outcome::Reached;
     // A region that is known needs a small weight to finish; one that still changes needs a larger one.
-    if (now > 0.1 * residual && alpha <= smallest) return false;
-    if (now > 0.01 * residual || !fromRegion) alpha = std::max(smallest, 0.1 * alpha);
+    if (now > 0.1 * residual && alpha <= smallest) return Outcome::Lost;
+    if (now > 0.01 * residual) alpha = std::max(smallest, 0.1 * alpha);
     residual = now;
   }
-  return false;
+  return Outcome::Lost;
 }
 
 template class ProximalNewton<BodyMotion>;

@@ -6,6 +6,12 @@
 
 namespace delassus {
 
+enum class Outcome : unsigned char {
+  Reached,       ///< within the tolerance
+  Lost,          ///< out of budget, or no way to a better region
+  Incompatible,  ///< no motion meets all demands; the compromise was taken
+};
+
 /// The walk from region to region: a proximal Newton method in a motion space (algorithms §6.10, written in increments).
 ///
 /// Around reactions r_k the law is answered by z = r_k − l (u_k + J̃ δ) with l = 1/(compliance + A), A = α W_aa, and
@@ -18,14 +24,18 @@ class ProximalNewton {
   void setProblem(const Problem& problem);
 
   /// Improves best.r (with its u and residual) until its natural residual is at most `tolerance` (m/s), or the region
-  /// budget is spent. `alpha`: first proximal weight. Returns whether the tolerance was reached.
-  bool walk(const Problem& problem, double tolerance, double alpha, int regionBudget,
-            Solution& best);
+  /// budget is spent. `alpha`: first proximal weight. Among redundant contacts the limit stays near the reactions it came
+  /// from: a self-stress changes only as much as the demands ask.
+  Outcome walk(const Problem& problem, double tolerance, double alpha, int regionBudget,
+               Solution& best);
 
   /// The same, but tests the region of best.r first and starts its reactions from zero: the limit is the smoothest share
   /// (least norm) among redundant contacts, whatever the guess was.
-  bool walkFromRegion(const Problem& problem, double tolerance, double alpha, int regionBudget,
-                      Solution& best);
+  Outcome walkFromRegion(const Problem& problem, double tolerance, double alpha, int regionBudget,
+                         Solution& best);
+
+  /// The space of the last problem, for other methods; what it has factored is forgotten here.
+  Motion& motion();
 
   std::size_t bytes() const { return motion_.bytes(); }
 
@@ -40,8 +50,11 @@ class ProximalNewton {
   /// Factors the Newton matrix of G_, unless that very region is factored already.
   bool factorise(Solution& count);
   Inner solveProximal(const Problem& problem, int& budget, Solution& count, const Solution* region);
-  bool converge(const Problem& problem, double tolerance, double alpha, int regionBudget,
-                bool fromRegion, Solution& best);
+  Outcome converge(const Problem& problem, double tolerance, double alpha, int regionBudget,
+                   bool fromRegion, Solution& best);
+  bool growsInVain(const Problem& problem, double tolerance, double residual) const;
+  void compromise(const Problem& problem, Solution& best);
+  void forgetFactor();
 
   Motion motion_;
   VectorXd scale_;  ///< mean diagonal of W_aa per unknown

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "delassus/cone.h"
+#include "delassus/interior_point.h"
 #include "delassus/one_contact.h"
 #include "delassus/proximal_newton.h"
 #include "delassus/residual.h"
@@ -82,46 +83,74 @@ void consider(const Problem& problem, const VectorXd& r, Solution& best) {
 }  // namespace
 
 struct Solver::Workspace {
+  template <class Motion>
+  struct Engines {
+    ProximalNewton<Motion> walk;
+    InteriorPoint<Motion> interior;
+  };
   Sweeps sweeps;
-  ProximalNewton<BodyMotion> bodies;
-  ProximalNewton<FactoredMotion> factored;
+  Engines<BodyMotion> bodies;
+  Engines<FactoredMotion> factored;
 
-  template <class Newton>
-  void walk(Newton& newton, const Problem& problem, const Options& options, double tolerance,
-            bool warm, Solution& best);
+  template <class Motion>
+  Outcome walk(Engines<Motion>& engines, const Problem& problem, const Options& options,
+               double tolerance, bool warm, Solution& best);
+  void sweep(const Problem& problem, int count, VectorXd& r, Solution& best);
 };
 
-/// The regions most likely right are tried first, with reactions that start from zero: the warm one, or the paper's forced
-/// motion (every approaching contact held). Then a few sweeps find the neighbourhood and the walk the region, in turns.
-template <class Newton>
-void Solver::Workspace::walk(Newton& newton, const Problem& problem, const Options& options,
-                             double tolerance, bool warm, Solution& best) {
-  constexpr double knownRegion = 1e-6, unknownRegion = 1e-1;
-  newton.setProblem(problem);
-  VectorXd r = best.r;
-  const int firstTry = options.newtonBudget / (warm ? 4 : 16);
-  best.activeSet = warm ? readActiveSet(problem, best.r, best.u) : forcedActiveSet(problem);
-  if (newton.walkFromRegion(problem, tolerance, knownRegion, firstTry, best)) return;
-
+void Solver::Workspace::sweep(const Problem& problem, int count, VectorXd& r, Solution& best) {
   sweeps.setProblem(problem);
-  for (int burst = 10; best.sweeps < options.sweepBudget; burst *= 2) {
-    for (int k = 0; k < burst; ++k) sweeps.sweep(problem, r);
-    best.sweeps += burst;
-    consider(problem, r, best);
-    const int left = options.newtonBudget - best.regions;
-    if (left <= 0) return;
-    if (newton.walk(problem, tolerance, unknownRegion, left, best)) break;
-  }
-  if (best.residual > std::max(tolerance, roundOff(problem.W.diagonal(), best.r))) return;
+  for (int k = 0; k < count; ++k) sweeps.sweep(problem, r);
+  best.sweeps += count;
+  consider(problem, r, best);
+}
 
-  // The walk kept the self-stress of the sweeps; from its region the smoothest share is a step away.
-  best.activeSet = readActiveSet(problem, best.r, best.u);
-  Solution smooth = best;
-  smooth.residual = std::numeric_limits<double>::infinity();
-  const bool kept = newton.walkFromRegion(problem, tolerance, knownRegion, firstTry, smooth);
-  best.regions = smooth.regions;
-  best.factorisations = smooth.factorisations;
-  if (kept) best = std::move(smooth);
+/// From the likeliest start to the surest: the reactions of the last step, which few sweeps mend where contacts came or
+/// went; without them the paper's forced motion, every approaching contact held, with reactions that start from zero. Where
+/// the walk loses its way, many contacts are at a wall of their region: an interior point comes down between the walls.
+template <class Motion>
+Outcome Solver::Workspace::walk(Engines<Motion>& engines, const Problem& problem,
+                                const Options& options, double tolerance, bool warm,
+                                Solution& best) {
+  constexpr double knownRegion = 1e-6, warmRegion = 1e-2, unknownRegion = 1e-1;
+  constexpr double disturbed = 1e-3;  // share of the demands that the last reactions leave open
+  constexpr int mendingSweeps = 10, interiorSteps = 40;
+  const int firstTry = options.newtonBudget / 6;
+  const double demand = problem.q.cwiseAbs().maxCoeff();
+  const VectorXd start = best.r;
+  const auto settled = [](Outcome outcome) { return outcome != Outcome::Lost; };
+  const auto left = [&] { return options.newtonBudget - best.regions; };
+  // What is left to correct says how far the walk must look.
+  const auto weight = [&] {
+    return std::clamp(std::sqrt(best.residual / demand), 1e-4, unknownRegion);
+  };
+
+  ProximalNewton<Motion>& newton = engines.walk;
+  newton.setProblem(problem);
+  Outcome outcome;
+  if (warm) {
+    VectorXd r = start;
+    if (best.residual > disturbed * demand) sweep(problem, mendingSweeps, r, best);
+    outcome = newton.walk(problem, tolerance, warmRegion, std::min(firstTry, left()), best);
+  } else {
+    best.activeSet = forcedActiveSet(problem);
+    outcome = newton.walkFromRegion(problem, tolerance, knownRegion, firstTry / 2, best);
+  }
+  if (settled(outcome)) return outcome;
+
+  if (engines.interior.solve(newton.motion(), problem, tolerance, std::min(interiorSteps, left()),
+                             best))
+    return Outcome::Reached;
+  outcome = newton.walk(problem, tolerance, weight(), left() / 2, best);
+  if (settled(outcome)) return outcome;
+
+  VectorXd r = start;
+  for (int count = mendingSweeps; best.sweeps < options.sweepBudget && left() > 0; count *= 2) {
+    sweep(problem, count, r, best);
+    outcome = newton.walk(problem, tolerance, unknownRegion, left(), best);
+    if (settled(outcome)) return outcome;
+  }
+  return Outcome::Lost;
 }
 
 Solver::Solver(Options options) : options_(options), workspace_(std::make_unique<Workspace>()) {}
@@ -133,11 +162,12 @@ Solution Solver::solve(const Problem& problem, const VectorXd& guess) {
   Solution best;
   consider(problem, feasible(problem, VectorXd::Zero(problem.size())), best);
   const double largestDemand = problem.size() > 0 ? problem.q.cwiseAbs().maxCoeff() : 0;
-  const double tolerance = options_.tolerance * largestDemand;
+  const double tolerance = std::max(options_.tolerance * largestDemand, problem.roundOff);
 
   const bool warm = guess.size() == problem.size() && problem.size() > 0 && guess.any();
   if (best.residual > tolerance && warm) consider(problem, feasible(problem, guess), best);
 
+  Outcome outcome = Outcome::Lost;
   if (best.residual > tolerance) {
     if (problem.contacts() == 1 && problem.rows() == 0) {
       ++best.regions;
@@ -145,14 +175,16 @@ Solution Solver::solve(const Problem& problem, const VectorXd& guess) {
                best);
     }
     if (best.residual > tolerance) {
-      if (problem.W.inBodySpace())
-        workspace_->walk(workspace_->bodies, problem, options_, tolerance, warm, best);
-      else
-        workspace_->walk(workspace_->factored, problem, options_, tolerance, warm, best);
+      Workspace& w = *workspace_;
+      outcome = problem.W.inBodySpace()
+                    ? w.walk(w.bodies, problem, options_, tolerance, warm, best)
+                    : w.walk(w.factored, problem, options_, tolerance, warm, best);
     }
   }
   const double attainable = std::max(tolerance, roundOff(problem.W.diagonal(), best.r));
-  best.status = best.residual <= attainable ? Status::Solved : Status::OutOfBudget;
+  best.status = outcome == Outcome::Incompatible ? Status::Incompatible
+                : best.residual <= attainable    ? Status::Solved
+                                                 : Status::OutOfBudget;
   best.activeSet = readActiveSet(problem, best.r, best.u);
   return best;
 }

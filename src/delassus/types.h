@@ -5,6 +5,8 @@
 
 namespace delassus {
 
+using Vec1 = Eigen::Matrix<double, 1, 1>;
+using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 using Vec6 = Eigen::Matrix<double, 6, 1>;  ///< linear part first, then angular

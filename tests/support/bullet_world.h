@@ -43,7 +43,7 @@ class BulletWorld {
   btDiscreteDynamicsWorld* operator->() { return &world_; }
   btDiscreteDynamicsWorld& operator*() { return world_; }
   btContactSolverInfo& info() { return world_.getSolverInfo(); }
-  btDispatcher& dispatcher() { return dispatcher_; }
+  btCollisionDispatcher& dispatcher() { return dispatcher_; }
   /// Of a world that was made with our solver.
   btDelassusConstraintSolver& delassus() {
     return dynamic_cast<btDelassusConstraintSolver&>(*solver_);

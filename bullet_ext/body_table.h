@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+class btCollisionObject;
+
+namespace delassus::bullet {
+
+/// The index that each object of a group has been given, for look-up only: nothing follows the
+/// order of addresses.
+///
+/// A table of its own, since the scratch number that Bullet keeps in an object is shared by threads
+/// where the object is a kinematic body. Open addressing; allocates only when it grows.
+class BodyTable {
+ public:
+  /// Forgets all objects.
+  void clear() {
+    ++generation_;
+    count_ = 0;
+  }
+
+  /// The index of `object`, or null if it has none.
+  const int* find(const btCollisionObject* object) const {
+    if (slots_.empty()) return nullptr;
+    const Slot& slot = slots_[place(object)];
+    return slot.generation == generation_ ? &slot.index : nullptr;
+  }
+
+  /// Gives an index to an object that has none.
+  void insert(const btCollisionObject* object, int index) {
+    if (2 * (count_ + 1) > slots_.size()) grow();
+    slots_[place(object)] = {object, generation_, index};
+    ++count_;
+  }
+
+  std::size_t bytes() const { return slots_.capacity() * sizeof(Slot); }
+
+ private:
+  struct Slot {
+    const btCollisionObject* object = nullptr;
+    std::uint64_t generation = 0;  ///< taken if it is that of the table
+    int index = 0;
+  };
+
+  /// Where the object is, or the free slot where it would be. At least half of the slots are free.
+  std::size_t place(const btCollisionObject* object) const {
+    const std::size_t mask = slots_.size() - 1;
+    // Fibonacci hashing: the golden ratio spreads addresses that differ by multiples of a size.
+    std::size_t i = (reinterpret_cast<std::uintptr_t>(object) * 0x9E3779B97F4A7C15u >> 32) & mask;
+    while (slots_[i].generation == generation_ && slots_[i].object != object) i = (i + 1) & mask;
+    return i;
+  }
+
+  void grow() {
+    constexpr std::size_t smallest = 16;
+    std::vector<Slot> old(slots_.empty() ? smallest : 2 * slots_.size());
+    old.swap(slots_);
+    for (const Slot& slot : old)
+      if (slot.generation == generation_) slots_[place(slot.object)] = slot;
+  }
+
+  std::vector<Slot> slots_;  ///< a power of two
+  std::size_t count_ = 0;
+  std::uint64_t generation_ = 1;
+};
+
+}  // namespace delassus::bullet

@@ -1,0 +1,84 @@
+#include "bullet_ext/contact_frame.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "BulletCollision/CollisionDispatch/btCollisionObject.h"
+#include "BulletCollision/NarrowPhaseCollision/btManifoldPoint.h"
+#include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
+#include "bullet_ext/convert.h"
+
+namespace delassus::bullet {
+namespace {
+
+Mat3 stretchOf(const btCollisionObject& object) {
+  if (!object.hasAnisotropicFriction(btCollisionObject::CF_ANISOTROPIC_FRICTION))
+    return Mat3::Identity();
+  const Mat3 R = toCore(object.getWorldTransform().getBasis());
+  return R * toCore(object.getAnisotropicFriction()).asDiagonal() * R.transpose();
+}
+
+/// The first direction of btPlaneSpace1, which asks for the greatest part of n in its own precision.
+Vec3 planeSpace(const btVector3& normal, const Vec3& n) {
+  if (btFabs(normal.z()) > SIMDSQRT12) {
+    const double k = 1 / std::sqrt(n[1] * n[1] + n[2] * n[2]);
+    return {0, -k * n[2], k * n[1]};
+  }
+  const double k = 1 / std::sqrt(n[0] * n[0] + n[1] * n[1]);
+  return {-k * n[1], k * n[0], 0};
+}
+
+void setUserDirections(const btManifoldPoint& point, int solverMode, ContactFrame& out) {
+  const Vec3 n = out.axes.col(0);
+  const auto inPlane = [&](const btVector3& direction) -> Vec3 {
+    const Vec3 t = toCore(direction);
+    return t - t.dot(n) * n;
+  };
+  out.axes.col(1) = inPlane(point.m_lateralFrictionDir1);
+  out.motion1 = point.m_contactMotion1;
+  if (solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) {
+    out.axes.col(2) = inPlane(point.m_lateralFrictionDir2);
+    out.motion2 = point.m_contactMotion2;
+  } else {
+    out.axes.col(2) = n.cross(out.axes.col(1));
+  }
+}
+
+}  // namespace
+
+Anisotropy anisotropyOf(const btCollisionObject& a, const btCollisionObject& b) {
+  Anisotropy out;
+  out.any = a.hasAnisotropicFriction(btCollisionObject::CF_ANISOTROPIC_FRICTION) ||
+            b.hasAnisotropicFriction(btCollisionObject::CF_ANISOTROPIC_FRICTION);
+  if (out.any) out.F = stretchOf(b) * stretchOf(a);
+  return out;
+}
+
+ContactFrame contactFrame(const btManifoldPoint& point, const Anisotropy& anisotropy,
+                          const btContactSolverInfo& info) {
+  ContactFrame out;
+  const Vec3 n = toCore(point.m_normalWorldOnB).normalized();
+  out.axes.col(0) = n;
+
+  if ((info.m_solverMode & SOLVER_ENABLE_FRICTION_DIRECTION_CACHING) &&
+      (point.m_contactPointFlags & BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED)) {
+    setUserDirections(point, info.m_solverMode, out);
+  } else {
+    out.axes.col(1) = planeSpace(point.m_normalWorldOnB, n);
+    out.axes.col(2) = n.cross(out.axes.col(1));
+    if (anisotropy.any) {
+      const Eigen::Matrix<double, 3, 2> stretched = anisotropy.F * out.axes.rightCols<2>();
+      out.axes.rightCols<2>() = stretched - n * (n.transpose() * stretched);
+    }
+  }
+
+  if (point.m_contactPointFlags & BT_CONTACT_FLAG_FRICTION_ANCHOR) {
+    const Vec3 drift = toCore(point.getPositionWorldOnA()) - toCore(point.getPositionWorldOnB());
+    const double rate = info.m_frictionERP / info.m_timeStep;
+    out.motion1 -= rate * drift.dot(out.axes.col(1));
+    out.motion2 -= rate * drift.dot(out.axes.col(2));
+  }
+  return out;
+}
+
+}  // namespace delassus::bullet

@@ -1,0 +1,128 @@
+#include <cmath>
+
+#include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
+#include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "bullet_ext/convert.h"
+#include "bullet_ext/gather.h"
+
+namespace delassus::bullet {
+namespace {
+
+/// What is wrong with a body, or null.
+const char* faultOf(const btRigidBody& rigid) {
+  const btTransform& pose = rigid.getWorldTransform();
+  if (!toCore(pose.getOrigin()).allFinite() || !toCore(pose.getBasis()).allFinite())
+    return "its pose is not finite";
+  if (!toCore(rigid.getLinearVelocity(), rigid.getAngularVelocity()).allFinite())
+    return "its velocity is not finite";
+  if (rigid.isKinematicObject()) return nullptr;
+  const Mat3 inertia = toCore(rigid.getInvInertiaTensorWorld());
+  if (!std::isfinite(rigid.getInvMass()) || !inertia.allFinite() ||
+      !toCore(rigid.getLinearFactor(), rigid.getAngularFactor()).allFinite())
+    return "its mass is not finite";
+  if (rigid.getInvMass() < 0 || inertia.diagonal().minCoeff() < 0 ||
+      rigid.getLinearFactor()[rigid.getLinearFactor().minAxis()] < 0)
+    return "its mass is negative";
+  if (!toCore(rigid.getTotalForce(), rigid.getTotalTorque()).allFinite())
+    return "the force on it is not finite";
+  return nullptr;
+}
+
+/// The gain of angular velocity from the inertia of rotation over one step, in each mode the body
+/// asks for.
+Vec3 gyroscopicGain(const btRigidBody& rigid, const btContactSolverInfo& info) {
+  Vec3 gain = Vec3::Zero();
+  const btVector3& inertia = rigid.getInvInertiaDiagLocal();
+  const bool round = inertia.x() == inertia.y() && inertia.y() == inertia.z();
+  if (round) return gain;  // ω × I ω = 0
+
+  const int flags = rigid.getFlags();
+  if (flags & BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT)
+    gain -= toCore(rigid.getInvInertiaTensorWorld()) *
+            toCore(rigid.computeGyroscopicForceExplicit(info.m_maxGyroscopicForce)) *
+            info.m_timeStep;
+  if (flags & BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD)
+    gain += toCore(rigid.computeGyroscopicImpulseImplicit_World(info.m_timeStep));
+  if (flags & BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY)
+    gain += toCore(rigid.computeGyroscopicImpulseImplicit_Body(info.m_timeStep));
+  // The implicit modes divide by the inertia; a body that cannot turn has none.
+  return gain.allFinite() ? gain : Vec3::Zero();
+}
+
+/// Adds the inverse mass of a dynamic body and what forces do to its velocity over the step.
+void addForces(const btRigidBody& rigid, const btContactSolverInfo& info, Body& body) {
+  const double h = info.m_timeStep;
+  const double inverseMass = rigid.getInvMass();
+  const Vec3 angularFactor = toCore(rigid.getAngularFactor());
+  const Mat3 tensor = toCore(rigid.getInvInertiaTensorWorld());
+
+  body.inverseMass = inverseMass * toCore(rigid.getLinearFactor());
+  body.inverseInertia = 0.5 * (tensor + tensor.transpose());
+
+  // Bullet's forces carry the factors already: gravity and applyForce put them in.
+  body.velocity.head<3>() += h * inverseMass * toCore(rigid.getTotalForce());
+  const Vec3 torque = h * toCore(rigid.getTotalTorque());
+  const Vec3 turn = body.inverseInertia * torque + gyroscopicGain(rigid, info);
+  body.velocity.tail<3>() += angularFactor.cwiseProduct(turn);
+  if (angularFactor != Vec3::Ones())
+    body.inverseInertia =
+        angularFactor.asDiagonal() * body.inverseInertia * angularFactor.asDiagonal();
+}
+
+/// Fills a record whose numbers may be no numbers: the caller looks.
+void fillBody(const btRigidBody& rigid, const btContactSolverInfo& info, Body& body,
+              BodySource& source) {
+  source.before = toCore(rigid.getLinearVelocity(), rigid.getAngularVelocity());
+  // A kinematic body has a velocity and no inverse mass, whatever mass is left in it.
+  body.velocity = source.before;
+  if (!rigid.isKinematicObject()) addForces(rigid, info, body);
+}
+
+/// One number that is finite and not negative only if the record is sound.
+bool sound(const btRigidBody& rigid, const Body& body) {
+  const btTransform& pose = rigid.getWorldTransform();
+  const double sum = toCore(pose.getOrigin()).sum() + toCore(pose.getBasis()).sum() +
+                     body.inverseMass.sum() + body.inverseInertia.sum() + body.velocity.sum();
+  return std::isfinite(sum) && body.inverseMass.minCoeff() >= 0 &&
+         body.inverseInertia.diagonal().minCoeff() >= 0;
+}
+
+}  // namespace
+
+std::string nameOf(const btCollisionObject& object) {
+  const int place = object.getWorldArrayIndex();
+  return place >= 0 ? "body " + std::to_string(place) : "a body outside the world";
+}
+
+int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo& info,
+              StepReport& report) {
+  btRigidBody* rigid = btRigidBody::upcast(&object);
+  if (!rigid) return fixedWorld;
+  // A body out of simulation keeps its place whatever its velocity says, and so does a static one.
+  const bool fixed = rigid->isStaticObject() || rigid->getInvMass() == 0 ||
+                     rigid->getActivationState() == DISABLE_SIMULATION;
+  if (fixed && !rigid->isKinematicObject()) return fixedWorld;
+  if (const int* known = group.indexOf.find(&object)) return *known;
+
+  const int index = static_cast<int>(group.bodies.size());
+  fillBody(*rigid, info, group.bodies.emplace_back(),
+           group.bodySources.emplace_back(BodySource{rigid, Vec6::Zero()}));
+  if (sound(*rigid, group.bodies.back())) {
+    group.indexOf.insert(&object, index);
+    return index;
+  }
+
+  group.bodies.pop_back();
+  group.bodySources.pop_back();
+  group.indexOf.insert(&object, leftOut);
+  const char* fault = faultOf(*rigid);
+  report.tell(nameOf(object) + " left out: " + (fault ? fault : "its numbers are too large"));
+  return leftOut;
+}
+
+void gatherBodies(Group& group, btCollisionObject** bodies, int count,
+                  const btContactSolverInfo& info, StepReport& report) {
+  for (int i = 0; i < count; ++i) bodyIndex(group, *bodies[i], info, report);
+}
+
+}  // namespace delassus::bullet

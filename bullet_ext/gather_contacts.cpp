@@ -1,0 +1,193 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "BulletCollision/BroadphaseCollision/btDispatcher.h"
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
+#include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
+#include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "bullet_ext/contact_frame.h"
+#include "bullet_ext/convert.h"
+#include "bullet_ext/gather.h"
+
+namespace delassus::bullet {
+namespace {
+
+/// How hard a contact is: the coefficients that stand for it in Bullet's two descriptions.
+struct Softness {
+  double erp, cfm;
+  bool own;  ///< the point brings a compliance of its own
+};
+
+Softness softnessOf(const btManifoldPoint& point, const btContactSolverInfo& info) {
+  Softness soft{info.m_erp2, info.m_globalCfm, false};
+  const int flags = point.m_contactPointFlags;
+  if (flags & (BT_CONTACT_FLAG_HAS_CONTACT_CFM | BT_CONTACT_FLAG_HAS_CONTACT_ERP)) {
+    if (flags & BT_CONTACT_FLAG_HAS_CONTACT_CFM) {
+      soft.cfm = point.m_contactCFM;
+      soft.own = soft.cfm > 0;
+    }
+    if (flags & BT_CONTACT_FLAG_HAS_CONTACT_ERP) soft.erp = point.m_contactERP;
+  } else if (flags & BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING) {
+    // An implicit spring and damper: r/h = −k (d + h u) − c u.
+    const double spring = static_cast<double>(info.m_timeStep) * point.m_combinedContactStiffness1;
+    const double both = std::max<double>(spring + point.m_combinedContactDamping1, SIMD_EPSILON);
+    soft = {spring / both, 1 / both, true};
+  }
+  return soft;
+}
+
+/// One manifold, its bodies found.
+struct Pair {
+  btPersistentManifold& manifold;
+  int a, b;
+  Vec3 centreA, centreB;
+  Vec6 beforeA, beforeB;  ///< velocities before forces
+  Anisotropy anisotropy;
+};
+
+Pair pairOf(const Group& group, btPersistentManifold& manifold, int a, int b) {
+  const btCollisionObject &objectA = *manifold.getBody0(), &objectB = *manifold.getBody1();
+  const auto before = [&](int body) {
+    return body >= 0 ? group.bodySources[body].before : Vec6::Zero();
+  };
+  return {manifold,
+          a,
+          b,
+          toCore(objectA.getWorldTransform().getOrigin()),
+          toCore(objectB.getWorldTransform().getOrigin()),
+          before(a),
+          before(b),
+          anisotropyOf(objectA, objectB)};
+}
+
+/// The velocity with which the bodies leave each other.
+double bounceOf(const Pair& pair, const btManifoldPoint& point, const btContactSolverInfo& info,
+                const Contact& c) {
+  if (point.m_combinedRestitution == 0) return 0;
+  const Vec3 approach = pair.beforeA.head<3>() + pair.beforeA.tail<3>().cross(c.armA) -
+                        pair.beforeB.head<3>() - pair.beforeB.tail<3>().cross(c.armB);
+  const double a = c.frame.col(0).dot(approach);
+  if (std::abs(a) < info.m_restitutionVelocityThreshold) return 0;
+  return std::max(0.0, -a * point.m_combinedRestitution);
+}
+
+/// Fills the contact, whose numbers may be no numbers, and answers with its push velocity.
+double fillContact(const Pair& pair, const btManifoldPoint& point, const btContactSolverInfo& info,
+                   Contact& c) {
+  const ContactFrame frame = contactFrame(point, pair.anisotropy, info);
+  c.a = pair.a;
+  c.b = pair.b;
+  c.armA = toCore(point.getPositionWorldOnA()) - pair.centreA;
+  c.armB = toCore(point.getPositionWorldOnB()) - pair.centreB;
+  c.frame = frame.axes;
+  c.friction = point.m_combinedFriction < 0 ? 0 : point.m_combinedFriction;
+
+  const double h = info.m_timeStep;
+  const double d = static_cast<double>(point.getDistance()) + info.m_linearSlop;
+  const Softness soft = softnessOf(point, info);
+  const bool split =
+      info.m_splitImpulse && d <= info.m_splitImpulsePenetrationThreshold && !soft.own;
+  const double recovery = d < 0 ? -d * soft.erp / h : 0;
+  c.target = {bounceOf(pair, point, info, c) - std::max(d, 0.0) / h + (split ? 0 : recovery),
+              frame.motion1, frame.motion2};
+  c.compliance = soft.cfm < 0 ? 0 : soft.cfm / h;
+  return split ? recovery : 0;
+}
+
+// Float normals are unit to 1e-6; beyond this a normal is a mistake, not rounding.
+constexpr double unitTolerance = 1e-3;
+
+/// What is wrong with a contact point, or null.
+const char* faultOf(const btManifoldPoint& point, const Contact& c, double push) {
+  const Vec3 normal = toCore(point.m_normalWorldOnB);
+  if (!normal.allFinite()) return "its normal is not finite";
+  if (std::abs(normal.norm() - 1) > unitTolerance) return "its normal is not a unit vector";
+  if (!std::isfinite(point.getDistance())) return "its distance is not finite";
+  if (!c.armA.allFinite() || !c.armB.allFinite()) return "its position is not finite";
+  if (!std::isfinite(c.friction)) return "its friction is not finite";
+  if (!c.frame.allFinite()) return "its friction directions are not finite";
+  if (!std::isfinite(point.m_combinedRestitution)) return "its restitution is not finite";
+  if (!c.target.tail<2>().allFinite()) return "its wanted sliding velocity is not finite";
+  if (!std::isfinite(c.target[0]) || !std::isfinite(c.compliance) || !std::isfinite(push))
+    return "its softness is not finite";
+  return nullptr;
+}
+
+/// Tells by one number whether a contact may be faulty, before faultOf says how.
+bool suspect(const btManifoldPoint& point, const Contact& c, double push) {
+  const double lengthError = static_cast<double>(point.m_normalWorldOnB.length2()) - 1;
+  const double sum = c.armA.sum() + c.armB.sum() + c.frame.sum() + c.target.sum() + c.friction +
+                     c.compliance + push + point.getDistance() + point.m_combinedRestitution;
+  return !(std::abs(lengthError) <= unitTolerance) || !std::isfinite(sum);
+}
+
+Vec3 guessOf(const btManifoldPoint& point, const btContactSolverInfo& info) {
+  if (!(info.m_solverMode & SOLVER_USE_WARMSTARTING)) return Vec3::Zero();
+  const Vec3 last{point.m_appliedImpulse, point.m_appliedImpulseLateral1,
+                  point.m_appliedImpulseLateral2};
+  if (!std::isfinite(last.sum()) || last[0] < 0) return Vec3::Zero();
+  // An exact answer needs no damping of where it starts from: the factor only says whether to start there.
+  return info.m_warmstartingFactor > 0 ? last : Vec3::Zero();
+}
+
+/// The dispatcher's word, as in groups that the world has split itself; an unsplit group comes
+/// unfiltered.
+bool responds(btDispatcher* dispatcher, const btCollisionObject& a, const btCollisionObject& b) {
+  return dispatcher ? dispatcher->needsResponse(&a, &b)
+                    : a.hasContactResponse() && b.hasContactResponse();
+}
+
+/// Tells what is wrong with the last contact of the group and takes it out; false if nothing is.
+bool takeOutFaulty(Group& group, const btManifoldPoint& point, const PointSource& source,
+                   double push, StepReport& report) {
+  const char* fault = faultOf(point, group.contacts.back(), push);
+  if (!fault) return false;
+  report.tell("contact " + std::to_string(source.point) + " of " +
+              nameOf(*source.manifold->getBody0()) + " and " +
+              nameOf(*source.manifold->getBody1()) + " left out: " + fault);
+  group.contacts.pop_back();
+  group.idle.push_back(source);
+  return true;
+}
+
+void gatherManifold(Group& group, const Pair& pair, const btContactSolverInfo& info,
+                    StepReport& report) {
+  btPersistentManifold& manifold = pair.manifold;
+  const bool takesPart =
+      pair.a != leftOut && pair.b != leftOut && (group.movable(pair.a) || group.movable(pair.b));
+  for (int i = 0; i < manifold.getNumContacts(); ++i) {
+    const btManifoldPoint& point = manifold.getContactPoint(i);
+    const bool tooFar = point.getDistance() > manifold.getContactProcessingThreshold();
+    if (!takesPart || tooFar) {
+      group.idle.push_back({&manifold, i});
+      continue;
+    }
+    Contact& contact = group.contacts.emplace_back();
+    const double push = fillContact(pair, point, info, contact);
+    if (suspect(point, contact, push) && takeOutFaulty(group, point, {&manifold, i}, push, report))
+      continue;
+    group.contactSources.push_back({&manifold, i});
+    group.pushes.push_back(push);
+    group.guess.push_back(guessOf(point, info));
+  }
+}
+
+}  // namespace
+
+void gatherContacts(Group& group, btPersistentManifold** manifolds, int count,
+                    const btContactSolverInfo& info, btDispatcher* dispatcher, StepReport& report) {
+  for (int i = 0; i < count; ++i) {
+    btPersistentManifold& manifold = *manifolds[i];
+    if (manifold.getNumContacts() == 0) continue;
+    // Manifolds carry their bodies as const; the solver's are not, as in every Bullet solver.
+    auto& a = const_cast<btCollisionObject&>(*manifold.getBody0());
+    auto& b = const_cast<btCollisionObject&>(*manifold.getBody1());
+    if (!responds(dispatcher, a, b)) continue;
+    const int indexA = bodyIndex(group, a, info, report);
+    const int indexB = bodyIndex(group, b, info, report);
+    gatherManifold(group, pairOf(group, manifold, indexA, indexB), info, report);
+  }
+}
+
+}  // namespace delassus::bullet

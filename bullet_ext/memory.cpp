@@ -1,0 +1,128 @@
+#include "bullet_ext/memory.h"
+
+#include <limits>
+#include <utility>
+
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
+#include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
+#include "bullet_ext/convert.h"
+#include "bullet_ext/solve_group.h"
+
+namespace delassus::bullet {
+namespace {
+
+/// The entry of `object`, searched from where the last one was found: arrays keep most of their order between steps.
+template <class Owners>
+auto find(const Owners& owners, const void* object, std::size_t& cursor) -> decltype(&owners[0]) {
+  for (std::size_t k = 0; k < owners.size(); ++k) {
+    const std::size_t i = (cursor + k) % owners.size();
+    if (owners[i].object != object) continue;
+    cursor = i + 1;
+    return &owners[i];
+  }
+  return nullptr;
+}
+
+const btManifoldPoint& pointOf(const PointSource& source) {
+  return source.manifold->getContactPoint(source.point);
+}
+
+bool isFresh(const btManifoldPoint& point) { return point.getLifeTime() <= 1; }
+
+/// End of the run of contacts that share the manifold of contact `begin`.
+int endOfManifold(const Group& group, int begin) {
+  const auto count = static_cast<int>(group.contactSources.size());
+  int end = begin + 1;
+  while (end < count && group.contactSources[end].manifold == group.contactSources[begin].manifold)
+    ++end;
+  return end;
+}
+
+}  // namespace
+
+void Memory::Step::clear() {
+  manifolds.clear();
+  joints.clear();
+  points.clear();
+  rows.clear();
+}
+
+void Memory::nextStep() {
+  std::swap(last_, now_);
+  now_.clear();
+  manifoldCursor_ = jointCursor_ = 0;
+}
+
+void Memory::recallPoints(Group& group, int begin, int end) {
+  int fresh = 0;
+  for (int i = begin; i < end; ++i) fresh += isFresh(pointOf(group.contactSources[i]));
+  if (fresh == 0) return;
+  const Owner* owner = find(last_.manifolds, group.contactSources[begin].manifold, manifoldCursor_);
+  if (!owner) return;
+
+  // Points that stayed claim their own past; what is left goes to the fresh ones.
+  const auto claim = [&](bool forFresh) {
+    for (int i = begin; i < end; ++i) {
+      const btManifoldPoint& point = pointOf(group.contactSources[i]);
+      if (isFresh(point) != forFresh) continue;
+      int nearest = -1;
+      const Vec3 place = toCore(point.m_localPointA);
+      double distance = std::numeric_limits<double>::max();
+      for (int k = owner->begin; k < owner->end; ++k) {
+        const double d = (last_.points[k].place - place).squaredNorm();
+        if (last_.points[k].reaction[0] < 0 || !(d < distance)) continue;
+        distance = d;
+        nearest = k;
+      }
+      if (nearest < 0) continue;
+      if (forFresh) group.guess[i] = last_.points[nearest].reaction;
+      last_.points[nearest].reaction[0] = -1;  // taken: no reaction pulls
+    }
+  };
+  claim(false);
+  claim(true);
+}
+
+void Memory::recall(Group& group) {
+  const auto contacts = static_cast<int>(group.contacts.size());
+  for (int begin = 0, end; begin < contacts; begin = end) {
+    end = endOfManifold(group, begin);
+    recallPoints(group, begin, end);
+  }
+
+  group.rowGuess.assign(group.rows.size(), 0);
+  for (const JointSource& joint : group.joints) {
+    const Owner* owner = find(last_.joints, joint.constraint, jointCursor_);
+    // A limit or motor that came or went shifts the rows: then they start from zero.
+    if (!owner || owner->end - owner->begin != joint.rowCount) continue;
+    for (int i = 0; i < joint.rowCount; ++i)
+      group.rowGuess[joint.firstRow + i] = last_.rows[owner->begin + i];
+  }
+}
+
+void Memory::keep(const Group& group, const Answer& answer) {
+  const auto contacts = static_cast<int>(group.contacts.size());
+  for (int begin = 0, end; begin < contacts; begin = end) {
+    end = endOfManifold(group, begin);
+    const auto first = static_cast<int>(now_.points.size());
+    for (int i = begin; i < end; ++i)
+      now_.points.push_back(
+          {toCore(pointOf(group.contactSources[i]).m_localPointA), answer.contacts[i]});
+    now_.manifolds.push_back({group.contactSources[begin].manifold, first, first + end - begin});
+  }
+  for (const JointSource& joint : group.joints) {
+    const auto first = static_cast<int>(now_.rows.size());
+    for (int i = 0; i < joint.rowCount; ++i) now_.rows.push_back(answer.rows[joint.firstRow + i]);
+    now_.joints.push_back({joint.constraint, first, first + joint.rowCount});
+  }
+}
+
+std::size_t Memory::bytes() const {
+  const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
+  std::size_t sum = 0;
+  for (const Step* step : {&last_, &now_})
+    sum += of(step->manifolds) + of(step->joints) + of(step->points) + of(step->rows);
+  return sum;
+}
+
+}  // namespace delassus::bullet

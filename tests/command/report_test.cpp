@@ -1,0 +1,141 @@
+// The report as its readers meet it, on two small scenes and two solvers.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read(const fs::path& path) {
+  std::stringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+/// The rows of a CSV file without quotes, each by the names of its columns.
+std::vector<std::map<std::string, std::string>> rowsOf(const fs::path& path) {
+  std::ifstream file(path);
+  std::vector<std::string> heading;
+  std::vector<std::map<std::string, std::string>> rows;
+  for (std::string line; std::getline(file, line);) {
+    std::vector<std::string> words;
+    std::istringstream text(line);
+    for (std::string word; std::getline(text, word, ',');) words.push_back(word);
+    if (heading.empty()) {
+      heading = words;
+      continue;
+    }
+    rows.emplace_back();
+    for (std::size_t i = 0; i < words.size(); ++i) rows.back()[heading[i]] = words[i];
+  }
+  return rows;
+}
+
+class Report : public testing::Test {
+ protected:
+  fs::path folder_ =
+      fs::temp_directory_path() / ("delassus_report_" + std::to_string(getpid()) +
+                                   testing::UnitTest::GetInstance()->current_test_info()->name());
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  fs::path out() const { return folder_ / "report"; }
+
+  /// `delassus report` on the small scenes; both outputs go to "said". Returns the exit status.
+  int report(const std::string& flags, const std::string& before = "") const {
+    const std::string line = before + DELASSUS_COMMAND +
+                             " report --quick --solvers delassus:1e-8,si:10 --out " +
+                             out().string() + " " + flags + " >" + said().string() + " 2>&1";
+    const int answer = std::system(line.c_str());
+    EXPECT_TRUE(WIFEXITED(answer));
+    return WEXITSTATUS(answer);
+  }
+  fs::path said() const { return folder_ / "said"; }
+};
+
+TEST_F(Report, judgesTheSameProblemBySolvers) {
+  ASSERT_EQ(report("--scenes stack_10 --parts same_problem,persisting"), 0) << read(said());
+  const auto rows = rowsOf(out() / "same_problem" / "stack_10.csv");
+  ASSERT_FALSE(rows.empty());
+  for (auto row : rows) {
+    EXPECT_EQ(row["ending"], "done");
+    EXPECT_LT(std::stod(row["certificate_residual"]), 1e-9);
+    EXPECT_LT(std::stod(row["certificate_agreement"]), 1e-6);
+    EXPECT_GT(std::stod(row["seconds"]), 0);
+    // The errors that the tolerances promise, and what ten sweeps cannot do in a stack from cold.
+    if (row["method"] == "delassus:1e-8")
+      EXPECT_LT(std::stod(row["error"]), 1e-5) << row["phase"];
+    else if (row["view"] == "cold")
+      EXPECT_GT(std::stod(row["error"]), 1e-2) << row["phase"];
+  }
+  const std::string page = read(out() / "report.md");
+  for (const char* words : {"delassus report --quick", "Bullet", "Who reaches which error",
+                            "Where `delassus` is not the fastest", "stack_10", "si:10"})
+    EXPECT_NE(page.find(words), std::string::npos) << words;
+}
+
+TEST_F(Report, measuresLeaveTheWorldAsItIs) {
+  ASSERT_EQ(report("--scenes card_house --parts same_problem"), 0) << read(said());
+  const auto first = rowsOf(out() / "same_problem" / "card_house.csv");
+  ASSERT_EQ(report("--scenes card_house --parts same_problem"), 0) << read(said());
+  const auto second = rowsOf(out() / "same_problem" / "card_house.csv");
+  ASSERT_EQ(first.size(), second.size());
+  for (std::size_t i = 0; i < first.size(); ++i)
+    for (const char* column : {"phase", "step", "contacts", "view", "method", "error",
+                               "residual_max", "wrong_modes", "certificate_residual"})
+      EXPECT_EQ(first[i].at(column), second[i].at(column)) << i << ' ' << column;
+}
+
+TEST_F(Report, goesOnWhereItWasInterrupted) {
+  const std::string what = "--scenes one_box,stack_10 --parts own_trajectory";
+  ASSERT_EQ(report(what), 0) << read(said());
+  const fs::path kept = out() / "own_trajectory" / "one_box.csv",
+                 lost = out() / "own_trajectory" / "stack_10.csv";
+  std::ofstream(kept, std::ios::app) << std::flush;
+  const std::string before = read(kept);
+  fs::remove(lost);
+  ASSERT_EQ(report(what + " --resume"), 0) << read(said());
+  EXPECT_EQ(read(kept), before);  // times differ from run to run: it was not measured again
+  EXPECT_TRUE(fs::exists(lost));
+}
+
+TEST_F(Report, doesNotMixTwoReports) {
+  ASSERT_EQ(report("--scenes one_box --parts own_trajectory"), 0) << read(said());
+  EXPECT_EQ(report("--scenes one_box,incline --parts own_trajectory --resume"), 1);
+  EXPECT_NE(read(said()).find("--scenes one_box"), std::string::npos) << read(said());
+}
+
+TEST_F(Report, tellsWhatItLacks) {
+  EXPECT_EQ(report("--scenes one_bx"), 1);
+  EXPECT_NE(read(said()).find("one_box"), std::string::npos);
+  EXPECT_EQ(report("--parts nonsense"), 1);
+  EXPECT_NE(read(said()).find("own_trajectory"), std::string::npos);
+  EXPECT_FALSE(fs::exists(out()));
+
+  ASSERT_EQ(report("--scenes one_box --parts own_trajectory", "PATH=/nowhere "), 0) << read(said());
+  EXPECT_NE(read(out() / "report.md").find("gnuplot is missing"), std::string::npos);
+}
+
+TEST_F(Report, findsTheOrderOfTheIntegrator) {
+  ASSERT_EQ(report("--parts time_step"), 0) << read(said());
+  for (const char* scene : {"ball_off_ball", "sliding_ladder", "incline"}) {
+    std::map<double, double> errors;
+    for (auto row : rowsOf(out() / "time_step" / (std::string(scene) + ".csv")))
+      if (row["method"] == "delassus:1e-8")
+        errors[std::stod(row["rate"])] = std::stod(row["error"]);
+    ASSERT_EQ(errors.size(), 5U) << scene;
+    // First order: half the step, half the error.
+    EXPECT_NEAR(errors[240] / errors[480], 2, 0.1) << scene;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,148 @@
+// Files, framing, words, and the pictures that were looked at.
+#include "demos/render/picture.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <Eigen/Dense>
+#include <filesystem>
+#include <fstream>
+
+#include "tests/render/shot.h"
+
+namespace demos::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+class PngFile : public testing::Test {
+ protected:
+  fs::path folder_ = fs::temp_directory_path() / ("delassus_png_" + std::to_string(getpid()));
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+};
+
+Image stripes() {
+  Image image({37, 19});
+  for (int y = 0; y < 19; ++y)
+    for (int x = 0; x < 37; ++x) *image.pixel(x, y) = std::uint8_t(7 * x + 3 * y);
+  return image;
+}
+
+TEST_F(PngFile, ReadsBackWhatWasWritten) {
+  const std::string file = (folder_ / "a.png").string();
+  savePng(file, stripes());
+  const Image back = loadPng(file);
+  EXPECT_EQ(back.size.width, 37);
+  EXPECT_EQ(back.rgb, stripes().rgb);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1) << "a part was left behind";
+}
+
+TEST_F(PngFile, SaysWhichFolderCannotBeWritten) {
+  std::ofstream(folder_ / "file") << "x";
+  const std::string inFile = (folder_ / "file" / "deeper").string();
+  try {
+    prepareFolder(inFile);
+    FAIL();
+  } catch (const OutputError& error) {
+    EXPECT_NE(std::string(error.what()).find(inFile), std::string::npos);
+  }
+  EXPECT_THROW(savePng(inFile + "/a.png", stripes()), OutputError);
+}
+
+TEST(Similarity, IsOneForEqualAndLessForShifted) {
+  EXPECT_DOUBLE_EQ(structuralSimilarity(stripes(), stripes()), 1);
+  Image shifted({37, 19});
+  shifted.paste(stripes(), 3, 0);
+  EXPECT_LT(structuralSimilarity(stripes(), shifted), 0.9);
+}
+
+TEST(Readable, WritesNumbersAsPeopleDo) {
+  EXPECT_EQ(readable(0), "0");
+  EXPECT_EQ(readable(2e-13), "2·10⁻¹³");
+  EXPECT_EQ(readable(0.0441), "0.044");
+  EXPECT_EQ(readable(12), "12");
+  EXPECT_EQ(readable(2452.5), "2452");
+  EXPECT_EQ(readable(3.04e7), "3·10⁷");
+}
+
+TEST(View, ShowsAllCornersOfTheStage) {
+  for (const char* scene : {"stack_40", "box_headings", "wall_20x10"}) {
+    const Film film = [&] {
+      const auto world = findScene(scene).build();
+      NamedSolver solver("si:10");
+      return record(*world, solver, 60, {0}, [](double) {});
+    }();
+    for (const Size size : {Size{640, 360}, Size{200, 600}}) {
+      const View view = frameView({film}, stage({film}), Shot::wishOf(scene), size);
+      for (const Frame::Pose& pose : film.frames[0].poses) {
+        if (film.things[std::size_t(pose.thing)].mass == 0) continue;
+        for (const Eigen::Vector3d& corner : {pose.low, pose.high}) {
+          const auto seen = view.project(corner, size);
+          ASSERT_TRUE(seen.has_value());
+          EXPECT_TRUE(seen->x() > 0 && seen->x() < size.width) << scene;
+          EXPECT_TRUE(seen->y() > 0 && seen->y() < size.height) << scene;
+        }
+      }
+    }
+  }
+}
+
+Film filmOf(const std::string& scene, const std::string& name, double time) {
+  const auto world = findScene(scene).build();
+  NamedSolver solver(name);
+  return record(*world, solver, findScene(scene).hz, {time}, [](double) {});
+}
+
+TEST(Film, MarksCarryTheWeight) {
+  const Film film = filmOf("stack_10_heavy_top", "delassus", 0.2);
+  ASSERT_EQ(film.frames.size(), 1u);
+  Eigen::Vector3d onGround = Eigen::Vector3d::Zero();
+  for (const ContactMark& mark : film.frames[0].contacts) {
+    EXPECT_EQ(mark.mode, ContactMode::Sticking);
+    if (mark.place.y() < 0.1) onGround += mark.force;
+  }
+  EXPECT_NEAR(onGround.y(), 1009 * 9.81, 1);
+}
+
+TEST(Film, TellsReleasedContactsInTheirStep) {
+  // A bead below a plane leaves it in the first step (paper, 6).
+  const Film film = filmOf("bead_under_plane", "delassus", 1.0 / 60);
+  ASSERT_EQ(film.frames[0].contacts.size(), 1u);
+  EXPECT_EQ(film.frames[0].contacts[0].mode, ContactMode::Released);
+  EXPECT_EQ(film.frames[0].contacts[0].force.norm(), 0);
+}
+
+TEST(Film, JointsShowWhatHangsOnThem) {
+  const Film film = filmOf("heavy_ball_chain", "delassus", 0.1);
+  ASSERT_EQ(film.frames[0].joints.size(), 21u);
+  // The ball swings: its joint bears most of the weight along the chain.
+  EXPECT_GT(film.frames[0].joints[0].force.norm(), 500);
+  EXPECT_GT(film.frames[0].joints[0].force.y(), 0);
+}
+
+/// Pictures at time 0 depend on no solver. Across machines fonts and rasterisers differ a little.
+constexpr double sameToTheEye = 0.97;
+
+class Golden : public testing::TestWithParam<const char*> {};
+
+TEST_P(Golden, LooksAsItDidWhenItWasLookedAt) {
+  const std::string scene = GetParam();
+  Look look;
+  look.size = {480, 270};
+  look.title = scene;
+  look.summary = findScene(scene).summary;
+  look.expected = findScene(scene).expectation;
+  Studio studio({filmOf(scene, "si:10", 0)}, Shot::wishOf(scene), look, 1);
+  const Image picture = studio.picture({0});
+  const std::string file = std::string(DELASSUS_GOLDEN_DIR) + "/" + scene + ".png";
+  if (std::getenv("DELASSUS_NEW_GOLDEN") != nullptr) savePng(file, picture);
+  EXPECT_GT(structuralSimilarity(loadPng(file), picture), sameToTheEye);
+}
+INSTANTIATE_TEST_SUITE_P(Scenes, Golden,
+                         testing::Values("stack_10_heavy_top", "arch", "newton_cradle",
+                                         "spheres_bin", "ragdolls"),
+                         [](const auto& info) { return std::string(info.param); });
+
+}  // namespace
+}  // namespace demos::render
