@@ -4,7 +4,8 @@
 set -euo pipefail
 
 packages=(g++ cmake ninja-build pkg-config libeigen3-dev libbullet-dev libbullet-extras-dev libcli11-dev
-          nlohmann-json3-dev libosmesa6-dev libfreetype-dev libpng-dev libcairo2-dev fonts-dejavu-core gnuplot-nox)
+          nlohmann-json3-dev libosmesa6-dev libfreetype-dev libpng-dev libcairo2-dev fonts-dejavu-core
+          gnuplot-nox ffmpeg)
 for group in "$@"; do
   case "$group" in
     tests) packages+=(libgtest-dev libgmock-dev) ;;

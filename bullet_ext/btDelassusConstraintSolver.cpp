@@ -75,8 +75,8 @@ void btDelassusConstraintSolver::Workspace::countSolve() {
   report.obsoleteConstraints += answer.obsoleteConstraints;
   report.pushIslands += pushes.islands;
   report.pushUnsolved += pushes.unsolved;
-  report.workspaceBytes =
-      std::max(report.workspaceBytes, group.bytes() + memory.bytes() + answer.bytes() + pushes.bytes());
+  report.workspaceBytes = std::max(
+      report.workspaceBytes, group.bytes() + memory.bytes() + answer.bytes() + pushes.bytes());
 }
 
 btDelassusConstraintSolver::btDelassusConstraintSolver(const Options& options, btDelassusPrecision)

@@ -1,8 +1,21 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
 #include <stdexcept>
+#include <tuple>
 
 #include "demos/command.h"
 #include "demos/number_checks.h"
+#ifdef DELASSUS_RENDER
+#include "demos/progress_bar.h"
+#include "demos/render/picture.h"
+#include "demos/render/video.h"
+#include "demos/scenes/catalogue.h"
+#include "demos/subject.h"
+#endif
 
 namespace demos {
 
@@ -14,12 +27,129 @@ struct RenderArguments {
   std::vector<double> at;
   bool video = false;
   std::string out = "renders";
+  std::vector<double> camera, lookAt;  ///< x, y, z, or empty
+  std::string size = "1280x720";
+  bool plain = false, timing = false;
 };
+
+/// "1280x720" as two numbers; {0, 0} if it is not one.
+std::pair<int, int> readSize(const std::string& text) {
+  int width = 0, height = 0, end = 0;
+  constexpr int most = 8192;
+  if (std::sscanf(text.c_str(), "%5dx%5d%n", &width, &height, &end) != 2 ||
+      end != int(text.size()) || std::min(width, height) < 1 || std::max(width, height) > most)
+    return {0, 0};
+  return {width, height};
+}
+
+#ifdef DELASSUS_RENDER
+
+std::optional<Eigen::Vector3d> pointFrom(const std::vector<double>& numbers) {
+  if (numbers.empty()) return std::nullopt;
+  return Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
+}
+
+/// What the catalogue knows of the subject, if it is a scene: from where to look, and what to say.
+void describe(const Subject& subject, render::Wish& wish, render::Look& look) {
+  look.title = std::filesystem::path(subject.name).filename().string();
+  look.summary = std::to_string(subject.world->movableBodies().size()) + " bodies, " +
+                 std::to_string(subject.world->dynamics().getNumConstraints()) +
+                 " joints, as Bullet saved them";
+  for (const SceneDescription& scene : catalogue()) {
+    if (scene.name != subject.name) continue;
+    look.summary = scene.summary;
+    look.expected = scene.expectation;
+    const btVector3 back = scene.camera.eye - scene.camera.target;
+    wish.direction = {double(back.x()), double(back.y()), double(back.z())};
+    wish.fov = scene.camera.fov;
+  }
+}
+
+/// One film a solver, all at the same times. Worlds go when their film is made.
+std::vector<render::Film> recordAll(const RenderArguments& arguments,
+                                    std::vector<NamedSolver>& solvers,
+                                    const std::vector<double>& times) {
+  std::vector<render::Film> films;
+  for (NamedSolver& solver : solvers) {
+    Subject subject = openSubject(arguments.subject);
+    ProgressBar bar(subject.name + " " + solver.name());
+    films.push_back(render::record(*subject.world, solver, subject.hz, times,
+                                   [&bar](double fraction) { bar.show(fraction); }));
+  }
+  return films;
+}
+
+void say(const std::string& file) { std::printf("%s\n", file.c_str()); }
+
+void makePicture(const RenderArguments& arguments, std::vector<NamedSolver>& solvers,
+                 const std::vector<double>& times, const render::Wish& wish,
+                 const render::Look& look, const std::string& file) {
+  const int count = int(times.size());
+  render::Studio studio(recordAll(arguments, solvers, times), wish, look, count);
+  std::vector<int> frames;
+  for (int i = 0; i < count; ++i) frames.push_back(i);
+  render::savePng(file, studio.picture(frames));
+  say(file);
+}
+
+void makeVideo(const RenderArguments& arguments, std::vector<NamedSolver>& solvers, double seconds,
+               const render::Wish& wish, render::Look look, const std::string& file) {
+  constexpr double framesPerSecond = 30;
+  std::vector<double> times;
+  for (int i = 0; i <= int(std::lround(seconds * framesPerSecond)); ++i)
+    times.push_back(i / framesPerSecond);
+  // H.264 halves the resolution of colours.
+  look.size = {look.size.width / 2 * 2, look.size.height / 2 * 2};
+  render::Studio studio(recordAll(arguments, solvers, times), wish, look, 1);
+  ProgressBar bar(look.title + " video");
+  render::Video video(file, look.size, framesPerSecond);
+  for (int i = 0; i < int(times.size()); ++i) {
+    video.add(studio.picture({i}));
+    bar.show(double(i + 1) / double(times.size()));
+  }
+  video.finish();
+  say(file);
+}
+
+int renderSubject(const RenderArguments& arguments) {
+  // What can be wrong is found before the first solver has run for minutes.
+  std::vector<NamedSolver> solvers;
+  for (const std::string& name : splitNames(arguments.solvers)) solvers.emplace_back(name);
+  if (solvers.empty()) solvers.emplace_back(arguments.solvers);
+  const Subject subject = openSubject(arguments.subject);
+  if (arguments.video) render::requireFfmpeg();
+  render::prepareFolder(arguments.out);
+
+  render::Wish wish;
+  render::Look look;
+  describe(subject, wish, look);
+  wish.eye = pointFrom(arguments.camera);
+  wish.lookAt = pointFrom(arguments.lookAt);
+  std::tie(look.size.width, look.size.height) = readSize(arguments.size);
+  look.plain = arguments.plain;
+  look.timing = arguments.timing;
+
+  std::vector<double> times = arguments.at;
+  std::sort(times.begin(), times.end());
+  const std::string stem =
+      (std::filesystem::path(arguments.out) / std::filesystem::path(look.title).stem()).string();
+  if (arguments.video)
+    makeVideo(arguments, solvers, times.empty() ? subject.seconds : times.back(), wish, look,
+              stem + ".mp4");
+  else
+    makePicture(arguments, solvers, times.empty() ? std::vector<double>{subject.seconds} : times,
+                wish, look, stem + ".png");
+  return exitDone;
+}
+
+#else
 
 int renderSubject(const RenderArguments& arguments) {
   throw std::runtime_error("this build was made without the renderer: no pictures of '" +
                            arguments.subject + "'");
 }
+
+#endif
 
 }  // namespace
 
@@ -33,14 +163,32 @@ void addRenderCommand(CLI::App& app, Action& chosen) {
   command->add_option("--solver", arguments->solvers, "one or two, as in 'run'")
       ->type_name("A[,B]")
       ->capture_default_str();
-  command->add_option("--at", arguments->at, "times of the pictures, s")
+  command
+      ->add_option("--at", arguments->at,
+                   "times of the pictures, s; several make a strip (default: the scene's end)")
       ->delimiter(',')
       ->check(atLeastZero)
       ->type_name("T,...");
-  command->add_flag("--video", arguments->video, "an mp4 of the whole run");
+  command->add_flag("--video", arguments->video,
+                    "an mp4 of the run, to the last of --at if that is given");
   command->add_option("--out", arguments->out, "folder for what is made")
       ->type_name("DIR")
       ->capture_default_str();
+  const auto addPoint = [command](const char* flag, std::vector<double>& point, const char* what) {
+    command->add_option(flag, point, what)->delimiter(',')->expected(3)->type_name("X,Y,Z");
+  };
+  addPoint("--camera", arguments->camera, "where the camera is, m (default: found)");
+  addPoint("--look-at", arguments->lookAt, "what it looks at, m (default: found)");
+  command->add_option("--size", arguments->size, "of the whole picture, pixels")
+      ->type_name("WxH")
+      ->capture_default_str()
+      ->check([](const std::string& text) {
+        return readSize(text).first > 0 ? std::string()
+                                        : "'" + text + "' is not a size such as 1280x720";
+      });
+  command->add_flag("--plain", arguments->plain, "without captions, contacts and reactions");
+  command->add_flag("--timing", arguments->timing,
+                    "milliseconds a step in the captions (then bytes do not repeat)");
   command->callback(
       [&chosen, arguments] { chosen = [arguments] { return renderSubject(*arguments); }; });
 }

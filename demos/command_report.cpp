@@ -1,40 +1,46 @@
 #include <CLI/CLI.hpp>
-#include <stdexcept>
+#include <cstdio>
 
 #include "demos/command.h"
+#include "demos/report/part.h"
 
 namespace demos {
 
 namespace {
 
-struct ReportArguments {
-  std::vector<std::string> scenes;
-  std::vector<std::string> solvers;
-  std::string out = "report";
-  bool quick = false;
-};
-
-int writeReport(const ReportArguments& arguments) {
-  throw std::runtime_error("this build was made without the report: nothing written to '" +
-                           arguments.out + "'");
+int writeReport(const report::ReportArguments& arguments) {
+  const bool complete = report::makeReport(arguments);
+  std::printf("%s/report.md\n", arguments.out.c_str());
+  if (complete) return exitDone;
+  std::fprintf(stderr, "delassus: interrupted; '%s --resume' goes on\n",
+               arguments.command().c_str());
+  return exitFailed;
 }
 
 }  // namespace
 
 void addReportCommand(CLI::App& app, Action& chosen) {
-  auto arguments = std::make_shared<ReportArguments>();
+  auto arguments = std::make_shared<report::ReportArguments>();
   CLI::App* command =
       app.add_subcommand("report", "error against run time: CSV, plots, a summary in Markdown");
-  command->add_option("--scenes", arguments->scenes, "which (default: all)")
+  command->add_option("--scenes", arguments->scenes, "which (default: those the report names)")
       ->delimiter(',')
       ->type_name("NAME,...");
-  command->add_option("--solvers", arguments->solvers, "which, as in 'run'")
+  command
+      ->add_option("--solvers", arguments->solvers,
+                   "which, as in 'run', or delassus/N: at most N regions and N sweeps")
+      ->delimiter(',')
+      ->type_name("NAME,...");
+  command
+      ->add_option("--parts", arguments->parts,
+                   "which of same_problem, persisting, own_trajectory, time_step, scaling")
       ->delimiter(',')
       ->type_name("NAME,...");
   command->add_option("--out", arguments->out, "folder for what is made")
       ->type_name("DIR")
       ->capture_default_str();
-  command->add_flag("--quick", arguments->quick, "short runs, fewer scenes");
+  command->add_flag("--quick", arguments->quick, "fewer scenes and settings: under three minutes");
+  command->add_flag("--resume", arguments->resume, "go on with a report that was interrupted");
   command->callback(
       [&chosen, arguments] { chosen = [arguments] { return writeReport(*arguments); }; });
 }

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Who may include whom. An arrow points at what is included; every include that no arrow allows is printed.
 #
-#   Eigen <-- src/delassus <-- bullet_ext <-- demos/scenes <-- demos/{hello, main, render, report}
-#   render and report do not know each other; tests may include everything, nothing includes tests.
+#   Eigen <-- src/delassus <-- bullet_ext <-- demos/scenes <-- demos/{hello, main, render, atlas, report}
+#   render, atlas and report do not know each other; tests may include everything, nothing includes tests.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -11,8 +11,9 @@ core="$standard|<Eigen/[A-Za-z]+>|\"delassus/[a-z_]+\.h\""
 bullet='[<"](bt[A-Za-z0-9]+|(LinearMath|BulletCollision|BulletDynamics)/[A-Za-z0-9/]+)\.h[>"]'
 door="$core|$bullet|\"bullet_ext/[A-Za-z_]+\.h\""
 scenes="$door|<[A-Za-z/]*btBulletWorldImporter\.h>|\"demos/scenes/[a-z0-9_]+\.h\""
-pictures='<GL/[a-z]+\.h>|<png\.h>'
-programs="$scenes|<(CLI|nlohmann|sys)/[A-Za-z_]+\.(hpp|h)>|<unistd\.h>"
+pictures='<GL/[a-z]+\.h>|<png\.h>|<ft2build\.h>|<freetype/freetype\.h>'
+vectors='<cairo(-svg)?\.h>'
+programs="$scenes|<(CLI|nlohmann|sys)/[A-Za-z_]+\.(hpp|h)>|<(unistd|fcntl|poll|signal|malloc)\.h>"
 
 broken=0
 # check FILES... -- ALLOWED: the includes of FILES that do not match ALLOWED are broken promises.
@@ -27,8 +28,9 @@ check src/**/*.{h,cpp} -- "$core"
 check bullet_ext/**/*.{h,cpp} -- "$door"
 check demos/scenes/**/*.{h,cpp} -- "$scenes"
 check demos/render/**/*.{h,cpp} -- "$scenes|$pictures|\"demos/render/[a-z_]+\.h\""
-check demos/report/**/*.{h,cpp} -- "$programs|\"demos/report/[a-z_]+\.h\""
-check demos/*.{h,cpp} -- "$programs|\"demos/((render|report)/)?[a-z_]+\.h\""
+check demos/atlas/**/*.{h,cpp} -- "$scenes|$vectors|\"demos/atlas/[a-z_]+\.h\""
+check demos/report/**/*.{h,cpp} -- "$programs|\"demos/(report/)?[a-z_]+\.h\""
+check demos/*.{h,cpp} -- "$programs|\"demos/((render|atlas|report)/)?[a-z_]+\.h\""
 
 [ "$broken" -eq 0 ] || { echo "the includes above point the wrong way" >&2; exit 1; }
 echo "include direction kept"

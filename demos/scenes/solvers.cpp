@@ -79,6 +79,12 @@ NamedSolver::NamedSolver(const std::string& name) : name_(name) {
   }
 }
 
+NamedSolver::NamedSolver(const std::string& name, const delassus::Options& options) : name_(name) {
+  auto solver = std::make_unique<btDelassusConstraintSolver>(options);
+  delassus_ = solver.get();
+  solver_ = std::move(solver);
+}
+
 NamedSolver::~NamedSolver() = default;
 NamedSolver::NamedSolver(NamedSolver&&) noexcept = default;
 NamedSolver& NamedSolver::operator=(NamedSolver&&) noexcept = default;

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "delassus/options.h"
+
 class btDelassusConstraintSolver;
 class btMLCPSolver;
 class btMLCPSolverInterface;
@@ -29,6 +31,8 @@ class NamedSolver {
  public:
   /// Throws UnknownSolver.
   explicit NamedSolver(const std::string& name);
+  /// Ours with other options than a name can tell.
+  NamedSolver(const std::string& name, const delassus::Options& options);
   ~NamedSolver();
   NamedSolver(NamedSolver&&) noexcept;
   NamedSolver& operator=(NamedSolver&&) noexcept;

@@ -1,0 +1,139 @@
+#include "demos/render/film.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "bullet_ext/btDelassusConstraintSolver.h"
+#include "demos/render/marks.h"
+#include "demos/scenes/judge.h"
+#include "demos/scenes/timed_solver.h"
+
+namespace demos::render {
+
+namespace {
+
+Eigen::Vector3d toDouble(const btVector3& v) { return toFloat(v).cast<double>(); }
+
+/// Turns collision objects into things, each once, and shapes into meshes, each once.
+class Cast {
+ public:
+  Cast(Film& film, int objects) : film_(film), segments_(objects > manyObjects ? 20 : 48) {}
+
+  int thingOf(const btCollisionObject& object) {
+    const auto [place, isNew] = things_.try_emplace(&object, int(film_.things.size()));
+    if (isNew) film_.things.push_back(makeThing(object));
+    return place->second;
+  }
+
+ private:
+  static constexpr int manyObjects = 200;  ///< from here on each is small in the picture
+
+  Thing makeThing(const btCollisionObject& object) {
+    Thing thing;
+    const btRigidBody* body = btRigidBody::upcast(&object);
+    if (body != nullptr && body->getInvMass() > 0) thing.mass = 1 / double(body->getInvMass());
+    const btCollisionShape& shape = *object.getCollisionShape();
+    if (shape.getShapeType() == STATIC_PLANE_PROXYTYPE) {
+      const auto& plane = static_cast<const btStaticPlaneShape&>(shape);
+      thing.plane = Plane{toDouble(plane.getPlaneNormal()), double(plane.getPlaneConstant())};
+      return thing;
+    }
+    const auto [place, isNew] = parts_.try_emplace(&shape);
+    if (isNew)
+      for (ShapePart& part : shapeParts(shape, segments_)) {
+        place->second.push_back({int(film_.meshes.size()), part.place});
+        film_.meshes.push_back(std::move(part.mesh));
+      }
+    thing.parts = place->second;
+    return thing;
+  }
+
+  Film& film_;
+  int segments_;
+  std::unordered_map<const btCollisionObject*, int> things_;  // for look-up only
+  std::unordered_map<const btCollisionShape*, std::vector<Thing::Part>> parts_;
+};
+
+std::vector<Frame::Pose> poses(World& world, Cast& cast) {
+  std::vector<Frame::Pose> all;
+  const btCollisionObjectArray& objects = world.dynamics().getCollisionObjectArray();
+  for (int i = 0; i < objects.size(); ++i) {
+    const btCollisionObject& object = *objects[i];
+    btVector3 low, high;
+    object.getCollisionShape()->getAabb(object.getWorldTransform(), low, high);
+    all.push_back({cast.thingOf(object), toMatrix(object.getWorldTransform()), toDouble(low),
+                   toDouble(high)});
+  }
+  return all;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// By our solver's own report, or by the judge of the others. Nothing if nothing was solved: all sleep, or nothing touches.
+std::optional<double> residual(const NamedSolver& named, const Verdict& verdict) {
+  if (named.delassus() == nullptr)
+    return verdict.count > 0 ? std::optional(verdict.max) : std::nullopt;
+  const delassus::StepReport& report = named.delassus()->report();
+  return report.contacts + report.rows > 0 ? std::optional(report.residualMax) : std::nullopt;
+}
+
+}  // namespace
+
+Film record(World& world, NamedSolver& named, double hz, const std::vector<double>& times,
+            const std::function<void(double)>& progress) {
+  Film film;
+  film.solver = named.name();
+  film.meshes.push_back(cylinderMesh(1, 1, 12));
+  const Eigen::Vector3d gravity = toDouble(world.dynamics().getGravity());
+  if (gravity.norm() > 0) film.up = -gravity.normalized();
+
+  const btScalar sceneCfm = world.dynamics().getSolverInfo().m_globalCfm;
+  named.configure(world.dynamics().getSolverInfo());
+  TimedSolver timed(named.solver());
+  PersistenceWatch watch(timed);
+  JudgedSolver judged(watch, sceneCfm);
+  const JointFeedbacks feedbacks(world);
+  Cast cast(film, world.dynamics().getNumCollisionObjects());
+
+  const long total = times.empty() ? 0 : std::lround(times.back() * hz);
+  std::vector<double> milliseconds;
+  long step = 0;
+  for (const double time : times) {
+    const long last = std::lround(time * hz);
+    if (step == last && !film.frames.empty()) {
+      film.frames.push_back(film.frames.back());
+      continue;
+    }
+    for (; step < last; ++step) {
+      // Judging costs about a solve: only the step that is shown is judged.
+      const bool shown = step + 1 == last;
+      world.setSolver(shown ? static_cast<btConstraintSolver&>(judged) : watch);
+      watch.startStep(step == 0);
+      world.step(1 / hz);
+      milliseconds.push_back(1e3 * timed.takeSeconds());
+      progress(double(step + 1) / double(total));
+    }
+    Frame frame;
+    frame.time = double(step) / hz;
+    frame.poses = poses(world, cast);
+    if (step > 0) {
+      frame.contacts = contactMarks(world, watch, 1 / hz);
+      frame.joints = jointMarks(world);
+      frame.residual = residual(named, judged.takeVerdict());
+    }
+    frame.ropes = ropes(world);
+    frame.milliseconds = median(milliseconds);
+    film.frames.push_back(std::move(frame));
+  }
+  // The decorators end with this call; the world must not keep them.
+  world.setSolver(named.solver());
+  return film;
+}
+
+}  // namespace demos::render

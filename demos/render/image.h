@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace demos::render {
+
+/// Width and height in pixels.
+struct Size {
+  int width = 1280, height = 720;
+};
+
+/// sRGB with eight bits a channel.
+struct Colour {
+  std::uint8_t r = 0, g = 0, b = 0;
+};
+
+/// Pixels in rows from the top, three bytes each.
+struct Image {
+  Size size;
+  std::vector<std::uint8_t> rgb;
+
+  explicit Image(Size size, Colour fill = {});
+  std::uint8_t* pixel(int x, int y) { return &rgb[3 * (std::size_t(y) * size.width + x)]; }
+  const std::uint8_t* pixel(int x, int y) const {
+    return &rgb[3 * (std::size_t(y) * size.width + x)];
+  }
+  /// Copies `source` so that its upper left corner is at (x, y); what would lie outside is left out.
+  void paste(const Image& source, int x, int y);
+};
+
+/// A file or folder that cannot be written; the message names it and says why.
+class OutputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Makes `folder` where it is missing and makes sure that files can be written there. Throws OutputError.
+void prepareFolder(const std::string& folder);
+
+/// The name under which a file is written before it is whole: beside it, hidden.
+std::string partOf(const std::string& file);
+/// Gives the whole part its name. Throws OutputError.
+void finishPart(const std::string& file);
+
+/// Writes `image` at once or not at all. The same image gives the same bytes. Throws OutputError.
+void savePng(const std::string& file, const Image& image);
+/// Reads what `savePng` wrote. Throws std::runtime_error.
+Image loadPng(const std::string& file);
+
+/// Mean structural similarity of the brightness of two images of one size, over windows of 8 x 8 pixels (Wang, Bovik,
+/// Sheikh, Simoncelli 2004): 1 for equal ones.
+double structuralSimilarity(const Image& a, const Image& b);
+
+}  // namespace demos::render

@@ -1,0 +1,150 @@
+#include "demos/render/picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "demos/render/ground.h"
+#include "demos/render/palette.h"
+
+namespace demos::render {
+
+namespace {
+
+/// The films with their planes laid on `box`.
+std::vector<Film> onStage(std::vector<Film> films, const Box& box) {
+  for (Film& film : films) layPlanes(film, box);
+  return films;
+}
+
+/// `height`, or less if the text would be wider than `room`.
+double fitted(Font& font, const std::string& text, double height, double room) {
+  return height * std::min(1.0, room / std::max(1.0, font.width(text, height)));
+}
+
+std::string inSeconds(double time) {
+  char text[32];
+  std::snprintf(text, sizeof text, "t = %.4g s", time);
+  return text;
+}
+
+}  // namespace
+
+std::string solverInWords(const std::string& name) {
+  const std::size_t colon = name.find(':');
+  const std::string method = name.substr(0, colon);
+  const std::string setting = colon == std::string::npos ? "" : name.substr(colon + 1);
+  const std::string sweeps = setting.empty() ? "" : ", " + setting + " sweeps";
+  if (method == "delassus") return "Delassus' regions" + (setting.empty() ? "" : " to " + setting);
+  if (method == "si") return "stock Bullet, sequential impulses" + sweeps;
+  if (method == "si2") return "stock Bullet, sequential impulses, two friction directions" + sweeps;
+  if (method == "nncg") return "stock Bullet, NNCG" + sweeps;
+  if (method == "dantzig") return "stock Bullet, MLCP by Dantzig";
+  if (method == "lemke") return "stock Bullet, MLCP by Lemke";
+  return "stock Bullet, projected Gauss-Seidel" + sweeps;
+}
+
+Studio::Layout Studio::layOut(const Look& look, int films, int columns) {
+  Layout layout{};
+  layout.unit = std::clamp(std::min(look.size.height / 720.0, look.size.width / 1000.0), 0.4, 4.0);
+  const auto pixels = [&](double units) {
+    return look.plain ? 0 : int(std::lround(units * layout.unit));
+  };
+  layout.rows = columns > 1 ? films : 1;
+  layout.columns = columns > 1 ? columns : films;
+  layout.header = pixels(64);
+  layout.caption = pixels(48);
+  layout.footer = pixels(40);
+  layout.gap = std::max(1, int(std::lround(3 * layout.unit)));
+  const int height =
+      look.size.height - layout.header - layout.footer - layout.rows * layout.caption;
+  layout.panel = {(look.size.width - (layout.columns - 1) * layout.gap) / layout.columns,
+                  (height - (layout.rows - 1) * layout.gap) / layout.rows};
+  constexpr int least = 16;
+  if (layout.panel.width < least || layout.panel.height < least)
+    throw std::runtime_error("a picture of " + std::to_string(look.size.width) + "x" +
+                             std::to_string(look.size.height) + " is too small for " +
+                             std::to_string(layout.rows * layout.columns) + " panels");
+  return layout;
+}
+
+Studio::Studio(std::vector<Film> films, const Wish& wish, const Look& look, int columns)
+    : look_(look),
+      layout_(layOut(look, int(films.size()), columns)),
+      stage_(stage(films)),
+      view_(frameView(films, stage_, wish, layout_.panel)),
+      scale_(arrowScale(films, view_, layout_.panel)),
+      painter_(layout_.panel),
+      regular_(false),
+      bold_(true) {
+  films_ = onStage(std::move(films), stage_);
+  for (const Film& film : films_) painter_.load(film);
+}
+
+Image Studio::picture(const std::vector<int>& frames) {
+  Image picture(look_.size, palette::paper);
+  for (int film = 0; film < int(films_.size()); ++film)
+    for (int i = 0; i < int(frames.size()); ++i)
+      if (frames.size() > 1)
+        drawPanel(picture, film, frames[std::size_t(i)], film, i);
+      else
+        drawPanel(picture, film, frames[0], 0, film);
+  if (!look_.plain) drawFrame(picture);
+  return picture;
+}
+
+void Studio::drawPanel(Image& picture, int filmIndex, int frameIndex, int row, int column) {
+  const Film& film = films_[std::size_t(filmIndex)];
+  const Frame& frame = film.frames[std::size_t(frameIndex)];
+  Drawing drawing = painter_.draw(filmIndex, film, frame, view_, stage_);
+  if (!look_.plain) annotate(drawing, film, frame, view_, stage_, scale_, layout_.unit, regular_);
+  const int x = column * (layout_.panel.width + layout_.gap);
+  const int top = layout_.header + row * (layout_.caption + layout_.panel.height + layout_.gap);
+  picture.paste(drawing.image, x, top + layout_.caption);
+  if (!look_.plain) drawCaption(picture, film, frame, Point(x, top), layout_.panel.width);
+}
+
+void Studio::drawCaption(Image& picture, const Film& film, const Frame& frame, Point place,
+                         double width) {
+  const double unit = layout_.unit, margin = 14 * unit;
+  const double room = width - 2 * margin;
+  Point line = place + Point(margin, 19 * unit);
+  const double nameEnd = bold_.draw(picture, film.solver, line,
+                                    fitted(bold_, film.solver, 17 * unit, room), {palette::ink});
+  const std::string words = solverInWords(film.solver);
+  const double left = place.x() + width - margin - nameEnd - 10 * unit;
+  // In a narrow panel the name has to do.
+  if (regular_.width(words, 11 * unit) <= left)
+    regular_.draw(picture, words, Point(nameEnd + 10 * unit, line.y()),
+                  fitted(regular_, words, 14 * unit, left), {palette::paleInk});
+
+  std::string facts = inSeconds(frame.time);
+  if (frame.residual) facts += "    residual " + readable(*frame.residual) + " m/s";
+  if (look_.timing && frame.time > 0) facts += "    " + readable(frame.milliseconds) + " ms a step";
+  line.y() += 20 * unit;
+  regular_.draw(picture, facts, line, fitted(regular_, facts, 14 * unit, room), {palette::ink});
+}
+
+void Studio::drawFrame(Image& picture) {
+  const double unit = layout_.unit, margin = 14 * unit;
+  const double room = look_.size.width - 2 * margin;
+  Point line(margin, 28 * unit);
+  const double nameEnd = bold_.draw(picture, look_.title, line,
+                                    fitted(bold_, look_.title, 22 * unit, room), {palette::ink});
+  const double left = look_.size.width - margin - nameEnd - 14 * unit;
+  if (left > 60 * unit)
+    regular_.draw(picture, look_.summary, Point(nameEnd + 14 * unit, line.y()),
+                  fitted(regular_, look_.summary, 17 * unit, left), {palette::ink});
+  if (!look_.expected.empty()) {
+    const std::string text = "expected: " + look_.expected;
+    regular_.draw(picture, text, line + Point(0, 24 * unit),
+                  fitted(regular_, text, 15 * unit, room), {palette::paleInk});
+  }
+  Canvas canvas(picture);
+  canvas.line(Point(0, layout_.header), Point(look_.size.width, layout_.header), 1,
+              {palette::rule});
+  drawLegend(picture, Point(margin, look_.size.height - 14 * unit), look_.size.width - margin, unit,
+             films_, view_, layout_.panel, scale_, regular_);
+}
+
+}  // namespace demos::render

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <btBulletCollisionCommon.h>
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "demos/render/mesh.h"
+
+namespace demos::render {
+
+/// A convex part of a shape, or a surface, with its place in the body.
+struct ShapePart {
+  Mesh mesh;
+  Eigen::Matrix4f place;
+};
+
+/// What Bullet collides with, as triangles: boxes, spheres, capsules, cylinders, cones and hulls exactly (but for the hulls'
+/// margin), other convex shapes by the hull of their support points, concave ones triangle by triangle, compounds part
+/// by part. `segments` is how many a full circle gets.
+///
+/// Static planes have no end and are not here: see ground.h.
+std::vector<ShapePart> shapeParts(const btCollisionShape& shape, int segments);
+
+Eigen::Vector3f toFloat(const btVector3& v);
+Eigen::Matrix4f toMatrix(const btTransform& transform);
+
+}  // namespace demos::render

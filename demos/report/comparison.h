@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "demos/report/pareto.h"
+
+namespace demos::report {
+
+/// One scene in one view, over its samples: what the file of the scene says in short.
+struct SceneView {
+  std::string scene, view;  ///< view: cold or warm
+  int samples = 0, contacts = 0, rows = 0;
+  double residual = 0;  ///< of v*, the worst sample's, m/s
+  double floor = 0;     ///< errors below it are not told apart: what is known of v*
+  int uncertain = 0;    ///< samples left out since v* is not known well enough
+  std::vector<Effort>
+      motion;  ///< error of the motion: the worst of the samples; cost: mean of the samples, ms
+  std::vector<Effort> modes;      ///< error: mean share of contacts in a wrong mode
+  std::vector<Effort> residuals;  ///< error: the worst natural residual, m/s
+  std::vector<std::pair<std::string, std::string>> excluded;  ///< method and why
+
+  /// What our solver did, for its name: shares of its time and counts, a step.
+  struct Work {
+    std::string method;
+    double aroundShare, regions, factorisations;
+  };
+  std::vector<Work> work;
+};
+
+/// Reads the file of a scene. The warm view leaves out the cold sample, where nothing is remembered yet.
+SceneView readSceneView(const std::filesystem::path& file, const std::string& scene,
+                        const std::string& view);
+
+/// The scenes of the plan whose file is there.
+std::vector<SceneView> readSceneViews(const std::filesystem::path& folder,
+                                      const std::vector<std::string>& scenes,
+                                      const std::string& view);
+
+}  // namespace demos::report

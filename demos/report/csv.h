@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace demos::report {
+
+/// Rows of words and numbers under a heading: what one CSV file holds.
+class CsvTable {
+ public:
+  explicit CsvTable(std::vector<std::string> columns) : columns_(std::move(columns)) {}
+
+  void add(std::vector<std::string> row);
+  int rows() const { return int(rows_.size()); }
+  /// The word in that column; throws std::out_of_range for a column that does not exist.
+  const std::string& text(int row, const std::string& column) const;
+  /// The same as a number; NaN if it is none.
+  double number(int row, const std::string& column) const;
+
+  /// Whole or not at all: a file of that name is a complete one. Throws std::runtime_error.
+  void write(const std::filesystem::path& file) const;
+  static CsvTable read(const std::filesystem::path& file);
+
+ private:
+  std::vector<std::string> columns_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+/// A number as CSV files keep it: nine digits tell a double's first half, which is more than any measure here knows.
+std::string csvNumber(double value);
+
+/// Writes `text`, whole or not at all. Throws std::runtime_error that names the file.
+void writeFile(const std::filesystem::path& file, const std::string& text);
+std::string readFile(const std::filesystem::path& file);
+
+}  // namespace demos::report

@@ -1,0 +1,220 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "demos/report/child.h"
+#include "demos/report/figure.h"
+#include "demos/report/markdown.h"
+#include "demos/report/part.h"
+#include "demos/scenes/catalogue.h"
+#include "demos/scenes/measures.h"
+#include "demos/scenes/timed_solver.h"
+#include "demos/table.h"
+
+namespace demos::report {
+
+namespace {
+
+constexpr const char* folderName = "own_trajectory";
+
+/// Where a scene that should stand counts as fallen, m.
+constexpr double fallen = 0.1;
+
+bool shouldStand(const SceneDescription& scene) {
+  const std::string& law = scene.expectation;
+  return law.rfind("stands", 0) == 0 || law.rfind("stays", 0) == 0;
+}
+
+const std::vector<std::string> measured{"steps",          "ms",          "ms_p95",      "drift",
+                                        "overlap",        "energy_gain", "joint_error", "reaction",
+                                        "reaction_noise", "fallbacks"};
+
+double meanOf(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return values.empty() ? 0 : sum / double(values.size());
+}
+
+/// Root mean square of the changes from step to step: what is shaken, not what swings.
+double noiseOf(const std::vector<double>& values) {
+  double squares = 0;
+  for (std::size_t i = 1; i < values.size(); ++i)
+    squares += (values[i] - values[i - 1]) * (values[i] - values[i - 1]);
+  return values.size() > 1 ? std::sqrt(squares / double(values.size() - 1)) : 0;
+}
+
+/// The method alone with the scene; numbers in the order of `measured`.
+std::vector<double> live(const SceneDescription& scene, const Method& method, int steps,
+                         double secondsLimit) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  NamedSolver named = method.build();
+  const std::unique_ptr<World> world = scene.build();
+  named.configure(world->dynamics().getSolverInfo());
+  TimedSolver timed(named.solver());
+  world->setSolver(timed);
+  const Drift drift(*world);
+  const double energy = kineticEnergy(*world) + potentialEnergy(*world);
+
+  double drifted = 0, overlap = 0, gain = 0, joints = 0;
+  std::vector<double> milliseconds, reactions;
+  for (int i = 0; i < steps; ++i) {
+    world->step(1 / scene.hz);
+    milliseconds.push_back(1e3 * timed.takeSeconds());
+    drifted = std::max(drifted, drift.largest());
+    overlap = std::max(overlap, deepestPenetration(world->dynamics()));
+    joints = std::max(joints, largestJointError(world->dynamics()));
+    gain = std::max(gain, kineticEnergy(*world) + potentialEnergy(*world) - energy);
+    // The second half: the first may be an impact.
+    if (2 * i >= steps) reactions.push_back(reactionOverWeight(*world, 1 / scene.hz));
+    if (std::chrono::duration<double>(Clock::now() - start).count() > secondsLimit) break;
+  }
+  world->setSolver(named.solver());
+  const double done = double(milliseconds.size());
+  std::sort(milliseconds.begin(), milliseconds.end());
+  const auto quantile = [&](double share) {
+    return milliseconds[std::size_t(share * (done - 1) + 0.5)];
+  };
+  return {done,
+          quantile(0.5),
+          quantile(0.95),
+          drifted,
+          overlap,
+          gain,
+          joints,
+          meanOf(reactions),
+          noiseOf(reactions),
+          double(named.fallbacks())};
+}
+
+CsvTable measureScene(const SceneDescription& scene, const Plan& plan, const Progress& progress) {
+  std::vector<std::string> columns{"method", "family", "ending", "steps_wanted"};
+  columns.insert(columns.end(), measured.begin(), measured.end());
+  CsvTable table(columns);
+  const int steps = std::max(1, int(std::min(scene.seconds, plan.trajectorySeconds) * scene.hz));
+  for (std::size_t i = 0; i < plan.trajectoryMethods.size(); ++i) {
+    const Method& method = plan.trajectoryMethods[i];
+    // A run ends itself at its limit; only one step that never ends is ended from outside.
+    ApartResult run = runApart([&] { return live(scene, method, steps, plan.trajectoryLimit); },
+                               Limits{2 * plan.trajectoryLimit + 1});
+    run.numbers.resize(measured.size(), std::nan(""));
+    std::vector<std::string> row{method.name, method.family, toString(run.ending),
+                                 std::to_string(steps)};
+    for (const double value : run.numbers) row.push_back(csvNumber(value));
+    table.add(row);
+    progress(double(i + 1) / double(plan.trajectoryMethods.size()));
+  }
+  return table;
+}
+
+/// Marks with names: `column` against time.
+Panel panelOf(const CsvTable& table, const std::string& title, const std::string& column) {
+  constexpr double least = 1e-12;  // drawn on the border: as good as zero
+  Panel panel;
+  panel.title = title;
+  panel.xLabel = "ms a step";
+  panel.yLabel = title;
+  for (int row = 0; row < table.rows(); ++row) {
+    const double value = table.number(row, column);
+    if (!std::isfinite(value)) continue;
+    Curve mark;
+    mark.colour = familyColour(table.text(row, "family"));
+    mark.marks = {{table.number(row, "ms"), std::max(value, least)}};
+    mark.markLabels = {table.text(row, "method")};
+    panel.curves.push_back(mark);
+  }
+  return panel;
+}
+
+bool anyAbove(const CsvTable& table, const std::string& column, double value) {
+  for (int row = 0; row < table.rows(); ++row)
+    if (table.number(row, column) > value) return true;
+  return false;
+}
+
+Figure figureOf(const SceneDescription& scene, const CsvTable& table) {
+  Figure figure;
+  figure.title = scene.name + ", each solver on its own: lower left is better";
+  figure.columns = 3;
+  figure.panelWidth = 400;
+  figure.panels.push_back(shouldStand(scene)
+                              ? panelOf(table, "furthest drift of a body, m", "drift")
+                              : panelOf(table, "energy gained, J", "energy_gain"));
+  figure.panels.push_back(panelOf(table, "deepest overlap, m", "overlap"));
+  figure.panels.push_back(
+      anyAbove(table, "joint_error", 0)
+          ? panelOf(table, "joints pulled apart, m", "joint_error")
+          : panelOf(table, "noise of ground reaction / weight", "reaction_noise"));
+  return figure;
+}
+
+std::string stands(const SceneDescription& scene, const CsvTable& table, int row) {
+  if (!shouldStand(scene)) return "";
+  return table.number(row, "drift") < fallen ? "stands" : "**falls**";
+}
+
+std::string tableOf(const SceneDescription& scene, const CsvTable& table) {
+  MarkdownTable page({"solver", "ms a step", "p95", "drift m", "overlap m", "energy gained J",
+                      "joints m", "reaction/weight", "its noise", "gave up", "steps", ""});
+  for (int row = 0; row < table.rows(); ++row) {
+    const std::string name = code(table.text(row, "method"));
+    if (table.text(row, "ending") != "done") {
+      page.add({name, table.text(row, "ending"), "", "", "", "", "", "", "", "", "", ""});
+      continue;
+    }
+    const auto value = [&](const char* column) {
+      return shortNumber(table.number(row, column), 2);
+    };
+    const bool cut = table.number(row, "steps") < table.number(row, "steps_wanted");
+    page.add({name, shortMs(table.number(row, "ms")), shortMs(table.number(row, "ms_p95")),
+              value("drift"), value("overlap"), value("energy_gain"), value("joint_error"),
+              shortNumber(table.number(row, "reaction"), 4), value("reaction_noise"),
+              value("fallbacks"), table.text(row, "steps") + (cut ? " (time limit)" : ""),
+              stands(scene, table, row)});
+  }
+  return page.text();
+}
+
+Words writeOwnTrajectory(const Plan& plan, const std::filesystem::path& report) {
+  const std::filesystem::path folder = report / folderName;
+  Words words;
+  std::string trouble;
+  for (const std::string& name : plan.scenes) {
+    if (!std::filesystem::exists(folder / (name + ".csv"))) continue;
+    const SceneDescription& scene = findScene(name);
+    const CsvTable table = CsvTable::read(folder / (name + ".csv"));
+    const std::string fault = draw(figureOf(scene, table), folder, name);
+    if (!fault.empty()) trouble = fault + "\n\n";
+    words.body += "### " + name + ", own trajectory\n\nWhat it should do: " + scene.expectation +
+                  ".\n\n" + picture(folderName, name, "own trajectory, " + name) +
+                  tableOf(scene, table);
+  }
+  if (words.body.empty()) return {};
+  words.body =
+      "## Own trajectory\n\n"
+      "Each method runs the scene by itself. Time is of `solveGroup`, median of the steps; drift, "
+      "overlap, joint error and energy\n"
+      "gained are the worst of the run. Reaction over weight is the mean of the second half (at "
+      "rest: 1), its noise the root\n"
+      "mean square of its changes from step to step. A scene that should stand has fallen where a "
+      "body drifts 0.1 m.\n\n" +
+      words.body + trouble;
+  return words;
+}
+
+}  // namespace
+
+Part ownTrajectoryPart(const Plan& plan) {
+  Part part;
+  part.name = folderName;
+  for (const std::string& scene : plan.scenes)
+    part.units.push_back({scene, [&plan, scene](const Progress& progress) {
+                            return measureScene(findScene(scene), plan, progress);
+                          }});
+  part.write = [&plan](const std::filesystem::path& report) {
+    return writeOwnTrajectory(plan, report);
+  };
+  return part;
+}
+
+}  // namespace demos::report

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "demos/report/csv.h"
+#include "demos/report/settings.h"
+
+namespace demos::report {
+
+/// A piece of work that ends in one CSV file. A report that was interrupted goes on with the files that are missing.
+struct Unit {
+  std::string file;  ///< in the part's folder, without its ending
+  std::function<CsvTable(const Progress&)> measure;
+};
+
+/// What a part has to say, in Markdown.
+struct Words {
+  std::string front;  ///< for the first page
+  std::string body;   ///< its own section
+};
+
+/// One question that the report asks. Parts know nothing of each other but their folders.
+struct Part {
+  std::string name;  ///< its folder, and its name in --parts
+  std::vector<Unit> units;
+  /// Draws the plots of the data that is there and finds the words for them.
+  std::function<Words(const std::filesystem::path& report)> write;
+};
+
+Part sameProblemPart(const Plan& plan);
+Part persistingPart(const Plan& plan);
+Part ownTrajectoryPart(const Plan& plan);
+Part timeStepPart(const Plan& plan);
+Part scalingPart(const Plan& plan);
+
+/// Measures what is missing, or everything anew, and writes the page. Returns false if it was interrupted.
+bool makeReport(const ReportArguments& arguments);
+
+}  // namespace demos::report

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "demos/report/methods.h"
+
+namespace demos::report {
+
+/// What the user asked for.
+struct ReportArguments {
+  std::vector<std::string> scenes, solvers, parts;  ///< empty: the report's own choice
+  std::string out = "report";
+  bool quick = false;
+  bool resume = false;
+
+  /// The command that makes the same report.
+  std::string command() const;
+};
+
+/// What the report does about it. Full takes under 40 minutes on two slow cores, quick under 3.
+struct Plan {
+  bool quick = false;
+  std::vector<std::string> scenes;  ///< of same problem and own trajectory
+  std::vector<Method> methods;      ///< given the same problems
+  std::vector<Method> trajectoryMethods, stepMethods, scalingMethods;
+
+  Timing timing;              ///< on the same problem
+  Timing scalingTiming;       ///< on one problem of a size
+  int memorySteps;            ///< steps that a method's own warm start is made of
+  double trajectorySeconds;   ///< simulated, s, at most
+  double scoutLimit;          ///< wall-clock limit of the run that finds the steps to sample, s
+  double certificateLimit;    ///< of one solve of v*, s
+  double trajectoryLimit;     ///< of one method's own trajectory, s
+  std::vector<double> rates;  ///< steps a second of the time-step part
+  std::vector<int> contactCounts;  ///< wanted in the scaling part
+};
+
+/// Throws UnknownSolver or UnknownScene.
+Plan makePlan(const ReportArguments& arguments);
+
+/// Told the fraction done.
+using Progress = std::function<void(double)>;
+
+}  // namespace demos::report

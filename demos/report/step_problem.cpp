@@ -1,0 +1,165 @@
+#include "demos/report/step_problem.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "bullet_ext/convert.h"
+#include "delassus/island.h"
+#include "delassus/solver.h"
+
+namespace demos::report {
+
+using namespace delassus;
+
+namespace {
+
+/// 1/x, and zero for an axis that is locked.
+double inverse(double x, double largest) { return x > 1e-12 * largest ? 1 / x : 0; }
+
+/// √m along the world axes, √I along the principal ones.
+Vec6 rootMass(const Body& body, const Vec3& inverseInertia) {
+  Vec6 root;
+  for (int i = 0; i < 3; ++i) {
+    root[i] = std::sqrt(inverse(body.inverseMass[i], body.inverseMass.maxCoeff()));
+    root[3 + i] = std::sqrt(inverse(inverseInertia[i], inverseInertia.maxCoeff()));
+  }
+  return root;
+}
+
+Vec3 velocityAt(const Motion& motion, int body, const Vec3& arm) {
+  if (body < 0) return Vec3::Zero();
+  const Vec6& v = motion[std::size_t(body)];
+  return v.head<3>() + v.tail<3>().cross(arm);
+}
+
+MotionMode modeOf(const Contact& contact, const Motion& motion) {
+  constexpr double standstill = 1e-3;  // m/s
+  const Vec3 u = contact.frame.transpose() * (velocityAt(motion, contact.a, contact.armA) -
+                                              velocityAt(motion, contact.b, contact.armB)) -
+                 contact.target;
+  if (u[0] > standstill) return MotionMode::Open;
+  const bool slides = contact.friction == 0 || std::hypot(u[1], u[2]) > standstill;
+  return slides ? MotionMode::Slide : MotionMode::Stick;
+}
+
+/// One solve of all groups: residual, unsolved islands, then six numbers a body.
+std::vector<double> solveTightly(const StepProblem& problem, bool fromStoredImpulses) {
+  Options options;
+  options.tolerance = 1e-12;
+  options.newtonBudget *= 5;
+  options.sweepBudget *= 5;
+  Solver solver(options);
+  double residual = 0, unsolved = 0;
+  std::vector<double> velocities;
+  for (const bullet::Group& group : problem.groups()) {
+    std::vector<Body> bodies = group.bodies;
+    for (const Island& island : splitIslands(group.bodies, group.contacts, group.rows)) {
+      const Problem part = assemble(group.bodies, group.contacts, group.rows, island);
+      VectorXd guess = VectorXd::Zero(part.size());
+      if (fromStoredImpulses)
+        for (std::size_t i = 0; i < island.frictional.size(); ++i)
+          guess.segment<3>(3 * int(i)) = group.guess[std::size_t(island.frictional[i])];
+      const Solution solution = solver.solve(part, guess);
+      residual = std::max(residual, solution.residual);
+      unsolved += solution.status != Status::Solved;
+      applyReaction(bodies, group.contacts, group.rows, island, solution.r);
+    }
+    for (const Body& body : bodies)
+      velocities.insert(velocities.end(), body.velocity.begin(), body.velocity.end());
+  }
+  velocities.insert(velocities.begin(), {residual, unsolved});
+  return velocities;
+}
+
+Motion motionFrom(const std::vector<double>& numbers) {
+  Motion motion;
+  for (std::size_t at = 2; at + 6 <= numbers.size(); at += 6)
+    motion.push_back(Eigen::Map<const Vec6>(&numbers[at]));
+  return motion;
+}
+
+}  // namespace
+
+StepProblem::StepProblem(const CapturedStep& step, double cfm) : cfm_(cfm) {
+  btContactSolverInfo info = *step.info;
+  info.m_globalCfm = btScalar(cfm);
+  StepReport ignored;
+  for (const CapturedStep::Group& source : step.groups) {
+    auto& open = const_cast<CapturedStep::Group&>(source);
+    bullet::Group group;
+    bullet::gatherBodies(group, open.bodies.data(), int(open.bodies.size()), info, ignored);
+    bullet::gatherContacts(group, open.manifolds.data(), int(open.manifolds.size()), info,
+                           step.dispatcher, ignored);
+    bullet::gatherJoints(group, open.constraints.data(), int(open.constraints.size()), info,
+                         ignored);
+    contacts_ += int(group.contacts.size());
+    rows_ += int(group.rows.size());
+    for (const Body& body : group.bodies) {
+      const Eigen::SelfAdjointEigenSolver<Mat3> axes(body.inverseInertia);
+      freeMotion_.push_back(body.velocity);
+      principal_.push_back(axes.eigenvectors());
+      rootMass_.push_back(rootMass(body, axes.eigenvalues()));
+    }
+    groups_.push_back(std::move(group));
+  }
+}
+
+Motion StepProblem::currentMotion() const {
+  Motion motion;
+  for (const bullet::Group& group : groups_)
+    for (const bullet::BodySource& source : group.bodySources)
+      motion.push_back(
+          bullet::toCore(source.rigid->getLinearVelocity(), source.rigid->getAngularVelocity()));
+  return motion;
+}
+
+double StepProblem::distance(const Motion& v, const Motion& w) const {
+  double squares = 0;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    Vec6 difference = v[i] - w[i];
+    difference.tail<3>() = principal_[i].transpose() * difference.tail<3>();
+    squares += difference.cwiseProduct(rootMass_[i]).squaredNorm();
+  }
+  return std::sqrt(squares);
+}
+
+std::vector<MotionMode> StepProblem::modes(const Motion& motion) const {
+  std::vector<MotionMode> modes;
+  auto first = motion.begin();
+  for (const bullet::Group& group : groups_) {
+    const Motion own(first, first + std::ptrdiff_t(group.bodies.size()));
+    first += std::ptrdiff_t(group.bodies.size());
+    for (const Contact& contact : group.contacts) modes.push_back(modeOf(contact, own));
+  }
+  return modes;
+}
+
+Certified certify(const StepProblem& problem, double secondsLimit) {
+  Certified best;
+  std::vector<Motion> motions;
+  for (const bool fromStoredImpulses : {false, true}) {
+    const ApartResult apart =
+        runApart([&] { return solveTightly(problem, fromStoredImpulses); }, Limits{secondsLimit});
+    if (apart.ending != Ending::Done) {
+      if (motions.empty()) best.ending = apart.ending;
+      continue;
+    }
+    motions.push_back(motionFrom(apart.numbers));
+    const double residual = apart.numbers[0];
+    if (best.ending == Ending::Done && best.residual <= residual) continue;
+    best.ending = Ending::Done;
+    best.residual = residual;
+    best.unsolved = apart.numbers[1];
+    best.motion = motions.back();
+  }
+  if (best.ending != Ending::Done) return best;
+  best.size = problem.distance(problem.freeMotion(), best.motion);
+  // One answer alone has nothing to agree with.
+  best.agreement = motions.size() == 2 && best.size > 0
+                       ? problem.distance(motions[0], motions[1]) / best.size
+                       : 1;
+  return best;
+}
+
+}  // namespace demos::report

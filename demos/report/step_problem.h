@@ -1,0 +1,64 @@
+#pragma once
+
+#include <vector>
+
+#include "bullet_ext/gather.h"
+#include "demos/report/captured_step.h"
+#include "demos/report/child.h"
+
+namespace demos::report {
+
+/// The velocities of the bodies of all groups of a step, in the order in which they were gathered.
+using Motion = std::vector<delassus::Vec6>;
+
+/// How contacts are taken by a motion, read from the motion alone, since reactions of redundant contacts are not unique.
+enum class MotionMode : unsigned char { Open, Stick, Slide };
+
+/// All groups of one step as the problem that the law is about.
+class StepProblem {
+ public:
+  /// `cfm` is the global CFM of the scene.
+  StepProblem(const CapturedStep& step, double cfm);
+
+  int contacts() const { return contacts_; }
+  int rows() const { return rows_; }
+  int bodies() const { return int(freeMotion_.size()); }
+  double cfm() const { return cfm_; }
+
+  /// v_f: where forces alone would take the bodies.
+  const Motion& freeMotion() const { return freeMotion_; }
+  /// What the bodies do now.
+  Motion currentMotion() const;
+  /// |v − w|_M = √( (v − w)ᵀ M (v − w) ), √kg m/s; locked axes do not count.
+  double distance(const Motion& v, const Motion& w) const;
+  /// The modes of all contacts: open where u_n > ε, else slide where |u_t| > ε, else stick, ε = 1 mm/s. A contact without
+  /// friction is open or slides.
+  std::vector<MotionMode> modes(const Motion& motion) const;
+
+  const std::vector<delassus::bullet::Group>& groups() const { return groups_; }
+
+ private:
+  std::vector<delassus::bullet::Group> groups_;
+  Motion freeMotion_;
+  std::vector<delassus::Vec6> rootMass_;  ///< √ of M's diagonal in principal axes
+  std::vector<delassus::Mat3> principal_;
+  double cfm_;
+  int contacts_ = 0, rows_ = 0;
+};
+
+/// v*, the motion that takes place, and how well that is known.
+struct Certified {
+  Ending ending = Ending::Crashed;
+  Motion motion;
+  double residual = 0;  ///< natural residual, largest, m/s
+  double unsolved = 0;  ///< islands that ended without status solved
+  double agreement = 0;  ///< |v* − v°|_M / |v_f − v*|_M of a second solve v° from other reactions
+  double size = 0;       ///< |v_f − v*|_M
+
+  bool known() const { return ending == Ending::Done && size > 0; }
+};
+
+/// Solves to tolerance 1e-12 twice, from rest and from the stored impulses. The answer with the smaller residual is v*.
+Certified certify(const StepProblem& problem, double secondsLimit);
+
+}  // namespace demos::report
