@@ -35,10 +35,13 @@ Anisotropy anisotropyOf(const btCollisionObject& a, const btCollisionObject& b);
 /// velocity is the point's contact motion, of body 0 relative to body 1. Without
 /// SOLVER_USE_2_FRICTION_DIRECTIONS the second direction is the one across the first.
 ///
+/// Such a point may have a friction softness χ: u + χ W_ii r = wanted velocity while it sticks.
+///
 /// A friction anchor wants back the drift d between the two points, at the rate frictionERP / h.
 struct ContactFrame {
   Mat3 axes;
   double motion1 = 0, motion2 = 0;  ///< m/s, times the length of the tangent
+  double softness = 0;              ///< χ
 };
 ContactFrame contactFrame(const btManifoldPoint& point, const Anisotropy& anisotropy,
                           const btContactSolverInfo& info);

@@ -72,9 +72,21 @@ double bounceOf(const Pair& pair, const btManifoldPoint& point, const btContactS
   return std::max(0.0, -a * point.m_combinedRestitution);
 }
 
+/// W_ii along a tangent of the contact. The linear factor is left out, as in Bullet's solvers.
+double tangentialResponse(const Group& group, const Contact& c, int column) {
+  const Vec3 t = c.frame.col(column);
+  const auto share = [&](int body, const Vec3& arm) {
+    if (!group.movable(body)) return 0.0;
+    const Vec3 turn = arm.cross(t);
+    return group.bodySources[body].rigid->getInvMass() * t.squaredNorm() +
+           turn.dot(group.bodies[body].inverseInertia * turn);
+  };
+  return share(c.a, c.armA) + share(c.b, c.armB);
+}
+
 /// Fills the contact, whose numbers may be no numbers, and answers with its push velocity.
-double fillContact(const Pair& pair, const btManifoldPoint& point, const btContactSolverInfo& info,
-                   Contact& c) {
+double fillContact(const Group& group, const Pair& pair, const btManifoldPoint& point,
+                   const btContactSolverInfo& info, Contact& c) {
   const ContactFrame frame = contactFrame(point, pair.anisotropy, info);
   c.a = pair.a;
   c.b = pair.b;
@@ -92,6 +104,9 @@ double fillContact(const Pair& pair, const btManifoldPoint& point, const btConta
   c.target = {bounceOf(pair, point, info, c) - std::max(d, 0.0) / h + (split ? 0 : recovery),
               frame.motion1, frame.motion2};
   c.compliance = soft.cfm < 0 ? 0 : soft.cfm / h;
+  if (frame.softness > 0)
+    c.slipCompliance = {frame.softness * tangentialResponse(group, c, 1),
+                        frame.softness * tangentialResponse(group, c, 2)};
   return split ? recovery : 0;
 }
 
@@ -109,7 +124,8 @@ const char* faultOf(const btManifoldPoint& point, const Contact& c, double push)
   if (!c.frame.allFinite()) return "its friction directions are not finite";
   if (!std::isfinite(point.m_combinedRestitution)) return "its restitution is not finite";
   if (!c.target.tail<2>().allFinite()) return "its wanted sliding velocity is not finite";
-  if (!std::isfinite(c.target[0]) || !std::isfinite(c.compliance) || !std::isfinite(push))
+  if (!std::isfinite(c.target[0]) || !std::isfinite(c.compliance) ||
+      !c.slipCompliance.allFinite() || !std::isfinite(push))
     return "its softness is not finite";
   return nullptr;
 }
@@ -118,7 +134,8 @@ const char* faultOf(const btManifoldPoint& point, const Contact& c, double push)
 bool suspect(const btManifoldPoint& point, const Contact& c, double push) {
   const double lengthError = static_cast<double>(point.m_normalWorldOnB.length2()) - 1;
   const double sum = c.armA.sum() + c.armB.sum() + c.frame.sum() + c.target.sum() + c.friction +
-                     c.compliance + push + point.getDistance() + point.m_combinedRestitution;
+                     c.compliance + c.slipCompliance.sum() + push + point.getDistance() +
+                     point.m_combinedRestitution;
   return !(std::abs(lengthError) <= unitTolerance) || !std::isfinite(sum);
 }
 
@@ -164,7 +181,7 @@ void gatherManifold(Group& group, const Pair& pair, const btContactSolverInfo& i
       continue;
     }
     Contact& contact = group.contacts.emplace_back();
-    const double push = fillContact(pair, point, info, contact);
+    const double push = fillContact(group, pair, point, info, contact);
     if (suspect(point, contact, push) && takeOutFaulty(group, point, {&manifold, i}, push, report))
       continue;
     group.contactSources.push_back({&manifold, i});

@@ -65,18 +65,22 @@ std::string nameOfPart(const Group& group, const Island& island, int unknown) {
 }
 
 void solveIsland(const Group& group, const Island& island, Solver& solver, Answer& answer) {
-  const Problem problem = assemble(group.bodies, group.contacts, group.rows, island);
+  const Problem& problem =
+      answer.assembler.assemble(group.bodies, group.contacts, group.rows, island);
   collectGuess(island, answer);
-  const Solution solution = solver.solve(problem, answer.guess);
+  Solution& solution = answer.solution;
+  solver.solve(problem, answer.guess, solution);
   answer.regions += solution.regions;
   answer.factorisations += solution.factorisations;
 
-  IslandResult result{
-      solution.status, solution.residual, 0, problem.contacts() + problem.rows(), {}};
+  IslandResult result{solution.status,
+                      solution.residual,
+                      solution.residualRms,
+                      problem.contacts() + problem.rows(),
+                      {}};
   if (solution.r.allFinite()) {
     keepReactions(island, solution, answer);
     applyReaction(answer.bodies, group.contacts, group.rows, island, solution.r);
-    result.residualRms = naturalResidual(problem, solution.r, solution.u).rms;
   } else {
     // Better no reaction than one that spoils the world; the residual says how good that is.
     for (int i : island.frictional) answer.contacts[i].setZero();
@@ -94,8 +98,9 @@ void solveIslands(const Group& group, Solver& solver, Answer& answer) {
   answer.islands.clear();
   answer.bodies = group.bodies;
   answer.modes.assign(group.contacts.size(), Mode::Open);
-  for (const Island& island : splitIslands(group.bodies, group.contacts, group.rows))
-    solveIsland(group, island, solver, answer);
+  answer.assembler.split(group.bodies, group.contacts, group.rows);
+  for (int i = 0; i < answer.assembler.islands(); ++i)
+    solveIsland(group, answer.assembler.island(i), solver, answer);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include "bullet_ext/gather.h"
 #include "delassus/active_set.h"
+#include "delassus/island.h"
+#include "delassus/solution.h"
 #include "delassus/solver.h"
 
 namespace delassus::bullet {
@@ -24,7 +26,9 @@ struct Answer {
   std::vector<Mode> modes;     ///< of each contact
   std::vector<double> rows;    ///< reaction of each row, N·s
   std::vector<IslandResult> islands;
-  VectorXd guess;  ///< of the island that is being solved
+  VectorXd guess;       ///< of the island that is being solved
+  Solution solution;    ///< the same
+  Assembler assembler;  ///< of the islands
   int regions = 0, factorisations = 0, obsoleteConstraints = 0;
 
   std::size_t bytes() const;

@@ -67,7 +67,7 @@ void JudgedSolver::afterGroup(const GroupArguments& arguments) {
 }
 
 void JudgedSolver::lendFeedback(const GroupArguments& arguments) {
-  lent_.assign(std::size_t(arguments.constraintCount), {});
+  lent_.assign(std::size_t(arguments.constraintCount), btJointFeedback());
   borrowers_.clear();
   for (int i = 0; i < arguments.constraintCount; ++i) {
     btTypedConstraint* joint = arguments.constraints[i];

@@ -17,6 +17,7 @@ struct Contact {
   Vec3 target =
       Vec3::Zero();       ///< wanted relative velocity in the frame, m/s (restitution, gap, belt)
   double compliance = 0;  ///< added to W_nn, 1/kg
+  Vec2 slipCompliance = Vec2::Zero();  ///< added to the tangential diagonal of W, 1/kg
 };
 
 }  // namespace delassus

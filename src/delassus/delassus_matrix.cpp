@@ -4,8 +4,8 @@
 
 namespace delassus {
 
-VectorXd BodySpace::impulse(const VectorXd& r) const {
-  VectorXd y = VectorXd::Zero(6 * bodies);
+void BodySpace::impulse(const VectorXd& r, VectorXd& y) const {
+  y.setZero(6 * bodies);
   int at = 0;
   for (const ContactRows& c : contacts) {
     const Vec3 rc = r.segment<3>(at);
@@ -18,11 +18,10 @@ VectorXd BodySpace::impulse(const VectorXd& r) const {
     if (c.b >= 0) y.segment<6>(6 * c.b).noalias() += c.Jb.transpose() * r[at];
     ++at;
   }
-  return y;
 }
 
-VectorXd BodySpace::relativeVelocity(const VectorXd& y) const {
-  VectorXd u = VectorXd::Zero(compliance.size());
+void BodySpace::relativeVelocity(const VectorXd& y, VectorXd& u) const {
+  u.setZero(compliance.size());
   int at = 0;
   for (const ContactRows& c : contacts) {
     if (c.a >= 0) u.segment<3>(at).noalias() += c.Ja * y.segment<6>(6 * c.a);
@@ -34,7 +33,6 @@ VectorXd BodySpace::relativeVelocity(const VectorXd& y) const {
     if (c.b >= 0) u[at] += c.Jb.dot(y.segment<6>(6 * c.b));
     ++at;
   }
-  return u;
 }
 
 DelassusMatrix::DelassusMatrix(Sparse entries)
@@ -46,8 +44,19 @@ DelassusMatrix::DelassusMatrix(BodySpace space)
       space_(std::move(space)) {}
 
 VectorXd DelassusMatrix::operator*(const VectorXd& r) const {
-  if (!inBodySpace_) return entries_ * r;
-  return space_.relativeVelocity(space_.impulse(r)) + space_.compliance.cwiseProduct(r);
+  VectorXd y, u;
+  multiply(r, y, u);
+  return u;
+}
+
+void DelassusMatrix::multiply(const VectorXd& r, VectorXd& y, VectorXd& u) const {
+  if (!inBodySpace_) {
+    u.noalias() = entries_ * r;
+    return;
+  }
+  space_.impulse(r, y);
+  space_.relativeVelocity(y, u);
+  u += space_.compliance.cwiseProduct(r);
 }
 
 Mat3 DelassusMatrix::contactBlock(int first) const {
@@ -65,8 +74,17 @@ Mat3 DelassusMatrix::contactBlock(int first) const {
 }
 
 VectorXd DelassusMatrix::diagonal() const {
-  if (!inBodySpace_) return entries_.diagonal();
-  VectorXd d = space_.compliance;
+  VectorXd d;
+  diagonal(d);
+  return d;
+}
+
+void DelassusMatrix::diagonal(VectorXd& d) const {
+  if (!inBodySpace_) {
+    d = entries_.diagonal();
+    return;
+  }
+  d = space_.compliance;
   int at = 0;
   for (const BodySpace::ContactRows& c : space_.contacts) {
     if (c.a >= 0) d.segment<3>(at) += c.Ja.rowwise().squaredNorm();
@@ -78,7 +96,6 @@ VectorXd DelassusMatrix::diagonal() const {
     if (c.b >= 0) d[at] += c.Jb.squaredNorm();
     ++at;
   }
-  return d;
 }
 
 MatrixXd DelassusMatrix::dense() const {

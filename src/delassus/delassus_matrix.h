@@ -26,8 +26,8 @@ struct BodySpace {
   std::vector<ScalarRow> rows;
   VectorXd compliance;  ///< one entry an unknown, 1/kg
 
-  VectorXd impulse(const VectorXd& r) const;           ///< J̃ᵀ r
-  VectorXd relativeVelocity(const VectorXd& y) const;  ///< J̃ y
+  void impulse(const VectorXd& r, VectorXd& y) const;           ///< y = J̃ᵀ r
+  void relativeVelocity(const VectorXd& y, VectorXd& u) const;  ///< u = J̃ y
 };
 
 /// The Delassus matrix W = J M⁻¹ Jᵀ of one island: n contacts with three rows each, then m scalar rows.
@@ -45,12 +45,21 @@ class DelassusMatrix {
   int size() const { return size_; }
   bool inBodySpace() const { return inBodySpace_; }
   const BodySpace& bodySpace() const { return space_; }
+  /// Becomes a factored matrix of `size` unknowns: its storage, to be filled anew.
+  BodySpace& refill(int size) {
+    size_ = size;
+    inBodySpace_ = true;
+    return space_;
+  }
   const Sparse& entries() const { return entries_; }  ///< explicit storage only
 
   VectorXd operator*(const VectorXd& r) const;  ///< W r
+  /// u = W r; y is scratch (J̃ᵀ r afterwards, if factored).
+  void multiply(const VectorXd& r, VectorXd& y, VectorXd& u) const;
   /// The 3x3 diagonal block of the contact whose unknowns start at `first`.
   Mat3 contactBlock(int first) const;
   VectorXd diagonal() const;
+  void diagonal(VectorXd& d) const;
   MatrixXd dense() const;
 
  private:

@@ -54,17 +54,16 @@ double longestStep(double x, double d) { return d < 0 ? -x / d : infinity; }
 
 /// Reactions and velocities of the size of the demands, in the middle of their cones.
 template <class Motion>
-void InteriorPoint<Motion>::start(const Problem& problem) {
+void InteriorPoint<Motion>::start(const Problem& problem, const NaturalMap& map) {
   const int n = problem.contacts(), m = problem.rows();
-  scale_ = problem.W.diagonal();
+  scale_ = map.diagonal();
   for (int i = 0; i < n; ++i)
     scale_.template segment<3>(3 * i).setConstant(scale_.template segment<3>(3 * i).mean());
   scale_ = scale_.cwiseMax(1e-14 * std::max(scale_.maxCoeff(), 1e-300));
-  compliance_ =
-      problem.W.inBodySpace() ? problem.W.bodySpace().compliance : VectorXd::Zero(problem.size());
   // Smaller, and reactions that squeeze each other run away; larger, and the last digits come slowly.
   constexpr double proximal = 1e-6;
-  weight_ = compliance_ + proximal * scale_;
+  weight_ = proximal * scale_;
+  if (problem.W.inBodySpace()) weight_ += problem.W.bodySpace().compliance;
 
   const double speed = std::max(problem.q.cwiseAbs().maxCoeff(), 1e-300);
   r_ = VectorXd::Zero(problem.size());
@@ -219,10 +218,10 @@ bool InteriorPoint<Motion>::step(Motion& motion, const Problem& problem, double 
     b_[3 * n + i] = G_.rows[i] * y;
   }
 
-  dv_ = motion.impulse(b_);
+  motion.impulse(b_, dv_);
   motion.solve(dv_);
   if (!dv_.allFinite()) return false;
-  du_ = motion.relativeVelocity(dv_);
+  motion.relativeVelocity(dv_, du_);
 
   for (int i = 0; i < n; ++i) {
     Cone& c = cones_[i];
@@ -276,16 +275,18 @@ void InteriorPoint<Motion>::advance(const Problem& problem, double length) {
   for (Cone& c : cones_) c.x += length * c.dx, c.y += length * c.dy;
   for (auto* sides : {&lower_, &upper_})
     for (Side& s : *sides) s.x += length * s.dx, s.y += length * s.dy;
-  u_ = problem.W * r_ + problem.q;
+  problem.W.multiply(r_, y_, u_);
+  u_ += problem.q;
 }
 
 template <class Motion>
-bool InteriorPoint<Motion>::solve(Motion& motion, const Problem& problem, double tolerance,
-                                  int budget, Solution& best) {
+bool InteriorPoint<Motion>::solve(Motion& motion, const Problem& problem, const NaturalMap& map,
+                                  double tolerance, int budget, Solution& best) {
   constexpr double toBoundary = 0.99, leastCentring = 1e-8;
   constexpr int mostIdle = 8;
-  start(problem);
-  u_ = problem.W * r_ + problem.q;
+  start(problem, map);
+  problem.W.multiply(r_, y_, u_);
+  u_ += problem.q;
   double own = infinity;  // best residual on this path
   int idle = 0;           // steps without gain
   for (int k = 0; k < budget; ++k) {
@@ -301,7 +302,7 @@ bool InteriorPoint<Motion>::solve(Motion& motion, const Problem& problem, double
     const double length = std::min(1.0, toBoundary * longestStep());
     advance(problem, length);
 
-    const double now = naturalResidual(problem, r_, u_).max;
+    const double now = map.residual(r_, u_).max;
     if (!std::isfinite(now)) return false;
     const bool gains = now < 0.9 * own;
     idle = gains ? 0 : idle + 1;
@@ -311,7 +312,7 @@ bool InteriorPoint<Motion>::solve(Motion& motion, const Problem& problem, double
       best.u = u_;
       best.residual = now;
     }
-    if (now <= std::max(tolerance, roundOff(scale_, r_))) return true;
+    if (now <= std::max(tolerance, map.roundOff(r_))) return true;
     if (idle > mostIdle) return false;
   }
   return false;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "delassus/motion_space.h"
+#include "delassus/residual.h"
 #include "delassus/solution.h"
 
 namespace delassus {
@@ -21,7 +22,8 @@ class InteriorPoint {
  public:
   /// Improves `best` from a cold start. Stops at the natural residual `tolerance` (m/s), after `budget` factorisations,
   /// or when it gains no more. Returns whether the tolerance was reached.
-  bool solve(Motion& motion, const Problem& problem, double tolerance, int budget, Solution& best);
+  bool solve(Motion& motion, const Problem& problem, const NaturalMap& map, double tolerance,
+             int budget, Solution& best);
 
  private:
   /// A contact with friction: a point in the Lorentz cone, and what a step does to it.
@@ -41,7 +43,7 @@ class InteriorPoint {
     double target = 0;  ///< of x dy + y dx
   };
 
-  void start(const Problem& problem);
+  void start(const Problem& problem, const NaturalMap& map);
   void measure(const Problem& problem);
   void linearise(const Problem& problem);
   /// Solves for the step towards x ∘ y = `tau` e; with `corrector`, the second-order term of the last step is included.
@@ -50,8 +52,8 @@ class InteriorPoint {
   double gapAfter(double length) const;
   void advance(const Problem& problem, double length);
 
-  VectorXd scale_, compliance_;
-  VectorXd r_, u_;
+  VectorXd scale_;
+  VectorXd r_, u_, y_;
   VectorXd b_, dv_, du_;
   VectorXd weight_;  ///< compliance + proximal weight
   std::vector<Cone> cones_;

@@ -5,53 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "delassus/links.h"
-
 namespace delassus {
 namespace {
-
-/// B with M⁻¹ = B Bᵀ: a diagonal for the mass, a lower triangle (Cholesky that skips locked axes) for the inertia.
-struct RootOfInverseMass {
-  Vec3 linear = Vec3::Zero();
-  Mat3 angular = Mat3::Zero();
-
-  explicit RootOfInverseMass(const Body& body) : linear(body.inverseMass.cwiseSqrt()) {
-    // A pivot below round-off of the largest inverse inertia is a locked direction.
-    const Mat3& I = body.inverseInertia;
-    const double locked = 1e-14 * I.diagonal().maxCoeff();
-    for (int j = 0; j < 3; ++j) {
-      const double pivot = I(j, j) - angular.row(j).head(j).squaredNorm();
-      if (pivot <= locked) continue;
-      angular(j, j) = std::sqrt(pivot);
-      for (int i = j + 1; i < 3; ++i)
-        angular(i, j) =
-            (I(i, j) - angular.row(i).head(j).dot(angular.row(j).head(j))) / angular(j, j);
-    }
-  }
-};
-
-Mat3 cross(const Vec3& x) {
-  Mat3 m;
-  m << 0, -x[2], x[1], x[2], 0, -x[0], -x[1], x[0], 0;
-  return m;
-}
-
-/// Rows of the Jacobian of a contact for a body touched at `arm`: frameᵀ [ I, −[arm]× ].
-Mat36 contactJacobian(const Mat3& frame, const Vec3& arm) {
-  Mat36 J;
-  J.leftCols<3>() = frame.transpose();
-  J.rightCols<3>().noalias() = -frame.transpose() * cross(arm);
-  return J;
-}
-
-template <int rows>
-Eigen::Matrix<double, rows, 6> massNormalised(const Eigen::Matrix<double, rows, 6>& J,
-                                              const RootOfInverseMass& B) {
-  Eigen::Matrix<double, rows, 6> JB;
-  JB.template leftCols<3>() = J.template leftCols<3>() * B.linear.asDiagonal();
-  JB.template rightCols<3>().noalias() = J.template rightCols<3>() * B.angular;
-  return JB;
-}
 
 bool movable(const std::vector<Body>& bodies, int i) { return i >= 0 && bodies[i].movable(); }
 
@@ -60,133 +15,190 @@ void applyImpulse(Body& body, const Vec6& impulse) {
   body.velocity.tail<3>() += body.inverseInertia * impulse.tail<3>();
 }
 
+/// A contact's part of the Jacobian for a body touched at `arm`: frameᵀ [ I, −[arm]× ].
+Mat36 contactJacobian(const Mat3& frame, const Vec3& arm) {
+  Mat36 J;
+  J.leftCols<3>() = frame.transpose();
+  for (int i = 0; i < 3; ++i) J.row(i).tail<3>() = arm.cross(frame.col(i)).transpose();
+  return J;
+}
+
+/// The normal row of the same.
+Row6 normalJacobian(const Mat3& frame, const Vec3& arm) {
+  Row6 J;
+  J << frame.col(0).transpose(), arm.cross(frame.col(0)).transpose();
+  return J;
+}
+
 }  // namespace
 
-std::vector<Island> splitIslands(const std::vector<Body>& bodies,
-                                 const std::vector<Contact>& contacts,
-                                 const std::vector<Row>& rows) {
-  const int count = static_cast<int>(bodies.size());
-  Links links(count);
+/// Cholesky that skips locked axes.
+Assembler::RootOfInverseMass Assembler::rootOf(const Body& body) {
+  RootOfInverseMass root{body.inverseMass.cwiseSqrt(), Mat3::Zero()};
+  // A pivot below round-off of the largest inverse inertia is a locked direction.
+  const Mat3& I = body.inverseInertia;
+  Mat3& angular = root.angular;
+  const double locked = 1e-14 * I.diagonal().maxCoeff();
+  for (int j = 0; j < 3; ++j) {
+    const double pivot = I(j, j) - angular.row(j).head(j).squaredNorm();
+    if (pivot <= locked) continue;
+    angular(j, j) = std::sqrt(pivot);
+    for (int i = j + 1; i < 3; ++i)
+      angular(i, j) =
+          (I(i, j) - angular.row(i).head(j).dot(angular.row(j).head(j))) / angular(j, j);
+  }
+  return root;
+}
+
+void Assembler::addIsland() {
+  if (count_ == static_cast<int>(islands_.size())) islands_.emplace_back();
+  Island& island = islands_[count_++];
+  island.bodies.clear();
+  island.frictional.clear();
+  island.frictionless.clear();
+  island.rows.clear();
+}
+
+void Assembler::split(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
+                      const std::vector<Row>& rows) {
+  constexpr int untouched = -2, unnumbered = -1;
+  const int bodyCount = static_cast<int>(bodies.size());
+  links_.reset(bodyCount);
   const auto join = [&](int a, int b) {
-    if (movable(bodies, a) && movable(bodies, b)) links.join(a, b);
+    if (movable(bodies, a) && movable(bodies, b)) links_.join(a, b);
   };
   for (const Contact& c : contacts) join(c.a, c.b);
   for (const Row& c : rows) join(c.a, c.b);
 
-  // Number the islands by their first body; bodies that nothing touches make no island.
-  std::vector<char> touched(count, 0);
+  // Bodies that nothing touches make no island.
+  islandOf_.assign(bodyCount, untouched);
   const auto touch = [&](int i) {
-    if (movable(bodies, i)) touched[links.root(i)] = 1;
+    if (movable(bodies, i)) islandOf_[links_.root(i)] = unnumbered;
   };
   for (const Contact& c : contacts) touch(c.a), touch(c.b);
   for (const Row& c : rows) touch(c.a), touch(c.b);
 
-  std::vector<Island> islands;
-  std::vector<int> islandOf(count, -1);
-  for (int i = 0; i < count; ++i) {
-    const int root = links.root(i);
-    if (!movable(bodies, i) || !touched[root]) continue;
+  // The root of an island is its first body.
+  count_ = 0;
+  for (int i = 0; i < bodyCount; ++i) {
+    const int root = links_.root(i);
+    if (!movable(bodies, i) || islandOf_[root] == untouched) continue;
     if (root == i) {
-      islandOf[i] = static_cast<int>(islands.size());
-      islands.emplace_back();
+      islandOf_[i] = count_;
+      addIsland();
     }
-    islandOf[i] = islandOf[root];
-    islands[islandOf[i]].bodies.push_back(i);
+    islandOf_[i] = islandOf_[root];
+    islands_[islandOf_[i]].bodies.push_back(i);
   }
 
-  const auto islandTouching = [&](int a, int b) {
-    return movable(bodies, a) ? islandOf[a] : movable(bodies, b) ? islandOf[b] : -1;
+  const auto islandTouching = [&](int a, int b) -> Island* {
+    const int body = movable(bodies, a) ? a : movable(bodies, b) ? b : -1;
+    return body >= 0 ? &islands_[islandOf_[body]] : nullptr;
   };
-  for (int i = 0; i < static_cast<int>(contacts.size()); ++i) {
-    const int island = islandTouching(contacts[i].a, contacts[i].b);
-    if (island < 0) continue;
-    (contacts[i].friction > 0 ? islands[island].frictional : islands[island].frictionless)
-        .push_back(i);
-  }
-  for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
-    const int island = islandTouching(rows[i].a, rows[i].b);
-    if (island >= 0) islands[island].rows.push_back(i);
-  }
-  return islands;
+  for (int i = 0; i < static_cast<int>(contacts.size()); ++i)
+    if (Island* island = islandTouching(contacts[i].a, contacts[i].b))
+      (contacts[i].friction > 0 ? island->frictional : island->frictionless).push_back(i);
+  for (int i = 0; i < static_cast<int>(rows.size()); ++i)
+    if (Island* island = islandTouching(rows[i].a, rows[i].b)) island->rows.push_back(i);
 }
 
-Problem assemble(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
-                 const std::vector<Row>& rows, const Island& island) {
+const Problem& Assembler::assemble(const std::vector<Body>& bodies,
+                                   const std::vector<Contact>& contacts,
+                                   const std::vector<Row>& rows, const Island& island) {
   const int n = static_cast<int>(island.frictional.size());
-  const int smooth = static_cast<int>(island.frictionless.size());
-  const int m = smooth + static_cast<int>(island.rows.size());
+  const int m = static_cast<int>(island.frictionless.size() + island.rows.size());
 
-  BodySpace space;
+  BodySpace& space = problem_.W.refill(3 * n + m);
   space.bodies = static_cast<int>(island.bodies.size());
-  space.contacts.reserve(n);
-  space.rows.reserve(m);
-  space.compliance = VectorXd::Zero(3 * n + m);
+  space.contacts.clear();
+  space.rows.clear();
+  space.compliance.resize(3 * n + m);
+  problem_.q.resize(3 * n + m);
+  problem_.friction.resize(n);
+  problem_.lower.resize(m);
+  problem_.upper.resize(m);
 
-  Problem problem;
-  problem.q.resize(3 * n + m);
-  problem.friction.resize(n);
-  problem.lower.resize(m);
-  problem.upper.resize(m);
-
-  std::vector<RootOfInverseMass> roots;
-  roots.reserve(island.bodies.size());
-  for (int body : island.bodies) roots.emplace_back(bodies[body]);
+  roots_.clear();
+  for (int body : island.bodies) roots_.push_back(rootOf(bodies[body]));
   const auto local = [&](int body) {
     if (!movable(bodies, body)) return fixedWorld;
     const auto at = std::lower_bound(island.bodies.begin(), island.bodies.end(), body);
     return static_cast<int>(at - island.bodies.begin());
   };
-  const auto velocity = [&](int body) -> Vec6 {
-    return body >= 0 ? bodies[body].velocity : Vec6::Zero();
-  };
+  /// One body's share: its velocity in q, and J B in the place of J (nothing if it is immovable).
   double largestTerm = 0;
-  const auto difference = [&](const auto& a, const auto& b, const auto& target) {
-    largestTerm = std::max({largestTerm, a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()});
-    return (a + b - target).eval();
+  const auto takeShare = [&](int body, int place, auto& J, auto& q) {
+    if (body >= 0) {
+      const auto share = (J * bodies[body].velocity).eval();
+      largestTerm = std::max(largestTerm, share.cwiseAbs().maxCoeff());
+      q += share;
+    }
+    if (place < 0) {
+      J.setZero();
+      return;
+    }
+    const RootOfInverseMass& B = roots_[place];
+    J.template leftCols<3>() *= B.linear.asDiagonal();
+    J.template rightCols<3>() = (J.template rightCols<3>() * B.angular).eval();
   };
 
   int at = 0;
   for (int i : island.frictional) {
     const Contact& c = contacts[i];
-    const Mat36 Ja = contactJacobian(c.frame, c.armA), Jb = -contactJacobian(c.frame, c.armB);
-    BodySpace::ContactRows entry{local(c.a), local(c.b), Mat36::Zero(), Mat36::Zero()};
-    if (entry.a >= 0) entry.Ja = massNormalised<3>(Ja, roots[entry.a]);
-    if (entry.b >= 0) entry.Jb = massNormalised<3>(Jb, roots[entry.b]);
-    space.contacts.push_back(entry);
-    space.compliance[at] = c.compliance;
-    problem.q.segment<3>(at) =
-        difference(Vec3(Ja * velocity(c.a)), Vec3(Jb * velocity(c.b)), c.target);
-    problem.friction[at / 3] = c.friction;
+    BodySpace::ContactRows& entry = space.contacts.emplace_back();
+    entry.a = local(c.a);
+    entry.b = local(c.b);
+    Vec3 q = Vec3::Zero();
+    if (c.a >= 0) entry.Ja = contactJacobian(c.frame, c.armA);
+    if (c.b >= 0) entry.Jb = -contactJacobian(c.frame, c.armB);
+    takeShare(c.a, entry.a, entry.Ja, q);
+    takeShare(c.b, entry.b, entry.Jb, q);
+    problem_.q.segment<3>(at) = q - c.target;
+    space.compliance.segment<3>(at) << c.compliance, c.slipCompliance;
+    problem_.friction[at / 3] = c.friction;
     at += 3;
   }
 
   const auto addRow = [&](int a, int b, const Row6& Ja, const Row6& Jb, double target, double lower,
                           double upper, double compliance) {
-    BodySpace::ScalarRow entry{local(a), local(b), Row6::Zero(), Row6::Zero()};
-    if (entry.a >= 0) entry.Ja = massNormalised<1>(Ja, roots[entry.a]);
-    if (entry.b >= 0) entry.Jb = massNormalised<1>(Jb, roots[entry.b]);
-    space.rows.push_back(entry);
+    BodySpace::ScalarRow& entry =
+        space.rows.emplace_back(BodySpace::ScalarRow{local(a), local(b), Ja, Jb});
+    Eigen::Matrix<double, 1, 1> q(0.0);
+    takeShare(a, entry.a, entry.Ja, q);
+    takeShare(b, entry.b, entry.Jb, q);
+    problem_.q[at] = q[0] - target;
     space.compliance[at] = compliance;
-    problem.q.segment<1>(at) =
-        difference(Vec1(Ja * velocity(a)), Vec1(Jb * velocity(b)), Vec1(target));
-    problem.lower[at - 3 * n] = lower;
-    problem.upper[at - 3 * n] = upper;
+    problem_.lower[at - 3 * n] = lower;
+    problem_.upper[at - 3 * n] = upper;
     ++at;
   };
   for (int i : island.frictionless) {
     const Contact& c = contacts[i];
-    addRow(c.a, c.b, contactJacobian(c.frame, c.armA).row(0),
-           -contactJacobian(c.frame, c.armB).row(0), c.target[0], 0,
-           std::numeric_limits<double>::infinity(), c.compliance);
+    addRow(c.a, c.b, normalJacobian(c.frame, c.armA), -normalJacobian(c.frame, c.armB), c.target[0],
+           0, std::numeric_limits<double>::infinity(), c.compliance);
   }
   for (int i : island.rows) {
     const Row& c = rows[i];
     addRow(c.a, c.b, c.jacobianA, c.jacobianB, c.target, c.lower, c.upper, c.compliance);
   }
 
-  problem.roundOff = 4 * std::numeric_limits<double>::epsilon() * largestTerm;
-  problem.W = DelassusMatrix(std::move(space));
-  return problem;
+  problem_.roundOff = 4 * std::numeric_limits<double>::epsilon() * largestTerm;
+  return problem_;
+}
+
+std::vector<Island> splitIslands(const std::vector<Body>& bodies,
+                                 const std::vector<Contact>& contacts,
+                                 const std::vector<Row>& rows) {
+  Assembler assembler;
+  assembler.split(bodies, contacts, rows);
+  std::vector<Island> islands;
+  for (int i = 0; i < assembler.islands(); ++i) islands.push_back(assembler.island(i));
+  return islands;
+}
+
+Problem assemble(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
+                 const std::vector<Row>& rows, const Island& island) {
+  return Assembler().assemble(bodies, contacts, rows, island);
 }
 
 void applyReaction(std::vector<Body>& bodies, const std::vector<Contact>& contacts,

@@ -4,6 +4,7 @@
 
 #include "delassus/body.h"
 #include "delassus/contact.h"
+#include "delassus/links.h"
 #include "delassus/problem.h"
 #include "delassus/row.h"
 
@@ -19,13 +20,42 @@ struct Island {
   std::vector<int> rows;
 };
 
-/// Splits a step into islands, ordered by their first body. Contacts and rows between immovable bodies have no
-/// unknowns and appear in no island.
+/// Splits steps into islands and writes their problems, in storage that it keeps from step to step.
+class Assembler {
+ public:
+  /// Finds the islands of a step, ordered by their first body; good until the next call. Contacts and rows between
+  /// immovable bodies have no unknowns and appear in no island.
+  void split(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
+             const std::vector<Row>& rows);
+  int islands() const { return count_; }
+  const Island& island(int i) const { return islands_[i]; }
+
+  /// W, q, friction and bounds of one island; good until the next call.
+  const Problem& assemble(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
+                          const std::vector<Row>& rows, const Island& island);
+
+ private:
+  /// B with M⁻¹ = B Bᵀ: a diagonal for the mass, a lower triangle for the inertia.
+  struct RootOfInverseMass {
+    Vec3 linear;
+    Mat3 angular;
+  };
+  static RootOfInverseMass rootOf(const Body& body);
+
+  void addIsland();
+
+  std::vector<Island> islands_;  ///< the first count_ are of this step
+  int count_ = 0;
+  Links links_;
+  std::vector<int> islandOf_;  ///< of each body
+  std::vector<RootOfInverseMass> roots_;
+  Problem problem_;
+};
+
+/// One-off use.
 std::vector<Island> splitIslands(const std::vector<Body>& bodies,
                                  const std::vector<Contact>& contacts,
                                  const std::vector<Row>& rows);
-
-/// W, q, friction and bounds of one island.
 Problem assemble(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
                  const std::vector<Row>& rows, const Island& island);
 

@@ -9,7 +9,13 @@ namespace delassus {
 /// Union-find. The smallest index of a set is its root, so the result has no memory of the order of joins.
 class Links {
  public:
-  explicit Links(int n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+  explicit Links(int n = 0) { reset(n); }
+
+  /// Everything apart again.
+  void reset(int n) {
+    parent_.resize(n);
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
 
   int root(int i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];

@@ -19,15 +19,15 @@ struct Stiffness {
 };
 
 /// A motion space is where the reactions of an island are felt: y = J̃ᵀ r with M = I, so that W = J̃ J̃ᵀ + diag(compliance).
-/// Each offers impulse (J̃ᵀ r), relativeVelocity (J̃ y), and the Newton matrix K = I + J̃ᵀ G J̃ of a region.
+/// Each offers impulse (y = J̃ᵀ r), relativeVelocity (u = J̃ y), and the Newton matrix K = I + J̃ᵀ G J̃ of a region.
 
 /// Bodies of a world: six columns a body, K is sparse in 6x6 blocks over the body graph.
 class BodyMotion {
  public:
   void setProblem(const Problem& problem);
 
-  VectorXd impulse(const VectorXd& r) const { return space_->impulse(r); }
-  VectorXd relativeVelocity(const VectorXd& y) const { return space_->relativeVelocity(y); }
+  void impulse(const VectorXd& r, VectorXd& y) const { space_->impulse(r, y); }
+  void relativeVelocity(const VectorXd& y, VectorXd& u) const { space_->relativeVelocity(y, u); }
   bool factorise(const Stiffness& G);
   void solve(VectorXd& y) const { factor_.solve(y); }
   std::size_t bytes() const { return factor_.bytes(); }
@@ -44,8 +44,8 @@ class FactoredMotion {
  public:
   void setProblem(const Problem& problem);
 
-  VectorXd impulse(const VectorXd& r) const { return J_.transpose() * r; }
-  VectorXd relativeVelocity(const VectorXd& y) const { return J_ * y; }
+  void impulse(const VectorXd& r, VectorXd& y) const { y.noalias() = J_.transpose() * r; }
+  void relativeVelocity(const VectorXd& y, VectorXd& u) const { u.noalias() = J_ * y; }
   bool factorise(const Stiffness& G);
   void solve(VectorXd& y) const { y = lu_.solve(y).eval(); }
   std::size_t bytes() const { return sizeof(double) * (J_.size() + GJ_.size() + 2 * K_.size()); }

@@ -9,16 +9,19 @@
 namespace delassus {
 
 template <class Motion>
-void ProximalNewton<Motion>::setProblem(const Problem& problem) {
+void ProximalNewton<Motion>::setProblem(const Problem& problem, const NaturalMap& map) {
+  map_ = &map;
   motion_.setProblem(problem);
   const int n = problem.contacts();
-  scale_ = problem.W.diagonal();
+  scale_ = map.diagonal();
   for (int i = 0; i < n; ++i) scale_.segment<3>(3 * i).setConstant(scale_.segment<3>(3 * i).mean());
   // A row that moves nothing (W_ii = 0) can do nothing: any finite weight leaves it harmless.
   const double largest = std::max(scale_.maxCoeff(), 1e-300);
   scale_ = scale_.cwiseMax(1e-14 * largest);
-  compliance_ =
-      problem.W.inBodySpace() ? problem.W.bodySpace().compliance : VectorXd::Zero(problem.size());
+  if (problem.W.inBodySpace())
+    compliance_ = problem.W.bodySpace().compliance;
+  else
+    compliance_.setZero(problem.size());
   G_.contacts.resize(n);
   G_.rows.resize(problem.rows());
   forgetFactor();
@@ -134,58 +137,69 @@ bool ProximalNewton<Motion>::factorise(Solution& count) {
   return fine;
 }
 
+/// What the bodies feel of r_ beyond the center, J̃ᵀ (r − r_k).
+template <class Motion>
+const VectorXd& ProximalNewton<Motion>::felt() {
+  change_ = r_ - center_;
+  motion_.impulse(change_, felt_);
+  return felt_;
+}
+
 template <class Motion>
 typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
     const Problem& problem, int& budget, Solution& count, const Solution* region) {
   // An inner answer only has to be better than what the outer step corrects anyway; at round-off the line search stalls.
   constexpr double enough = 1e-7, stalled = 1e-2;
   constexpr int mostSteps = 40, mostHalvings = 10;
-  delta_ = VectorXd::Zero(motion_.impulse(center_).size());
-  VectorXd u = u_, F, step, trialDelta, trialF;
+  motion_.impulse(center_, delta_);
+  delta_.setZero();
+  trialU_ = u_;
 
   if (region) {
     if (budget-- <= 0) return Inner::Failed;
     ++count.regions;
     respondInRegion(problem, *region);
     if (!factorise(count)) return Inner::Failed;
-    delta_ = motion_.impulse(r_ - center_);
+    delta_ = felt();
     motion_.solve(delta_);
     if (!delta_.allFinite()) return Inner::Failed;
-    u = u_ + motion_.relativeVelocity(delta_);
+    motion_.relativeVelocity(delta_, trialU_);
+    trialU_ += u_;
   }
-  respond(problem, u, &G_);
-  F = delta_ - motion_.impulse(r_ - center_);
-  double error = F.norm();
+  respond(problem, trialU_, &G_);
+  error_ = delta_ - felt();
+  double error = error_.norm();
   for (int k = 0; k < mostSteps; ++k) {
-    const double size = std::max(delta_.norm(), motion_.impulse(r_ - center_).norm());
+    const double size = std::max(delta_.norm(), felt().norm());
     if (error <= std::max(enough * size, fine_)) return Inner::Converged;
     if (budget-- <= 0) return Inner::Failed;
     ++count.regions;
     if (!factorise(count)) return Inner::Failed;
-    step = -F;
-    motion_.solve(step);
-    if (!step.allFinite()) return Inner::Failed;
+    step_ = -error_;
+    motion_.solve(step_);
+    if (!step_.allFinite()) return Inner::Failed;
 
-    // Halve the step until the energy norm of F falls; near a solution the full step is taken.
+    // Halve the step until the energy norm of the error falls; near a solution the full step is taken.
     double t = 1;
-    double trialError = 0;
+    double trialNorm = 0;
     bool accepted = false;
     for (int h = 0; h < mostHalvings; ++h, t *= 0.5) {
-      trialDelta = delta_ + t * step;
-      u = u_ + motion_.relativeVelocity(trialDelta);
-      respond(problem, u, nullptr);
-      trialF = trialDelta - motion_.impulse(r_ - center_);
-      trialError = trialF.norm();
-      if (trialError <= (1 - 1e-4 * t) * error) {
+      trialDelta_ = delta_ + t * step_;
+      motion_.relativeVelocity(trialDelta_, trialU_);
+      trialU_ += u_;
+      respond(problem, trialU_, nullptr);
+      trialError_ = trialDelta_ - felt();
+      trialNorm = trialError_.norm();
+      if (trialNorm <= (1 - 1e-4 * t) * error) {
         accepted = true;
         break;
       }
     }
     if (!accepted) return error <= stalled * size ? Inner::Converged : Inner::Failed;
-    delta_.swap(trialDelta);
-    F.swap(trialF);
-    error = trialError;
-    respond(problem, u, &G_);
+    delta_.swap(trialDelta_);
+    error_.swap(trialError_);
+    error = trialNorm;
+    respond(problem, trialU_, &G_);
   }
   return Inner::Failed;
 }
@@ -201,7 +215,7 @@ Outcome ProximalNewton<Motion>::walk(const Problem& problem, double tolerance, d
 template <class Motion>
 Outcome ProximalNewton<Motion>::walkFromRegion(const Problem& problem, double tolerance,
                                                double alpha, int regionBudget, Solution& best) {
-  center_ = VectorXd::Zero(problem.size());
+  center_.setZero(problem.size());
   u_ = problem.q;
   return converge(problem, tolerance, alpha, regionBudget, true, best);
 }
@@ -217,7 +231,9 @@ bool ProximalNewton<Motion>::growsInVain(const Problem& problem, double toleranc
   const VectorXd open = d.cwiseQuotient(l_);
   if (open.size() == frictional || open.cwiseAbs().maxCoeff() < 0.1 * residual) return false;
   if (frictional > 0 && open.head(frictional).cwiseAbs().maxCoeff() > 1e-6 * residual) return false;
-  const VectorXd moved = motion_.relativeVelocity(motion_.impulse(d));
+  VectorXd y, moved;
+  motion_.impulse(d, y);
+  motion_.relativeVelocity(y, moved);
   return moved.cwiseAbs().maxCoeff() <= std::max(tolerance, 1e-6 * residual);
 }
 
@@ -228,7 +244,7 @@ void ProximalNewton<Motion>::compromise(const Problem& problem, Solution& best) 
   const VectorXd open = scale_.cwiseProduct(d);
   best.r = center_ - d * (open.dot(center_) / open.dot(d));
   best.u = problem.W * best.r + problem.q;
-  best.residual = naturalResidual(problem, best.r, best.u).max;
+  best.residual = map_->residual(best.r, best.u).max;
   const double largest = open.cwiseAbs().maxCoeff();
   best.blamed.clear();
   for (int i = 0; i < problem.contacts(); ++i)
@@ -257,14 +273,15 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
       alpha *= 10;
       continue;
     }
-    const VectorXd u = problem.W * r_ + problem.q;
-    const double now = naturalResidual(problem, r_, u).max;
+    problem.W.multiply(r_, felt_, trialU_);
+    trialU_ += problem.q;
+    const double now = map_->residual(r_, trialU_).max;
     if (now > 0.5 * residual && alpha <= hardly && growsInVain(problem, tolerance, now)) {
       compromise(problem, best);
       return Outcome::Incompatible;
     }
     center_ = r_;
-    u_ = u;
+    u_.swap(trialU_);
     if (now < best.residual) {
       best.r = center_;
       best.u = u_;
@@ -272,7 +289,7 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
     }
     // Some digits more if they come by themselves: then the next step may stand on these reactions.
     const double aim = now > 0.1 * residual ? tolerance : 0.1 * tolerance;
-    if (now <= std::max(aim, roundOff(scale_, center_))) return Outcome::Reached;
+    if (now <= std::max(aim, map_->roundOff(center_))) return Outcome::Reached;
     // A region that is known needs a small weight to finish; one that still changes needs a larger one.
     if (now > 0.1 * residual && alpha <= smallest) return Outcome::Lost;
     if (now > 0.01 * residual) alpha = std::max(smallest, 0.1 * alpha);

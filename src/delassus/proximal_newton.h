@@ -1,7 +1,7 @@
 #pragma once
 
 #include "delassus/motion_space.h"
-#include "delassus/options.h"
+#include "delassus/residual.h"
 #include "delassus/solution.h"
 
 namespace delassus {
@@ -21,7 +21,8 @@ enum class Outcome : unsigned char {
 template <class Motion>
 class ProximalNewton {
  public:
-  void setProblem(const Problem& problem);
+  /// `map` is that of the problem; both must outlive the walks.
+  void setProblem(const Problem& problem, const NaturalMap& map);
 
   /// Improves best.r (with its u and residual) until its natural residual is at most `tolerance` (m/s), or the region
   /// budget is spent. `alpha`: first proximal weight. Among redundant contacts the limit stays near the reactions it came
@@ -55,14 +56,18 @@ class ProximalNewton {
   bool growsInVain(const Problem& problem, double tolerance, double residual) const;
   void compromise(const Problem& problem, Solution& best);
   void forgetFactor();
+  const VectorXd& felt();
 
+  const NaturalMap* map_ = nullptr;
   Motion motion_;
   VectorXd scale_;  ///< mean diagonal of W_aa per unknown
   VectorXd l_;      ///< 1/(compliance + A)
   VectorXd compliance_;
   VectorXd center_, u_;  ///< r_k and u_k
   VectorXd r_, delta_;   ///< the answer of the inner problem
-  double fine_ = 0;      ///< inner error that is small enough whatever the size of the step
+  VectorXd error_;       ///< δ − J̃ᵀ (r − r_k)
+  VectorXd step_, trialDelta_, trialError_, trialU_, change_, felt_;
+  double fine_ = 0;  ///< inner error that is small enough whatever the size of the step
   Stiffness G_, factored_;
 };
 

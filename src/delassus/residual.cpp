@@ -17,6 +17,10 @@ double spectralNorm(const Mat3& W) {
   if (!(scale > 0)) return scale;
   const Mat3 S = W / scale;
   Eigen::SelfAdjointEigenSolver<Mat3> eigen;
+  if (S == S.transpose()) {
+    eigen.computeDirect(S, Eigen::EigenvaluesOnly);
+    return scale * eigen.eigenvalues().cwiseAbs().maxCoeff();
+  }
   eigen.computeDirect(S.transpose() * S, Eigen::EigenvaluesOnly);
   return scale * std::sqrt(std::max(0.0, eigen.eigenvalues()[2]));
 }
@@ -29,17 +33,17 @@ double ratio(double part, double whole) { return part == 0 ? 0 : part / whole; }
 /// A block that vanishes gives no step. It takes the size of the largest block, which at least has the right unit, or
 /// 1 if all vanish: whatever the step, the residual is zero at the same reactions.
 template <class ContactSize>
-VectorXd blockSizes(const Problem& problem, ContactSize contactSize) {
+void blockSizes(const Problem& problem, const VectorXd& diagonal, ContactSize contactSize,
+                VectorXd& sizes) {
   const int n = problem.contacts(), m = problem.rows();
-  VectorXd sizes(n + m);
+  sizes.resize(n + m);
   for (int a = 0; a < n; ++a) sizes[a] = contactSize(problem.W.contactBlock(3 * a));
-  if (m > 0) sizes.tail(m) = problem.W.diagonal().tail(m).cwiseAbs();
+  sizes.tail(m) = diagonal.tail(m).cwiseAbs();
 
   const double largest = sizes.size() > 0 ? sizes.maxCoeff() : 0;
   const double instead = largest > 0 ? largest : 1;
   for (double& size : sizes)
     if (size < std::numeric_limits<double>::min()) size = instead;
-  return sizes;
 }
 
 /// Calls `visit(k, first, ‖F‖)` with F = r − P(r − s v), s = step(k), for each contact and then each row k, whose
@@ -64,9 +68,22 @@ void visitNaturalMap(const Problem& problem, const VectorXd& r, const VectorXd& 
 
 }  // namespace
 
-NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r, const VectorXd& u) {
+void NaturalMap::setProblem(const Problem& problem) {
+  problem_ = &problem;
+  problem.W.diagonal(diagonal_);
+  blockSizes(problem, diagonal_, spectralNorm, sizes_);
+}
+
+double NaturalMap::roundOff(const VectorXd& r) const {
+  if (r.size() == 0) return 0;
+  return 8 * std::numeric_limits<double>::epsilon() *
+         diagonal_.cwiseProduct(r).cwiseAbs().maxCoeff();
+}
+
+NaturalResidual NaturalMap::residual(const VectorXd& r, const VectorXd& u) const {
+  const Problem& problem = *problem_;
+  const VectorXd& size = sizes_;
   assert(r.size() == problem.size() && u.size() == problem.size() && "one number an unknown");
-  const VectorXd size = blockSizes(problem, spectralNorm);
 
   NaturalResidual residual;
   double velocity2 = 0, energy = 0, freeEnergy = 0;
@@ -88,22 +105,24 @@ NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r, const
   return residual;
 }
 
+NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r, const VectorXd& u) {
+  NaturalMap map;
+  map.setProblem(problem);
+  return map.residual(r, u);
+}
+
 NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r) {
   VectorXd u = problem.W * r;
   u += problem.q;
   return naturalResidual(problem, r, u);
 }
 
-double roundOff(const VectorXd& diagonal, const VectorXd& r) {
-  if (r.size() == 0) return 0;
-  return 8 * std::numeric_limits<double>::epsilon() *
-         diagonal.cwiseProduct(r).cwiseAbs().maxCoeff();
-}
-
 FclibMeasures fclibMeasures(const Problem& problem, const VectorXd& r) {
   assert(r.size() == problem.size() && "one number an unknown");
   const VectorXd u = problem.W * r + problem.q;
-  const VectorXd size = blockSizes(problem, [](const Mat3& W) { return std::abs(W.trace()) / 3; });
+  VectorXd size;
+  const auto meanDiagonal = [](const Mat3& W) { return std::abs(W.trace()) / 3; };
+  blockSizes(problem, problem.W.diagonal(), meanDiagonal, size);
 
   double unscaled2 = 0, velocity2 = 0;
   visitNaturalMap(

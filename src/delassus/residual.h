@@ -14,12 +14,26 @@ struct NaturalResidual {
   int worst = -1;     ///< first unknown of the contact or row with the largest ‖F‖/ρ
 };
 
-NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r, const VectorXd& u);
-/// The same with u = W r + q.
-NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r);
+/// Measures many reactions of one problem: what depends on W alone is found once.
+class NaturalMap {
+ public:
+  /// Keeps a pointer to `problem`, which must outlive the measuring.
+  void setProblem(const Problem& problem);
 
-/// What round-off alone leaves in u = W r + q, m/s: a few ε of the largest W_aa r_a. A residual cannot be read finer.
-double roundOff(const VectorXd& diagonal, const VectorXd& r);
+  NaturalResidual residual(const VectorXd& r, const VectorXd& u) const;
+  /// What round-off alone leaves in u = W r + q, m/s: a few ε of the largest W_aa r_a. A residual cannot be read finer.
+  double roundOff(const VectorXd& r) const;
+  const VectorXd& diagonal() const { return diagonal_; }  ///< of W
+
+ private:
+  const Problem* problem_ = nullptr;
+  VectorXd sizes_;     ///< ‖W_aa‖ per contact and row
+  VectorXd diagonal_;  ///< one an unknown
+};
+
+/// One-off use, with u = W r + q.
+NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r, const VectorXd& u);
+NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r);
 
 /// The published measures on problem files: unit-dependent, for comparison only.
 struct FclibMeasures {

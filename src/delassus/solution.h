@@ -23,8 +23,9 @@ struct Solution {
   VectorXd u;  ///< relative velocities u = W r + q, m/s
   ActiveSet activeSet;
   Status status = Status::Solved;
-  double residual = 0;  ///< natural residual, largest over contacts and rows, m/s
-  int regions = 0;      ///< regions visited
+  double residual = 0;     ///< natural residual, largest over contacts and rows, m/s
+  double residualRms = 0;  ///< its root mean square, m/s
+  int regions = 0;         ///< regions visited
   int factorisations = 0;
   int sweeps = 0;
   std::vector<int> blamed;  ///< first unknown of each contact or row with incompatible demands

@@ -17,11 +17,10 @@ namespace delassus {
 namespace {
 
 /// Reads the modes from the point z = r − v/W_aa that the law projects (from r alone grazing contacts lie).
-ActiveSet readActiveSet(const Problem& problem, const VectorXd& r, const VectorXd& u) {
+void readActiveSet(const Problem& problem, const VectorXd& diagonal, const VectorXd& r,
+                   const VectorXd& u, ActiveSet& set) {
   const int n = problem.contacts();
-  const VectorXd diagonal = problem.W.diagonal();
-  ActiveSet set;
-  set.contacts.reserve(n);
+  set.contacts.resize(n);
   for (int i = 0; i < n; ++i) {
     const int at = 3 * i;
     const double mu = problem.friction[i];
@@ -29,19 +28,18 @@ ActiveSet readActiveSet(const Problem& problem, const VectorXd& r, const VectorX
     const double rho = mean > 0 ? 1 / mean : 0;
     const Vec3 z = r.segment<3>(at) - rho * correctedVelocity(u.segment<3>(at), mu);
     const double zt = std::hypot(z[1], z[2]);
-    set.contacts.push_back(mu * zt <= -z[0] || (z[0] <= 0 && zt == 0) ? Mode::Open
-                           : zt < mu * z[0]                           ? Mode::Stick
-                                                                      : Mode::Slide);
+    set.contacts[i] = mu * zt <= -z[0] || (z[0] <= 0 && zt == 0) ? Mode::Open
+                      : zt < mu * z[0]                           ? Mode::Stick
+                                                                 : Mode::Slide;
   }
-  set.rows.reserve(problem.rows());
+  set.rows.resize(problem.rows());
   for (int i = 0; i < problem.rows(); ++i) {
     const int at = 3 * n + i;
     const double z = r[at] - (diagonal[at] > 0 ? u[at] / diagonal[at] : 0);
-    set.rows.push_back(z <= problem.lower[i]   ? RowState::AtLower
-                       : z >= problem.upper[i] ? RowState::AtUpper
-                                               : RowState::Free);
+    set.rows[i] = z <= problem.lower[i]   ? RowState::AtLower
+                  : z >= problem.upper[i] ? RowState::AtUpper
+                                          : RowState::Free;
   }
-  return set;
 }
 
 /// The paper's forced motion: all that approach are held, whatever the sign of their reactions will be.
@@ -60,24 +58,13 @@ ActiveSet forcedActiveSet(const Problem& problem) {
   return set;
 }
 
-/// Moves a guess into the cones and bounds.
-VectorXd feasible(const Problem& problem, VectorXd r) {
+/// Moves reactions into the cones and bounds.
+void makeFeasible(const Problem& problem, VectorXd& r) {
   const int n = problem.contacts();
   for (int i = 0; i < n; ++i)
     r.segment<3>(3 * i) = projectOnCone(r.segment<3>(3 * i), problem.friction[i]);
   for (int i = 0; i < problem.rows(); ++i)
     r[3 * n + i] = std::clamp(r[3 * n + i], problem.lower[i], problem.upper[i]);
-  return r;
-}
-
-/// Takes r as the best answer if its residual is smaller.
-void consider(const Problem& problem, const VectorXd& r, Solution& best) {
-  VectorXd u = problem.W * r + problem.q;
-  const double residual = naturalResidual(problem, r, u).max;
-  if (best.r.size() == r.size() && !(residual < best.residual)) return;
-  best.r = r;
-  best.u = std::move(u);
-  best.residual = residual;
 }
 
 }  // namespace
@@ -88,65 +75,95 @@ struct Solver::Workspace {
     ProximalNewton<Motion> walk;
     InteriorPoint<Motion> interior;
   };
+  NaturalMap map;
   Sweeps sweeps;
   Engines<BodyMotion> bodies;
   Engines<FactoredMotion> factored;
+  VectorXd trial, trialU, felt;
+
+  /// Takes r as the best answer if its residual is smaller.
+  void consider(const Problem& problem, const VectorXd& r, Solution& best);
 
   template <class Motion>
   Outcome walk(Engines<Motion>& engines, const Problem& problem, const Options& options,
                double tolerance, bool warm, Solution& best);
-  void sweep(const Problem& problem, int count, VectorXd& r, Solution& best);
+  void sweep(const Problem& problem, int count, Solution& best);
+  void sweepWhileItGains(const Problem& problem, const Options& options, double tolerance,
+                         Solution& best);
 };
 
-void Solver::Workspace::sweep(const Problem& problem, int count, VectorXd& r, Solution& best) {
-  sweeps.setProblem(problem);
-  for (int k = 0; k < count; ++k) sweeps.sweep(problem, r);
-  best.sweeps += count;
-  consider(problem, r, best);
+void Solver::Workspace::consider(const Problem& problem, const VectorXd& r, Solution& best) {
+  problem.W.multiply(r, felt, trialU);
+  trialU += problem.q;
+  const NaturalResidual residual = map.residual(r, trialU);
+  if (!(residual.max < best.residual)) return;
+  best.r = r;
+  best.u.swap(trialU);
+  best.residual = residual.max;
+  best.residualRms = residual.rms;
 }
 
-/// From the likeliest start to the surest: the reactions of the last step, which few sweeps mend where contacts came or
-/// went; without them the paper's forced motion, every approaching contact held, with reactions that start from zero. Where
-/// the walk loses its way, many contacts are at a wall of their region: an interior point comes down between the walls.
+void Solver::Workspace::sweep(const Problem& problem, int count, Solution& best) {
+  trial = best.r;
+  sweeps.setProblem(problem);
+  sweeps.sweep(problem, count, trial);
+  best.sweeps += count;
+  consider(problem, trial, best);
+}
+
+void Solver::Workspace::sweepWhileItGains(const Problem& problem, const Options& options,
+                                          double tolerance, Solution& best) {
+  constexpr int burst = 20;
+  constexpr double gain = 0.7;
+  double before = std::numeric_limits<double>::infinity();
+  while (best.residual < gain * before && best.residual > tolerance &&
+         best.sweeps + burst <= options.sweepBudget) {
+    before = best.residual;
+    sweep(problem, burst, best);
+  }
+}
+
+/// From the likeliest start to the surest: the reactions of the last step, or without them the paper's forced motion, every
+/// approaching contact held, with reactions that start from zero. Sweeps mend what came and went, as long as they gain; the
+/// walk finishes. Where it loses its way, many contacts are at a wall of their region: an interior point comes down between
+/// the walls, and the walk goes on from there.
 template <class Motion>
 Outcome Solver::Workspace::walk(Engines<Motion>& engines, const Problem& problem,
                                 const Options& options, double tolerance, bool warm,
                                 Solution& best) {
-  constexpr double knownRegion = 1e-6, warmRegion = 1e-2, unknownRegion = 1e-1;
+  constexpr double knownRegion = 1e-6, unknownRegion = 1e-1;
   constexpr double disturbed = 1e-3;  // share of the demands that the last reactions leave open
-  constexpr int mendingSweeps = 10, interiorSteps = 40;
+  constexpr int interiorSteps = 40;
   const int firstTry = options.newtonBudget / 6;
   const double demand = problem.q.cwiseAbs().maxCoeff();
-  const VectorXd start = best.r;
   const auto settled = [](Outcome outcome) { return outcome != Outcome::Lost; };
   const auto left = [&] { return options.newtonBudget - best.regions; };
   // What is left to correct says how far the walk must look.
-  const auto weight = [&] {
-    return std::clamp(std::sqrt(best.residual / demand), 1e-4, unknownRegion);
+  const auto weight = [&](double least) {
+    return std::clamp(std::sqrt(best.residual / demand), least, unknownRegion);
   };
 
   ProximalNewton<Motion>& newton = engines.walk;
-  newton.setProblem(problem);
-  Outcome outcome;
-  if (warm) {
-    VectorXd r = start;
-    if (best.residual > disturbed * demand) sweep(problem, mendingSweeps, r, best);
-    outcome = newton.walk(problem, tolerance, warmRegion, std::min(firstTry, left()), best);
-  } else {
+  newton.setProblem(problem, map);
+  if (!warm) {
     best.activeSet = forcedActiveSet(problem);
-    outcome = newton.walkFromRegion(problem, tolerance, knownRegion, firstTry / 2, best);
+    const Outcome outcome =
+        newton.walkFromRegion(problem, tolerance, knownRegion, firstTry / 2, best);
+    if (settled(outcome)) return outcome;
   }
+  if (best.residual > disturbed * demand) sweepWhileItGains(problem, options, tolerance, best);
+  if (best.residual <= tolerance) return Outcome::Reached;
+  Outcome outcome = newton.walk(problem, tolerance, weight(1e-2), std::min(firstTry, left()), best);
   if (settled(outcome)) return outcome;
 
-  if (engines.interior.solve(newton.motion(), problem, tolerance, std::min(interiorSteps, left()),
-                             best))
+  if (engines.interior.solve(newton.motion(), problem, map, tolerance,
+                             std::min(interiorSteps, left()), best))
     return Outcome::Reached;
-  outcome = newton.walk(problem, tolerance, weight(), left() / 2, best);
+  outcome = newton.walk(problem, tolerance, weight(1e-4), left() / 2, best);
   if (settled(outcome)) return outcome;
 
-  VectorXd r = start;
-  for (int count = mendingSweeps; best.sweeps < options.sweepBudget && left() > 0; count *= 2) {
-    sweep(problem, count, r, best);
+  while (best.sweeps < options.sweepBudget && left() > 0) {
+    sweep(problem, std::min(50, options.sweepBudget - best.sweeps), best);
     outcome = newton.walk(problem, tolerance, unknownRegion, left(), best);
     if (settled(outcome)) return outcome;
   }
@@ -159,34 +176,51 @@ Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
 
 Solution Solver::solve(const Problem& problem, const VectorXd& guess) {
-  Solution best;
-  consider(problem, feasible(problem, VectorXd::Zero(problem.size())), best);
-  const double largestDemand = problem.size() > 0 ? problem.q.cwiseAbs().maxCoeff() : 0;
-  const double tolerance = std::max(options_.tolerance * largestDemand, problem.roundOff);
+  Solution solution;
+  solve(problem, guess, solution);
+  return solution;
+}
 
+void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best) {
+  Workspace& w = *workspace_;
+  w.map.setProblem(problem);
+  best.r.setZero(problem.size());
+  best.u = problem.q;
+  best.residual = best.residualRms = std::numeric_limits<double>::infinity();
+  best.regions = best.factorisations = best.sweeps = 0;
+  best.blamed.clear();
+
+  const double demand = problem.size() > 0 ? problem.q.cwiseAbs().maxCoeff() : 0;
+  const double tolerance = std::max(options_.tolerance * demand, problem.roundOff);
   const bool warm = guess.size() == problem.size() && problem.size() > 0 && guess.any();
-  if (best.residual > tolerance && warm) consider(problem, feasible(problem, guess), best);
-
+  if (warm) {
+    w.trial = guess;
+    makeFeasible(problem, w.trial);
+    w.consider(problem, w.trial, best);
+  }
+  if (!(best.residual <= tolerance)) {
+    w.trial.setZero(problem.size());
+    makeFeasible(problem, w.trial);
+    w.consider(problem, w.trial, best);
+  }
+  if (best.residual > tolerance && problem.contacts() == 1 && problem.rows() == 0) {
+    ++best.regions;
+    w.trial = solveOneContact(problem.W.contactBlock(0), problem.q, problem.friction[0]);
+    w.consider(problem, w.trial, best);
+  }
   Outcome outcome = Outcome::Lost;
   if (best.residual > tolerance) {
-    if (problem.contacts() == 1 && problem.rows() == 0) {
-      ++best.regions;
-      consider(problem, solveOneContact(problem.W.contactBlock(0), problem.q, problem.friction[0]),
-               best);
-    }
-    if (best.residual > tolerance) {
-      Workspace& w = *workspace_;
-      outcome = problem.W.inBodySpace()
-                    ? w.walk(w.bodies, problem, options_, tolerance, warm, best)
-                    : w.walk(w.factored, problem, options_, tolerance, warm, best);
-    }
+    outcome = problem.W.inBodySpace()
+                  ? w.walk(w.bodies, problem, options_, tolerance, warm, best)
+                  : w.walk(w.factored, problem, options_, tolerance, warm, best);
+    best.residualRms = w.map.residual(best.r, best.u).rms;
   }
-  const double attainable = std::max(tolerance, roundOff(problem.W.diagonal(), best.r));
+
+  const double attainable = std::max(tolerance, w.map.roundOff(best.r));
   best.status = outcome == Outcome::Incompatible ? Status::Incompatible
                 : best.residual <= attainable    ? Status::Solved
                                                  : Status::OutOfBudget;
-  best.activeSet = readActiveSet(problem, best.r, best.u);
-  return best;
+  readActiveSet(problem, w.map.diagonal(), best.r, best.u, best.activeSet);
 }
 
 Solution solve(const Problem& problem, const Options& options) {
@@ -195,6 +229,8 @@ Solution solve(const Problem& problem, const Options& options) {
 
   // Parts that nothing couples are solved apart.
   Solution whole;
+  double squares = 0;  // of residuals, (m/s)²
+  int parts = 0;
   whole.r = VectorXd::Zero(problem.size());
   whole.u = whole.r;
   whole.activeSet.contacts.resize(problem.contacts());
@@ -212,11 +248,15 @@ Solution solve(const Problem& problem, const Options& options) {
       whole.activeSet.rows[part.unknowns[3 * n + i] - 3 * problem.contacts()] = s.activeSet.rows[i];
     whole.status = std::max(whole.status, s.status);
     whole.residual = std::max(whole.residual, s.residual);
+    const int size = n + part.problem.rows();
+    squares += s.residualRms * s.residualRms * size;
+    parts += size;
     whole.regions += s.regions;
     whole.factorisations += s.factorisations;
     whole.sweeps += s.sweeps;
     for (int blamed : s.blamed) whole.blamed.push_back(part.unknowns[blamed]);
   }
+  if (parts > 0) whole.residualRms = std::sqrt(squares / parts);
   return whole;
 }
 

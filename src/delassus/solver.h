@@ -18,6 +18,8 @@ class Solver {
 
   /// Solves `problem`, starting from the reactions `guess` (empty: from rest). The best answer is always returned.
   Solution solve(const Problem& problem, const VectorXd& guess = {});
+  /// The same into storage that is used again.
+  void solve(const Problem& problem, const VectorXd& guess, Solution& into);
 
   const Options& options() const { return options_; }
 

@@ -20,14 +20,34 @@ void Sweeps::setProblem(const Problem& problem) {
   diagonal_ = problem.W.diagonal();
 }
 
-double Sweeps::sweep(const Problem& problem, VectorXd& r) {
-  return problem.W.inBodySpace() ? sweepBodies(problem, r) : sweepEntries(problem, r);
+void Sweeps::sweep(const Problem& problem, int count, VectorXd& r) {
+  direction_.setZero(r.size());
+  double lastEnergy = 0;
+  for (int k = 1; k < count; ++k) {
+    before_ = r;
+    sweepOnce(problem, r);
+    change_ = r - before_;
+    const double energy = change_.dot(diagonal_.cwiseProduct(change_));
+    const double beta = lastEnergy > 0 ? energy / lastEnergy : 2;
+    lastEnergy = energy;
+    if (beta > 1) {
+      direction_ = change_;
+    } else {
+      r += beta * direction_;
+      direction_ = beta * direction_ + change_;
+    }
+  }
+  // The last sweep brings what overshot back into the cones.
+  if (count > 0) sweepOnce(problem, r);
 }
 
-double Sweeps::sweepBodies(const Problem& problem, VectorXd& r) {
+void Sweeps::sweepOnce(const Problem& problem, VectorXd& r) {
+  problem.W.inBodySpace() ? sweepBodies(problem, r) : sweepEntries(problem, r);
+}
+
+void Sweeps::sweepBodies(const Problem& problem, VectorXd& r) {
   const BodySpace& space = problem.W.bodySpace();
-  y_ = space.impulse(r);
-  double change = 0;
+  space.impulse(r, y_);
   int at = 0;
   for (std::size_t i = 0; i < space.contacts.size(); ++i, at += 3) {
     if (!(diagonal_[at] > 0)) continue;
@@ -42,7 +62,6 @@ double Sweeps::sweepBodies(const Problem& problem, VectorXd& r) {
     if (c.a >= 0) y_.segment<6>(6 * c.a).noalias() += c.Ja.transpose() * dr;
     if (c.b >= 0) y_.segment<6>(6 * c.b).noalias() += c.Jb.transpose() * dr;
     r.segment<3>(at) = next;
-    change = std::max(change, diagonal_[at] * dr.norm());
   }
   for (std::size_t i = 0; i < space.rows.size(); ++i, ++at) {
     if (!(diagonal_[at] > 0)) continue;
@@ -56,15 +75,12 @@ double Sweeps::sweepBodies(const Problem& problem, VectorXd& r) {
     if (c.a >= 0) y_.segment<6>(6 * c.a) += c.Ja.transpose() * dr;
     if (c.b >= 0) y_.segment<6>(6 * c.b) += c.Jb.transpose() * dr;
     r[at] = next;
-    change = std::max(change, diagonal_[at] * std::abs(dr));
   }
-  return change;
 }
 
-double Sweeps::sweepEntries(const Problem& problem, VectorXd& r) {
+void Sweeps::sweepEntries(const Problem& problem, VectorXd& r) {
   const DelassusMatrix::Sparse& W = problem.W.entries();
   const int n = problem.contacts();
-  double change = 0;
   for (int i = 0; i < n; ++i) {
     const int at = 3 * i;
     if (!(diagonal_[at] > 0)) continue;
@@ -74,7 +90,6 @@ double Sweeps::sweepEntries(const Problem& problem, VectorXd& r) {
         u[k] += it.value() * r[it.col()];
     const Vec3 next =
         solveOneContact(blocks_[i], u - blocks_[i] * r.segment<3>(at), problem.friction[i]);
-    change = std::max(change, diagonal_[at] * (next - r.segment<3>(at)).norm());
     r.segment<3>(at) = next;
   }
   for (int at = 3 * n; at < problem.size(); ++at) {
@@ -83,10 +98,8 @@ double Sweeps::sweepEntries(const Problem& problem, VectorXd& r) {
     for (DelassusMatrix::Sparse::InnerIterator it(W, at); it; ++it) u += it.value() * r[it.col()];
     const double next =
         boundedRow(r[at], u, diagonal_[at], problem.lower[at - 3 * n], problem.upper[at - 3 * n]);
-    change = std::max(change, diagonal_[at] * std::abs(next - r[at]));
     r[at] = next;
   }
-  return change;
 }
 
 }  // namespace delassus

@@ -11,16 +11,19 @@ class Sweeps {
  public:
   void setProblem(const Problem& problem);
 
-  /// One sweep over all contacts and rows. Returns the largest change of a relative velocity, m/s.
-  double sweep(const Problem& problem, VectorXd& r);
+  /// `count` sweeps over all contacts and rows, each but the last followed by a step along the nonlinear conjugate gradient
+  /// of the sweeps (Silcowitz-Hansen, Niebe, Erleben 2010; algorithms §7.3). The reactions stay in their cones and bounds.
+  void sweep(const Problem& problem, int count, VectorXd& r);
 
  private:
-  double sweepBodies(const Problem& problem, VectorXd& r);
-  double sweepEntries(const Problem& problem, VectorXd& r);
+  void sweepOnce(const Problem& problem, VectorXd& r);
+  void sweepBodies(const Problem& problem, VectorXd& r);
+  void sweepEntries(const Problem& problem, VectorXd& r);
 
   std::vector<Mat3> blocks_;
   VectorXd diagonal_;
   VectorXd y_;
+  VectorXd before_, change_, direction_;
 };
 
 }  // namespace delassus

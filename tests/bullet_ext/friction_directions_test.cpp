@@ -126,6 +126,7 @@ TEST(Parity, Row20ImpulsesTimesDirectionsAreTheForce) {
 struct Belt {
   btVector3 direction1{1, 0, 0}, direction2{0, 0, 1};
   btScalar motion1 = 0, motion2 = 0;  ///< of the body on the belt
+  btScalar softness = 0;
   const btCollisionObject* belt = nullptr;
 };
 Belt theBelt;
@@ -139,6 +140,7 @@ bool driveBelt(btManifoldPoint& point, const btCollisionObjectWrapper* a, int, i
   point.m_lateralFrictionDir2 = theBelt.direction2;
   point.m_contactMotion1 = sign * theBelt.motion1;
   point.m_contactMotion2 = sign * theBelt.motion2;
+  point.m_frictionCFM = theBelt.softness;
   return true;
 }
 
@@ -210,6 +212,41 @@ TEST(Parity, Row21WithOneDirectionTheOtherIsAcross) {
   world.info().m_solverMode &= ~SOLVER_USE_2_FRICTION_DIRECTIONS;
   world.advance();
   expectEllipse(before, slipOf(runner), Matrix2::Identity());
+}
+
+/// The speed along x of a body of 1 kg on soft friction, pushed by a force from rest, step by step.
+std::vector<double> softSlip(BulletWorld& world, double softness, double force) {
+  Belt soft;
+  soft.softness = btScalar(softness);
+  btRigidBody& ground = world.addGround();
+  btRigidBody& runner = addRunner(world, 0, {0, 0});
+  const WithBelt running(world, ground, soft);
+  std::vector<double> speeds;
+  for (int i = 0; i < 60; ++i) {
+    runner.applyCentralForce({btScalar(force), 0, 0});
+    world.advance();
+    speeds.push_back(slipOf(runner)[0]);
+  }
+  return speeds;
+}
+
+TEST(Parity, Row22SoftFrictionSlipsInProportionToItsImpulse) {
+  // In each step v' = v + F h − r with v' = χ W r, W = 1/m, or r = μ m g h if that is less.
+  for (double softness : {0.1, 0.5})
+    for (double force : {1.0, 3.0, friction * g + 1}) {
+      SCOPED_TRACE(::testing::Message() << softness << " " << force);
+      DelassusWorld ours;
+      StockWorld stock;
+      const auto speeds = softSlip(ours, softness, force);
+      const auto stockSpeeds = softSlip(stock, softness, force);
+      double v = 0;
+      for (std::size_t i = 0; i < speeds.size(); ++i) {
+        v += force * h;
+        v -= std::min(v / (1 + softness), friction * g * h);
+        ASSERT_NEAR(speeds[i], v, tolerance(1e-9, 1e-3)) << i;
+        ASSERT_NEAR(stockSpeeds[i], v, tolerance(1e-6, 1e-3)) << i;
+      }
+    }
 }
 
 TEST(Parity, Row23AnchorPullsBackTheDrift) {
