@@ -63,7 +63,9 @@ TEST(Allocation, GatheringAndWritingBackTakeNoMemoryOnceWarm) {
     bullet::writeVelocities(group, answer);
     bullet::writeContacts(group, answer, report, &events);
     bullet::writeJoints(group, answer, world.info());
-    if (pass > 1) EXPECT_EQ(allocations - before, 0) << pass;
+    if (pass > 1) {
+      EXPECT_EQ(allocations - before, 0) << pass;
+    }
   }
   EXPECT_EQ(group.contacts.size(), 120u);
   EXPECT_EQ(events.size(), 120u);

@@ -133,7 +133,9 @@ std::vector<Event> listenToHeap(int batch) {
                                point.m_appliedImpulseLateral1 * point.m_lateralFrictionDir1 +
                                point.m_appliedImpulseLateral2 * point.m_lateralFrictionDir2;
     EXPECT_LT((reaction - event.reaction).length(), 100 * precision);
-    if (event.to == Mode::Open) EXPECT_NEAR(point.m_appliedImpulse, 0, 1e-9);
+    if (event.to == Mode::Open) {
+      EXPECT_NEAR(point.m_appliedImpulse, 0, 1e-9);
+    }
     all.emplace_back(step, event.manifold->getBody0()->getWorldArrayIndex(),
                      event.manifold->getBody1()->getWorldArrayIndex(), event.point, event.from,
                      event.to, event.reaction.x(), event.reaction.y(), event.reaction.z());

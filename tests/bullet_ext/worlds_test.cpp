@@ -313,6 +313,7 @@ std::vector<btVector3> walk(BulletWorld& world) {
   }
   world->removeAction(&character);
   world->removeCollisionObject(&ghost);
+  world->getPairCache()->setInternalGhostPairCallback(nullptr);
   return track;
 }
 

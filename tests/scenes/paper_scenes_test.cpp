@@ -147,11 +147,13 @@ void runUntilReleased(OnRegions& run, const btCollisionObject* support, double h
   ASSERT_LT(run.world->time(), 5);
 }
 
-/// Errors at doubled rates must be halved, up to the half step in which the release falls at random.
+/// Errors at doubled rates must be halved, up to the half step in which the release falls at random, and in single
+/// precision up to what rounded positions shift it.
 void expectProportionalToStep(const std::vector<double>& errors) {
-  EXPECT_LT(errors.back(), 1.5 * errors.front() / std::pow(2, errors.size() - 1));
+  const double rounding = byPrecision(0, 1e-3);
+  EXPECT_LT(errors.back(), 1.5 * errors.front() / std::pow(2, errors.size() - 1) + rounding);
   for (std::size_t i = 1; i < errors.size(); ++i)
-    EXPECT_LT(errors[i], 0.75 * errors[i - 1]) << "halving " << i;
+    EXPECT_LT(errors[i], 0.75 * errors[i - 1] + rounding) << "halving " << i;
 }
 
 TEST(BallOffBall, leavesAtTwoThirdsOfItsHeight) {
