@@ -8,6 +8,7 @@
 #include "delassus/cone.h"
 #include "delassus/interior_point.h"
 #include "delassus/one_contact.h"
+#include "delassus/pivoting.h"
 #include "delassus/proximal_newton.h"
 #include "delassus/residual.h"
 #include "delassus/split_problem.h"
@@ -87,6 +88,8 @@ struct Solver::Workspace {
   template <class Motion>
   Outcome walk(Engines<Motion>& engines, const Problem& problem, const Options& options,
                double tolerance, bool warm, Solution& best);
+  Outcome pivotRows(const Problem& problem, const Options& options, double tolerance,
+                    Solution& best);
   void sweep(const Problem& problem, int count, Solution& best);
   void sweepWhileItGains(const Problem& problem, const Options& options, double tolerance,
                          Solution& best);
@@ -101,6 +104,25 @@ void Solver::Workspace::consider(const Problem& problem, const VectorXd& r, Solu
   best.u.swap(trialU);
   best.residual = residual.max;
   best.residualRms = residual.rms;
+}
+
+/// Rows alone are the paper's own ground: regions of any W, symmetric or not.
+Outcome Solver::Workspace::pivotRows(const Problem& problem, const Options& options,
+                                     double tolerance, Solution& best) {
+  PivotOptions pivoting;
+  pivoting.regionBudget = options.newtonBudget;
+  const PivotResult result =
+      pivot(problem.W.dense(), problem.q, problem.lower, problem.upper, {}, pivoting);
+  best.regions += result.regions;
+  best.factorisations += result.factorisations;
+  consider(problem, result.r, best);
+  if (result.status != Status::Incompatible)
+    return best.residual <= tolerance ? Outcome::Reached : Outcome::Lost;
+  best.r = result.r;
+  best.u = result.u;
+  best.residual = map.residual(best.r, best.u).max;
+  best.blamed = result.blamed;
+  return Outcome::Incompatible;
 }
 
 void Solver::Workspace::sweep(const Problem& problem, int count, Solution& best) {
@@ -133,7 +155,7 @@ Outcome Solver::Workspace::walk(Engines<Motion>& engines, const Problem& problem
                                 Solution& best) {
   constexpr double knownRegion = 1e-6, unknownRegion = 1e-1;
   constexpr double disturbed = 1e-3;  // share of the demands that the last reactions leave open
-  constexpr int interiorSteps = 40;
+  constexpr int interiorSteps = 40, moreSweeps = 50;
   const int firstTry = options.newtonBudget / 6;
   const double demand = problem.q.cwiseAbs().maxCoeff();
   const auto settled = [](Outcome outcome) { return outcome != Outcome::Lost; };
@@ -163,7 +185,7 @@ Outcome Solver::Workspace::walk(Engines<Motion>& engines, const Problem& problem
   if (settled(outcome)) return outcome;
 
   while (best.sweeps < options.sweepBudget && left() > 0) {
-    sweep(problem, std::min(50, options.sweepBudget - best.sweeps), best);
+    sweep(problem, std::min(moreSweeps, options.sweepBudget - best.sweeps), best);
     outcome = newton.walk(problem, tolerance, unknownRegion, left(), best);
     if (settled(outcome)) return outcome;
   }
@@ -209,7 +231,9 @@ void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best
     w.consider(problem, w.trial, best);
   }
   Outcome outcome = Outcome::Lost;
-  if (best.residual > tolerance) {
+  if (best.residual > tolerance && problem.contacts() == 0 && !problem.W.inBodySpace())
+    outcome = w.pivotRows(problem, options_, tolerance, best);
+  if (best.residual > tolerance && outcome == Outcome::Lost) {
     outcome = problem.W.inBodySpace()
                   ? w.walk(w.bodies, problem, options_, tolerance, warm, best)
                   : w.walk(w.factored, problem, options_, tolerance, warm, best);

@@ -9,6 +9,8 @@
 
 #include "delassus/certificate.h"
 #include "delassus/island.h"
+#include "delassus/residual.h"
+#include "delassus/solution.h"
 #include "tests/support/box_piles.h"
 #include "tests/support/random_problems.h"
 
@@ -86,13 +88,23 @@ inline double motionDistance(const PileIsland& pile, const VectorXd& r, const Ve
   return std::sqrt(kineticEnergy(difference) / kineticEnergy(pile.pile.bodies));
 }
 
+/// A solution that is yet to be improved: reactions r, with what they are worth.
+inline Solution startFrom(const Problem& problem, const NaturalMap& map, const VectorXd& r) {
+  Solution start;
+  start.r = r;
+  start.u = problem.W * r + problem.q;
+  start.residual = map.residual(start.r, start.u).max;
+  start.activeSet.contacts.resize(problem.contacts());
+  start.activeSet.rows.resize(problem.rows());
+  return start;
+}
+
 /// Largest distance of a reaction to its cone or bounds, N·s.
 inline double infeasibility(const Problem& problem, const VectorXd& r) {
   double worst = 0;
   for (int i = 0; i < problem.contacts(); ++i) {
     const Vec3 ri = r.segment<3>(3 * i);
-    worst =
-        std::max({worst, -ri[0], std::hypot(ri[1], ri[2]) - problem.friction[i] * ri[0]});
+    worst = std::max({worst, -ri[0], std::hypot(ri[1], ri[2]) - problem.friction[i] * ri[0]});
   }
   for (int i = 0; i < problem.rows(); ++i) {
     const double ri = r[3 * problem.contacts() + i];
