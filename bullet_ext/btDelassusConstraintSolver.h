@@ -17,8 +17,8 @@
 ///     btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
 ///
 /// Drop-in for btSequentialImpulseConstraintSolver in a world of rigid bodies. One solver a world:
-/// it owns its workspace and has no memory of a world; reactions are kept in Bullet's contact
-/// points.
+/// it owns its workspace; reactions are kept in Bullet's contact points, and for joints and points
+/// that narrow phase replaced, here for one step.
 class btDelassusConstraintSolver : public btConstraintSolver {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();
@@ -46,8 +46,8 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   const delassus::StepReport& report() const;
 
   /// Called at the end of each solveGroup with every contact whose mode changed, in the order of
-  /// Bullet's manifolds: first those that took part, then those that were left out. The listener must not add or remove anything in the world. An empty
-  /// function ends it; then nothing is computed for it.
+  /// Bullet's manifolds: first those that took part, then those that were left out. The listener must
+  /// not add or remove anything in the world. An empty function ends it; then nothing is computed for it.
   void setContactListener(std::function<void(const delassus::ContactEvent&)> listener);
 
  private:

@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
@@ -10,6 +9,7 @@
 #include "demos/command.h"
 #include "demos/number_checks.h"
 #include "demos/progress_bar.h"
+#include "demos/scenes/simulate.h"
 #include "demos/scenes/solver_decorator.h"
 #include "demos/scenes/solvers.h"
 #include "demos/subject.h"
@@ -70,8 +70,8 @@ int dumpProblems(const DumpArguments& arguments) {
 
   const double hz = arguments.hz > 0 ? arguments.hz : subject.hz;
   ProgressBar bar(subject.name);
-  const long steps = std::lround(arguments.at * hz);
-  for (long i = 0; i < steps; ++i) {
+  const int steps = stepsIn(arguments.at, hz);
+  for (int i = 0; i < steps; ++i) {
     subject.world->step(1 / hz);
     bar.show(double(i) / double(steps));
   }

@@ -21,3 +21,6 @@ for world in ../shared/worlds/*.bullet; do
     [ $? -eq 124 ] && echo "dantzig:1e-6 on $(basename "$world"): stopped after a minute of computing"
   }
 done
+
+echo "== a picture: delassus beside stock Bullet"
+$command render stack_10_heavy_top --solver delassus,si:10 --at 0.8 --out build/renders

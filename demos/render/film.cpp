@@ -1,5 +1,8 @@
 #include "demos/render/film.h"
 
+#include <BulletDynamics/Featherstone/btMultiBody.h>
+#include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
+
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
@@ -14,6 +17,17 @@ namespace demos::render {
 namespace {
 
 Eigen::Vector3d toDouble(const btVector3& v) { return toFloat(v).cast<double>(); }
+
+/// Of a body or of an articulated one's link, kg; 0 if it cannot move.
+double massOf(const btCollisionObject& object) {
+  if (const btRigidBody* body = btRigidBody::upcast(&object))
+    return body->getInvMass() > 0 ? 1 / double(body->getInvMass()) : 0;
+  const btMultiBodyLinkCollider* collider = btMultiBodyLinkCollider::upcast(&object);
+  if (collider == nullptr || collider->m_multiBody == nullptr) return 0;
+  const btMultiBody& whole = *collider->m_multiBody;
+  if (collider->m_link >= 0) return double(whole.getLinkMass(collider->m_link));
+  return whole.hasFixedBase() ? 0 : double(whole.getBaseMass());
+}
 
 /// Turns collision objects into things, each once, and shapes into meshes, each once.
 class Cast {
@@ -31,8 +45,7 @@ class Cast {
 
   Thing makeThing(const btCollisionObject& object) {
     Thing thing;
-    const btRigidBody* body = btRigidBody::upcast(&object);
-    if (body != nullptr && body->getInvMass() > 0) thing.mass = 1 / double(body->getInvMass());
+    thing.mass = massOf(object);
     const btCollisionShape& shape = *object.getCollisionShape();
     if (shape.getShapeType() == STATIC_PLANE_PROXYTYPE) {
       const auto& plane = static_cast<const btStaticPlaneShape&>(shape);

@@ -27,7 +27,7 @@ double slidingSpeed(const btPersistentManifold& manifold, const btManifoldPoint&
   return double((u - point.m_normalWorldOnB * u.dot(point.m_normalWorldOnB)).length());
 }
 
-/// By the reaction: inside the cone it sticks, on the border it slides. Without friction the cone is a line, and speed tells.
+/// Sliding takes both: a reaction on the border of its cone, and speed. What rests with all its friction used still sticks.
 ContactMode carryingMode(const btPersistentManifold& manifold, const btManifoldPoint& point) {
   // Stock solvers bound friction by a normal impulse that is still on its way.
   constexpr double nearly = 0.999;
@@ -35,8 +35,8 @@ ContactMode carryingMode(const btPersistentManifold& manifold, const btManifoldP
   const double bound = double(point.m_combinedFriction) * double(point.m_appliedImpulse);
   const btVector3 lateral =
       writtenReaction(point) - point.m_normalWorldOnB * point.m_appliedImpulse;
-  const bool slides = bound > 0 ? double(lateral.length()) >= nearly * bound
-                                : slidingSpeed(manifold, point) > atRest;
+  const bool slides =
+      double(lateral.length()) >= nearly * bound && slidingSpeed(manifold, point) > atRest;
   return slides ? ContactMode::Sliding : ContactMode::Sticking;
 }
 

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "demos/scenes/builders.h"
+#include "demos/scenes/wall_and_ball.h"
 
 namespace demos {
 
@@ -100,6 +101,10 @@ void addBoxScenes(std::vector<SceneDescription>& scenes) {
   }
   scenes.push_back({"wall_20x10", "wall of 200 bricks of 2 kg, head joints open", 5,
                     seenFrom(12, 10, 50, 5), "stands", [] { return buildWall(20, 10); }});
+  scenes.push_back({"wall_and_ball", "ball of 50 kg thrown at a wall of 24 bricks of 2 kg", 2,
+                    seenFrom(6, 4, 9, 2),
+                    "breaks through; what the ball loses of its momentum the bricks get",
+                    [] { return buildWallAndBall(6, 4, Throw()); }});
   scenes.push_back({"arch", "semicircular arch of 21 voussoirs, thickness 1.0 m, radius 5 m", 10,
                     seenFrom(0, 4, 20, 2.5),
                     "stands: its line of thrust stays inside (a semicircle needs 0.54 m)",

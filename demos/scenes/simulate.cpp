@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "bullet_ext/btDelassusConstraintSolver.h"
@@ -55,6 +56,12 @@ void count(RunSummary& summary, const delassus::StepReport& report) {
 
 }  // namespace
 
+int stepsIn(double seconds, double hz) {
+  const double steps = std::round(seconds * hz);
+  if (!(steps <= 1e9)) throw std::runtime_error("more than a billion steps were asked for");
+  return int(steps);
+}
+
 RunSummary simulate(World& world, NamedSolver& named, const RunSettings& settings,
                     const std::function<void(double)>& progress) {
   btDiscreteDynamicsWorld& dynamics = world.dynamics();
@@ -67,7 +74,7 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
   RunSummary summary;
   summary.solver = named.name();
   summary.hz = settings.hz;
-  summary.steps = std::max(1, int(std::lround(settings.seconds * settings.hz)));
+  summary.steps = std::max(1, stepsIn(settings.seconds, settings.hz));
   summary.bodies = int(world.movableBodies().size());
   if (named.delassus() != nullptr) summary.regions.emplace();
   const Drift drift(world);

@@ -14,6 +14,9 @@ struct RunSettings {
   double hz = 60;      ///< steps a second
 };
 
+/// seconds · hz as a whole number. Throws std::runtime_error above a billion: nobody would see the end of it.
+int stepsIn(double seconds, double hz);
+
 /// One solver on one world: what moved, how well the law was kept, what it cost. The keys of `run --json`.
 ///
 /// Residuals are over the last three quarters of the run, m/s. Times are of solveGroup alone, per step.

@@ -245,18 +245,20 @@ void ProximalNewton<Motion>::compromise(const Problem& problem, Solution& best) 
   best.r = center_ - d * (open.dot(center_) / open.dot(d));
   best.u = problem.W * best.r + problem.q;
   best.residual = map_->residual(best.r, best.u).max;
-  const double largest = open.cwiseAbs().maxCoeff();
+  // Compared in √J: the units of a row must not decide whether it is named.
+  const VectorXd shares = scale_.cwiseSqrt().cwiseProduct(d);
+  const double largest = shares.cwiseAbs().maxCoeff();
   best.blamed.clear();
   for (int i = 0; i < problem.contacts(); ++i)
-    if (open.segment<3>(3 * i).norm() > 0.1 * largest) best.blamed.push_back(3 * i);
+    if (shares.segment<3>(3 * i).norm() > 0.1 * largest) best.blamed.push_back(3 * i);
   for (int at = 3 * problem.contacts(); at < problem.size(); ++at)
-    if (std::abs(open[at]) > 0.1 * largest) best.blamed.push_back(at);
+    if (std::abs(shares[at]) > 0.1 * largest) best.blamed.push_back(at);
 }
 
 template <class Motion>
 Outcome ProximalNewton<Motion>::converge(const Problem& problem, double tolerance, double alpha,
                                          int regionBudget, bool fromRegion, Solution& best) {
-  constexpr double smallest = 1e-12, largest = 10, hardly = 1e-8;
+  constexpr double smallest = 1e-12, largest = 10, hardly = 1e-6;
   constexpr int mostOuters = 60, mostFailures = 4;
   // An error of the motion (in energy norm) that no contact can tell from the tolerance.
   fine_ = 0.1 * tolerance / std::sqrt(scale_.maxCoeff());

@@ -77,6 +77,15 @@ TEST_F(Command, refusesBadUsageWithTwo) {
   }
 }
 
+TEST_F(Command, refusesRunsWithoutEnd) {
+  for (const std::string& endless : {std::string("run one_box --seconds 1e30"),
+                                     "dump one_box --at 1e30 --out " + file("a.fc3d")}) {
+    const Outcome outcome = call(endless);
+    EXPECT_EQ(outcome.status, 1) << endless;
+    EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
+  }
+}
+
 TEST_F(Command, namesTheNearestScene) {
   const Outcome outcome = call("run one_bx");
   EXPECT_EQ(outcome.status, 1);
@@ -181,9 +190,12 @@ TEST_F(Command, endsWithThreeAboveTheTolerance) {
 
 TEST_F(Command, namesAProblemThatCannotBeRead) {
   const std::string good = read(easyProblem());
+  std::string twoContacts = good;
+  twoContacts.replace(twoContacts.find("contacts 1"), 10, "contacts 2");
   for (const std::string& path :
        {write("truncated.fc3d", good.substr(0, 60)), write("empty.fc3d", ""), folder_.string(),
-        file("missing.lcp"),
+        file("missing.lcp"), write("one_contact_of_two.fc3d", twoContacts),
+        write("rows.lcp", "lcp v1\nname x\nsize 2\nentries 9\nq\n0 0\n"),
         write("nan.fc3d", "delassus-problem v1\nname x\ncontacts 1\nblocks 1\nmu\nnan\n")}) {
     const Outcome outcome = call("solve " + path);
     EXPECT_EQ(outcome.status, 1) << path;

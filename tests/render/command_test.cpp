@@ -86,6 +86,14 @@ TEST_F(RenderCommand, FolderThatCannotBeWritten) {
   expectOneLine(call("one_box --at 0 --out " + file("plain")), file("plain"));
 }
 
+TEST_F(RenderCommand, NoContextIsTold) {
+  // Mesa then offers less than the 3.3 core profile that is asked for.
+  expectOneLine(
+      call("one_box --at 0 --size 160x90 --out " + file("a"), "MESA_GL_VERSION_OVERRIDE=2.1"),
+      "no OpenGL");
+  EXPECT_FALSE(fs::exists(file("a/one_box.png")));
+}
+
 TEST_F(RenderCommand, MissingFfmpegIsToldAtOnce) {
   expectOneLine(call("one_box --video --out " + file("a"), "PATH=/nowhere"), "ffmpeg");
   EXPECT_FALSE(fs::exists(file("a/one_box.mp4")));

@@ -1,5 +1,8 @@
 // What should stand stands, on the ground that carries it.
+#include <iostream>
+
 #include "demos/scenes/builders.h"
+#include "demos/scenes/simulate.h"
 #include "tests/scenes/run_scene.h"
 
 namespace demos {
@@ -35,12 +38,30 @@ TEST(Stack, ofOneToTenBoxesStandsForASecond) {
 TEST(Pyramid, ofTenStandsForASecond) { expectStanding(buildPyramid(10), 1, stackTolerance); }
 TEST(Wall, ofFiveRowsStandsForASecond) { expectStanding(buildWall(5, 5), 1, stackTolerance); }
 
-TEST(Stack, ofTenWithAHeavyTopStandsForTenSecondsSlow) {
-  expectStanding(buildStack(10, 1000), 10, stackTolerance);
+/// The largest distance of any body of a stack from its start in ten seconds, on the solver of this name, m.
+double driftOfStack(const std::string& solver, int boxes, double topMass) {
+  NamedSolver named(solver);  // outlives the world
+  const std::unique_ptr<World> world = buildStack(boxes, topMass);
+  return simulate(*world, named, {10, hz}, [](double) {}).driftMax;
 }
-TEST(Stack, ofFortyStandsForTenSecondsSlow) {
-  expectStanding(buildStack(40, 1), 10, stackTolerance);
+
+/// Stands for ten seconds on ours; what stock makes of the same stack is printed beside it.
+void expectStandingBesideStock(int boxes, double topMass) {
+  std::string drifts;
+  for (const std::string solver : {"delassus", "si:10", "si:1000"}) {
+    const double drift = driftOfStack(solver, boxes, topMass);
+    if (solver == "delassus") {
+      EXPECT_LT(drift, stackTolerance);
+    }
+    drifts += "  " + solver + " " + std::to_string(1e3 * drift) + " mm";
+  }
+  std::cout << "drift in 10 s of " << boxes << " boxes, the top of " << topMass << " kg:" << drifts
+            << std::endl;
+  expectStanding(buildStack(boxes, topMass), 10, stackTolerance);
 }
+
+TEST(Stack, ofTenWithAHeavyTopStandsForTenSeconds) { expectStandingBesideStock(10, 1000); }
+TEST(Stack, ofFortyStandsForTenSeconds) { expectStandingBesideStock(40, 1); }
 
 /// Joints of an arch may open by what the erp of its contacts leaves: it stands if it comes to rest near where it was.
 void expectResting(const std::string& scene, double seconds, double tolerance) {
@@ -52,12 +73,9 @@ void expectResting(const std::string& scene, double seconds, double tolerance) {
 }
 
 TEST(Arch, standsForASecond) { expectResting("arch", 1, 0.02); }
-TEST(Arch, thinStandsForASecond) { expectResting("arch_thin", 1, 0.02); }
-TEST(CardHouse, standsForASecond) { expectResting("card_house", 1, 0.01); }
-
 TEST(Arch, standsForTenSecondsSlow) { expectResting("arch", 10, 0.02); }
-TEST(Arch, thinStandsForTenSecondsSlow) { expectResting("arch_thin", 10, 0.02); }
-TEST(CardHouse, standsForTenSecondsSlow) { expectResting("card_house", 10, 0.01); }
+TEST(Arch, thinStandsForTenSeconds) { expectResting("arch_thin", 10, 0.02); }
+TEST(CardHouse, standsForTenSeconds) { expectResting("card_house", 10, 0.01); }
 
 }  // namespace
 }  // namespace demos

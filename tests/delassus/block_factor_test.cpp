@@ -1,0 +1,195 @@
+/// The factor of 6x6 blocks against a dense LU: K x = b on random body graphs.
+#include "delassus/block_factor.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <limits>
+
+#include "tests/support/random_problems.h"
+
+namespace delassus {
+namespace {
+
+using Edges = std::vector<BlockFactor::Edge>;
+
+/// The matrix that a factor holds, kept densely beside it.
+class DenseBeside {
+ public:
+  DenseBeside(BlockFactor& factor, int bodies, const Edges& edges)
+      : factor_(factor), edges_(edges), K_(MatrixXd::Identity(6 * bodies, 6 * bodies)) {
+    factor_.analyse(bodies, edges_);
+    factor_.setIdentity();
+  }
+
+  void addDiagonal(int body, const Mat6& block) {
+    factor_.addDiagonal(body, block);
+    K_.block<6, 6>(6 * body, 6 * body) += block;
+  }
+  void addOffDiagonal(int edge, const Mat6& ab, const Mat6& ba) {
+    factor_.addOffDiagonal(edge, ab, ba);
+    const auto [a, b] = edges_[edge];
+    K_.block<6, 6>(6 * a, 6 * b) += ab;
+    K_.block<6, 6>(6 * b, 6 * a) += ba;
+  }
+
+  /// What a region adds to K: J̃ᵀ G J̃ of one contact between the bodies of `edge`, not symmetric where it slides.
+  void addContact(int edge, const Mat3& G, Random& random) {
+    const auto [a, b] = edges_[edge];
+    const Mat36 Ja = normalMatrix(3, 6, random), Jb = normalMatrix(3, 6, random);
+    addDiagonal(a, Ja.transpose() * G * Ja);
+    addDiagonal(b, Jb.transpose() * G * Jb);
+    addOffDiagonal(edge, Ja.transpose() * G * Jb, Jb.transpose() * G * Ja);
+  }
+
+  /// |K x − b| / (|K| |x|) of the factor's answer.
+  double backwardError(Random& random) const {
+    const VectorXd b = normalVector(static_cast<int>(K_.rows()), random);
+    VectorXd x = b;
+    factor_.solve(x);
+    return (K_ * x - b).norm() / (K_.norm() * x.norm());
+  }
+  const MatrixXd& dense() const { return K_; }
+
+ private:
+  BlockFactor& factor_;
+  Edges edges_;
+  MatrixXd K_;
+};
+
+Edges randomEdges(int bodies, int count, Random& random) {
+  std::uniform_int_distribution<int> any(0, bodies - 1);
+  Edges edges;
+  while (static_cast<int>(edges.size()) < count && bodies > 1) {
+    const int a = any(random), b = any(random);
+    if (a != b) edges.push_back({a, b});
+  }
+  return edges;
+}
+
+Mat3 randomStiffness(Random& random) {
+  const Mat3 root = normalMatrix(3, 3, random);
+  Mat3 G = root * root.transpose();
+  G(1, 0) += uniform(random, 0, 1);  // a sliding contact: the friction follows the normal only
+  return G;
+}
+
+// Trees, loops, islands in pieces; pairs repeated and reversed, as random draws have them.
+TEST(BlockFactor, AgreesWithDenseEliminationOnRandomGraphs) {
+  Random random(11);
+  BlockFactor factor;
+  for (int k = 0; k < 300; ++k) {
+    const int bodies = 1 + k % 20;
+    const Edges edges = randomEdges(bodies, k % 7 * bodies / 2, random);
+    DenseBeside both(factor, bodies, edges);
+    for (int e = 0; e < static_cast<int>(edges.size()); ++e)
+      both.addContact(e, randomStiffness(random), random);
+
+    ASSERT_TRUE(factor.factorise());
+    const VectorXd b = normalVector(6 * bodies, random);
+    VectorXd x = b;
+    factor.solve(x);
+    const VectorXd truth = both.dense().partialPivLu().solve(b);
+    ASSERT_LT((x - truth).norm(), 1e-9 * truth.norm()) << "graph " << k;
+    ASSERT_LT(both.backwardError(random), 1e-13) << "graph " << k;
+  }
+}
+
+// Values of any kind, as long as the diagonal outweighs them.
+TEST(BlockFactor, NonsymmetricValues) {
+  Random random(12);
+  for (int k = 0; k < 100; ++k) {
+    const int bodies = 2 + k % 15;
+    const Edges edges = randomEdges(bodies, 2 * bodies, random);
+    BlockFactor factor;
+    DenseBeside both(factor, bodies, edges);
+    for (int e = 0; e < static_cast<int>(edges.size()); ++e)
+      both.addOffDiagonal(e, normalMatrix(6, 6, random), normalMatrix(6, 6, random));
+    for (int i = 0; i < bodies; ++i)
+      both.addDiagonal(i, normalMatrix(6, 6, random) + 30 * Mat6::Identity());
+    ASSERT_TRUE(factor.factorise());
+    EXPECT_LT(both.backwardError(random), 1e-14) << "graph " << k;
+  }
+}
+
+// Small proximal weights make contacts stiff: G up to 1e12 beside the identity. Block elimination of a symmetric positive
+// definite K without pivoting loses √κ(K) at most (Demmel, Higham, Schreiber 1995), and here κ(K) ≤ |K| for K ≥ I.
+TEST(BlockFactor, LosesNoMoreThanTheRootOfTheConditionForStiffContacts) {
+  Random random(13);
+  for (int k = 0; k < 100; ++k) {
+    const int bodies = 2 + k % 15;
+    const Edges edges = randomEdges(bodies, 2 * bodies, random);
+    BlockFactor factor;
+    DenseBeside both(factor, bodies, edges);
+    for (int e = 0; e < static_cast<int>(edges.size()); ++e)
+      both.addContact(e, std::pow(10, uniform(random, 0, 12)) * Mat3::Identity(), random);
+    ASSERT_TRUE(factor.factorise());
+    EXPECT_LT(both.backwardError(random), 5e-14 * std::sqrt(both.dense().norm())) << "graph " << k;
+  }
+}
+
+// The analysis is kept from step to step; what it is kept from must not show.
+TEST(BlockFactor, HasNoMemoryOfEarlierGraphsAndValues) {
+  const Edges chain = {{0, 1}, {1, 2}, {2, 3}}, star = {{0, 1}, {0, 2}, {0, 3}};
+  const auto answer = [](BlockFactor& factor, const Edges& edges) {
+    Random random(14);
+    DenseBeside both(factor, 4, edges);
+    for (int e = 0; e < 3; ++e) both.addContact(e, randomStiffness(random), random);
+    EXPECT_TRUE(factor.factorise());
+    VectorXd x = normalVector(24, random);
+    factor.solve(x);
+    return x;
+  };
+  BlockFactor fresh, used;
+  const VectorXd first = answer(fresh, chain);
+  answer(used, chain);
+  answer(used, star);
+  EXPECT_EQ(answer(used, chain), first);
+  EXPECT_EQ(answer(used, chain), first);
+}
+
+// A chain has no fill: as many blocks as couplings.
+TEST(BlockFactor, EliminatesChainsWithoutFill) {
+  const auto bytesOfChain = [](int bodies) {
+    BlockFactor factor;
+    Edges edges;
+    for (int i = 0; i + 1 < bodies; ++i) edges.push_back({i, i + 1});
+    DenseBeside both(factor, bodies, edges);
+    EXPECT_TRUE(factor.factorise());
+    return static_cast<double>(factor.bytes());
+  };
+  EXPECT_LT(bytesOfChain(80), 2.2 * bytesOfChain(40));
+}
+
+TEST(BlockFactor, SingularAndBrokenPivotsAreRefused) {
+  const Edges edges = {{0, 1}};
+  BlockFactor factor;
+  DenseBeside singular(factor, 2, edges);
+  singular.addDiagonal(1, -Mat6::Identity());
+  EXPECT_FALSE(factor.factorise());
+
+  DenseBeside broken(factor, 2, edges);
+  broken.addDiagonal(0, Mat6::Constant(std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_FALSE(factor.factorise());
+
+  // And nothing of it is left.
+  Random random(15);
+  DenseBeside sound(factor, 2, edges);
+  sound.addContact(0, randomStiffness(random), random);
+  ASSERT_TRUE(factor.factorise());
+  EXPECT_LT(sound.backwardError(random), 1e-14);
+}
+
+TEST(BlockFactor, NoBodiesAtAll) {
+  BlockFactor factor;
+  factor.analyse(0, {});
+  factor.setIdentity();
+  EXPECT_TRUE(factor.factorise());
+  VectorXd nothing;
+  factor.solve(nothing);
+  EXPECT_EQ(nothing.size(), 0);
+}
+
+}  // namespace
+}  // namespace delassus

@@ -1,0 +1,226 @@
+/// What `Solved` promises, on piles of boxes with four contacts a face, mass ratios to 1e3 and frictions to 2.
+#include "delassus/solver.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "tests/support/problem_samples.h"
+#include "tests/support/random_piles.h"
+
+namespace delassus {
+namespace {
+
+using namespace delassus::testing;
+using test::sameBits;
+
+/// Towers and pyramids; targets as restitution and push-out make them; motors and joints now and then.
+PileIsland randomIsland(int k, double massRatio, double friction, Random& random) {
+  const double disturbance = k % 3 == 0 ? 0 : uniform(random, 0, 1);
+  Pile pile = k % 5 == 4
+                  ? makePyramid(2 + k % 2, 0, disturbance,
+                                std::pow(massRatio, uniform(random, -1, 1)), random)
+                  : makeTower(randomMasses(1 + k % 8, massRatio, random), 0, disturbance, random);
+  mixFriction(pile, friction, random);
+  if (k % 4 == 1)
+    for (Contact& c : pile.contacts) c.target[0] = uniform(random, 0, 0.2);
+  if (k % 4 == 2) {
+    Row motor;
+    motor.a = 0;
+    motor.jacobianA << 0, 0, 0, 0, 0, 1;
+    motor.target = 1;
+    motor.lower = -0.1, motor.upper = 0.1;
+    pile.rows.push_back(motor);
+    Row spring;
+    spring.a = static_cast<int>(pile.bodies.size()) - 1;
+    spring.jacobianA << 1, 0, 0, 0, 0.5, 0;
+    spring.compliance = 0.1;
+    pile.rows.push_back(spring);
+  }
+  return PileIsland(pile);
+}
+
+/// |M (v − v_f) − Jᵀ r|, body by body, with Jᵀ r added up from forces at points; relative to the largest momentum.
+double momentumError(const PileIsland& island, const VectorXd& r) {
+  const Pile& pile = island.pile;
+  std::vector<Vec6> momentum(pile.bodies.size(), Vec6::Zero());
+  const auto push = [&](int body, const Vec3& arm, const Vec3& force) {
+    if (body < 0) return;
+    momentum[body].head<3>() += force;
+    momentum[body].tail<3>() += arm.cross(force);
+  };
+  const auto pushContact = [&](const Contact& c, const Vec3& reaction) {
+    push(c.a, c.armA, c.frame * reaction);
+    push(c.b, c.armB, -(c.frame * reaction));
+  };
+  int at = 0;
+  for (const int i : island.island.frictional) {
+    pushContact(pile.contacts[i], r.segment<3>(at));
+    at += 3;
+  }
+  for (const int i : island.island.frictionless) pushContact(pile.contacts[i], {r[at++], 0, 0});
+  for (const int i : island.island.rows)
+    momentum[pile.rows[i].a] += pile.rows[i].jacobianA.transpose() * r[at++];
+
+  const std::vector<Body> after = island.after(r);
+  double error = 0, size = 0;
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    const Vec6 change = after[i].velocity - pile.bodies[i].velocity;
+    Vec6 gained;
+    gained << change.head<3>().cwiseQuotient(pile.bodies[i].inverseMass),
+        pile.bodies[i].inverseInertia.inverse() * change.tail<3>();
+    error = std::max(error, (gained - momentum[i]).norm());
+    size = std::max({size, gained.norm(), r.cwiseAbs().maxCoeff()});
+  }
+  return error / std::max(size, 1e-300);
+}
+
+/// The identity of the energies, and that contacts which obey their law only lose energy of their own.
+void expectEnergyIdentity(const PileIsland& island, const Solution& solution) {
+  const EnergyBalance balance = energyBalance(island.problem, island.target, solution.r);
+  const double before = kineticEnergy(island.pile.bodies);
+  const double gained = kineticEnergy(island.after(solution.r)) - before;
+  const double scale = before + std::abs(balance.impact) + std::abs(balance.targets);
+  EXPECT_NEAR(balance.sum(), balance.change, 1e-11 * scale);
+  EXPECT_NEAR(balance.change, gained, 1e-11 * scale);
+  EXPECT_LE(balance.friction, 0);
+  EXPECT_LE(balance.impact, 0);
+  EXPECT_LE(balance.compliance, 0);
+  // What misses the law by the residual works on the reactions by no more than this. Motors may only drain.
+  const double missed = 10 * solution.residual * solution.r.lpNorm<1>() + 1e-12 * scale;
+  EXPECT_LE(balance.complementarity, missed);
+  const bool motors = !island.pile.rows.empty();
+  if (!motors) {
+    EXPECT_GE(balance.complementarity, -missed);
+  }
+}
+
+void expectHonest(const PileIsland& island, const Solution& solution, const Options& options) {
+  const Problem& problem = island.problem;
+  const double demand = problem.q.cwiseAbs().maxCoeff();
+  const double recomputed = naturalResidual(problem, solution.r).max;
+  const double roundOff = 1e-13 * (demand + problem.W.diagonal().cwiseProduct(solution.r).norm());
+  EXPECT_NEAR(recomputed, solution.residual, roundOff);
+  if (solution.status == Status::Solved) {
+    EXPECT_LE(recomputed, std::max(options.tolerance * demand, problem.roundOff) + roundOff);
+  }
+  EXPECT_LT((problem.W * solution.r + problem.q - solution.u).cwiseAbs().maxCoeff(), roundOff);
+  EXPECT_LE(infeasibility(problem, solution.r), options.tolerance * solution.r.norm());
+  EXPECT_LE(solution.regions, options.newtonBudget);
+  EXPECT_LE(solution.sweeps, options.sweepBudget);
+  EXPECT_LT(momentumError(island, solution.r), 1e-12);
+  expectEnergyIdentity(island, solution);
+}
+
+class Piles : public ::testing::TestWithParam<double> {};
+
+TEST_P(Piles, SolvedMeansThatTheLawHolds) {
+  const double massRatio = GetParam();
+  Random random(71);
+  int solved = 0;
+  constexpr int samples = 200;
+  const Options options;
+  for (int k = 0; k < samples; ++k) {
+    SCOPED_TRACE(k);
+    const PileIsland island = randomIsland(k, massRatio, k % 2 ? 0.5 : 2, random);
+    const Solution solution = Solver(options).solve(island.problem);
+    EXPECT_NE(solution.status, Status::Incompatible);
+    if (solution.status == Status::Solved) ++solved;
+    expectHonest(island, solution, options);
+  }
+  EXPECT_GE(solved, massRatio <= 10 ? samples * 97 / 100 : samples * 9 / 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(MassRatios, Piles, ::testing::Values(1, 10, 100, 1000));
+
+// However little it may work, what comes back is honest about it.
+TEST(Solver, ASpentBudgetIsSaidAndNeverWorseThanTheGuess) {
+  Random random(72);
+  for (int k = 0; k < 100; ++k) {
+    const PileIsland island = randomIsland(k, 1e3, 2, random);
+    Options options;
+    options.newtonBudget = k % 7;
+    options.sweepBudget = k % 5 * 10;
+    const VectorXd guess = randomReactions(island.problem, 0.1, random);
+    const Solution solution = Solver(options).solve(island.problem, guess);
+    EXPECT_LE(solution.residual, naturalResidual(island.problem, guess).max);
+    expectHonest(island, solution, options);
+  }
+}
+
+// Frictionless: Gauss' principle has one motion. Without disturbance a tower rests: that is another.
+TEST(Solver, TheMotionDoesNotDependOnTheGuessWhereItIsUnique) {
+  Random random(73);
+  Options options;
+  options.tolerance = 1e-11;
+  for (int k = 0; k < 100; ++k) {
+    SCOPED_TRACE(k);
+    const std::vector<double> masses = randomMasses(1 + k % 8, k % 2 ? 1e3 : 10, random);
+    const PileIsland island(k % 4 < 2 ? withoutFriction(makeTower(masses, 0, 0.5, random))
+                                      : makeTower(masses, 0.7, 0, random));
+    const Solution cold = Solver(options).solve(island.problem);
+    const Solution warm =
+        Solver(options).solve(island.problem, randomReactions(island.problem, 0.3, random));
+    EXPECT_EQ(cold.status, Status::Solved);
+    EXPECT_EQ(warm.status, Status::Solved);
+    EXPECT_LT(motionDistance(island, cold.r, warm.r), 1e-7);
+  }
+}
+
+TEST(Solver, AGuessThatIsASolutionComesBackWithoutWork) {
+  Random random(74);
+  int inside = 0;
+  for (int k = 0; k < 60; ++k) {
+    const PileIsland island = randomIsland(k, 10, 1, random);
+    Solver solver;
+    const Solution first = solver.solve(island.problem);
+    if (first.status != Status::Solved) continue;
+    const Solution again = solver.solve(island.problem, first.r);
+    EXPECT_EQ(again.regions, 0) << "island " << k;
+    EXPECT_EQ(again.factorisations, 0);
+    EXPECT_EQ(again.sweeps, 0);
+    EXPECT_EQ(again.status, Status::Solved);
+    EXPECT_LE((again.r - first.r).norm(), 1e-8 * first.r.norm());
+    // Bit by bit, where round-off has left no reaction outside its cone.
+    if (infeasibility(island.problem, first.r) > 0) continue;
+    ++inside;
+    EXPECT_TRUE(sameBits(again.r, first.r)) << "island " << k;
+    EXPECT_EQ(again.activeSet, first.activeSet);
+  }
+  EXPECT_GE(inside, 15);
+}
+
+// Contacts that rest, slide and open are named so.
+TEST(Solver, ModesSayWhatTheMotionDoes) {
+  Random random(75);
+  for (int k = 0; k < 60; ++k) {
+    const PileIsland island = randomIsland(k, 10, 1, random);
+    const Solution solution = Solver().solve(island.problem);
+    if (solution.status != Status::Solved) continue;
+    const double small = 1e-6 * island.problem.q.cwiseAbs().maxCoeff();
+    for (int i = 0; i < island.problem.contacts(); ++i) {
+      const Vec3 u = solution.u.segment<3>(3 * i), r = solution.r.segment<3>(3 * i);
+      const double slip = std::hypot(u[1], u[2]);
+      const double weight = small / island.problem.W.contactBlock(3 * i).trace();
+      const Mode mode = solution.activeSet.contacts[i];
+      if (u[0] > small) {
+        EXPECT_EQ(mode, Mode::Open);
+      }
+      if (r[0] > weight) {
+        EXPECT_NE(mode, Mode::Open);
+      }
+      if (r[0] > weight && slip > small) {
+        EXPECT_EQ(mode, Mode::Slide);
+      }
+      if (mode == Mode::Stick) {
+        EXPECT_LT(u.norm(), small);
+      }
+      if (mode == Mode::Open) {
+        EXPECT_LT(r.norm(), weight);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace delassus

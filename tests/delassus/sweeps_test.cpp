@@ -1,0 +1,150 @@
+/// Block Gauss-Seidel with nonlinear conjugate gradients.
+#include "delassus/sweeps.h"
+
+#include <gtest/gtest.h>
+
+#include "delassus/one_contact.h"
+#include "tests/support/random_piles.h"
+
+namespace delassus {
+namespace {
+
+using namespace delassus::testing;
+
+VectorXd swept(const Problem& problem, int count, VectorXd r) {
+  Sweeps sweeps;
+  sweeps.setProblem(problem);
+  sweeps.sweep(problem, count, r);
+  return r;
+}
+
+/// A frictional tower with a motor and a joint, each with bounds of its own kind.
+PileIsland towerWithRows(int height, Random& random) {
+  Pile pile = makeTower(randomMasses(height, 10, random), 0, 0.3, random);
+  mixFriction(pile, 1, random);
+  Row motor;
+  motor.a = 0;
+  motor.jacobianA << 0, 0, 0, 0, 0, 1;
+  motor.target = 1;
+  motor.lower = -0.1, motor.upper = 0.1;
+  pile.rows.push_back(motor);
+  Row joint;
+  joint.a = height - 1;
+  joint.jacobianA << 1, 0, 0, 0, 0.5, 0;
+  joint.compliance = 0.01;
+  pile.rows.push_back(joint);
+  return PileIsland(pile);
+}
+
+TEST(Sweeps, ReactionsStayInTheirConesAndBounds) {
+  Random random(41);
+  for (int k = 0; k < 60; ++k) {
+    const PileIsland island = towerWithRows(1 + k % 5, random);
+    const VectorXd start = randomReactions(island.problem, 3, random);
+    for (const int count : {1, 2, 7, 20}) {
+      const VectorXd r = swept(island.problem, count, start);
+      EXPECT_LE(infeasibility(island.problem, r), 1e-15 * (1 + r.norm())) << count << " sweeps";
+    }
+  }
+}
+
+TEST(Sweeps, OneContactAloneNeedsOneSweep) {
+  Random random(42);
+  for (int k = 0; k < 100; ++k) {
+    Pile pile;
+    pile.bodies.push_back(makeBox(uniform(random, 1, 10), 0.5, normalVector(6, random)));
+    pile.contacts.push_back(makeRestingPoint(0, fixedWorld, 0.5 * normalVector(3, random),
+                                             Vec3::Zero(), uniform(random, 0.1, 1)));
+    const Problem problem = PileIsland(pile).problem;
+    const VectorXd exact =
+        solveOneContact(problem.W.contactBlock(0), problem.q, problem.friction[0]);
+    const VectorXd r = swept(problem, 1, randomReactions(problem, 1, random));
+    EXPECT_LT((r - exact).norm(), 1e-10 * (1 + exact.norm()));
+  }
+}
+
+// Without friction each row in turn finds the least of ½ rᵀW r + qᵀr along itself (Gauss' principle): a descent.
+TEST(Sweeps, OneSweepNeverRaisesTheGaussianCostOfFrictionlessIslands) {
+  Random random(43);
+  for (int k = 0; k < 60; ++k) {
+    const PileIsland island(
+        withoutFriction(makeTower(randomMasses(1 + k % 6, 1e3, random), 0, 0.5, random)));
+    const auto cost = [&](const VectorXd& r) {
+      return 0.5 * r.dot(island.problem.W * r) + r.dot(island.problem.q);
+    };
+    VectorXd r = randomReactions(island.problem, 3, random);
+    for (int sweep = 0; sweep < 20; ++sweep) {
+      const VectorXd next = swept(island.problem, 1, r);
+      EXPECT_LE(cost(next), cost(r) + 1e-13 * (std::abs(cost(r)) + r.norm()));
+      r = next;
+    }
+  }
+}
+
+// What is a solution already is left where it is.
+TEST(Sweeps, ASolutionIsAFixedPoint) {
+  Random random(44);
+  for (int k = 0; k < 20; ++k) {
+    const PileIsland island = towerWithRows(1 + k % 2, random);
+    const VectorXd r = swept(island.problem, 20000, VectorXd::Zero(island.problem.size()));
+    ASSERT_LT(naturalResidual(island.problem, r).max, 1e-9);
+    EXPECT_LT((swept(island.problem, 5, r) - r).norm(), 1e-7 * (1 + r.norm())) << "tower " << k;
+  }
+}
+
+TEST(Sweeps, TheStorageOfWDoesNotMatter) {
+  Random random(45);
+  for (int k = 0; k < 30; ++k) {
+    PileIsland island = towerWithRows(1 + k % 5, random);
+    island.problem.roundOff = 0;
+    const VectorXd start = randomReactions(island.problem, 1, random);
+    const VectorXd inBodySpace = swept(island.problem, 8, start);
+    const VectorXd explicitly = swept(withEntries(island.problem), 8, start);
+    EXPECT_LT((inBodySpace - explicitly).norm(), 1e-9 * (1 + explicitly.norm()));
+  }
+}
+
+TEST(Sweeps, NoneMeansNone) {
+  Random random(46);
+  const PileIsland island = towerWithRows(3, random);
+  const VectorXd start = randomReactions(island.problem, 1, random);
+  EXPECT_EQ(swept(island.problem, 0, start), start);
+}
+
+// A row that nothing can move, in either storage.
+TEST(Sweeps, RowsThatNothingMovesAreLeftAlone) {
+  Random random(47);
+  PileIsland island = towerWithRows(1, random);
+  Row idle;
+  idle.a = 0;
+  idle.target = -1;
+  idle.lower = 0;
+  island.pile.rows.push_back(idle);
+  const Problem problem = PileIsland(island.pile).problem;
+  VectorXd start = randomReactions(problem, 1, random);
+  const Eigen::Index last = start.size() - 1;
+  start[last] = 0.25;
+  for (const Problem& same : {problem, withEntries(problem)}) {
+    const VectorXd r = swept(same, 5, start);
+    EXPECT_TRUE(r.allFinite());
+    EXPECT_EQ(r[last], 0.25);
+  }
+}
+
+// One object for many islands: nothing of the last one shows.
+TEST(Sweeps, HaveNoMemory) {
+  Random random(48);
+  const PileIsland large = towerWithRows(4, random), small = towerWithRows(1, random);
+  const VectorXd start = VectorXd::Zero(small.problem.size());
+  Sweeps used;
+  used.setProblem(large.problem);
+  VectorXd r = VectorXd::Zero(large.problem.size());
+  used.sweep(large.problem, 5, r);
+  used.setProblem(small.problem);
+  r = start;
+  used.sweep(small.problem, 5, r);
+  EXPECT_EQ(r, swept(small.problem, 5, start));
+}
+
+}  // namespace
+}  // namespace delassus
