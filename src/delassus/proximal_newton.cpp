@@ -243,6 +243,9 @@ void ProximalNewton<Motion>::compromise(const Problem& problem, Solution& best) 
   const VectorXd d = r_ - center_;
   const VectorXd open = scale_.cwiseProduct(d);
   best.r = center_ - d * (open.dot(center_) / open.dot(d));
+  // Where a bound needs a share of d, the reactions stay as large as they have grown.
+  const auto rows = best.r.tail(problem.rows()).array();
+  if ((rows < problem.lower.array()).any() || (rows > problem.upper.array()).any()) best.r = r_;
   best.u = problem.W * best.r + problem.q;
   best.residual = map_->residual(best.r, best.u).max;
   // Compared in √J: the units of a row must not decide whether it is named.
@@ -258,7 +261,7 @@ void ProximalNewton<Motion>::compromise(const Problem& problem, Solution& best) 
 template <class Motion>
 Outcome ProximalNewton<Motion>::converge(const Problem& problem, double tolerance, double alpha,
                                          int regionBudget, bool fromRegion, Solution& best) {
-  constexpr double smallest = 1e-12, largest = 10, hardly = 1e-6;
+  constexpr double smallest = 1e-12, largest = 10, hardly = 1e-7;
   constexpr int mostOuters = 60, mostFailures = 4;
   // An error of the motion (in energy norm) that no contact can tell from the tolerance.
   fine_ = 0.1 * tolerance / std::sqrt(scale_.maxCoeff());

