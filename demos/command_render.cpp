@@ -118,6 +118,7 @@ int renderSubject(const RenderArguments& arguments) {
   if (solvers.empty()) solvers.emplace_back(arguments.solvers);
   const Subject subject = openSubject(arguments.subject);
   if (arguments.video) render::requireFfmpeg();
+  render::requireOpenGl();
   render::prepareFolder(arguments.out);
 
   render::Wish wish;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "demos/render/gl.h"
 #include "demos/render/ground.h"
 #include "demos/render/palette.h"
 
@@ -29,6 +30,8 @@ std::string inSeconds(double time) {
 }
 
 }  // namespace
+
+void requireOpenGl() { const GlContext context; }
 
 std::string solverInWords(const std::string& name) {
   const std::size_t colon = name.find(':');

@@ -20,6 +20,9 @@ struct Look {
   std::string expected;  ///< what it should do
 };
 
+/// Throws GlError where no picture can be drawn: to be asked before a film is recorded.
+void requireOpenGl();
+
 /// Makes pictures of films that show one scene at the same times: side by side, with one camera and one scale of arrows.
 class Studio {
  public:
