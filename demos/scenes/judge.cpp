@@ -67,7 +67,8 @@ void JudgedSolver::afterGroup(const GroupArguments& arguments) {
 }
 
 void JudgedSolver::lendFeedback(const GroupArguments& arguments) {
-  lent_.assign(std::size_t(arguments.constraintCount), btJointFeedback());
+  lent_.clear();
+  lent_.resize(std::size_t(arguments.constraintCount));
   borrowers_.clear();
   for (int i = 0; i < arguments.constraintCount; ++i) {
     btTypedConstraint* joint = arguments.constraints[i];
