@@ -13,10 +13,12 @@ int main(int argc, char** argv) {
   addScenesCommand(app, chosen);
   addRunCommand(app, chosen);
   addRenderCommand(app, chosen);
-  addReportCommand(app, chosen);
   addSolveCommand(app, chosen);
   addDumpCommand(app, chosen);
+#ifdef BT_USE_DOUBLE_PRECISION  // pages and figures about the solvers are made in one precision
+  addReportCommand(app, chosen);
   addAtlasCommand(app, chosen);
+#endif
 
   try {
     app.parse(argc, argv);

@@ -72,10 +72,11 @@ TEST_F(Report, judgesTheSameProblemBySolvers) {
     EXPECT_LT(std::stod(row["certificate_agreement"]), 1e-6);
     EXPECT_GT(std::stod(row["seconds"]), 0);
     // The errors that the tolerances promise, and what ten sweeps cannot do in a stack from cold.
-    if (row["method"] == "delassus:1e-8")
+    if (row["method"] == "delassus:1e-8") {
       EXPECT_LT(std::stod(row["error"]), 1e-5) << row["phase"];
-    else if (row["view"] == "cold")
+    } else if (row["view"] == "cold") {
       EXPECT_GT(std::stod(row["error"]), 1e-2) << row["phase"];
+    }
   }
   const std::string page = read(out() / "report.md");
   for (const char* words : {"delassus report --quick", "Bullet", "Who reaches which error",
