@@ -18,7 +18,9 @@ void Group::clear() {
 }
 
 std::size_t Group::bytes() const {
-  const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
+  const auto of = [](const auto& list) {
+    return list.capacity() * sizeof(typename std::decay_t<decltype(list)>::value_type);
+  };
   return of(bodies) + of(bodySources) + of(contacts) + of(contactSources) + of(pushes) + of(guess) +
          of(idle) + of(rows) + of(joints) + of(obsolete) + of(asked) + indexOf.bytes();
 }

@@ -35,8 +35,8 @@ void BodySpace::relativeVelocity(const VectorXd& y, VectorXd& u) const {
   }
 }
 
-DelassusMatrix::DelassusMatrix(Sparse entries)
-    : size_(static_cast<int>(entries.rows())), entries_(std::move(entries)) {}
+DelassusMatrix::DelassusMatrix(const Sparse& entries)
+    : size_(static_cast<int>(entries.rows())), entries_(entries) {}
 
 DelassusMatrix::DelassusMatrix(BodySpace space)
     : size_(static_cast<int>(space.compliance.size())),

@@ -192,6 +192,7 @@ std::vector<Island> splitIslands(const std::vector<Body>& bodies,
   Assembler assembler;
   assembler.split(bodies, contacts, rows);
   std::vector<Island> islands;
+  islands.reserve(assembler.islands());
   for (int i = 0; i < assembler.islands(); ++i) islands.push_back(assembler.island(i));
   return islands;
 }

@@ -78,7 +78,7 @@ Vec3 solveOneContact(const Mat3& W, const Vec3& q, double friction) {
   if (q[0] >= 0) return Vec3::Zero();
   if (friction <= 0) return {-q[0] / W(0, 0), 0, 0};
 
-  const Vec3 stick = -W.partialPivLu().solve(q);
+  Vec3 stick = -W.partialPivLu().solve(q);
   if (stick.allFinite() && stick[0] > 0 && std::hypot(stick[1], stick[2]) <= friction * stick[0])
     return stick;
   return slide(W, q, friction);

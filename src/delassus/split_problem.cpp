@@ -58,7 +58,7 @@ std::vector<ProblemPart> splitProblem(const Problem& problem) {
     p.upper = vector(upper);
     DelassusMatrix::Sparse Wp(count, count);
     Wp.setFromTriplets(entries.begin(), entries.end());
-    p.W = DelassusMatrix(std::move(Wp));
+    p.W = DelassusMatrix(Wp);
   }
   return parts;
 }
