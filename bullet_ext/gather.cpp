@@ -18,11 +18,10 @@ void Group::clear() {
 }
 
 std::size_t Group::bytes() const {
-  const auto of = [](const auto& list) {
-    return list.capacity() * sizeof(typename std::decay_t<decltype(list)>::value_type);
-  };
+  const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
   return of(bodies) + of(bodySources) + of(contacts) + of(contactSources) + of(pushes) + of(guess) +
-         of(idle) + of(rows) + of(joints) + of(obsolete) + of(asked) + indexOf.bytes();
+         of(idle) + of(rows) + of(joints) + obsolete.capacity() * sizeof(void*) + of(asked) +
+         indexOf.bytes();
 }
 
 }  // namespace delassus::bullet
