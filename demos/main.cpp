@@ -15,10 +15,8 @@ int main(int argc, char** argv) {
   addRenderCommand(app, chosen);
   addSolveCommand(app, chosen);
   addDumpCommand(app, chosen);
-#ifdef BT_USE_DOUBLE_PRECISION  // pages and figures about the solvers are made in one precision
   addReportCommand(app, chosen);
   addAtlasCommand(app, chosen);
-#endif
 
   try {
     app.parse(argc, argv);

@@ -120,7 +120,9 @@ Outcome Solver::Workspace::pivotRows(const Problem& problem, const Options& opti
     return best.residual <= tolerance ? Outcome::Reached : Outcome::Lost;
   best.r = result.r;
   best.u = result.u;
-  best.residual = map.residual(best.r, best.u).max;
+  const NaturalResidual residual = map.residual(best.r, best.u);
+  best.residual = residual.max;
+  best.residualRms = residual.rms;
   best.blamed = result.blamed;
   return Outcome::Incompatible;
 }
