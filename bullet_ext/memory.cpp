@@ -1,5 +1,8 @@
 #include "bullet_ext/memory.h"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -29,6 +32,10 @@ const btManifoldPoint& pointOf(const PointSource& source) {
 
 bool isFresh(const btManifoldPoint& point) { return point.getLifeTime() <= 1; }
 
+const Vec3& armOf(const Group& group, const Contact& contact) {
+  return group.movable(contact.a) ? contact.armA : contact.armB;
+}
+
 /// End of the run of contacts that share the manifold of contact `begin`.
 int endOfManifold(const Group& group, int begin) {
   const auto count = static_cast<int>(group.contactSources.size());
@@ -53,34 +60,73 @@ void Memory::nextStep() {
   manifoldCursor_ = jointCursor_ = 0;
 }
 
+/// Gives each point that is fresh, or that is not, the nearest point of the last step that is left.
+void Memory::claim(Group& group, int begin, int end, const Owner& owner, bool fresh) {
+  for (int i = begin; i < end; ++i) {
+    if (isFresh(pointOf(group.contactSources[i])) != fresh) continue;
+    const Vec3 arm = armOf(group, group.contacts[i]);
+    int nearest = -1;
+    double distance = std::numeric_limits<double>::max();
+    for (int k = owner.begin; k < owner.end; ++k) {
+      const double d = (last_.points[k].arm - arm).squaredNorm();
+      if (last_.points[k].taken || !(d < distance)) continue;
+      distance = d;
+      nearest = k;
+    }
+    if (nearest < 0) return;
+    if (fresh) group.guess[i] = last_.points[nearest].reaction;
+    last_.points[nearest].taken = true;
+  }
+}
+
+/// Adds to the guesses the least change that makes their wrench (J_iᵀ r_i, summed) that of the last step.
+void Memory::keepWrench(Group& group, int begin, int end, const Owner& owner) const {
+  using Mat63 = Eigen::Matrix<double, 6, 3>;
+  using Mat6 = Eigen::Matrix<double, 6, 6>;
+  double length = 0;  // of the arms, m: moments are counted in its unit
+  for (int k = owner.begin; k < owner.end; ++k)
+    length = std::max(length, last_.points[k].arm.norm());
+  for (int i = begin; i < end; ++i)
+    length = std::max(length, armOf(group, group.contacts[i]).norm());
+  if (!(length > 0)) return;
+
+  const auto wrenchPerReaction = [&](int i) {
+    const Contact& c = group.contacts[i];
+    const Vec3 arm = armOf(group, c) / length;
+    Mat63 g = Mat63::Zero();
+    for (int k = 0; k < (c.friction > 0 ? 3 : 1); ++k)
+      g.col(k) << c.frame.col(k), arm.cross(c.frame.col(k));
+    return g;
+  };
+  Vec6 missing = Vec6::Zero();
+  for (int k = owner.begin; k < owner.end; ++k) {
+    const Point& p = last_.points[k];
+    missing.head<3>() += p.impulse;
+    missing.tail<3>() += (p.arm / length).cross(p.impulse);
+  }
+  Mat6 sum = Mat6::Zero();
+  for (int i = begin; i < end; ++i) {
+    const Mat63 g = wrenchPerReaction(i);
+    missing -= g * group.guess[i];
+    sum += g * g.transpose();
+  }
+  // One or two points cannot make every wrench.
+  constexpr double negligible = 1e-10;
+  sum.diagonal().array() += negligible * sum.trace();
+  const Vec6 share = sum.ldlt().solve(missing);
+  for (int i = begin; i < end; ++i) group.guess[i] += wrenchPerReaction(i).transpose() * share;
+}
+
 void Memory::recallPoints(Group& group, int begin, int end) {
   int fresh = 0;
   for (int i = begin; i < end; ++i) fresh += isFresh(pointOf(group.contactSources[i]));
   if (fresh == 0) return;
   const Owner* owner = find(last_.manifolds, group.contactSources[begin].manifold, manifoldCursor_);
   if (!owner) return;
-
   // Points that stayed claim their own past; what is left goes to the fresh ones.
-  const auto claim = [&](bool forFresh) {
-    for (int i = begin; i < end; ++i) {
-      const btManifoldPoint& point = pointOf(group.contactSources[i]);
-      if (isFresh(point) != forFresh) continue;
-      int nearest = -1;
-      const Vec3 place = toCore(point.m_localPointA);
-      double distance = std::numeric_limits<double>::max();
-      for (int k = owner->begin; k < owner->end; ++k) {
-        const double d = (last_.points[k].place - place).squaredNorm();
-        if (last_.points[k].reaction[0] < 0 || !(d < distance)) continue;
-        distance = d;
-        nearest = k;
-      }
-      if (nearest < 0) continue;
-      if (forFresh) group.guess[i] = last_.points[nearest].reaction;
-      last_.points[nearest].reaction[0] = -1;  // taken: no reaction pulls
-    }
-  };
-  claim(false);
-  claim(true);
+  claim(group, begin, end, *owner, false);
+  claim(group, begin, end, *owner, true);
+  keepWrench(group, begin, end, *owner);
 }
 
 void Memory::recall(Group& group) {
@@ -105,9 +151,11 @@ void Memory::keep(const Group& group, const Answer& answer) {
   for (int begin = 0, end; begin < contacts; begin = end) {
     end = endOfManifold(group, begin);
     const auto first = static_cast<int>(now_.points.size());
-    for (int i = begin; i < end; ++i)
-      now_.points.push_back(
-          {toCore(pointOf(group.contactSources[i]).m_localPointA), answer.contacts[i]});
+    for (int i = begin; i < end; ++i) {
+      const Contact& c = group.contacts[i];
+      const Vec3& reaction = answer.contacts[i];
+      now_.points.push_back({armOf(group, c), reaction, c.frame * reaction, false});
+    }
     now_.manifolds.push_back({group.contactSources[begin].manifold, first, first + end - begin});
   }
   for (const JointSource& joint : group.joints) {

@@ -207,9 +207,16 @@ typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
 template <class Motion>
 Outcome ProximalNewton<Motion>::walk(const Problem& problem, double tolerance, double alpha,
                                      int regionBudget, Solution& best) {
-  center_ = best.r;
-  u_ = best.u;
-  return converge(problem, tolerance, alpha, regionBudget, false, best);
+  return walkFrom(best, problem, tolerance, alpha, regionBudget, best);
+}
+
+template <class Motion>
+Outcome ProximalNewton<Motion>::walkFrom(const Solution& start, const Problem& problem,
+                                         double tolerance, double alpha, int regionBudget,
+                                         Solution& best) {
+  center_ = start.r;
+  u_ = start.u;
+  return converge(problem, tolerance, alpha, regionBudget, false, start.residual, best);
 }
 
 template <class Motion>
@@ -217,7 +224,8 @@ Outcome ProximalNewton<Motion>::walkFromRegion(const Problem& problem, double to
                                                double alpha, int regionBudget, Solution& best) {
   center_.setZero(problem.size());
   u_ = problem.q;
-  return converge(problem, tolerance, alpha, regionBudget, true, best);
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  return converge(problem, tolerance, alpha, regionBudget, true, unknown, best);
 }
 
 /// Incompatible demands let the reactions grow without end, by the same d each time, along which no body moves: J̃ᵀ d = 0.
@@ -260,13 +268,14 @@ void ProximalNewton<Motion>::compromise(const Problem& problem, Solution& best) 
 
 template <class Motion>
 Outcome ProximalNewton<Motion>::converge(const Problem& problem, double tolerance, double alpha,
-                                         int regionBudget, bool fromRegion, Solution& best) {
+                                         int regionBudget, bool fromRegion, double residual,
+                                         Solution& best) {
   constexpr double smallest = 1e-12, largest = 10, hardly = 1e-7;
   constexpr int mostOuters = 60, mostFailures = 4;
   // An error of the motion (in energy norm) that no contact can tell from the tolerance.
   fine_ = 0.1 * tolerance / std::sqrt(scale_.maxCoeff());
   r_ = center_;
-  double residual = fromRegion ? std::numeric_limits<double>::infinity() : best.residual;
+  double shrink = 0.1;  // less boldly after each failure
   int failures = 0;
   for (int outer = 0; outer < mostOuters; ++outer) {
     setWeights(alpha);
@@ -275,7 +284,8 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
       if (best.residual <= tolerance) return Outcome::Reached;
       if (fromRegion || regionBudget <= 0 || ++failures > mostFailures || alpha >= largest)
         return Outcome::Lost;
-      alpha *= 10;
+      alpha /= shrink;
+      shrink = std::sqrt(shrink);
       continue;
     }
     problem.W.multiply(r_, felt_, trialU_);
@@ -297,7 +307,7 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
     if (now <= std::max(aim, map_->roundOff(center_))) return Outcome::Reached;
     // A region that is known needs a small weight to finish; one that still changes needs a larger one.
     if (now > 0.1 * residual && alpha <= smallest) return Outcome::Lost;
-    if (now > 0.01 * residual) alpha = std::max(smallest, 0.1 * alpha);
+    if (now > 0.01 * residual) alpha = std::max(smallest, shrink * alpha);
     residual = now;
   }
   return Outcome::Lost;

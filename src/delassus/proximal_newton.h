@@ -30,7 +30,11 @@ class ProximalNewton {
   Outcome walk(const Problem& problem, double tolerance, double alpha, int regionBudget,
                Solution& best);
 
-  /// The same, but tests the region of best.r first and starts its reactions from zero: the limit is the smoothest share
+  /// The same from other reactions than the best: `start` gives r, u and the residual.
+  Outcome walkFrom(const Solution& start, const Problem& problem, double tolerance, double alpha,
+                   int regionBudget, Solution& best);
+
+  /// The same as `walk`, but tests the region of best.r first and starts its reactions from zero: the limit is the smoothest share
   /// (least norm) among redundant contacts, whatever the guess was.
   Outcome walkFromRegion(const Problem& problem, double tolerance, double alpha, int regionBudget,
                          Solution& best);
@@ -51,8 +55,9 @@ class ProximalNewton {
   /// Factors the Newton matrix of G_, unless that very region is factored already.
   bool factorise(Solution& count);
   Inner solveProximal(const Problem& problem, int& budget, Solution& count, const Solution* region);
+  /// From the reactions center_ with the natural residual `residual`.
   Outcome converge(const Problem& problem, double tolerance, double alpha, int regionBudget,
-                   bool fromRegion, Solution& best);
+                   bool fromRegion, double residual, Solution& best);
   bool growsInVain(const Problem& problem, double tolerance, double residual) const;
   void compromise(const Problem& problem, Solution& best);
   void forgetFactor();

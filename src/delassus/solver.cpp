@@ -68,6 +68,14 @@ void makeFeasible(const Problem& problem, VectorXd& r) {
     r[3 * n + i] = std::clamp(r[3 * n + i], problem.lower[i], problem.upper[i]);
 }
 
+constexpr double unknownRegion = 1e-1;  ///< proximal weight
+
+/// How far a walk from here must look, by what is left to correct; at least `least`.
+double proximalWeight(const Problem& problem, const Solution& from, double least) {
+  return std::clamp(std::sqrt(from.residual / problem.q.cwiseAbs().maxCoeff()), least,
+                    unknownRegion);
+}
+
 }  // namespace
 
 struct Solver::Workspace {
@@ -80,14 +88,19 @@ struct Solver::Workspace {
   Sweeps sweeps;
   Engines<BodyMotion> bodies;
   Engines<FactoredMotion> factored;
-  VectorXd trial, trialU, felt;
+  Solution trial, wandering;
+  VectorXd felt;
 
-  /// Takes r as the best answer if its residual is smaller.
-  void consider(const Problem& problem, const VectorXd& r, Solution& best);
+  /// Completes u and the residual of a candidate r, and takes it as the best answer if its residual is smaller.
+  void consider(const Problem& problem, Solution& candidate, Solution& best);
 
+  /// `guess`: reactions to start from, or null.
   template <class Motion>
   Outcome walk(Engines<Motion>& engines, const Problem& problem, const Options& options,
-               double tolerance, bool warm, Solution& best);
+               double tolerance, const VectorXd* guess, Solution& best);
+  template <class Motion>
+  Outcome wander(Engines<Motion>& engines, const Problem& problem, const Options& options,
+                 double tolerance, const VectorXd* guess, Solution& best);
   Outcome pivotRows(const Problem& problem, const Options& options, double tolerance,
                     Solution& best);
   void sweep(const Problem& problem, int count, Solution& best);
@@ -95,15 +108,17 @@ struct Solver::Workspace {
                          Solution& best);
 };
 
-void Solver::Workspace::consider(const Problem& problem, const VectorXd& r, Solution& best) {
-  problem.W.multiply(r, felt, trialU);
-  trialU += problem.q;
-  const NaturalResidual residual = map.residual(r, trialU);
-  if (!(residual.max < best.residual)) return;
-  best.r = r;
-  best.u.swap(trialU);
-  best.residual = residual.max;
-  best.residualRms = residual.rms;
+void Solver::Workspace::consider(const Problem& problem, Solution& candidate, Solution& best) {
+  problem.W.multiply(candidate.r, felt, candidate.u);
+  candidate.u += problem.q;
+  const NaturalResidual residual = map.residual(candidate.r, candidate.u);
+  candidate.residual = residual.max;
+  candidate.residualRms = residual.rms;
+  if (!(candidate.residual < best.residual)) return;
+  best.r = candidate.r;
+  best.u = candidate.u;
+  best.residual = candidate.residual;
+  best.residualRms = candidate.residualRms;
 }
 
 /// Rows alone are the paper's own ground: regions of any W, symmetric or not.
@@ -115,7 +130,8 @@ Outcome Solver::Workspace::pivotRows(const Problem& problem, const Options& opti
       pivot(problem.W.dense(), problem.q, problem.lower, problem.upper, {}, pivoting);
   best.regions += result.regions;
   best.factorisations += result.factorisations;
-  consider(problem, result.r, best);
+  trial.r = result.r;
+  consider(problem, trial, best);
   if (result.status != Status::Incompatible)
     return best.residual <= tolerance ? Outcome::Reached : Outcome::Lost;
   best.r = result.r;
@@ -128,9 +144,9 @@ Outcome Solver::Workspace::pivotRows(const Problem& problem, const Options& opti
 }
 
 void Solver::Workspace::sweep(const Problem& problem, int count, Solution& best) {
-  trial = best.r;
+  trial.r = best.r;
   sweeps.setProblem(problem);
-  sweeps.sweep(problem, count, trial);
+  sweeps.sweep(problem, count, trial.r);
   best.sweeps += count;
   consider(problem, trial, best);
 }
@@ -153,23 +169,19 @@ void Solver::Workspace::sweepWhileItGains(const Problem& problem, const Options&
 /// the walls, and the walk goes on from there.
 template <class Motion>
 Outcome Solver::Workspace::walk(Engines<Motion>& engines, const Problem& problem,
-                                const Options& options, double tolerance, bool warm,
+                                const Options& options, double tolerance, const VectorXd* guess,
                                 Solution& best) {
-  constexpr double knownRegion = 1e-6, unknownRegion = 1e-1;
+  constexpr double knownRegion = 1e-6;
   constexpr double disturbed = 1e-3;  // share of the demands that the last reactions leave open
-  constexpr int interiorSteps = 40, moreSweeps = 50;
-  const int firstTry = options.newtonBudget / 12;
+  constexpr int interiorSteps = 40;
+  const int firstTry = options.newtonBudget / 24;
   const double demand = problem.q.cwiseAbs().maxCoeff();
   const auto settled = [](Outcome outcome) { return outcome != Outcome::Lost; };
   const auto left = [&] { return options.newtonBudget - best.regions; };
-  // What is left to correct says how far the walk must look.
-  const auto weight = [&](double least) {
-    return std::clamp(std::sqrt(best.residual / demand), least, unknownRegion);
-  };
 
   ProximalNewton<Motion>& newton = engines.walk;
   newton.setProblem(problem, map);
-  if (!warm) {
+  if (!guess) {
     best.activeSet = forcedActiveSet(problem);
     const Outcome outcome =
         newton.walkFromRegion(problem, tolerance, knownRegion, firstTry / 2, best);
@@ -177,19 +189,50 @@ Outcome Solver::Workspace::walk(Engines<Motion>& engines, const Problem& problem
   }
   if (best.residual > disturbed * demand) sweepWhileItGains(problem, options, tolerance, best);
   if (best.residual <= tolerance) return Outcome::Reached;
-  Outcome outcome = newton.walk(problem, tolerance, weight(1e-2), std::min(firstTry, left()), best);
+  Outcome outcome = newton.walk(problem, tolerance, proximalWeight(problem, best, 1e-2),
+                                std::min(firstTry, left()), best);
   if (settled(outcome)) return outcome;
 
   if (engines.interior.solve(newton.motion(), problem, map, tolerance,
                              std::min(interiorSteps, left()), best))
     return Outcome::Reached;
-  outcome = newton.walk(problem, tolerance, weight(1e-4), left() / 4, best);
+  outcome = newton.walk(problem, tolerance, proximalWeight(problem, best, 1e-4), left() / 8, best);
   if (settled(outcome)) return outcome;
 
-  while (best.sweeps < options.sweepBudget && left() > 0) {
-    sweep(problem, std::min(moreSweeps, options.sweepBudget - best.sweeps), best);
-    outcome = newton.walk(problem, tolerance, unknownRegion, left(), best);
-    if (settled(outcome)) return outcome;
+  return wander(engines, problem, options, tolerance, guess, best);
+}
+
+/// Two ways on, in turn. Sweeps from the best answer mend it and the walk goes on from there. And since what is near in
+/// residual may be far from any answer, sweeps set out anew from where the step began, go on whether or not they better
+/// the best answer, further each time, and a short walk is tried from wherever they are.
+template <class Motion>
+Outcome Solver::Workspace::wander(Engines<Motion>& engines, const Problem& problem,
+                                  const Options& options, double tolerance, const VectorXd* guess,
+                                  Solution& best) {
+  constexpr int mending = 50, shortest = 100, longWalk = 100, shortWalk = 40;
+  const auto sweepsLeft = [&](int most) {
+    return std::min(most, options.sweepBudget - best.sweeps);
+  };
+  const auto regionsLeft = [&](int most) {
+    return std::min(most, options.newtonBudget - best.regions);
+  };
+  wandering.r.setZero(problem.size());
+  if (guess) wandering.r = *guess;
+  makeFeasible(problem, wandering.r);
+  for (int length = shortest; sweepsLeft(1) > 0 && regionsLeft(1) > 0; length *= 2) {
+    sweep(problem, sweepsLeft(mending), best);
+    Outcome outcome =
+        engines.walk.walk(problem, tolerance, unknownRegion, regionsLeft(longWalk), best);
+    if (outcome != Outcome::Lost) return outcome;
+
+    const int count = sweepsLeft(length);
+    sweeps.sweep(problem, count, wandering.r);
+    best.sweeps += count;
+    consider(problem, wandering, best);
+    outcome = engines.walk.walkFrom(wandering, problem, tolerance,
+                                    proximalWeight(problem, wandering, 1e-4),
+                                    regionsLeft(shortWalk), best);
+    if (outcome != Outcome::Lost) return outcome;
   }
   return Outcome::Lost;
 }
@@ -218,27 +261,28 @@ void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best
   const double tolerance = std::max(options_.tolerance * demand, problem.roundOff);
   const bool warm = guess.size() == problem.size() && problem.size() > 0 && guess.any();
   if (warm) {
-    w.trial = guess;
-    makeFeasible(problem, w.trial);
+    w.trial.r = guess;
+    makeFeasible(problem, w.trial.r);
     w.consider(problem, w.trial, best);
   }
   if (!(best.residual <= tolerance)) {
-    w.trial.setZero(problem.size());
-    makeFeasible(problem, w.trial);
+    w.trial.r.setZero(problem.size());
+    makeFeasible(problem, w.trial.r);
     w.consider(problem, w.trial, best);
   }
   if (best.residual > tolerance && problem.contacts() == 1 && problem.rows() == 0) {
     ++best.regions;
-    w.trial = solveOneContact(problem.W.contactBlock(0), problem.q, problem.friction[0]);
+    w.trial.r = solveOneContact(problem.W.contactBlock(0), problem.q, problem.friction[0]);
     w.consider(problem, w.trial, best);
   }
   Outcome outcome = Outcome::Lost;
   if (best.residual > tolerance && problem.contacts() == 0 && !problem.W.inBodySpace())
     outcome = w.pivotRows(problem, options_, tolerance, best);
   if (best.residual > tolerance && outcome == Outcome::Lost) {
+    const VectorXd* start = warm ? &guess : nullptr;
     outcome = problem.W.inBodySpace()
-                  ? w.walk(w.bodies, problem, options_, tolerance, warm, best)
-                  : w.walk(w.factored, problem, options_, tolerance, warm, best);
+                  ? w.walk(w.bodies, problem, options_, tolerance, start, best)
+                  : w.walk(w.factored, problem, options_, tolerance, start, best);
     best.residualRms = w.map.residual(best.r, best.u).rms;
   }
 
