@@ -1,5 +1,6 @@
 #include "delassus/delassus_matrix.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace delassus {
@@ -18,6 +19,8 @@ void BodySpace::impulse(const VectorXd& r, VectorXd& y) const {
     if (c.b >= 0) y.segment<6>(6 * c.b).noalias() += c.Jb.transpose() * r[at];
     ++at;
   }
+  for (const Part& p : parts)
+    y.segment<6>(6 * p.body).noalias() += p.J.transpose() * r.segment(p.at, p.J.rows());
 }
 
 void BodySpace::relativeVelocity(const VectorXd& y, VectorXd& u) const {
@@ -33,6 +36,17 @@ void BodySpace::relativeVelocity(const VectorXd& y, VectorXd& u) const {
     if (c.b >= 0) u[at] += c.Jb.dot(y.segment<6>(6 * c.b));
     ++at;
   }
+  for (const Part& p : parts)
+    u.segment(p.at, p.J.rows()).noalias() += p.J * y.segment<6>(6 * p.body);
+}
+
+BodySpace::PartRange BodySpace::partsOf(int at) const {
+  if (parts.empty()) return {nullptr, nullptr};
+  const Part* first = std::lower_bound(parts.data(), parts.data() + parts.size(), at,
+                                       [](const Part& p, int unknown) { return p.at < unknown; });
+  const Part* last = first;
+  while (last != parts.data() + parts.size() && last->at == at) ++last;
+  return {first, last};
 }
 
 DelassusMatrix::DelassusMatrix(const Sparse& entries)
@@ -66,6 +80,7 @@ Mat3 DelassusMatrix::contactBlock(int first) const {
     W = Vec3(space_.compliance.segment<3>(first)).asDiagonal();
     if (c.a >= 0) W.noalias() += c.Ja * c.Ja.transpose();
     if (c.b >= 0) W.noalias() += c.Jb * c.Jb.transpose();
+    for (const BodySpace::Part& p : space_.partsOf(first)) W.noalias() += p.J * p.J.transpose();
   } else {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) W(i, j) = entries_.coeff(first + i, first + j);
@@ -96,6 +111,8 @@ void DelassusMatrix::diagonal(VectorXd& d) const {
     if (c.b >= 0) d[at] += c.Jb.squaredNorm();
     ++at;
   }
+  for (const BodySpace::Part& p : space_.parts)
+    d.segment(p.at, p.J.rows()) += p.J.rowwise().squaredNorm();
 }
 
 MatrixXd DelassusMatrix::dense() const {
@@ -113,6 +130,7 @@ MatrixXd DelassusMatrix::dense() const {
     if (c.b >= 0) J.block<1, 6>(at, 6 * c.b) += c.Jb;
     ++at;
   }
+  for (const BodySpace::Part& p : space_.parts) J.block(p.at, 6 * p.body, p.J.rows(), 6) += p.J;
   MatrixXd W = J * J.transpose();
   W.diagonal() += space_.compliance;
   return W;

@@ -10,7 +10,8 @@ namespace delassus {
 /// W factored in body space: W = J̃ J̃ᵀ + diag(compliance), with the mass-normalised Jacobian J̃ = J B, M⁻¹ = B Bᵀ.
 ///
 /// The generalised velocity y that goes with it has M = I: ½ yᵀy is the kinetic energy that the reactions
-/// add, y = J̃ᵀ r, and a locked axis is a zero column. Body blocks have six columns.
+/// add, y = J̃ᵀ r, and a locked axis is a zero column. Body blocks have six columns; an articulated body
+/// has as many blocks as its freedoms fill.
 struct BodySpace {
   struct ContactRows {
     int a, b;
@@ -20,14 +21,31 @@ struct BodySpace {
     int a, b;
     Row6 Ja, Jb;
   };
+  /// Three rows of a contact, or one.
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor, 3, 6>;
+  /// What a contact or row moves beside its a and b: a block of an articulated body.
+  struct Part {
+    int at;  ///< its first unknown
+    int body;
+    Rows J;
+  };
 
   int bodies = 0;
   std::vector<ContactRows> contacts;
   std::vector<ScalarRow> rows;
-  VectorXd compliance;  ///< one entry an unknown, 1/kg
+  std::vector<Part> parts;  ///< in the order of the unknowns, no block twice in one contact or row
+  VectorXd compliance;      ///< one entry an unknown, 1/kg
 
   void impulse(const VectorXd& r, VectorXd& y) const;           ///< y = J̃ᵀ r
   void relativeVelocity(const VectorXd& y, VectorXd& u) const;  ///< u = J̃ y
+
+  struct PartRange {
+    const Part *first, *last;
+    const Part* begin() const { return first; }
+    const Part* end() const { return last; }
+  };
+  /// Parts of the contact or row whose first unknown is `at`.
+  PartRange partsOf(int at) const;
 };
 
 /// The Delassus matrix W = J M⁻¹ Jᵀ of one island: n contacts with three rows each, then m scalar rows.
@@ -49,6 +67,7 @@ class DelassusMatrix {
   BodySpace& refill(int size) {
     size_ = size;
     inBodySpace_ = true;
+    space_.parts.clear();
     return space_;
   }
   const Sparse& entries() const { return entries_; }  ///< explicit storage only

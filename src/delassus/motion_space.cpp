@@ -33,6 +33,27 @@ MatrixXd pivotedCholesky(const MatrixXd& W) {
   return J.leftCols(rank);
 }
 
+/// Calls visit(at, a, Ja, b, Jb) for every pair of blocks in one contact or row of which at least one
+/// is a part, always in the same order.
+template <class Visit>
+void forPairsWithParts(const BodySpace& space, const Visit& visit) {
+  const auto contactsEnd = static_cast<int>(3 * space.contacts.size());
+  const auto forPairsOf = [&](const BodySpace::Part* p, const BodySpace::Part* last,
+                              const auto& c) {
+    if (c.a >= 0) visit(p->at, c.a, BodySpace::Rows(c.Ja), p->body, p->J);
+    if (c.b >= 0) visit(p->at, c.b, BodySpace::Rows(c.Jb), p->body, p->J);
+    for (const BodySpace::Part* next = p + 1; next != last && next->at == p->at; ++next)
+      visit(p->at, p->body, p->J, next->body, next->J);
+  };
+  const BodySpace::Part* last = space.parts.data() + space.parts.size();
+  for (const BodySpace::Part* p = space.parts.data(); p != last; ++p) {
+    if (p->at < contactsEnd)
+      forPairsOf(p, last, space.contacts[p->at / 3]);
+    else
+      forPairsOf(p, last, space.rows[p->at - contactsEnd]);
+  }
+}
+
 }  // namespace
 
 void BodyMotion::setProblem(const Problem& problem) {
@@ -43,6 +64,7 @@ void BodyMotion::setProblem(const Problem& problem) {
   };
   for (const auto& c : space_->contacts) couple(c.a, c.b);
   for (const auto& c : space_->rows) couple(c.a, c.b);
+  forPairsWithParts(*space_, [&](int, int a, const auto&, int b, const auto&) { couple(a, b); });
   factor_.analyse(space_->bodies, edges_);
 }
 
@@ -72,7 +94,22 @@ bool BodyMotion::factorise(const Stiffness& G) {
       factor_.addOffDiagonal(at, ab, ab.transpose());
     }
   }
+  if (!space_->parts.empty()) addParts(G, edge);
   return factor_.factorise();
+}
+
+void BodyMotion::addParts(const Stiffness& G, int edge) {
+  const auto contactsEnd = static_cast<int>(3 * space_->contacts.size());
+  const auto stiff = [&](int at, const BodySpace::Rows& J) -> BodySpace::Rows {
+    if (at < contactsEnd) return G.contacts[at / 3] * J;
+    return G.rows[at - contactsEnd] * J;
+  };
+  for (const BodySpace::Part& p : space_->parts)
+    factor_.addDiagonal(p.body, p.J.transpose() * stiff(p.at, p.J));
+  const auto add = [&](int at, int, const BodySpace::Rows& Ja, int, const BodySpace::Rows& Jb) {
+    factor_.addOffDiagonal(edge++, Ja.transpose() * stiff(at, Jb), Jb.transpose() * stiff(at, Ja));
+  };
+  forPairsWithParts(*space_, add);
 }
 
 void FactoredMotion::setProblem(const Problem& problem) {

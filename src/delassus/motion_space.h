@@ -33,6 +33,8 @@ class BodyMotion {
   std::size_t bytes() const { return factor_.bytes(); }
 
  private:
+  void addParts(const Stiffness& G, int firstEdge);
+
   const BodySpace* space_ = nullptr;
   std::vector<BlockFactor::Edge> edges_;
   BlockFactor factor_;

@@ -74,6 +74,10 @@ Sparse explicitEntries(const DelassusMatrix& W) {
     append(c.b, c.Jb);
     ++row;
   }
+  for (const BodySpace::Part& p : space.parts) {
+    row = p.at;
+    append(p.body, p.J);
+  }
   Sparse J(W.size(), 6 * space.bodies);
   J.setFromTriplets(jacobian.begin(), jacobian.end());
 

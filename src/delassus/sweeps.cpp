@@ -56,11 +56,15 @@ void Sweeps::sweepBodies(const Problem& problem, VectorXd& r) {
         problem.q.segment<3>(at) + space.compliance.segment<3>(at).cwiseProduct(r.segment<3>(at));
     if (c.a >= 0) u.noalias() += c.Ja * y_.segment<6>(6 * c.a);
     if (c.b >= 0) u.noalias() += c.Jb * y_.segment<6>(6 * c.b);
+    const BodySpace::PartRange parts = space.partsOf(at);
+    for (const BodySpace::Part& p : parts) u.noalias() += p.J * y_.segment<6>(6 * p.body);
     const Vec3 next = solveOneContact(blocks_[i], u - blocks_[i] * r.segment<3>(at),
                                       problem.friction[static_cast<int>(i)]);
     const Vec3 dr = next - r.segment<3>(at);
     if (c.a >= 0) y_.segment<6>(6 * c.a).noalias() += c.Ja.transpose() * dr;
     if (c.b >= 0) y_.segment<6>(6 * c.b).noalias() += c.Jb.transpose() * dr;
+    for (const BodySpace::Part& p : parts)
+      y_.segment<6>(6 * p.body).noalias() += p.J.transpose() * dr;
     r.segment<3>(at) = next;
   }
   for (std::size_t i = 0; i < space.rows.size(); ++i, ++at) {
@@ -70,10 +74,13 @@ void Sweeps::sweepBodies(const Problem& problem, VectorXd& r) {
     double u = problem.q[at] + space.compliance[at] * r[at];
     if (c.a >= 0) u += c.Ja.dot(y_.segment<6>(6 * c.a));
     if (c.b >= 0) u += c.Jb.dot(y_.segment<6>(6 * c.b));
+    const BodySpace::PartRange parts = space.partsOf(at);
+    for (const BodySpace::Part& p : parts) u += p.J.row(0).dot(y_.segment<6>(6 * p.body));
     const double next = boundedRow(r[at], u, diagonal_[at], problem.lower[row], problem.upper[row]);
     const double dr = next - r[at];
     if (c.a >= 0) y_.segment<6>(6 * c.a) += c.Ja.transpose() * dr;
     if (c.b >= 0) y_.segment<6>(6 * c.b) += c.Jb.transpose() * dr;
+    for (const BodySpace::Part& p : parts) y_.segment<6>(6 * p.body) += p.J.row(0).transpose() * dr;
     r[at] = next;
   }
 }

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <vector>
+
+#include "delassus/island.h"
+
+namespace delassus {
+
+using Matrix6X = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
+/// Bodies that move together: articulated trees, in the generalised velocities v of their joints and
+/// of their base.
+///
+///     M⁻¹ = B Bᵀ,   velocity of a limb = L v,   v⁺ = v + M⁻¹ Jᵀ r
+///
+/// A limb stands in the list of bodies with its velocity and unit mass, or without mass if L B = 0:
+/// contacts and rows refer to it as to any other body. Its true inertia is in the tree.
+///
+/// A row may also act on joints. It refers to the tree's stem, a limb of unit mass with L = 0 that
+/// only says which tree; what it does to the joints is given here, and their part J v of its velocity
+/// belongs into the target of the row.
+struct Articulation {
+  struct Tree {
+    MatrixXd root;  ///< B
+  };
+  struct Limb {
+    int body, tree;
+    Matrix6X motion;  ///< L B
+  };
+  struct JointRow {
+    int row, tree;
+    VectorXd effect;  ///< Bᵀ Jᵀ
+  };
+  std::vector<Tree> trees;
+  std::vector<Limb> limbs;          ///< in the order of their bodies
+  std::vector<JointRow> jointRows;  ///< in the order of their rows; a row between two trees has two
+
+  void clear();
+  /// The limb that the body is, or null.
+  const Limb* limbOf(int body) const;
+  bool moves(const Island& island) const;
+};
+
+/// B with M⁻¹ = B Bᵀ, for a symmetric M⁻¹ that is positive semi-definite up to rounding: Cholesky
+/// with diagonal pivoting.
+MatrixXd rootOf(const MatrixXd& inverseMass);
+
+/// The islands of a step whose trees couple what the assembler has split, in the same order.
+std::vector<Island> joinIslands(const Assembler& assembler, const Articulation& articulation);
+
+/// The problem of an island with trees: W from the whole motion of each tree, in blocks of six.
+class Coupling {
+ public:
+  /// Nothing has moved yet.
+  void reset(const Articulation& articulation);
+
+  /// `apart` is the island's problem as the assembler writes it, limbs being bodies of unit mass. Good
+  /// until the next call.
+  const Problem& couple(const Articulation& articulation, const Problem& apart,
+                        const Island& island);
+  /// Adds what the reactions of the island that was coupled last do to the trees.
+  void addGain(const Articulation& articulation, const VectorXd& r);
+
+  /// M⁻¹ Jᵀ r of a tree since the reset.
+  const VectorXd& gain(int tree) const { return gains_[tree]; }
+
+ private:
+  void layOut(const Articulation& articulation, const Island& island);
+  void addParts(int at, int tree, const MatrixXd& J);
+
+  std::vector<int> firstBlock_;  ///< of each tree, or -1
+  int blocks_ = 0;               ///< of the island
+  Problem problem_;
+  BodySpace* space_ = nullptr;  ///< of problem_.W
+  VectorXd impulse_;            ///< on the blocks
+  std::vector<VectorXd> gains_;
+};
+
+}  // namespace delassus
