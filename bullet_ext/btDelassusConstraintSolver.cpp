@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
+#include "bullet_ext/extension.h"
 #include "bullet_ext/gather.h"
 #include "bullet_ext/memory.h"
 #include "bullet_ext/push.h"
@@ -95,18 +96,33 @@ btScalar btDelassusConstraintSolver::solveGroup(btCollisionObject** bodies, int 
                                                 int constraintCount,
                                                 const btContactSolverInfo& info, btIDebugDraw*,
                                                 btDispatcher* dispatcher) {
+  solve(bodies, bodyCount, manifolds, manifoldCount, constraints, constraintCount, info, dispatcher,
+        nullptr);
+  return 0;
+}
+
+void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount,
+                                       btPersistentManifold** manifolds, int manifoldCount,
+                                       btTypedConstraint** constraints, int constraintCount,
+                                       const btContactSolverInfo& info, btDispatcher* dispatcher,
+                                       Extension* extension) {
   Workspace& w = *workspace_;
   if (!(info.m_timeStep > 0) || !std::isfinite(info.m_timeStep)) {
     w.report.tell("step left out: its time step is not a positive number");
-    return 0;
+    return;
   }
 
   Laps laps;
   w.group.clear();
   gatherBodies(w.group, bodies, bodyCount, info, w.report);
+  if (extension) extension->gatherBodies(w.group, w.report);
   gatherContacts(w.group, manifolds, manifoldCount, info, dispatcher, w.report);
   gatherJoints(w.group, constraints, constraintCount, info, w.report);
-  if (info.m_solverMode & SOLVER_USE_WARMSTARTING) w.memory.recall(w.group);
+  if (extension) extension->gatherRows(w.group, w.report);
+  if (info.m_solverMode & SOLVER_USE_WARMSTARTING) {
+    w.memory.recall(w.group);
+    if (extension) extension->recall(w.group);
+  }
   laps.end(w.report.secondsGather);
 
   bullet::solveGroup(w.group, info, w.solver, w.answer);
@@ -120,10 +136,10 @@ btScalar btDelassusConstraintSolver::solveGroup(btCollisionObject** bodies, int 
   writePushes(w.group, w.pushes, info);
   writeContacts(w.group, w.answer, w.report, listener_ ? &w.events : nullptr);
   writeJoints(w.group, w.answer, info);
+  if (extension) extension->writeBack(w.group, w.answer);
   laps.end(w.report.secondsWriteBack);
 
   for (const ContactEvent& event : w.events) listener_(event);
-  return 0;
 }
 
 void btDelassusConstraintSolver::reset() {

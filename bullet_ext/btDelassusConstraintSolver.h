@@ -10,6 +10,10 @@
 #include "bullet_ext/step_report.h"
 #include "delassus/options.h"
 
+namespace delassus::bullet {
+class Extension;
+}
+
 /// Steps a Bullet world on Delassus' regions: contacts with Coulomb's round cone and joints, solved
 /// exactly, island by island.
 ///
@@ -51,7 +55,13 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   void setContactListener(std::function<void(const delassus::ContactEvent&)> listener);
 
  private:
+  friend class btDelassusMultiBodyConstraintSolver;
   btDelassusConstraintSolver(const delassus::Options& options, btDelassusPrecision);
+
+  void solve(btCollisionObject** bodies, int bodyCount, btPersistentManifold** manifolds,
+             int manifoldCount, btTypedConstraint** constraints, int constraintCount,
+             const btContactSolverInfo& info, btDispatcher* dispatcher,
+             delassus::bullet::Extension* extension);
 
   struct Workspace;
   std::unique_ptr<Workspace> workspace_;

@@ -14,6 +14,7 @@ void Group::clear() {
   rowGuess.clear();
   joints.clear();
   obsolete.clear();
+  articulation.clear();
   indexOf.clear();
 }
 

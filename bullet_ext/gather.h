@@ -6,6 +6,7 @@
 #include "LinearMath/btScalar.h"
 #include "bullet_ext/body_table.h"
 #include "bullet_ext/step_report.h"
+#include "delassus/articulation.h"
 #include "delassus/body.h"
 #include "delassus/contact.h"
 #include "delassus/row.h"
@@ -24,8 +25,8 @@ constexpr int leftOut = -2;
 
 /// What the gathered parts were in Bullet. Pointers are good until the end of the group.
 struct BodySource {
-  btRigidBody* rigid;
-  Vec6 before;  ///< velocity at the start of the step, before forces
+  btRigidBody* rigid;  ///< null for a limb of an articulated body
+  Vec6 before;         ///< velocity at the start of the step, before forces
 };
 struct PointSource {
   btPersistentManifold* manifold;
@@ -60,12 +61,15 @@ struct Group {
   std::vector<JointSource> joints;           ///< enabled joints that have rows
   std::vector<btTypedConstraint*> obsolete;  ///< enabled constraints without rows in getInfo1
 
+  Articulation articulation;  ///< what an Extension has added
+
   BodyTable indexOf;
   std::vector<InfoRow> asked;  ///< of the joint that is being gathered
 
   void clear();
   std::size_t bytes() const;
   bool movable(int body) const { return body >= 0 && bodies[body].movable(); }
+  bool isLimb(int body) const { return body >= 0 && !bodySources[body].rigid; }
 };
 
 /// Index of the object in `group`, which it joins if it is new: a body, fixedWorld or leftOut.

@@ -97,7 +97,10 @@ std::string nameOf(const btCollisionObject& object) {
 int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo& info,
               StepReport& report) {
   btRigidBody* rigid = btRigidBody::upcast(&object);
-  if (!rigid) return fixedWorld;
+  if (!rigid) {
+    const int* limb = group.indexOf.find(&object);
+    return limb ? *limb : fixedWorld;
+  }
   // A body out of simulation keeps its place whatever its velocity says, and so does a static one.
   const bool fixed = rigid->isStaticObject() || rigid->getInvMass() == 0 ||
                      rigid->getActivationState() == DISABLE_SIMULATION;

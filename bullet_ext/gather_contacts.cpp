@@ -78,6 +78,10 @@ double tangentialResponse(const Group& group, const Contact& c, int column) {
   const auto share = [&](int body, const Vec3& arm) {
     if (!group.movable(body)) return 0.0;
     const Vec3 turn = arm.cross(t);
+    if (const Articulation::Limb* limb = group.articulation.limbOf(body))
+      return (t.transpose() * limb->motion.topRows<3>() +
+              turn.transpose() * limb->motion.bottomRows<3>())
+          .squaredNorm();
     return group.bodySources[body].rigid->getInvMass() * t.squaredNorm() +
            turn.dot(group.bodies[body].inverseInertia * turn);
   };
@@ -98,8 +102,9 @@ double fillContact(const Group& group, const Pair& pair, const btManifoldPoint& 
   const double h = info.m_timeStep;
   const double d = static_cast<double>(point.getDistance()) + info.m_linearSlop;
   const Softness soft = softnessOf(point, info);
-  const bool split =
-      info.m_splitImpulse && d <= info.m_splitImpulsePenetrationThreshold && !soft.own;
+  // The push moves rigid bodies only.
+  const bool split = info.m_splitImpulse && d <= info.m_splitImpulsePenetrationThreshold &&
+                     !soft.own && !group.isLimb(c.a) && !group.isLimb(c.b);
   const double recovery = d < 0 ? -d * soft.erp / h : 0;
   c.target = {bounceOf(pair, point, info, c) - std::max(d, 0.0) / h + (split ? 0 : recovery),
               frame.motion1, frame.motion2};

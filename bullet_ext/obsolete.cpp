@@ -23,8 +23,17 @@ btSolverBody fixedSolverBody() {
   return body;
 }
 
-btSolverBody solverBody(const Body& body, const BodySource& source) {
+Vec6 delta(const btSolverBody& body) {
+  return toCore(body.m_deltaLinearVelocity, body.m_deltaAngularVelocity);
+}
+
+}  // namespace
+
+btSolverBody solverBody(const Group& group, int index) {
   btSolverBody out = fixedSolverBody();
+  if (index < 0 || group.isLimb(index)) return out;
+  const Body& body = group.bodies[index];
+  const BodySource& source = group.bodySources[index];
   out.m_worldTransform = source.rigid->getWorldTransform();
   out.m_angularFactor = source.rigid->getAngularFactor();
   out.m_linearFactor = source.rigid->getLinearFactor();
@@ -38,19 +47,13 @@ btSolverBody solverBody(const Body& body, const BodySource& source) {
   return out;
 }
 
-Vec6 delta(const btSolverBody& body) {
-  return toCore(body.m_deltaLinearVelocity, body.m_deltaAngularVelocity);
-}
-
-}  // namespace
-
 ObsoleteConstraints::ObsoleteConstraints(const Group& group, const btContactSolverInfo& info)
     : info_(info), acted_(group.obsolete.size(), 0) {
   for (std::size_t i = 0; i < group.bodies.size(); ++i) {
     free_.push_back(group.bodies[i].velocity);
-    bodies_.push_back(solverBody(group.bodies[i], group.bodySources[i]));
+    bodies_.push_back(solverBody(group, static_cast<int>(i)));
   }
-  bodies_.push_back(fixedSolverBody());
+  bodies_.push_back(solverBody(group, fixedWorld));
 }
 
 void ObsoleteConstraints::setDeltas(const std::vector<Body>& moved) {

@@ -8,12 +8,15 @@
 
 namespace delassus::bullet {
 
+/// A rigid body of the group as constraints that are written for Bullet's sequential impulse solver
+/// expect it: the velocity of the start of the step, and the gain from forces apart. Anything else is
+/// immovable.
+btSolverBody solverBody(const Group& group, int index);
+
 /// The constraints of a group that have no rows and move bodies themselves, in
 /// solveConstraintObsolete.
 ///
-/// They are given btSolverBody as Bullet's sequential impulse solver gives them: the velocity of
-/// the start of the step, the gain from forces apart, and in the delta velocities what reactions
-/// have done.
+/// They are given solverBody(), and in its delta velocities what reactions have done.
 class ObsoleteConstraints {
  public:
   ObsoleteConstraints(const Group& group, const btContactSolverInfo& info);

@@ -60,13 +60,17 @@ std::string nameOfPart(const Group& group, const Island& island, int unknown) {
   const auto joint =
       std::find_if(group.joints.begin(), group.joints.end(),
                    [&](const JointSource& j) { return row < j.firstRow + j.rowCount; });
+  if (joint == group.joints.end()) return "a constraint of an articulated body";
   return "a joint of " + nameOf(joint->constraint->getRigidBodyA()) + " and " +
          nameOf(joint->constraint->getRigidBodyB());
 }
 
 void solveIsland(const Group& group, const Island& island, Solver& solver, Answer& answer) {
-  const Problem& problem =
+  const Problem& apart =
       answer.assembler.assemble(group.bodies, group.contacts, group.rows, island);
+  const bool articulated = group.articulation.moves(island);
+  const Problem& problem =
+      articulated ? answer.coupling.couple(group.articulation, apart, island) : apart;
   collectGuess(island, answer);
   Solution& solution = answer.solution;
   solver.solve(problem, answer.guess, solution);
@@ -81,6 +85,7 @@ void solveIsland(const Group& group, const Island& island, Solver& solver, Answe
   if (solution.r.allFinite()) {
     keepReactions(island, solution, answer);
     applyReaction(answer.bodies, group.contacts, group.rows, island, solution.r);
+    if (articulated) answer.coupling.addGain(group.articulation, solution.r);
   } else {
     // Better no reaction than one that spoils the world; the residual says how good that is.
     for (int i : island.frictional) answer.contacts[i].setZero();
@@ -99,8 +104,14 @@ void solveIslands(const Group& group, Solver& solver, Answer& answer) {
   answer.bodies = group.bodies;
   answer.modes.assign(group.contacts.size(), Mode::Open);
   answer.assembler.split(group.bodies, group.contacts, group.rows);
-  for (int i = 0; i < answer.assembler.islands(); ++i)
-    solveIsland(group, answer.assembler.island(i), solver, answer);
+  if (group.articulation.trees.empty()) {
+    for (int i = 0; i < answer.assembler.islands(); ++i)
+      solveIsland(group, answer.assembler.island(i), solver, answer);
+    return;
+  }
+  answer.coupling.reset(group.articulation);
+  for (const Island& island : joinIslands(answer.assembler, group.articulation))
+    solveIsland(group, island, solver, answer);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "bullet_ext/gather.h"
 #include "delassus/active_set.h"
+#include "delassus/articulation.h"
 #include "delassus/island.h"
 #include "delassus/solution.h"
 #include "delassus/solver.h"
@@ -29,6 +30,7 @@ struct Answer {
   VectorXd guess;       ///< of the island that is being solved
   Solution solution;    ///< the same
   Assembler assembler;  ///< of the islands
+  Coupling coupling;    ///< of those with articulated bodies, and the gains of these
   int regions = 0, factorisations = 0, obsoleteConstraints = 0;
 
   std::size_t bytes() const;

@@ -30,7 +30,7 @@ void changeMode(const PointSource& source, btManifoldPoint& point, Mode to, cons
 void writeVelocities(const Group& group, const Answer& answer) {
   for (std::size_t i = 0; i < answer.bodies.size(); ++i) {
     const Body& body = answer.bodies[i];
-    if (!body.movable()) continue;
+    if (!body.movable() || group.isLimb(static_cast<int>(i))) continue;
     group.bodySources[i].rigid->setLinearVelocity(toBullet(body.velocity.head<3>()));
     group.bodySources[i].rigid->setAngularVelocity(toBullet(body.velocity.tail<3>()));
   }

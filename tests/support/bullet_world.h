@@ -21,27 +21,28 @@ constexpr double tolerance(double inDouble, double inFloat) {
 
 /// A world that owns all that is in it: gravity 9.81 along −y, 60 Hz, bodies of friction 0.5 that
 /// never sleep.
-class BulletWorld {
+template <class World, class Solver>
+class OwningWorld {
  public:
-  explicit BulletWorld(std::unique_ptr<btConstraintSolver> solver)
+  explicit OwningWorld(std::unique_ptr<Solver> solver)
       : solver_(std::move(solver)),
         dispatcher_(&configuration_),
         world_(&dispatcher_, &broadphase_, solver_.get(), &configuration_) {
     world_.setGravity(btVector3(0, -gravity, 0));
   }
 
-  ~BulletWorld() {
+  ~OwningWorld() {
     for (auto& joint : joints_) world_.removeConstraint(joint.get());
     for (auto& body : bodies_) world_.removeRigidBody(body.get());
   }
-  BulletWorld(const BulletWorld&) = delete;
-  BulletWorld& operator=(const BulletWorld&) = delete;
+  OwningWorld(const OwningWorld&) = delete;
+  OwningWorld& operator=(const OwningWorld&) = delete;
 
   static constexpr btScalar gravity = btScalar(9.81);
   static constexpr btScalar step = btScalar(1) / 60;
 
-  btDiscreteDynamicsWorld* operator->() { return &world_; }
-  btDiscreteDynamicsWorld& operator*() { return world_; }
+  World* operator->() { return &world_; }
+  World& operator*() { return world_; }
   btContactSolverInfo& info() { return world_.getSolverInfo(); }
   btCollisionDispatcher& dispatcher() { return dispatcher_; }
   /// Of a world that was made with our solver.
@@ -49,6 +50,7 @@ class BulletWorld {
     return dynamic_cast<btDelassusConstraintSolver&>(*solver_);
   }
   const StepReport& report() { return delassus().report(); }
+  Solver& solver() { return *solver_; }
 
   btRigidBody& addBody(std::unique_ptr<btCollisionShape> shape, const btTransform& pose,
                        btScalar mass) {
@@ -127,15 +129,17 @@ class BulletWorld {
       }
   }
 
-  std::unique_ptr<btConstraintSolver> solver_;
+  std::unique_ptr<Solver> solver_;
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
-  btDiscreteDynamicsWorld world_;
+  World world_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
   std::vector<std::unique_ptr<btTypedConstraint>> joints_;
 };
+
+using BulletWorld = OwningWorld<btDiscreteDynamicsWorld, btConstraintSolver>;
 
 /// A world with our solver.
 struct DelassusWorld : BulletWorld {

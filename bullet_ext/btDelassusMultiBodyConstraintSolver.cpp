@@ -1,0 +1,57 @@
+#include "bullet_ext/btDelassusMultiBodyConstraintSolver.h"
+
+#include <utility>
+
+#include "bullet_ext/btDelassusConstraintSolver.h"
+#include "bullet_ext/multi_body_parts.h"
+
+using namespace delassus;
+using namespace delassus::bullet;
+
+struct btDelassusMultiBodyConstraintSolver::Parts {
+  explicit Parts(const Options& options) : rigid(options) {}
+
+  btDelassusConstraintSolver rigid;
+  MultiBodyParts articulated;
+};
+
+btDelassusMultiBodyConstraintSolver::btDelassusMultiBodyConstraintSolver(const Options& options,
+                                                                         btDelassusPrecision)
+    : parts_(std::make_unique<Parts>(options)) {}
+
+btDelassusMultiBodyConstraintSolver::~btDelassusMultiBodyConstraintSolver() = default;
+
+void btDelassusMultiBodyConstraintSolver::prepareSolve(int bodies, int manifolds) {
+  parts_->rigid.prepareSolve(bodies, manifolds);
+}
+
+btScalar btDelassusMultiBodyConstraintSolver::solveGroup(
+    btCollisionObject** bodies, int bodyCount, btPersistentManifold** manifolds, int manifoldCount,
+    btTypedConstraint** constraints, int constraintCount, const btContactSolverInfo& info,
+    btIDebugDraw* debugDrawer, btDispatcher* dispatcher) {
+  solveMultiBodyGroup(bodies, bodyCount, manifolds, manifoldCount, constraints, constraintCount,
+                      nullptr, 0, info, debugDrawer, dispatcher);
+  return 0;
+}
+
+void btDelassusMultiBodyConstraintSolver::solveMultiBodyGroup(
+    btCollisionObject** bodies, int bodyCount, btPersistentManifold** manifolds, int manifoldCount,
+    btTypedConstraint** constraints, int constraintCount,
+    btMultiBodyConstraint** multiBodyConstraints, int multiBodyConstraintCount,
+    const btContactSolverInfo& info, btIDebugDraw*, btDispatcher* dispatcher) {
+  parts_->articulated.setInput({bodies, bodyCount, manifolds, manifoldCount, multiBodyConstraints,
+                                multiBodyConstraintCount, &info});
+  parts_->rigid.solve(bodies, bodyCount, manifolds, manifoldCount, constraints, constraintCount,
+                      info, dispatcher, &parts_->articulated);
+}
+
+void btDelassusMultiBodyConstraintSolver::reset() { parts_->rigid.reset(); }
+
+const StepReport& btDelassusMultiBodyConstraintSolver::report() const {
+  return parts_->rigid.report();
+}
+
+void btDelassusMultiBodyConstraintSolver::setContactListener(
+    std::function<void(const ContactEvent&)> listener) {
+  parts_->rigid.setContactListener(std::move(listener));
+}

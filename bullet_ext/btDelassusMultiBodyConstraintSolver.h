@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h"
+#include "bullet_ext/contact_event.h"
+#include "bullet_ext/precision.h"
+#include "bullet_ext/step_report.h"
+#include "delassus/options.h"
+
+/// Steps a btMultiBodyDynamicsWorld on Delassus' regions: rigid and articulated bodies, their
+/// contacts with Coulomb's round cone, joints, limits and motors in one exact problem an island.
+///
+///     btDelassusMultiBodyConstraintSolver solver;
+///     btMultiBodyDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
+///
+/// A world without articulated bodies moves as it does with btDelassusConstraintSolver, bit for bit.
+/// One solver a world. Bullet accepts nothing there that is not derived from its own solver; nothing
+/// of that is used.
+class btDelassusMultiBodyConstraintSolver : public btMultiBodyConstraintSolver {
+ public:
+  BT_DECLARE_ALIGNED_ALLOCATOR();
+
+  explicit btDelassusMultiBodyConstraintSolver(const delassus::Options& options = {})
+      : btDelassusMultiBodyConstraintSolver(options, btDelassusPrecision{}) {}
+  ~btDelassusMultiBodyConstraintSolver() override;
+  btDelassusMultiBodyConstraintSolver(const btDelassusMultiBodyConstraintSolver&) = delete;
+  btDelassusMultiBodyConstraintSolver& operator=(const btDelassusMultiBodyConstraintSolver&) =
+      delete;
+
+  void prepareSolve(int bodies, int manifolds) override;
+  btScalar solveGroup(btCollisionObject** bodies, int bodyCount, btPersistentManifold** manifolds,
+                      int manifoldCount, btTypedConstraint** constraints, int constraintCount,
+                      const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
+                      btDispatcher* dispatcher) override;
+  void solveMultiBodyGroup(btCollisionObject** bodies, int bodyCount,
+                           btPersistentManifold** manifolds, int manifoldCount,
+                           btTypedConstraint** constraints, int constraintCount,
+                           btMultiBodyConstraint** multiBodyConstraints,
+                           int multiBodyConstraintCount, const btContactSolverInfo& info,
+                           btIDebugDraw* debugDrawer, btDispatcher* dispatcher) override;
+  /// Forgets the last step's report and the workspace.
+  void reset() override;
+  btConstraintSolverType getSolverType() const override { return BT_MULTIBODY_SOLVER; }
+
+  /// As those of btDelassusConstraintSolver; `rows` counts those of both kinds of constraints.
+  const delassus::StepReport& report() const;
+  void setContactListener(std::function<void(const delassus::ContactEvent&)> listener);
+
+ private:
+  btDelassusMultiBodyConstraintSolver(const delassus::Options& options, btDelassusPrecision);
+
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "bullet_ext/gather.h"
+
+namespace delassus::bullet {
+
+struct Answer;
+
+/// The parts of a group that btRigidBody and btTypedConstraint cannot say.
+class Extension {
+ public:
+  virtual ~Extension() = default;
+  /// Called when the rigid bodies are gathered: adds bodies that contacts may refer to.
+  virtual void gatherBodies(Group& group, StepReport& report) = 0;
+  /// Called when contacts and joints are gathered: adds rows.
+  virtual void gatherRows(Group& group, StepReport& report) = 0;
+  /// Fills the guesses of its rows.
+  virtual void recall(Group& group) const = 0;
+  virtual void writeBack(const Group& group, const Answer& answer) = 0;
+};
+
+}  // namespace delassus::bullet

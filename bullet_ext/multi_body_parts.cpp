@@ -1,0 +1,324 @@
+#include "bullet_ext/multi_body_parts.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
+#include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "BulletDynamics/Featherstone/btMultiBody.h"
+#include "BulletDynamics/Featherstone/btMultiBodyLinkCollider.h"
+#include "bullet_ext/convert.h"
+#include "bullet_ext/obsolete.h"
+#include "bullet_ext/solve_group.h"
+
+namespace delassus::bullet {
+namespace {
+
+int freedomsOf(const btMultiBody& body) { return 6 + body.getNumDofs(); }
+
+VectorXd toCore(const btScalar* values, int count) {
+  VectorXd out(count);
+  for (int i = 0; i < count; ++i) out[i] = values[i];
+  return out;
+}
+
+VectorXd velocityOf(const btMultiBody& body) {
+  return toCore(body.getVelocityVector(), freedomsOf(body));
+}
+
+/// Everything that a constraint may leave unset.
+btMultiBodySolverConstraint blankRow() {
+  btMultiBodySolverConstraint row;
+  row.m_relpos1CrossNormal.setZero();
+  row.m_relpos2CrossNormal.setZero();
+  row.m_contactNormal1.setZero();
+  row.m_contactNormal2.setZero();
+  row.m_angularComponentA.setZero();
+  row.m_angularComponentB.setZero();
+  row.m_appliedImpulse = row.m_appliedPushImpulse = 0;
+  row.m_deltaVelAindex = row.m_deltaVelBindex = row.m_jacAindex = row.m_jacBindex = 0;
+  row.m_friction = row.m_jacDiagABInv = row.m_rhs = row.m_rhsPenetration = row.m_cfm = 0;
+  row.m_lowerLimit = row.m_upperLimit = 0;
+  row.m_originalContactPoint = nullptr;
+  row.m_overrideNumSolverIterations = 0;
+  row.m_frictionIndex = 0;
+  return row;
+}
+
+/// Tells a link what acts on it, for the joint feedback.
+void addForce(btMultiBody& body, int link, const btVector3& force, const btVector3& torque) {
+  if (link < 0) {
+    body.addBaseConstraintForce(force);
+    body.addBaseConstraintTorque(torque);
+  } else {
+    body.addLinkConstraintForce(link, force);
+    body.addLinkConstraintTorque(link, torque);
+  }
+}
+
+/// A bound on an impulse; Bullet's constraints write "as much as it takes" as a large number.
+double boundOf(btScalar bound) {
+  if (std::abs(bound) < BT_LARGE_FLOAT) return bound;
+  return std::copysign(std::numeric_limits<double>::infinity(), bound);
+}
+
+/// What is wrong with a row, or null.
+const char* faultOf(const Row& row) {
+  if (!row.jacobianA.allFinite() || !row.jacobianB.allFinite()) return "its axis is not finite";
+  if (!std::isfinite(row.target)) return "its target velocity is not finite";
+  if (!(row.lower <= row.upper)) return "its lower bound is not below its upper one";
+  if (!std::isfinite(row.compliance) || row.compliance < 0)
+    return "its softness is not a number >= 0";
+  return nullptr;
+}
+
+}  // namespace
+
+int MultiBodyParts::addLimb(Group& group, int tree, const LimbSource& source, const Matrix6X& L) {
+  const auto index = static_cast<int>(group.bodies.size());
+  const Matrix6X motion = L * group.articulation.trees[tree].root;
+  Body& body = group.bodies.emplace_back();
+  if (!source.body || !motion.isZero(0)) {
+    body.inverseMass.setOnes();
+    body.inverseInertia.setIdentity();
+  }
+  if (source.body) body.velocity = L * velocityOf(*source.body);
+  group.bodySources.push_back({nullptr, body.velocity});
+  group.articulation.limbs.push_back({index, tree, motion});
+  limbs_.push_back(source);
+  return index;
+}
+
+/// Index of the new tree, or leftOut.
+int MultiBodyParts::addTree(Group& group, const btMultiBody& body) {
+  const int n = freedomsOf(body);
+  MatrixXd inverseMass = MatrixXd::Zero(n, n);
+  unit_.resize(n);
+  response_.resize(n);
+  for (int i = 0; i < n; ++i) unit_[i] = 0;
+  for (int i = body.hasFixedBase() ? 6 : 0; i < n; ++i) {
+    unit_[i] = 1;
+    body.calcAccelerationDeltasMultiDof(&unit_[0], &response_[0], data_.scratch_r, data_.scratch_v);
+    unit_[i] = 0;
+    inverseMass.col(i) = toCore(&response_[0], n);
+  }
+  const MatrixXd root = rootOf(0.5 * (inverseMass + inverseMass.transpose()));
+  if (!root.allFinite() || !velocityOf(body).allFinite()) return leftOut;
+  group.articulation.trees.push_back({root});
+  return static_cast<int>(group.articulation.trees.size()) - 1;
+}
+
+MultiBodyParts::TreeSource MultiBodyParts::treeOf(Group& group, btMultiBody& body,
+                                                  StepReport& report) {
+  // From the end, since the links of a tree follow each other.
+  const auto known = std::find_if(trees_.rbegin(), trees_.rend(),
+                                  [&](const TreeSource& tree) { return tree.body == &body; });
+  if (known != trees_.rend()) return *known;
+  const int tree = addTree(group, body);
+  if (tree == leftOut)
+    report.tell("an articulated body left out: its velocity or its mass is not finite");
+  const int stem = tree == leftOut
+                       ? leftOut
+                       : addLimb(group, tree, {nullptr, -1}, Matrix6X::Zero(6, freedomsOf(body)));
+  trees_.push_back({&body, tree, stem});
+  return trees_.back();
+}
+
+void MultiBodyParts::addLink(Group& group, const btMultiBodyLinkCollider& collider,
+                             StepReport& report) {
+  if (group.indexOf.find(&collider)) return;
+  btMultiBody& body = *collider.m_multiBody;
+  const TreeSource source = treeOf(group, body, report);
+  if (source.tree == leftOut) {
+    group.indexOf.insert(&collider, leftOut);
+    return;
+  }
+
+  const int n = freedomsOf(body);
+  Matrix6X L(6, n);
+  unit_.resize(n);
+  const btVector3& centre = collider.getWorldTransform().getOrigin();
+  const btVector3 zero(0, 0, 0);
+  for (int i = 0; i < 6; ++i) {
+    btVector3 axis(0, 0, 0);
+    axis[i % 3] = 1;
+    body.fillConstraintJacobianMultiDof(collider.m_link, centre, i < 3 ? zero : axis,
+                                        i < 3 ? axis : zero, &unit_[0], data_.scratch_r,
+                                        data_.scratch_v, data_.scratch_m);
+    L.row(i) = toCore(&unit_[0], n).transpose();
+  }
+  group.indexOf.insert(&collider, addLimb(group, source.tree, {&body, collider.m_link}, L));
+}
+
+void MultiBodyParts::gatherBodies(Group& group, StepReport& report) {
+  trees_.clear();
+  limbs_.clear();
+  for (int i = 0; i < input_.manifoldCount; ++i) {
+    const btPersistentManifold& manifold = *input_.manifolds[i];
+    if (manifold.getNumContacts() == 0) continue;
+    for (const btCollisionObject* object : {manifold.getBody0(), manifold.getBody1()})
+      if (const btMultiBodyLinkCollider* link = btMultiBodyLinkCollider::upcast(object))
+        addLink(group, *link, report);
+  }
+}
+
+/// Constraints find their rigid partners among the solver bodies by these numbers.
+void MultiBodyParts::lendCompanionIds(const Group& group) {
+  const auto count = static_cast<int>(group.bodies.size());
+  const int fixed = count, absent = count + 1;
+  solverBodies_.resizeNoInitialize(0);
+  for (int i = 0; i < count; ++i) solverBodies_.push_back(solverBody(group, i));
+  solverBodies_.push_back(solverBody(group, fixedWorld));
+  solverBodies_.push_back(solverBody(group, fixedWorld));
+  data_.m_solverBodyPool = &solverBodies_;
+  data_.m_fixedBodyId = fixed;
+
+  for (int i = 0; i < input_.bodyCount; ++i) {
+    btCollisionObject& object = *input_.bodies[i];
+    if (btMultiBodyLinkCollider* link = btMultiBodyLinkCollider::upcast(&object))
+      link->m_multiBody->setCompanionId(-1);
+    if (!btRigidBody::upcast(&object)) continue;
+    const int* index = group.indexOf.find(&object);
+    object.setCompanionId(index && *index == leftOut ? absent : fixed);
+  }
+  for (int i = 0; i < count; ++i)
+    if (btRigidBody* rigid = group.bodySources[i].rigid) rigid->setCompanionId(i);
+}
+
+void MultiBodyParts::takeBackCompanionIds(const Group& group) {
+  for (int i = 0; i < input_.bodyCount; ++i) input_.bodies[i]->setCompanionId(-1);
+  for (const BodySource& source : group.bodySources)
+    if (source.rigid) source.rigid->setCompanionId(-1);
+  for (int i = 0; i < rows_.size(); ++i)
+    for (btMultiBody* body : {rows_[i].m_multiBodyA, rows_[i].m_multiBodyB})
+      if (body) body->setCompanionId(-1);
+}
+
+void MultiBodyParts::askRows(btMultiBodyConstraint& constraint) {
+  // Bullet's arrays hand out what was there before.
+  const int begin = rows_.size();
+  rows_.resize(begin + constraint.getNumRows(), blankRow());
+  rows_.resizeNoInitialize(begin);
+  constraint.createConstraintRows(rows_, data_, *input_.info);
+}
+
+void MultiBodyParts::addRow(Group& group, btMultiBodyConstraint& constraint, int asked, int dof,
+                            StepReport& report) {
+  const btMultiBodySolverConstraint& from = rows_[asked];
+  if (!(from.m_jacDiagABInv > 0)) return;
+  const double response = 1 / static_cast<double>(from.m_jacDiagABInv);
+
+  const auto rowIndex = static_cast<int>(group.rows.size());
+  const int absent = data_.m_fixedBodyId + 1;
+  Row row;
+  std::vector<Articulation::JointRow>& jointRows = group.articulation.jointRows;
+  const std::size_t jointRowsBefore = jointRows.size();
+  /// One side: the body it acts on, or leftOut.
+  const auto sideOf = [&](btMultiBody* body, int jacobian, int solverBodyId,
+                          const btVector3& linear, const btVector3& angular, Row6& J) {
+    if (body) {
+      const TreeSource source = treeOf(group, *body, report);
+      if (source.tree == leftOut) return leftOut;
+      const VectorXd joints = toCore(&data_.m_jacobians[jacobian], freedomsOf(*body));
+      jointRows.push_back(
+          {rowIndex, source.tree, group.articulation.trees[source.tree].root.transpose() * joints});
+      return source.stem;
+    }
+    if (solverBodyId == absent) return leftOut;
+    if (solverBodyId < 0 || solverBodyId >= data_.m_fixedBodyId) return fixedWorld;
+    J = bullet::toCore(linear, angular).transpose();
+    row.target += J.dot(group.bodySources[solverBodyId].before);
+    return solverBodyId;
+  };
+  row.target = (static_cast<double>(from.m_rhs) + from.m_rhsPenetration) * response;
+  row.a = sideOf(from.m_multiBodyA, from.m_jacAindex, from.m_solverBodyIdA, from.m_contactNormal1,
+                 from.m_relpos1CrossNormal, row.jacobianA);
+  row.b = sideOf(from.m_multiBodyB, from.m_jacBindex, from.m_solverBodyIdB, from.m_contactNormal2,
+                 from.m_relpos2CrossNormal, row.jacobianB);
+  row.lower = boundOf(from.m_lowerLimit);
+  row.upper = boundOf(from.m_upperLimit);
+  row.compliance = from.m_cfm * response;
+
+  const char* fault = faultOf(row);
+  const bool idle = row.a == leftOut || row.b == leftOut || (row.lower == 0 && row.upper == 0);
+  if (fault || idle) {
+    jointRows.resize(jointRowsBefore);
+    if (fault) report.tell(std::string("a row of an articulated body left out: ") + fault);
+    return;
+  }
+  group.rows.push_back(row);
+  rowSources_.push_back({rowIndex, asked, &constraint, dof, constraint.getAppliedImpulse(dof)});
+}
+
+void MultiBodyParts::gatherRows(Group& group, StepReport& report) {
+  rowSources_.clear();
+  rows_.resizeNoInitialize(0);
+  if (input_.constraintCount == 0) return;
+  data_.m_jacobians.resizeNoInitialize(0);
+  data_.m_deltaVelocitiesUnitImpulse.resizeNoInitialize(0);
+  data_.m_deltaVelocities.resizeNoInitialize(0);
+
+  lendCompanionIds(group);
+  for (int i = 0; i < input_.constraintCount; ++i) {
+    btMultiBodyConstraint& constraint = *input_.constraints[i];
+    const int begin = rows_.size();
+    askRows(constraint);
+    for (int k = begin; k < rows_.size(); ++k) {
+      const int named = rows_[k].m_orgDofIndex;
+      const int dof = named >= 0 ? named : k - begin;
+      if (dof < constraint.getNumRows()) addRow(group, constraint, k, dof, report);
+    }
+    // A limit that is not reached has no row; its impulse is none.
+    for (int dof = 0; dof < constraint.getNumRows(); ++dof)
+      constraint.internalSetAppliedImpulse(dof, 0);
+  }
+  takeBackCompanionIds(group);
+}
+
+void MultiBodyParts::recall(Group& group) const {
+  group.rowGuess.resize(group.rows.size(), 0);
+  for (const RowSource& source : rowSources_)
+    if (std::isfinite(source.guess)) group.rowGuess[source.row] = source.guess;
+}
+
+void MultiBodyParts::writeBack(const Group& group, const Answer& answer) {
+  const double h = input_.info->m_timeStep;
+  const auto addToLimb = [&](int body, const Vec3& force, const Vec3& arm) {
+    const Articulation::Limb* limb = group.articulation.limbOf(body);
+    if (!limb) return;
+    const LimbSource& source = limbs_[limb - group.articulation.limbs.data()];
+    addForce(*source.body, source.link, toBullet(force), toBullet(arm.cross(force).eval()));
+  };
+  for (std::size_t i = 0; i < group.contacts.size(); ++i) {
+    const Contact& contact = group.contacts[i];
+    const Vec3 force = contact.frame * answer.contacts[i] / h;
+    addToLimb(contact.a, force, contact.armA);
+    addToLimb(contact.b, -force, contact.armB);
+  }
+
+  for (const RowSource& source : rowSources_) {
+    const btMultiBodySolverConstraint& row = rows_[source.asked];
+    const auto r = static_cast<btScalar>(answer.rows[source.row]);
+    source.constraint->internalSetAppliedImpulse(source.dof, r);
+    const btScalar force = r / input_.info->m_timeStep;
+    if (row.m_multiBodyA)
+      addForce(*row.m_multiBodyA, row.m_linkA, row.m_contactNormal1 * force,
+               row.m_relpos1CrossNormal * force);
+    if (row.m_multiBodyB)
+      addForce(*row.m_multiBodyB, row.m_linkB, row.m_contactNormal2 * force,
+               row.m_relpos2CrossNormal * force);
+  }
+
+  for (const TreeSource& source : trees_) {
+    if (source.tree == leftOut) continue;
+    const VectorXd& gain = answer.coupling.gain(source.tree);
+    response_.resize(static_cast<int>(gain.size()));
+    for (int i = 0; i < response_.size(); ++i) response_[i] = static_cast<btScalar>(gain[i]);
+    source.body->applyDeltaVeeMultiDof2(&response_[0], 1);
+    source.body->setPosUpdated(false);
+  }
+}
+
+}  // namespace delassus::bullet

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <vector>
+
+#include "BulletDynamics/Featherstone/btMultiBodyConstraint.h"
+#include "bullet_ext/extension.h"
+
+class btMultiBodyLinkCollider;
+
+namespace delassus::bullet {
+
+/// What solveMultiBodyGroup brings beside rigid bodies: articulated bodies and their constraints.
+///
+/// A btMultiBody is a tree whose velocities are those of its base (angular, linear) and of its
+/// joints, the forces of the step included. M⁻¹ is read from its articulated-body algorithm, one unit
+/// force at a time; links that touch something are its limbs.
+///
+/// A btMultiBodyConstraint answers with rows made for sequential impulses, d = 1/W_ii and
+/// rhs = (wanted − relative velocity) d. Here they mean
+///
+///     J v⁺ + (cfm/d) r = J v_before + rhs/d,   lower ≤ r ≤ upper
+///
+/// with the velocity of rigid partners before forces, as these constraints see it. Positional parts
+/// that Bullet would split are taken as velocities, since an articulated body cannot be pushed. A row
+/// that its constraint has switched off (d = 0) has no part.
+class MultiBodyParts : public Extension {
+ public:
+  /// What was passed; good until the end of the group.
+  struct Input {
+    btCollisionObject** bodies;
+    int bodyCount;
+    btPersistentManifold** manifolds;
+    int manifoldCount;
+    btMultiBodyConstraint** constraints;
+    int constraintCount;
+    const btContactSolverInfo* info;
+  };
+  void setInput(const Input& input) { input_ = input; }
+
+  void gatherBodies(Group& group, StepReport& report) override;
+  void gatherRows(Group& group, StepReport& report) override;
+  void recall(Group& group) const override;
+  /// Velocities, forces on links for joint feedback, and the impulses of constraints.
+  void writeBack(const Group& group, const Answer& answer) override;
+
+ private:
+  struct TreeSource {
+    btMultiBody* body;
+    int tree;  ///< in the articulation, or leftOut
+    int stem;  ///< body that stands for the tree
+  };
+  struct LimbSource {
+    btMultiBody* body;
+    int link;  ///< −1 for the base
+  };
+  struct RowSource {
+    int row;    ///< among Group::rows
+    int asked;  ///< among rows_
+    btMultiBodyConstraint* constraint;
+    int dof;
+    double guess;
+  };
+
+  TreeSource treeOf(Group& group, btMultiBody& body, StepReport& report);
+  int addTree(Group& group, const btMultiBody& body);
+  int addLimb(Group& group, int tree, const LimbSource& source, const Matrix6X& L);
+  void addLink(Group& group, const btMultiBodyLinkCollider& collider, StepReport& report);
+
+  void lendCompanionIds(const Group& group);
+  void takeBackCompanionIds(const Group& group);
+  void askRows(btMultiBodyConstraint& constraint);
+  void addRow(Group& group, btMultiBodyConstraint& constraint, int asked, int dof,
+              StepReport& report);
+
+  Input input_{};
+  std::vector<TreeSource> trees_;
+  std::vector<LimbSource> limbs_;  ///< as in the articulation; stems have no body
+  std::vector<RowSource> rowSources_;
+  btMultiBodyConstraintArray rows_;
+  btMultiBodyJacobianData data_;
+  /// Those of the group, then the fixed one, then the one that is left out.
+  btAlignedObjectArray<btSolverBody> solverBodies_;
+  btAlignedObjectArray<btScalar> unit_, response_;
+};
+
+}  // namespace delassus::bullet

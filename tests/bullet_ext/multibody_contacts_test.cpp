@@ -1,0 +1,183 @@
+/// Articulated bodies that touch something: the paper's regions in joint coordinates, weight,
+/// friction.
+
+#include <BulletDynamics/Featherstone/btMultiBodyJointMotor.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <set>
+
+#include "delassus/release.h"
+#include "tests/support/multibody_world.h"
+
+namespace delassus::testing {
+namespace {
+
+/// Sum of the normal impulses of all points, N·s.
+double normalSum(MultiBodyWorld& world) {
+  double sum = 0;
+  for (const btManifoldPoint* point : world.points()) sum += point->m_appliedImpulse;
+  return sum;
+}
+
+btVector3 boxInertia(const btVector3& half, btScalar mass) {
+  btVector3 inertia;
+  btBoxShape(half).calculateLocalInertia(mass, inertia);
+  return inertia;
+}
+
+TEST(MultiBodyContacts, FreeBoxCarriesItsWeight) {
+  DelassusMultiBodyWorld world;
+  world.addGround();
+  const btVector3 half(0.5, 0.5, 0.5);
+  btMultiBody& box =
+      world.addTree(0, 3, boxInertia(half, 3), false, btVector3(0, btScalar(0.5), 0));
+  world.addCollider(box, -1, std::make_unique<btBoxShape>(half));
+  world.finish(box);
+  world.advance(30);
+
+  const double weight = 3 * BulletWorld::gravity * BulletWorld::step;
+  EXPECT_NEAR(normalSum(world) / weight, 1, tolerance(1e-9, 1e-4));
+  EXPECT_LE(box.getBaseVel().length(), tolerance(1e-9, 1e-5));
+  EXPECT_EQ(world.report().contacts, 4);
+  EXPECT_EQ(world.report().islands, 1);
+  EXPECT_EQ(world.report().solved, 1);
+}
+
+/// A planar arm of two links (theory §4), its joint axes along z, straight along x at rest. A ball
+/// at the centre of mass of each link lies on a stop.
+struct ArmOnStops {
+  static constexpr btScalar m1 = 2, m2 = 1, I1 = btScalar(0.3), I2 = btScalar(0.1);
+  static constexpr btScalar length1 = 1, centre1 = btScalar(0.6), centre2 = btScalar(0.5);
+  static constexpr btScalar radius = btScalar(0.1);
+
+  ArmOnStops() {
+    world->setGravity(btVector3(0, 0, 0));
+    const btVector3 axis(0, 0, 1);
+    const btQuaternion straight = btQuaternion::getIdentity();
+    btMultiBody& tree = world.addTree(2, 0, btVector3(0, 0, 0), true);
+    tree.setupRevolute(0, m1, btVector3(I1, I1, I1), -1, straight, axis, btVector3(0, 0, 0),
+                       btVector3(centre1, 0, 0), true);
+    tree.setupRevolute(1, m2, btVector3(I2, I2, I2), 0, straight, axis,
+                       btVector3(length1 - centre1, 0, 0), btVector3(centre2, 0, 0), true);
+    for (int link : {0, 1}) {
+      world.addCollider(tree, link, std::make_unique<btSphereShape>(radius), 0);
+      const btScalar x = link == 0 ? centre1 : length1 + centre2;
+      world.addSphere(radius, btVector3(x, -2 * radius, 0), 0);
+    }
+    world.finish(tree);
+    arm = &tree;
+  }
+
+  /// J M⁻¹ with the two-link arm's mass matrix in closed form; J: rise of the two balls.
+  static Eigen::Matrix2d jacobian() {
+    Eigen::Matrix2d J;
+    J << centre1, 0, length1 + centre2, centre2;
+    return J;
+  }
+  static Eigen::Matrix2d inverseMass() {
+    const double l = length1, c1 = centre1, c2 = centre2;
+    Eigen::Matrix2d M;
+    M(0, 0) = I1 + I2 + m1 * c1 * c1 + m2 * (l + c2) * (l + c2);
+    M(0, 1) = M(1, 0) = I2 + m2 * (c2 * c2 + l * c2);
+    M(1, 1) = I2 + m2 * c2 * c2;
+    return M.inverse();
+  }
+
+  DelassusMultiBodyWorld world;
+  btMultiBody* arm;
+};
+
+TEST(MultiBodyContacts, ArmOnTwoStopsKeepsTheContactsOfItsRegion) {
+  const Eigen::Matrix2d J = ArmOnStops::jacobian(), inverseMass = ArmOnStops::inverseMass();
+  const Eigen::Matrix2d W = J * inverseMass * J.transpose();
+  std::set<std::vector<bool>> regions;
+  for (int k = 0; k < 24; ++k) {
+    const double angle = 2 * M_PI * (k + 0.3) / 24;
+    const Eigen::Vector2d torque = 10 * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    const Eigen::Vector2d q = J * inverseMass * torque * BulletWorld::step;
+    const ReleaseAnalysis expected = analyseRelease(W, q);
+    regions.insert(expected.persisting);
+
+    ArmOnStops scene;
+    scene.arm->addJointTorque(0, btScalar(torque[0]));
+    scene.arm->addJointTorque(1, btScalar(torque[1]));
+    scene.world.advance();
+    const std::vector<btManifoldPoint*> points = scene.world.points();
+    ASSERT_EQ(points.size(), 2u);
+    for (const btManifoldPoint* point : points) {
+      const int i = point->getPositionWorldOnA().x() < 1 ? 0 : 1;
+      EXPECT_NEAR(point->m_appliedImpulse, expected.r[i], tolerance(1e-9, 1e-5)) << k;
+      EXPECT_EQ(point->m_appliedImpulse > 0, expected.persisting[i]) << k;
+    }
+    const Eigen::Vector2d joints =
+        inverseMass * (torque * BulletWorld::step + J.transpose() * expected.r);
+    for (int i : {0, 1})
+      EXPECT_NEAR(scene.arm->getJointVel(i), joints[i], tolerance(1e-9, 1e-5)) << k;
+    EXPECT_LE(scene.world.report().residualMax, tolerance(1e-9, 1e-6));
+  }
+  EXPECT_EQ(regions.size(), 4u);
+}
+
+/// A body on four legs of two links each, feet of radius 5 cm, motors in the joints.
+struct Quadruped {
+  static constexpr btScalar bodyMass = 20, legMass = btScalar(0.7);
+  static constexpr btScalar thigh = btScalar(0.3), shank = btScalar(0.3), foot = btScalar(0.05);
+
+  static constexpr btScalar bend = btScalar(0.5);  ///< of the thigh; the shank bends back as much
+
+  static btScalar height() { return foot + (thigh + shank) * btCos(bend); }
+
+  explicit Quadruped(MultiBodyWorld& world) {
+    world.addGround();
+    const btVector3 half(btScalar(0.5), btScalar(0.1), btScalar(0.3));
+    tree =
+        &world.addTree(8, bodyMass, boxInertia(half, bodyMass), false, btVector3(0, height(), 0));
+    world.addCollider(*tree, -1, std::make_unique<btBoxShape>(half));
+    const btVector3 axis(0, 0, 1), inertia(btScalar(0.01), btScalar(0.01), btScalar(0.01));
+    for (int leg = 0; leg < 4; ++leg) {
+      const btVector3 hip((leg & 1 ? 1 : -1) * btScalar(0.4), 0, (leg & 2 ? 1 : -1) * half.z());
+      const int upper = 2 * leg, lower = upper + 1;
+      tree->setupRevolute(upper, legMass, inertia, -1, btQuaternion(axis, -bend), axis, hip,
+                          btVector3(0, -thigh / 2, 0), true);
+      tree->setupRevolute(lower, legMass, inertia, upper, btQuaternion(axis, 2 * bend), axis,
+                          btVector3(0, -thigh / 2, 0), btVector3(0, -shank, 0), true);
+      world.addCollider(*tree, lower, std::make_unique<btSphereShape>(foot), 1);
+    }
+    world.finish(*tree);
+    for (int link = 0; link < 8; ++link) {
+      auto& motor =
+          world.addConstraint<btMultiBodyJointMotor>(tree, link, btScalar(0), btScalar(50));
+      motor.setPositionTarget(0, btScalar(0.1));
+    }
+  }
+  static constexpr double mass = bodyMass + 8 * legMass;
+  btMultiBody* tree;
+};
+
+TEST(MultiBodyContacts, QuadrupedStandsOnFeetThatCarryItsWeight) {
+  DelassusMultiBodyWorld world;
+  const Quadruped robot(world);
+  world.advance(120);
+  const double weight = Quadruped::mass * BulletWorld::gravity * BulletWorld::step;
+  const std::vector<btManifoldPoint*> feet = world.points();
+  ASSERT_EQ(feet.size(), 4u);
+  for (int step = 0; step < 30; ++step) {
+    world.advance();
+    EXPECT_NEAR(normalSum(world) / weight, 1, tolerance(1e-6, 1e-4));
+    // Four stiff legs: in single precision their rounding says which carry how much.
+    for (const btManifoldPoint* foot : world.points()) {
+      EXPECT_GE(foot->m_appliedImpulse, 0);
+      if (isDouble) {
+        EXPECT_NEAR(foot->m_appliedImpulse / weight, 0.25, 0.05);
+      }
+    }
+  }
+  EXPECT_EQ(world.report().solved, world.report().islands);
+  EXPECT_NEAR(robot.tree->getBasePos().y(), Quadruped::height(), 0.01);
+  EXPECT_LE(robot.tree->getBaseVel().length(), tolerance(1e-6, 1e-4));
+}
+
+}  // namespace
+}  // namespace delassus::testing

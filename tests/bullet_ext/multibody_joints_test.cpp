@@ -1,0 +1,270 @@
+/// Constraints of articulated bodies: motors, limits, couplings, and the forces they tell.
+
+#include <BulletDynamics/Featherstone/btMultiBodyFixedConstraint.h>
+#include <BulletDynamics/Featherstone/btMultiBodyGearConstraint.h>
+#include <BulletDynamics/Featherstone/btMultiBodyJointLimitConstraint.h>
+#include <BulletDynamics/Featherstone/btMultiBodyJointMotor.h>
+#include <BulletDynamics/Featherstone/btMultiBodyPoint2Point.h>
+#include <BulletDynamics/Featherstone/btMultiBodySphericalJointLimit.h>
+#include <BulletDynamics/Featherstone/btMultiBodySphericalJointMotor.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "tests/support/multibody_world.h"
+
+namespace delassus::testing {
+namespace {
+
+const double h = BulletWorld::step, g = BulletWorld::gravity;
+
+/// A planar chain on a fixed base at the origin: joint axes along z, links of 1 m along x at rest,
+/// masses 2, 3, ... kg in their middles.
+struct Chain {
+  static constexpr btScalar inertia = btScalar(0.1);
+  static btScalar mass(int link) { return btScalar(2 + link); }
+
+  explicit Chain(MultiBodyWorld& world, int links) : feedback(links) {
+    tree = &world.addTree(links, 0, btVector3(0, 0, 0), true);
+    for (int i = 0; i < links; ++i) {
+      tree->setupRevolute(i, mass(i), btVector3(inertia, inertia, inertia), i - 1,
+                          btQuaternion::getIdentity(), btVector3(0, 0, 1),
+                          btVector3(i == 0 ? btScalar(0) : btScalar(0.5), 0, 0),
+                          btVector3(btScalar(0.5), 0, 0), true);
+      tree->getLink(i).m_jointFeedback = &feedback[i];
+    }
+  }
+  btVector3 endOf(int link) const {
+    return tree->localPosToWorld(link, btVector3(btScalar(0.5), 0, 0));
+  }
+  btMultiBody* tree;
+  std::vector<btMultiBodyJointFeedback> feedback;
+};
+
+/// Torques of a two-link chain: M a + bias, by Lagrange's equations.
+Eigen::Vector2d inverseDynamics(const Eigen::Vector2d& q, const Eigen::Vector2d& v,
+                                const Eigen::Vector2d& a) {
+  const double m1 = Chain::mass(0), m2 = Chain::mass(1), I = Chain::inertia, c = 0.5;
+  const double k = m2 * c * std::cos(q[1]), s = m2 * c * std::sin(q[1]);
+  Eigen::Matrix2d M;
+  M(0, 0) = 2 * I + m1 * c * c + m2 * (1 + c * c) + 2 * k;
+  M(0, 1) = M(1, 0) = I + m2 * c * c + k;
+  M(1, 1) = I + m2 * c * c;
+  const double second = m2 * g * c * std::cos(q[0] + q[1]);
+  return M * a + Eigen::Vector2d(
+                     -s * v[1] * (2 * v[0] + v[1]) + (m1 * c + m2) * g * std::cos(q[0]) + second,
+                     s * v[0] * v[0] + second);
+}
+
+TEST(MultiBodyJoints, MotorsReachTheirVelocityWithTheTorquesOfInverseDynamics) {
+  DelassusMultiBodyWorld world;
+  const Chain chain(world, 2);
+  world.finish(*chain.tree);
+  btMultiBodyJointMotor* motors[2];
+  for (int i : {0, 1})
+    motors[i] =
+        &world.addConstraint<btMultiBodyJointMotor>(chain.tree, i, btScalar(0), btScalar(1000));
+  for (int step = 0; step < 60; ++step) {
+    const Eigen::Vector2d q(chain.tree->getJointPos(0), chain.tree->getJointPos(1));
+    const Eigen::Vector2d v(chain.tree->getJointVel(0), chain.tree->getJointVel(1));
+    const Eigen::Vector2d wanted(0.02 * step, 0.5 * std::sin(0.1 * step));
+    for (int i : {0, 1}) motors[i]->setVelocityTarget(btScalar(wanted[i]));
+    world.advance();
+    const Eigen::Vector2d reached(chain.tree->getJointVel(0), chain.tree->getJointVel(1));
+    EXPECT_LE((reached - wanted).norm(), tolerance(1e-9, 1e-5)) << step;
+    const Eigen::Vector2d torque = inverseDynamics(q, v, (reached - v) / h);
+    for (int i : {0, 1})
+      EXPECT_NEAR(motors[i]->getAppliedImpulse(0) / h, torque[i],
+                  torque.norm() * tolerance(1e-6, 1e-3))
+          << step;
+  }
+}
+
+TEST(MultiBodyJoints, FeedbackOfAnArmHeldByMotorsIsItsWeight) {
+  DelassusMultiBodyWorld world;
+  const Chain chain(world, 3);
+  world.finish(*chain.tree);
+  for (int i = 0; i < 3; ++i)
+    world.addConstraint<btMultiBodyJointMotor>(chain.tree, i, btScalar(0), btScalar(1000));
+  world.advance(10);
+  double weight = 0;
+  for (int i = 2; i >= 0; --i) {
+    weight += Chain::mass(i) * g;
+    EXPECT_NEAR(chain.feedback[i].m_reactionForces.getLinear().y() / weight, 1,
+                tolerance(1e-6, 1e-4));
+  }
+}
+
+/// The far end of a lever lies on a stop; its pivot carries the rest.
+TEST(MultiBodyJoints, FeedbackOfALeverOnAStop) {
+  DelassusMultiBodyWorld world;
+  const Chain chain(world, 1);
+  const btScalar radius = btScalar(0.1), arm = btScalar(0.8), overlap = btScalar(1e-3);
+  auto shape = std::make_unique<btCompoundShape>();
+  btSphereShape ball(radius);
+  shape->addChildShape(BulletWorld::at({arm - btScalar(0.5), 0, 0}), &ball);
+  world.addCollider(*chain.tree, 0, std::move(shape), 0);
+  world.finish(*chain.tree);
+  world.addSphere(radius, {arm, -2 * radius + overlap, 0}, 0);
+  world.info().m_erp2 = 0;
+  world.advance(20);
+
+  const double weight = Chain::mass(0) * g, onStop = weight * 0.5 / arm;
+  ASSERT_EQ(world.points().size(), 1u);
+  EXPECT_NEAR(world.points()[0]->m_appliedImpulse / h, onStop, weight * tolerance(1e-6, 1e-4));
+  EXPECT_NEAR(chain.feedback[0].m_reactionForces.getLinear().y(), weight - onStop,
+              weight * tolerance(1e-6, 1e-4));
+}
+
+TEST(MultiBodyJoints, MotorAtItsLimitPushesWithAllItHas) {
+  DelassusMultiBodyWorld world;
+  world->setGravity(btVector3(0, 0, 0));
+  const Chain chain(world, 1);
+  world.finish(*chain.tree);
+  const btScalar most = btScalar(0.05);
+  auto& motor = world.addConstraint<btMultiBodyJointMotor>(chain.tree, 0, btScalar(5), most);
+  const double inertia = Chain::inertia + Chain::mass(0) * 0.25;
+  for (int step = 1; step <= 10; ++step) {
+    world.advance();
+    EXPECT_NEAR(chain.tree->getJointVel(0), step * most / inertia, tolerance(1e-9, 1e-5));
+    EXPECT_NEAR(motor.getAppliedImpulse(0), most, 8 * precision * most);
+  }
+}
+
+TEST(MultiBodyJoints, LimitStopsAFallingLink) {
+  DelassusMultiBodyWorld world;
+  const Chain chain(world, 1);
+  world.finish(*chain.tree);
+  auto& limit = world.addConstraint<btMultiBodyJointLimitConstraint>(chain.tree, 0, btScalar(-0.5),
+                                                                     btScalar(0.5));
+  world.advance(120);
+  double impulse = 0;
+  for (int step = 0; step < 60; ++step) {
+    world.advance();
+    impulse += limit.getAppliedImpulse(0);
+    EXPECT_NEAR(chain.tree->getJointPos(0), -0.5, 0.01);
+  }
+  const double torque = Chain::mass(0) * g * 0.5 * std::cos(0.5);
+  EXPECT_NEAR(impulse / (60 * h) / torque, 1, 0.05);
+
+  // Lifted off, the limit acts no more and says so.
+  chain.tree->setJointPos(0, btScalar(0));
+  chain.tree->setJointVel(0, 0);
+  world.advance();
+  EXPECT_EQ(limit.getAppliedImpulse(0), 0);
+}
+
+TEST(MultiBodyJoints, PointToPointClosesALoopWithTheWorld) {
+  DelassusMultiBodyWorld world;
+  const Chain chain(world, 4);
+  world.finish(*chain.tree);
+  world.addConstraint<btMultiBodyPoint2Point>(chain.tree, 3, nullptr, btVector3(0.5, 0, 0),
+                                              btVector3(4, 0, 0));
+  for (int step = 0; step < 120; ++step) {
+    world.advance();
+    EXPECT_LE((chain.endOf(3) - btVector3(4, 0, 0)).length(), 0.01) << step;
+    EXPECT_LE(world.report().residualMax, tolerance(1e-6, 1e-5));
+  }
+}
+
+/// Stock's constraints see rigid partners before gravity and let them sag; ours hold.
+TEST(MultiBodyJoints, RigidPartnersAreHeldAgainstGravity) {
+  DelassusMultiBodyWorld world;
+  const Chain chain(world, 2);
+  world.finish(*chain.tree);
+  for (int i : {0, 1})
+    world.addConstraint<btMultiBodyJointMotor>(chain.tree, i, btScalar(0), btScalar(1000));
+  btRigidBody& hanging = world.addBox({btScalar(0.1), btScalar(0.1), btScalar(0.1)}, {2, -1, 0}, 4);
+  auto& knot = world.addConstraint<btMultiBodyPoint2Point>(
+      chain.tree, 1, &hanging, btVector3(0.5, 0, 0), btVector3(0, 1, 0));
+  world.advance(60);
+  EXPECT_LE(hanging.getLinearVelocity().length(), tolerance(1e-8, 1e-4));
+  EXPECT_NEAR(hanging.getWorldTransform().getOrigin().y(), -1, tolerance(1e-6, 1e-3));
+  EXPECT_NEAR(std::abs(knot.getAppliedImpulse(1)) / h, 4 * g, 4 * g * tolerance(1e-6, 1e-3));
+  EXPECT_EQ(hanging.getCompanionId(), -1);
+  EXPECT_EQ(chain.tree->getCompanionId(), -1);
+}
+
+TEST(MultiBodyJoints, FixedConstraintMakesOneBodyOfTwo) {
+  DelassusMultiBodyWorld world;
+  const btVector3 half(btScalar(0.2), btScalar(0.2), btScalar(0.2));
+  btMultiBody& tree = world.addTree(0, 1, btVector3(btScalar(0.03), btScalar(0.03), btScalar(0.03)),
+                                    false, btVector3(0, 5, 0));
+  world.addCollider(tree, -1, std::make_unique<btBoxShape>(half));
+  world.finish(tree);
+  btRigidBody& box = world.addBox(half, btVector3(btScalar(0.5), 5, 0), 3);
+  const btMatrix3x3 straight = btMatrix3x3::getIdentity();
+  world.addConstraint<btMultiBodyFixedConstraint>(&tree, -1, &box, btVector3(btScalar(0.25), 0, 0),
+                                                  btVector3(btScalar(-0.25), 0, 0), straight,
+                                                  straight);
+  tree.setBaseOmega(btVector3(0, 1, 2));
+  world.advance(1);
+  for (int step = 0; step < 30; ++step) {
+    world.advance();
+    const btVector3 relative = box.getAngularVelocity() - tree.getBaseOmega();
+    EXPECT_LE(relative.length(), 0.02) << step;
+  }
+  const btVector3 between = box.getWorldTransform().getOrigin() - tree.getBasePos();
+  EXPECT_NEAR(between.length(), 0.5, 1e-3);
+}
+
+TEST(MultiBodyJoints, GearKeepsItsRatio) {
+  DelassusMultiBodyWorld world;
+  const btVector3 zero(0, 0, 0), inertia(1, 1, 1);
+  btMultiBody& tree = world.addTree(2, 0, zero, true);
+  for (int i : {0, 1})
+    tree.setupRevolute(i, 1, inertia, -1, btQuaternion::getIdentity(), btVector3(0, 0, 1), zero,
+                       zero, true);
+  world.finish(tree);
+  const btMatrix3x3 straight = btMatrix3x3::getIdentity();
+  auto& gear = world.addConstraint<btMultiBodyGearConstraint>(&tree, 0, &tree, 1, zero, zero,
+                                                              straight, straight);
+  const double ratio = 3;
+  gear.setGearRatio(btScalar(ratio));
+  gear.setMaxAppliedImpulse(1000);
+  for (int step = 0; step < 20; ++step) {
+    tree.addJointTorque(0, 10);
+    world.advance();
+    // v_0 + 3 v_1 = 0: the torque turns an inertia of 1 + 1/9.
+    EXPECT_NEAR(tree.getJointVel(0) + ratio * tree.getJointVel(1), 0, tolerance(1e-9, 1e-5));
+  }
+  EXPECT_NEAR(tree.getJointVel(0), 20 * 10 * h / (1 + 1 / (ratio * ratio)), tolerance(1e-8, 1e-4));
+}
+
+/// A ball joint at the origin whose link hangs to the side, along x.
+btMultiBody& addBallJoint(MultiBodyWorld& world) {
+  const btScalar I = btScalar(0.1);
+  btMultiBody& tree = world.addTree(1, 0, btVector3(0, 0, 0), true);
+  tree.setupSpherical(0, 2, btVector3(I, I, I), -1, btQuaternion::getIdentity(), btVector3(0, 0, 0),
+                      btVector3(btScalar(0.5), 0, 0), true);
+  world.finish(tree);
+  return tree;
+}
+
+TEST(MultiBodyJoints, SphericalMotorHoldsItsLink) {
+  DelassusMultiBodyWorld world;
+  btMultiBody& tree = addBallJoint(world);
+  auto& motor = world.addConstraint<btMultiBodySphericalJointMotor>(&tree, 0, btScalar(1000));
+  motor.setPositionTarget(btQuaternion::getIdentity(), btScalar(0.2));
+  motor.setVelocityTarget(btVector3(0, 0, 0), 1);
+  world.advance(60);
+  const btVector3 end = tree.localPosToWorld(0, btVector3(btScalar(0.5), 0, 0));
+  EXPECT_LE((end - btVector3(1, 0, 0)).length(), 1e-3);
+}
+
+TEST(MultiBodyJoints, SphericalLimitStopsItsLink) {
+  DelassusMultiBodyWorld world;
+  btMultiBody& tree = addBallJoint(world);
+  const btScalar range = btScalar(0.4);
+  world.addConstraint<btMultiBodySphericalJointLimit>(&tree, 0, range, range, range,
+                                                      btScalar(1000));
+  for (int step = 0; step < 180; ++step) {
+    world.advance();
+    const btVector3 end = tree.localPosToWorld(0, btVector3(btScalar(0.5), 0, 0));
+    EXPECT_LE(std::acos(std::min<double>(end.x() / end.length(), 1)), range + 0.1) << step;
+  }
+}
+
+}  // namespace
+}  // namespace delassus::testing
