@@ -64,6 +64,8 @@ double boundOf(btScalar bound) {
   return std::copysign(std::numeric_limits<double>::infinity(), bound);
 }
 
+constexpr const char* brokenBody = "one of its bodies is left out";
+
 /// What is wrong with a row, or null.
 const char* faultOf(const Row& row) {
   if (!row.jacobianA.allFinite() || !row.jacobianB.allFinite()) return "its axis is not finite";
@@ -104,38 +106,26 @@ int MultiBodyParts::addTree(Group& group, const btMultiBody& body) {
     unit_[i] = 0;
     inverseMass.col(i) = toCore(&response_[0], n);
   }
-  const MatrixXd root = rootOf(0.5 * (inverseMass + inverseMass.transpose()));
-  if (!root.allFinite() || !velocityOf(body).allFinite()) return leftOut;
-  group.articulation.trees.push_back({root});
+  if (!inverseMass.allFinite() || !velocityOf(body).allFinite()) return leftOut;
+  group.articulation.trees.push_back({rootOf(0.5 * (inverseMass + inverseMass.transpose()))});
   return static_cast<int>(group.articulation.trees.size()) - 1;
 }
 
-MultiBodyParts::TreeSource MultiBodyParts::treeOf(Group& group, btMultiBody& body,
-                                                  StepReport& report) {
+MultiBodyParts::TreeSource MultiBodyParts::treeOf(Group& group, btMultiBody& body) {
   // From the end, since the links of a tree follow each other.
   const auto known = std::find_if(trees_.rbegin(), trees_.rend(),
                                   [&](const TreeSource& tree) { return tree.body == &body; });
   if (known != trees_.rend()) return *known;
-  const int tree = addTree(group, body);
-  if (tree == leftOut)
-    report.tell("an articulated body left out: its velocity or its mass is not finite");
-  const int stem = tree == leftOut
-                       ? leftOut
-                       : addLimb(group, tree, {nullptr, -1}, Matrix6X::Zero(6, freedomsOf(body)));
-  trees_.push_back({&body, tree, stem});
-  return trees_.back();
+  TreeSource added{&body, addTree(group, body), leftOut};
+  if (added.tree != leftOut)
+    added.stem = addLimb(group, added.tree, {nullptr, -1}, Matrix6X::Zero(6, freedomsOf(body)));
+  trees_.push_back(added);
+  return added;
 }
 
-void MultiBodyParts::addLink(Group& group, const btMultiBodyLinkCollider& collider,
-                             StepReport& report) {
-  if (group.indexOf.find(&collider)) return;
-  btMultiBody& body = *collider.m_multiBody;
-  const TreeSource source = treeOf(group, body, report);
-  if (source.tree == leftOut) {
-    group.indexOf.insert(&collider, leftOut);
-    return;
-  }
-
+/// L of a link about the place of its collider: three linear rows, three angular ones.
+Matrix6X MultiBodyParts::motionOf(const btMultiBodyLinkCollider& collider) {
+  const btMultiBody& body = *collider.m_multiBody;
   const int n = freedomsOf(body);
   Matrix6X L(6, n);
   unit_.resize(n);
@@ -149,7 +139,21 @@ void MultiBodyParts::addLink(Group& group, const btMultiBodyLinkCollider& collid
                                         data_.scratch_v, data_.scratch_m);
     L.row(i) = toCore(&unit_[0], n).transpose();
   }
-  group.indexOf.insert(&collider, addLimb(group, source.tree, {&body, collider.m_link}, L));
+  return L;
+}
+
+void MultiBodyParts::addLink(Group& group, const btMultiBodyLinkCollider& collider,
+                             StepReport& report) {
+  if (group.indexOf.find(&collider)) return;
+  const TreeSource source = treeOf(group, *collider.m_multiBody);
+  const Matrix6X L = motionOf(collider);
+  if (source.tree == leftOut || !L.allFinite()) {
+    report.tell(nameOf(collider) +
+                " left out: the pose, velocity or mass of its tree is not finite");
+    group.indexOf.insert(&collider, leftOut);
+    return;
+  }
+  group.indexOf.insert(&collider, addLimb(group, source.tree, {source.body, collider.m_link}, L));
 }
 
 void MultiBodyParts::gatherBodies(Group& group, StepReport& report) {
@@ -219,7 +223,7 @@ void MultiBodyParts::addRow(Group& group, btMultiBodyConstraint& constraint, int
   const auto sideOf = [&](btMultiBody* body, int jacobian, int solverBodyId,
                           const btVector3& linear, const btVector3& angular, Row6& J) {
     if (body) {
-      const TreeSource source = treeOf(group, *body, report);
+      const TreeSource source = treeOf(group, *body);
       if (source.tree == leftOut) return leftOut;
       const VectorXd joints = toCore(&data_.m_jacobians[jacobian], freedomsOf(*body));
       jointRows.push_back(
@@ -241,9 +245,8 @@ void MultiBodyParts::addRow(Group& group, btMultiBodyConstraint& constraint, int
   row.upper = boundOf(from.m_upperLimit);
   row.compliance = from.m_cfm * response;
 
-  const char* fault = faultOf(row);
-  const bool idle = row.a == leftOut || row.b == leftOut || (row.lower == 0 && row.upper == 0);
-  if (fault || idle) {
+  const char* fault = row.a == leftOut || row.b == leftOut ? brokenBody : faultOf(row);
+  if (fault || (row.lower == 0 && row.upper == 0)) {
     jointRows.resize(jointRowsBefore);
     if (fault) report.tell(std::string("a row of an articulated body left out: ") + fault);
     return;

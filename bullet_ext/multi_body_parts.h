@@ -61,9 +61,10 @@ class MultiBodyParts : public Extension {
     double guess;
   };
 
-  TreeSource treeOf(Group& group, btMultiBody& body, StepReport& report);
+  TreeSource treeOf(Group& group, btMultiBody& body);
   int addTree(Group& group, const btMultiBody& body);
   int addLimb(Group& group, int tree, const LimbSource& source, const Matrix6X& L);
+  Matrix6X motionOf(const btMultiBodyLinkCollider& collider);
   void addLink(Group& group, const btMultiBodyLinkCollider& collider, StepReport& report);
 
   void lendCompanionIds(const Group& group);

@@ -45,6 +45,27 @@ TEST(MultiBodyContacts, FreeBoxCarriesItsWeight) {
   EXPECT_EQ(world.report().solved, 1);
 }
 
+/// A fixed base is ground, and one that moves by itself carries along what lies on it.
+TEST(MultiBodyContacts, BasesThatCannotBePushed) {
+  for (const bool kinematic : {false, true}) {
+    DelassusMultiBodyWorld world;
+    btMultiBody& base = world.addTree(0, 1, btVector3(1, 1, 1), !kinematic, btVector3(0, -1, 0));
+    world.addCollider(base, -1, std::make_unique<btBoxShape>(btVector3(5, 1, 5)), 1);
+    world.finish(base);
+    if (kinematic) base.setBaseDynamicType(btCollisionObject::CF_KINEMATIC_OBJECT);
+    const btVector3 velocity(kinematic ? btScalar(0.3) : 0, 0, 0);
+    const btRigidBody& box = world.addCube(btVector3(0, btScalar(0.5), 0), 2);
+    for (int step = 0; step < 90; ++step) {
+      base.setBaseVel(velocity);
+      world.advance();
+    }
+    EXPECT_LE((box.getLinearVelocity() - velocity).length(), tolerance(1e-5, 1e-4));
+    EXPECT_NEAR(normalSum(world) / (2 * BulletWorld::gravity * BulletWorld::step), 1,
+                tolerance(1e-5, 1e-3));
+    EXPECT_EQ(base.getBaseVel(), velocity);
+  }
+}
+
 /// A planar arm of two links (theory §4), its joint axes along z, straight along x at rest. A ball
 /// at the centre of mass of each link lies on a stop.
 struct ArmOnStops {
