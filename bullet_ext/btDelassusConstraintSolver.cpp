@@ -32,6 +32,38 @@ class Laps {
   Clock::time_point start_ = Clock::now();
 };
 
+void countStatus(Status status, StepReport& report) {
+  switch (status) {
+    case Status::Solved:
+      ++report.solved;
+      break;
+    case Status::OutOfBudget:
+      ++report.outOfBudget;
+      break;
+    case Status::Incompatible:
+      ++report.incompatible;
+      break;
+    case Status::NonFinite:
+      ++report.nonFinite;
+      break;
+  }
+}
+
+/// What messages say after the name of a contact or joint that is blamed.
+const char* reasonOf(Status status) {
+  switch (status) {
+    case Status::OutOfBudget:
+      return ": the budget of its island ended above the tolerance; the error is largest here";
+    case Status::Incompatible:
+      return ": no motion meets its demand; the nearest one is taken";
+    case Status::NonFinite:
+      return ": its island is left without reactions: the numbers do not stay finite";
+    case Status::Solved:
+      break;
+  }
+  return "";
+}
+
 }  // namespace
 
 struct btDelassusConstraintSolver::Workspace {
@@ -60,14 +92,11 @@ void btDelassusConstraintSolver::Workspace::countSolve() {
   report.rows += static_cast<int>(group.rows.size());
   report.islands += static_cast<int>(answer.islands.size());
   for (const IslandResult& island : answer.islands) {
-    ++(island.status == Status::Solved        ? report.solved
-       : island.status == Status::OutOfBudget ? report.outOfBudget
-                                              : report.incompatible);
+    countStatus(island.status, report);
     report.residualMax = std::max(report.residualMax, island.residualMax);
     residualSquares += island.residualRms * island.residualRms * island.parts;
     residualParts += island.parts;
-    for (const std::string& name : island.blamed)
-      report.tell(name + ": no motion meets its demand; the nearest one is taken");
+    for (const std::string& name : island.blamed) report.tell(name + reasonOf(island.status));
   }
   if (residualParts > 0) report.residualRms = std::sqrt(residualSquares / residualParts);
 
@@ -108,7 +137,7 @@ void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount
                                        Extension* extension) {
   Workspace& w = *workspace_;
   if (!(info.m_timeStep > 0) || !std::isfinite(info.m_timeStep)) {
-    w.report.tell("step left out: its time step is not a positive number");
+    w.report.leaveOut("step", "its time step is not a positive number");
     return;
   }
 
@@ -125,7 +154,7 @@ void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount
   }
   laps.end(w.report.secondsGather);
 
-  bullet::solveGroup(w.group, info, w.solver, w.answer);
+  bullet::solveGroup(w.group, info, w.solver, w.answer, w.report);
   solvePushes(w.group, w.solver, w.pushes);
   w.countSolve();
   w.memory.keep(w.group, w.answer);

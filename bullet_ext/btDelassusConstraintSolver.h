@@ -49,8 +49,8 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   /// reset().
   const delassus::StepReport& report() const;
 
-  /// Called at the end of each solveGroup with every contact whose mode changed, in the order of
-  /// Bullet's manifolds: first those that took part, then those that were left out. The listener must
+  /// Called at the end of each solveGroup with every contact whose mode changed or that is in
+  /// trouble, in the order of Bullet's manifolds: first those that took part, then the others. The listener must
   /// not add or remove anything in the world. An empty function ends it; then nothing is computed for it.
   void setContactListener(std::function<void(const delassus::ContactEvent&)> listener);
 

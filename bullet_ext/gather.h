@@ -5,6 +5,7 @@
 
 #include "LinearMath/btScalar.h"
 #include "bullet_ext/body_table.h"
+#include "bullet_ext/contact_event.h"
 #include "bullet_ext/step_report.h"
 #include "delassus/articulation.h"
 #include "delassus/body.h"
@@ -23,6 +24,9 @@ namespace delassus::bullet {
 /// Stands where a body index is expected for a body that is not fit to take part.
 constexpr int leftOut = -2;
 
+/// Numbers beyond this (kg, m, s, N) are mistakes: squares of their products would overflow.
+constexpr double largestNumber = 1e40;
+
 /// What the gathered parts were in Bullet. Pointers are good until the end of the group.
 struct BodySource {
   btRigidBody* rigid;  ///< null for a limb of an articulated body
@@ -31,6 +35,7 @@ struct BodySource {
 struct PointSource {
   btPersistentManifold* manifold;
   int point;
+  Trouble trouble = Trouble::None;  ///< of a point that takes no part
 };
 struct JointSource {
   btTypedConstraint* constraint;
@@ -74,6 +79,9 @@ struct Group {
 
 /// Index of the object in `group`, which it joins if it is new: a body, fixedWorld or leftOut.
 ///
+/// A body, contact or row whose numbers are not finite or absurd is left out: the rest is solved as
+/// if it were not there, and the report names it.
+///
 /// Its free velocity over the step h is that of Bullet's solvers, with gyroscopic terms Δω taken at
 /// the start of the step and locked axes kept still (L, A: linear and angular factor):
 ///
@@ -107,7 +115,9 @@ void gatherContacts(Group& group, btPersistentManifold** manifolds, int count,
 void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
                   const btContactSolverInfo& info, StepReport& report);
 
-/// How messages call an object: by its place in the world.
+/// How messages call an object: by its place in the world. Contacts and joints: by their bodies.
 std::string nameOf(const btCollisionObject& object);
+std::string nameOf(const PointSource& source);
+std::string nameOf(const btTypedConstraint& joint);
 
 }  // namespace delassus::bullet

@@ -8,6 +8,21 @@
 namespace delassus::bullet {
 namespace {
 
+double smallest(const btVector3& v) { return v[v.minAxis()]; }
+
+bool hasPlace(const btCollisionObject& object) {
+  const btTransform& pose = object.getWorldTransform();
+  return toCore(pose.getOrigin()).cwiseAbs().sum() + toCore(pose.getBasis()).cwiseAbs().sum() <=
+         largestNumber;
+}
+
+/// A body of infinite mass given as dynamic: Bullet finds no finite weight for it. (Users take the
+/// static flag off a body without mass; that one weighs nothing.)
+bool hasInfiniteMass(const btRigidBody& rigid) {
+  return rigid.getInvMass() == 0 && !rigid.isStaticOrKinematicObject() &&
+         !toCore(rigid.getTotalForce()).allFinite();
+}
+
 /// What is wrong with a body, or null.
 const char* faultOf(const btRigidBody& rigid) {
   const btTransform& pose = rigid.getWorldTransform();
@@ -16,12 +31,13 @@ const char* faultOf(const btRigidBody& rigid) {
   if (!toCore(rigid.getLinearVelocity(), rigid.getAngularVelocity()).allFinite())
     return "its velocity is not finite";
   if (rigid.isKinematicObject()) return nullptr;
+  if (hasInfiniteMass(rigid)) return "its mass is infinite";
   const Mat3 inertia = toCore(rigid.getInvInertiaTensorWorld());
   if (!std::isfinite(rigid.getInvMass()) || !inertia.allFinite() ||
       !toCore(rigid.getLinearFactor(), rigid.getAngularFactor()).allFinite())
     return "its mass is not finite";
   if (rigid.getInvMass() < 0 || inertia.diagonal().minCoeff() < 0 ||
-      rigid.getLinearFactor()[rigid.getLinearFactor().minAxis()] < 0)
+      smallest(rigid.getInvInertiaDiagLocal()) < 0 || smallest(rigid.getLinearFactor()) < 0)
     return "its mass is negative";
   if (!toCore(rigid.getTotalForce(), rigid.getTotalTorque()).allFinite())
     return "the force on it is not finite";
@@ -78,21 +94,16 @@ void fillBody(const btRigidBody& rigid, const btContactSolverInfo& info, Body& b
   if (!rigid.isKinematicObject()) addForces(rigid, info, body);
 }
 
-/// One number that is finite and not negative only if the record is sound.
+/// Whether the record may be used.
 bool sound(const btRigidBody& rigid, const Body& body) {
-  const btTransform& pose = rigid.getWorldTransform();
-  const double sum = toCore(pose.getOrigin()).sum() + toCore(pose.getBasis()).sum() +
-                     body.inverseMass.sum() + body.inverseInertia.sum() + body.velocity.sum();
-  return std::isfinite(sum) && body.inverseMass.minCoeff() >= 0 &&
+  const double sum = body.inverseMass.cwiseAbs().sum() + body.inverseInertia.cwiseAbs().sum() +
+                     body.velocity.cwiseAbs().sum();
+  return hasPlace(rigid) && sum <= largestNumber && body.inverseMass.minCoeff() >= 0 &&
+         smallest(rigid.getInvInertiaDiagLocal()) >= 0 &&
          body.inverseInertia.diagonal().minCoeff() >= 0;
 }
 
 }  // namespace
-
-std::string nameOf(const btCollisionObject& object) {
-  const int place = object.getWorldArrayIndex();
-  return place >= 0 ? "body " + std::to_string(place) : "a body outside the world";
-}
 
 int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo& info,
               StepReport& report) {
@@ -104,7 +115,8 @@ int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo
   // A body out of simulation keeps its place whatever its velocity says, and so does a static one.
   const bool fixed = rigid->isStaticObject() || rigid->getInvMass() == 0 ||
                      rigid->getActivationState() == DISABLE_SIMULATION;
-  if (fixed && !rigid->isKinematicObject()) return fixedWorld;
+  if (fixed && !rigid->isKinematicObject() && hasPlace(*rigid) && !hasInfiniteMass(*rigid))
+    return fixedWorld;
   if (const int* known = group.indexOf.find(&object)) return *known;
 
   const int index = static_cast<int>(group.bodies.size());
@@ -119,7 +131,7 @@ int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo
   group.bodySources.pop_back();
   group.indexOf.insert(&object, leftOut);
   const char* fault = faultOf(*rigid);
-  report.tell(nameOf(object) + " left out: " + (fault ? fault : "its numbers are too large"));
+  report.leaveOut(nameOf(object), fault ? fault : "its numbers are too large");
   return leftOut;
 }
 

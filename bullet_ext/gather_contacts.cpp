@@ -13,6 +13,10 @@
 namespace delassus::bullet {
 namespace {
 
+// Users write "infinite". The residual of a contact in De Saxcé's form is blind to a closing speed of
+// μ times its tolerance, so that a wider cone than this would let bodies sink and call it solved.
+constexpr double largestFriction = 1e4;
+
 /// How hard a contact is: the coefficients that stand for it in Bullet's two descriptions.
 struct Softness {
   double erp, cfm;
@@ -97,7 +101,7 @@ double fillContact(const Group& group, const Pair& pair, const btManifoldPoint& 
   c.armA = toCore(point.getPositionWorldOnA()) - pair.centreA;
   c.armB = toCore(point.getPositionWorldOnB()) - pair.centreB;
   c.frame = frame.axes;
-  c.friction = point.m_combinedFriction < 0 ? 0 : point.m_combinedFriction;
+  c.friction = std::clamp<double>(point.m_combinedFriction, 0, largestFriction);
 
   const double h = info.m_timeStep;
   const double d = static_cast<double>(point.getDistance()) + info.m_linearSlop;
@@ -118,11 +122,20 @@ double fillContact(const Group& group, const Pair& pair, const btManifoldPoint& 
 // Float normals are unit to 1e-6; beyond this a normal is a mistake, not rounding.
 constexpr double unitTolerance = 1e-3;
 
-/// What is wrong with a contact point, or null.
+/// Bullet has positions and distance agree: (x_A − x_B)·n = d. Exactly opposite, n points from a to b.
+bool isInverted(const btManifoldPoint& point) {
+  const Vec3 a = toCore(point.getPositionWorldOnA()), b = toCore(point.getPositionWorldOnB());
+  const double gap = (a - b).dot(toCore(point.m_normalWorldOnB)), d = point.getDistance();
+  const double noise = 1e3 * SIMD_EPSILON * (a.cwiseAbs().maxCoeff() + b.cwiseAbs().maxCoeff());
+  return std::abs(d) > noise && std::abs(gap + d) < unitTolerance * std::abs(d);
+}
+
+/// What is wrong with a contact point that is not sound.
 const char* faultOf(const btManifoldPoint& point, const Contact& c, double push) {
   const Vec3 normal = toCore(point.m_normalWorldOnB);
   if (!normal.allFinite()) return "its normal is not finite";
   if (std::abs(normal.norm() - 1) > unitTolerance) return "its normal is not a unit vector";
+  if (isInverted(point)) return "its normal points into the other body";
   if (!std::isfinite(point.getDistance())) return "its distance is not finite";
   if (!c.armA.allFinite() || !c.armB.allFinite()) return "its position is not finite";
   if (!std::isfinite(c.friction)) return "its friction is not finite";
@@ -132,16 +145,17 @@ const char* faultOf(const btManifoldPoint& point, const Contact& c, double push)
   if (!std::isfinite(c.target[0]) || !std::isfinite(c.compliance) ||
       !c.slipCompliance.allFinite() || !std::isfinite(push))
     return "its softness is not finite";
-  return nullptr;
+  return "its numbers are too large";
 }
 
-/// Tells by one number whether a contact may be faulty, before faultOf says how.
-bool suspect(const btManifoldPoint& point, const Contact& c, double push) {
+/// Whether a contact may be used.
+bool sound(const btManifoldPoint& point, const Contact& c, double push) {
   const double lengthError = static_cast<double>(point.m_normalWorldOnB.length2()) - 1;
-  const double sum = c.armA.sum() + c.armB.sum() + c.frame.sum() + c.target.sum() + c.friction +
-                     c.compliance + c.slipCompliance.sum() + push + point.getDistance() +
-                     point.m_combinedRestitution;
-  return !(std::abs(lengthError) <= unitTolerance) || !std::isfinite(sum);
+  const double size = c.armA.cwiseAbs().sum() + c.armB.cwiseAbs().sum() + c.frame.cwiseAbs().sum() +
+                      c.target.cwiseAbs().sum() + c.friction + c.compliance +
+                      c.slipCompliance.cwiseAbs().sum() + push + std::abs(point.getDistance()) +
+                      std::abs(point.m_combinedRestitution);
+  return std::abs(lengthError) <= unitTolerance && size <= largestNumber && !isInverted(point);
 }
 
 Vec3 guessOf(const btManifoldPoint& point, const btContactSolverInfo& info) {
@@ -160,35 +174,27 @@ bool responds(btDispatcher* dispatcher, const btCollisionObject& a, const btColl
                     : a.hasContactResponse() && b.hasContactResponse();
 }
 
-/// Tells what is wrong with the last contact of the group and takes it out; false if nothing is.
-bool takeOutFaulty(Group& group, const btManifoldPoint& point, const PointSource& source,
-                   double push, StepReport& report) {
-  const char* fault = faultOf(point, group.contacts.back(), push);
-  if (!fault) return false;
-  report.tell("contact " + std::to_string(source.point) + " of " +
-              nameOf(*source.manifold->getBody0()) + " and " +
-              nameOf(*source.manifold->getBody1()) + " left out: " + fault);
-  group.contacts.pop_back();
-  group.idle.push_back(source);
-  return true;
-}
-
 void gatherManifold(Group& group, const Pair& pair, const btContactSolverInfo& info,
                     StepReport& report) {
   btPersistentManifold& manifold = pair.manifold;
-  const bool takesPart =
-      pair.a != leftOut && pair.b != leftOut && (group.movable(pair.a) || group.movable(pair.b));
+  const bool brokenBody = pair.a == leftOut || pair.b == leftOut;
+  const bool takesPart = !brokenBody && (group.movable(pair.a) || group.movable(pair.b));
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     const btManifoldPoint& point = manifold.getContactPoint(i);
     const bool tooFar = point.getDistance() > manifold.getContactProcessingThreshold();
     if (!takesPart || tooFar) {
-      group.idle.push_back({&manifold, i});
+      group.idle.push_back({&manifold, i, brokenBody ? Trouble::LeftOut : Trouble::None});
       continue;
     }
     Contact& contact = group.contacts.emplace_back();
     const double push = fillContact(group, pair, point, info, contact);
-    if (suspect(point, contact, push) && takeOutFaulty(group, point, {&manifold, i}, push, report))
+    if (!sound(point, contact, push)) {
+      const PointSource source{&manifold, i, Trouble::LeftOut};
+      report.leaveOut(nameOf(source), faultOf(point, contact, push));
+      group.contacts.pop_back();
+      group.idle.push_back(source);
       continue;
+    }
     group.contactSources.push_back({&manifold, i});
     group.pushes.push_back(push);
     group.guess.push_back(guessOf(point, info));

@@ -89,6 +89,9 @@ const char* faultOf(const Row& row) {
   if (std::isinf(row.lower) && row.lower == row.upper) return "it asks for an infinite impulse";
   if (!std::isfinite(row.compliance) || row.compliance < 0)
     return "its softness is not a number >= 0";
+  const double size = row.jacobianA.cwiseAbs().sum() + row.jacobianB.cwiseAbs().sum() +
+                      std::abs(row.target) + row.compliance;
+  if (!(size <= largestNumber)) return "its numbers are too large";
   return nullptr;
 }
 
@@ -114,8 +117,7 @@ void gatherRows(Group& group, btTypedConstraint& joint, double damping,
         toRow(group, a, b, group.asked[i], damping, joint.getBreakingImpulseThreshold());
     source.lastRow = -1;
     if (const char* fault = faultOf(row)) {
-      report.tell("row " + std::to_string(i) + " of a joint of " + nameOf(joint.getRigidBodyA()) +
-                  " and " + nameOf(joint.getRigidBodyB()) + " left out: " + fault);
+      report.leaveOut("row " + std::to_string(i) + " of " + nameOf(joint), fault);
       continue;
     }
     if (row.lower == 0 && row.upper == 0) continue;  // a motor or spring that may not push

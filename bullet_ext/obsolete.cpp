@@ -27,6 +27,11 @@ Vec6 delta(const btSolverBody& body) {
   return toCore(body.m_deltaLinearVelocity, body.m_deltaAngularVelocity);
 }
 
+void setDelta(btSolverBody& body, const Vec6& gain) {
+  body.m_deltaLinearVelocity = toBullet(gain.head<3>());
+  body.m_deltaAngularVelocity = toBullet(gain.tail<3>());
+}
+
 }  // namespace
 
 btSolverBody solverBody(const Group& group, int index) {
@@ -48,7 +53,7 @@ btSolverBody solverBody(const Group& group, int index) {
 }
 
 ObsoleteConstraints::ObsoleteConstraints(const Group& group, const btContactSolverInfo& info)
-    : info_(info), acted_(group.obsolete.size(), 0) {
+    : info_(info), acted_(group.obsolete.size(), 0), leftOut_(group.obsolete.size(), 0) {
   for (std::size_t i = 0; i < group.bodies.size(); ++i) {
     free_.push_back(group.bodies[i].velocity);
     bodies_.push_back(solverBody(group, static_cast<int>(i)));
@@ -59,16 +64,16 @@ ObsoleteConstraints::ObsoleteConstraints(const Group& group, const btContactSolv
 void ObsoleteConstraints::setDeltas(const std::vector<Body>& moved) {
   for (std::size_t i = 0; i < moved.size(); ++i) {
     const Vec6 gain = moved[i].velocity - free_[i];
-    bodies_[static_cast<int>(i)].m_deltaLinearVelocity = toBullet(gain.head<3>());
-    bodies_[static_cast<int>(i)].m_deltaAngularVelocity = toBullet(gain.tail<3>());
+    setDelta(bodies_[static_cast<int>(i)], gain);
   }
 }
 
-bool ObsoleteConstraints::sweep(Group& group, const std::vector<Body>& moved) {
+bool ObsoleteConstraints::sweep(Group& group, const std::vector<Body>& moved, StepReport& report) {
   setDeltas(moved);
   bool changed = false;
   const int fixed = bodies_.size() - 1;
   for (std::size_t i = 0; i < group.obsolete.size(); ++i) {
+    if (leftOut_[i]) continue;
     btTypedConstraint& constraint = *group.obsolete[i];
     const auto indexOf = [&](const btCollisionObject& object) {
       const int* index = group.indexOf.find(&object);
@@ -81,6 +86,13 @@ bool ObsoleteConstraints::sweep(Group& group, const std::vector<Body>& moved) {
     btSolverBody& bodyB = bodies_[b >= 0 ? b : fixed];
     const Vec6 beforeA = delta(bodyA), beforeB = delta(bodyB);
     constraint.solveConstraintObsolete(bodyA, bodyB, info_.m_timeStep);
+    if (!((delta(bodyA) - beforeA).norm() + (delta(bodyB) - beforeB).norm() <= largestNumber)) {
+      report.leaveOut(nameOf(constraint), "the velocities that it sets are not finite");
+      leftOut_[i] = 1;
+      setDelta(bodyA, beforeA);
+      setDelta(bodyB, beforeB);
+      continue;
+    }
 
     const auto take = [&](int body, const Vec6& gain) {
       if (!group.movable(body) || !gain.any()) return;

@@ -23,8 +23,8 @@ class ObsoleteConstraints {
 
   /// Calls each constraint once with the motion that the reactions left, `moved`. What the
   /// constraints change is added to the free velocities in `group`. Returns whether anything
-  /// changed.
-  bool sweep(Group& group, const std::vector<Body>& moved);
+  /// changed. A constraint whose change is not finite is left out from then on.
+  bool sweep(Group& group, const std::vector<Body>& moved, StepReport& report);
 
   /// How many constraints have changed a velocity so far.
   int acted() const;
@@ -35,7 +35,7 @@ class ObsoleteConstraints {
   const btContactSolverInfo& info_;
   std::vector<Vec6> free_;  ///< free velocities before any of the constraints acted
   btAlignedObjectArray<btSolverBody> bodies_;  ///< one a body, and the fixed world at the end
-  std::vector<char> acted_;                    ///< by constraint
+  std::vector<char> acted_, leftOut_;          ///< by constraint
 };
 
 }  // namespace delassus::bullet

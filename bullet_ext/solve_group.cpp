@@ -43,26 +43,37 @@ void keepReactions(const Island& island, const Solution& solution, Answer& answe
   for (int i : island.rows) answer.rows[i] = solution.r[at++];
 }
 
-/// Names the contact or joint whose first unknown is `unknown`.
-std::string nameOfPart(const Group& group, const Island& island, int unknown) {
+Trouble troubleOf(Status status) {
+  switch (status) {
+    case Status::OutOfBudget:
+      return Trouble::OutOfBudget;
+    case Status::Incompatible:
+      return Trouble::Incompatible;
+    case Status::NonFinite:
+      return Trouble::LeftOut;
+    case Status::Solved:
+      break;
+  }
+  return Trouble::None;
+}
+
+/// Notes that the contact or joint whose first unknown is `unknown` is in trouble; returns its name.
+std::string blame(const Group& group, const Island& island, int unknown, Trouble trouble,
+                  Answer& answer) {
   const auto contacts = static_cast<int>(island.frictional.size());
   const auto frictionless = static_cast<int>(island.frictionless.size());
-  const auto contactName = [&](int i) {
-    const PointSource& source = group.contactSources[i];
-    return "contact " + std::to_string(source.point) + " of " +
-           nameOf(*source.manifold->getBody0()) + " and " + nameOf(*source.manifold->getBody1());
-  };
-  if (unknown < 3 * contacts) return contactName(island.frictional[unknown / 3]);
   const int scalar = unknown - 3 * contacts;
-  if (scalar < frictionless) return contactName(island.frictionless[scalar]);
-
+  if (scalar < frictionless) {
+    const int i = scalar < 0 ? island.frictional[unknown / 3] : island.frictionless[scalar];
+    answer.troubles[i] = trouble;
+    return nameOf(group.contactSources[i]);
+  }
   const int row = island.rows[scalar - frictionless];
   const auto joint =
       std::find_if(group.joints.begin(), group.joints.end(),
                    [&](const JointSource& j) { return row < j.firstRow + j.rowCount; });
   if (joint == group.joints.end()) return "a constraint of an articulated body";
-  return "a joint of " + nameOf(joint->constraint->getRigidBodyA()) + " and " +
-         nameOf(joint->constraint->getRigidBodyB());
+  return nameOf(*joint->constraint);
 }
 
 void solveIsland(const Group& group, const Island& island, Solver& solver, Answer& answer) {
@@ -93,8 +104,10 @@ void solveIsland(const Group& group, const Island& island, Solver& solver, Answe
     for (int i : island.rows) answer.rows[i] = 0;
     const NaturalResidual atRest = naturalResidual(problem, VectorXd::Zero(problem.size()));
     result = {Status::OutOfBudget, atRest.max, atRest.rms, result.parts, {}};
+    solution.blamed = {atRest.worst};
   }
-  for (int unknown : solution.blamed) result.blamed.push_back(nameOfPart(group, island, unknown));
+  for (int unknown : solution.blamed)
+    result.blamed.push_back(blame(group, island, unknown, troubleOf(result.status), answer));
   answer.islands.push_back(std::move(result));
 }
 
@@ -103,6 +116,7 @@ void solveIslands(const Group& group, Solver& solver, Answer& answer) {
   answer.islands.clear();
   answer.bodies = group.bodies;
   answer.modes.assign(group.contacts.size(), Mode::Open);
+  answer.troubles.assign(group.contacts.size(), Trouble::None);
   answer.assembler.split(group.bodies, group.contacts, group.rows);
   if (group.articulation.trees.empty()) {
     for (int i = 0; i < answer.assembler.islands(); ++i)
@@ -118,11 +132,12 @@ void solveIslands(const Group& group, Solver& solver, Answer& answer) {
 
 std::size_t Answer::bytes() const {
   const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-  return of(bodies) + of(contacts) + of(modes) + of(rows) + of(islands) +
+  return of(bodies) + of(contacts) + of(modes) + of(troubles) + of(rows) + of(islands) +
          static_cast<std::size_t>(guess.size()) * sizeof(double);
 }
 
-void solveGroup(Group& group, const btContactSolverInfo& info, Solver& solver, Answer& answer) {
+void solveGroup(Group& group, const btContactSolverInfo& info, Solver& solver, Answer& answer,
+                StepReport& report) {
   answer.regions = answer.factorisations = answer.obsoleteConstraints = 0;
   answer.contacts = group.guess;
   answer.rows = group.rowGuess;
@@ -131,7 +146,8 @@ void solveGroup(Group& group, const btContactSolverInfo& info, Solver& solver, A
   if (group.obsolete.empty()) return;
 
   ObsoleteConstraints obsolete(group, info);
-  for (int sweep = 0; sweep < info.m_numIterations && obsolete.sweep(group, answer.bodies); ++sweep)
+  for (int sweep = 0; sweep < info.m_numIterations && obsolete.sweep(group, answer.bodies, report);
+       ++sweep)
     solveIslands(group, solver, answer);
   answer.obsoleteConstraints = obsolete.acted();
 }

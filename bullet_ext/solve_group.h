@@ -17,15 +17,17 @@ struct IslandResult {
   Status status;
   double residualMax, residualRms;  ///< m/s
   int parts;                        ///< contacts and rows
-  std::vector<std::string> blamed;  ///< names of contacts and joints with incompatible demands
+  std::vector<std::string>
+      blamed;  ///< names of the contacts and joints that keep it from being solved
 };
 
 /// What the reactions of a group are and what motion they leave.
 struct Answer {
-  std::vector<Body> bodies;    ///< velocities after the reactions
-  std::vector<Vec3> contacts;  ///< reaction of each contact in its frame, N·s
-  std::vector<Mode> modes;     ///< of each contact
-  std::vector<double> rows;    ///< reaction of each row, N·s
+  std::vector<Body> bodies;       ///< velocities after the reactions
+  std::vector<Vec3> contacts;     ///< reaction of each contact in its frame, N·s
+  std::vector<Mode> modes;        ///< of each contact
+  std::vector<Trouble> troubles;  ///< the same
+  std::vector<double> rows;       ///< reaction of each row, N·s
   std::vector<IslandResult> islands;
   VectorXd guess;       ///< of the island that is being solved
   Solution solution;    ///< the same
@@ -42,6 +44,7 @@ struct Answer {
 /// These see what the exact reactions did and change the free velocities in `group`; the exact
 /// solve follows each of their sweeps, until nothing changes or the sweeps of the step's budget are
 /// used up.
-void solveGroup(Group& group, const btContactSolverInfo& info, Solver& solver, Answer& answer);
+void solveGroup(Group& group, const btContactSolverInfo& info, Solver& solver, Answer& answer,
+                StepReport& report);
 
 }  // namespace delassus::bullet

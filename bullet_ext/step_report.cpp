@@ -12,4 +12,9 @@ void StepReport::tell(const std::string& message) {
   messages.push_back(messages.size() < longest ? message : "further messages are not kept");
 }
 
+void StepReport::leaveOut(const std::string& part, const char* why) {
+  ++leftOut;
+  tell(part + " left out: " + why);
+}
+
 }  // namespace delassus

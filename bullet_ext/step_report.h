@@ -14,11 +14,13 @@ struct StepReport {
   int open = 0, stick = 0,
       slide = 0;  ///< modes of the contacts; frictionless persisting contacts count as slide
   int modeChanges = 0;
-  int regions = 0;                                    ///< regions visited, pushes included
-  int factorisations = 0;                             ///< pushes included
-  double residualMax = 0;                             ///< natural residual, m/s
-  double residualRms = 0;                             ///< m/s, over contacts and rows
-  int solved = 0, outOfBudget = 0, incompatible = 0;  ///< islands by status
+  int regions = 0;         ///< regions visited, pushes included
+  int factorisations = 0;  ///< pushes included
+  double residualMax = 0;  ///< natural residual, m/s
+  double residualRms = 0;  ///< m/s, over contacts and rows
+  int solved = 0, outOfBudget = 0, incompatible = 0, nonFinite = 0;  ///< islands by status
+  int leftOut =
+      0;  ///< bodies, contacts, rows and steps that were solved around: not finite or absurd
   int pushIslands = 0;   ///< islands of the split-impulse problem, not counted in `islands`
   int pushUnsolved = 0;  ///< those of them that ended without status solved
   int obsoleteConstraints =
@@ -26,11 +28,13 @@ struct StepReport {
   double secondsGather = 0, secondsSolve = 0, secondsWriteBack = 0;
   std::size_t workspaceBytes = 0;  ///< kept from step to step by the door
   std::vector<std::string>
-      messages;  ///< bodies, contacts or rows left out or blamed: what, where, why
+      messages;  ///< bodies, contacts, joints left out or not solved: what, where, why
 
   /// Adds a message unless it is there already. The list is kept short: the last message says that
   /// it was cut.
   void tell(const std::string& message);
+  /// Counts a part that was left out, and tells which and why.
+  void leaveOut(const std::string& part, const char* why);
 };
 
 }  // namespace delassus

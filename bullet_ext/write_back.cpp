@@ -14,15 +14,18 @@ void count(Mode mode, StepReport& report) {
   ++(mode == Mode::Open ? report.open : mode == Mode::Stick ? report.stick : report.slide);
 }
 
-/// Notes the mode of a point; a change is counted, and told if somebody listens.
-void changeMode(const PointSource& source, btManifoldPoint& point, Mode to, const Mat3& frame,
-                const Vec3& r, StepReport& report, std::vector<ContactEvent>* events) {
+/// Notes the mode of a point; a change is counted. Changes and troubles are told if somebody listens.
+void changeMode(const PointSource& source, btManifoldPoint& point, Mode to, Trouble trouble,
+                const Mat3& frame, const Vec3& r, StepReport& report,
+                std::vector<ContactEvent>* events) {
   const Mode from = rememberedMode(point);
-  if (from == to) return;
-  rememberMode(point, to);
-  ++report.modeChanges;
-  if (events)
-    events->push_back({source.manifold, source.point, from, to, toBullet((frame * r).eval())});
+  if (from != to) {
+    rememberMode(point, to);
+    ++report.modeChanges;
+  }
+  if (events && (from != to || trouble != Trouble::None))
+    events->push_back(
+        {source.manifold, source.point, from, to, toBullet((frame * r).eval()), trouble});
 }
 
 }  // namespace
@@ -62,12 +65,13 @@ void writeContacts(const Group& group, const Answer& answer, StepReport& report,
     point.m_lateralFrictionDir1 = toBullet(frame.col(1));
     point.m_lateralFrictionDir2 = toBullet(frame.col(2));
     count(answer.modes[i], report);
-    changeMode(source, point, answer.modes[i], frame, r, report, events);
+    changeMode(source, point, answer.modes[i], answer.troubles[i], frame, r, report, events);
   }
   for (const PointSource& source : group.idle) {
     btManifoldPoint& point = source.manifold->getContactPoint(source.point);
     point.m_appliedImpulse = point.m_appliedImpulseLateral1 = point.m_appliedImpulseLateral2 = 0;
-    changeMode(source, point, Mode::Open, Mat3::Identity(), Vec3::Zero(), report, events);
+    changeMode(source, point, Mode::Open, source.trouble, Mat3::Identity(), Vec3::Zero(), report,
+               events);
   }
 }
 

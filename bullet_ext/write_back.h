@@ -17,7 +17,7 @@ void writePushes(const Group& group, const Pushes& pushes, const btContactSolver
 
 /// Impulses, the directions they refer to and modes of all points, idle ones included (zero, open).
 /// Counts modes in `report`. Where `events` is given it receives the contacts that changed their
-/// mode, in the order of the group.
+/// mode or are in trouble, in the order of the group.
 void writeContacts(const Group& group, const Answer& answer, StepReport& report,
                    std::vector<ContactEvent>* events);
 

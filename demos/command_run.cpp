@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -50,10 +51,26 @@ nlohmann::ordered_json toJson(const std::string& scene, const RunSummary& run) {
     json["factorisations_per_step"] = run.regions->factorisationsPerStep;
     json["statuses"] = {{"solved", run.regions->solved},
                         {"out_of_budget", run.regions->outOfBudget},
-                        {"incompatible", run.regions->incompatible}};
+                        {"incompatible", run.regions->incompatible},
+                        {"non_finite", run.regions->nonFinite}};
   }
   json["fallbacks"] = run.fallbacks;
+  if (run.regions) {
+    json["left_out"] = run.regions->leftOut;
+    json["messages"] = nlohmann::ordered_json::array();
+    for (const RunSummary::Message& message : run.regions->messages)
+      json["messages"].push_back({{"text", message.text}, {"steps", message.steps}});
+  }
   return json;
+}
+
+void printMessages(const std::vector<RunSummary::Message>& messages) {
+  constexpr std::size_t most = 10;
+  for (std::size_t i = 0; i < std::min(most, messages.size()); ++i)
+    std::printf("  %s (%d %s)\n", messages[i].text.c_str(), messages[i].steps,
+                messages[i].steps == 1 ? "step" : "steps");
+  if (messages.size() > most)
+    std::printf("  and %zu more; --json has them\n", messages.size() - most);
 }
 
 void printTable(const std::vector<RunSummary>& runs) {
@@ -75,9 +92,11 @@ void printTable(const std::vector<RunSummary>& runs) {
     if (!run.regions) continue;
     std::printf(
         "%s: %.3g regions and %.3g factorisations a step; islands: %ld solved, %ld out of budget, "
-        "%ld incompatible\n",
+        "%ld incompatible, %ld non-finite; %ld parts left out\n",
         run.solver.c_str(), run.regions->perStep, run.regions->factorisationsPerStep,
-        run.regions->solved, run.regions->outOfBudget, run.regions->incompatible);
+        run.regions->solved, run.regions->outOfBudget, run.regions->incompatible,
+        run.regions->nonFinite, run.regions->leftOut);
+    printMessages(run.regions->messages);
   }
 }
 

@@ -44,6 +44,19 @@ class StepJudge {
   btConstraintSolver& solver_;
 };
 
+void collect(const std::vector<std::string>& told, std::vector<RunSummary::Message>& all) {
+  // As in the report of one step: the first ones say enough.
+  constexpr std::size_t longest = 64;
+  for (const std::string& text : told) {
+    const auto known = std::find_if(all.begin(), all.end(),
+                                    [&](const RunSummary::Message& m) { return m.text == text; });
+    if (known != all.end())
+      ++known->steps;
+    else if (all.size() < longest)
+      all.push_back({text, 1});
+  }
+}
+
 void count(RunSummary& summary, const delassus::StepReport& report) {
   RunSummary::Regions& regions = *summary.regions;
   regions.perStep += report.regions;
@@ -51,6 +64,9 @@ void count(RunSummary& summary, const delassus::StepReport& report) {
   regions.solved += report.solved;
   regions.outOfBudget += report.outOfBudget;
   regions.incompatible += report.incompatible;
+  regions.nonFinite += report.nonFinite;
+  regions.leftOut += report.leftOut;
+  collect(report.messages, regions.messages);
   summary.modes = {report.open, report.stick, report.slide};
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "demos/scenes/measures.h"
 #include "demos/scenes/solvers.h"
@@ -36,10 +37,17 @@ struct RunSummary {
   ModeCounts modes;               ///< of the last step
   int fallbacks = 0;
 
+  /// Something that was left out or not solved, and in how many steps.
+  struct Message {
+    std::string text;
+    int steps = 0;
+  };
   /// What only our solver can tell.
   struct Regions {
     double perStep = 0, factorisationsPerStep = 0;
-    long solved = 0, outOfBudget = 0, incompatible = 0;  ///< islands, all steps
+    long solved = 0, outOfBudget = 0, incompatible = 0, nonFinite = 0;  ///< islands, all steps
+    long leftOut = 0;  ///< bodies, contacts and rows solved around, all steps
+    std::vector<Message> messages;
   };
   std::optional<Regions> regions;
 };

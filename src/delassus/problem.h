@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "delassus/delassus_matrix.h"
 
@@ -25,5 +26,9 @@ struct Problem {
   int rows() const { return static_cast<int>(lower.size()); }
   int size() const { return 3 * contacts() + rows(); }
 };
+
+/// First unknowns of the contacts and rows that no law can be stated for: numbers in their part of q, μ or W, or bounds,
+/// that are none or so large (1e100) that squares overflow, μ < 0, lower > upper. Ascending.
+std::vector<int> unfitParts(const Problem& problem);
 
 }  // namespace delassus

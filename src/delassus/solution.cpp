@@ -10,6 +10,8 @@ std::string toString(Status status) {
       return "out_of_budget";
     case Status::Incompatible:
       return "incompatible";
+    case Status::NonFinite:
+      return "non_finite";
   }
   return "unknown";  // unreachable for the values above; keeps the function total
 }

@@ -12,9 +12,10 @@ enum class Status : unsigned char {
   Solved,        ///< the natural residual is within the tolerance
   OutOfBudget,   ///< best answer found within the budget; see its residual
   Incompatible,  ///< no motion meets all demands: least-squares compromise; see `blamed`
+  NonFinite,     ///< the problem holds numbers that are none, or that overflow: no reactions
 };
 
-/// solved, out_of_budget or incompatible.
+/// solved, out_of_budget, incompatible or non_finite.
 std::string toString(Status status);
 
 /// What the reactions of one island are, and how good they are.
@@ -28,7 +29,9 @@ struct Solution {
   int regions = 0;         ///< regions visited
   int factorisations = 0;
   int sweeps = 0;
-  std::vector<int> blamed;  ///< first unknown of each contact or row with incompatible demands
+  /// First unknowns of the contacts and rows that keep it from being solved: those with incompatible
+  /// demands or non-finite numbers; out of budget, the one with the largest residual.
+  std::vector<int> blamed;
 };
 
 }  // namespace delassus

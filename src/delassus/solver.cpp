@@ -250,13 +250,19 @@ Solution Solver::solve(const Problem& problem, const VectorXd& guess) {
 
 void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best) {
   Workspace& w = *workspace_;
-  w.map.setProblem(problem);
   best.r.setZero(problem.size());
   best.u = problem.q;
   best.residual = best.residualRms = std::numeric_limits<double>::infinity();
   best.regions = best.factorisations = best.sweeps = 0;
-  best.blamed.clear();
+  best.blamed = unfitParts(problem);
+  if (!best.blamed.empty()) {
+    best.status = Status::NonFinite;
+    best.activeSet.contacts.assign(problem.contacts(), Mode::Open);
+    best.activeSet.rows.assign(problem.rows(), RowState::Free);
+    return;
+  }
 
+  w.map.setProblem(problem);
   const double demand = problem.size() > 0 ? problem.q.cwiseAbs().maxCoeff() : 0;
   const double tolerance = std::max(options_.tolerance * demand, problem.roundOff);
   const bool warm = guess.size() == problem.size() && problem.size() > 0 && guess.any();
@@ -290,6 +296,7 @@ void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best
   best.status = outcome == Outcome::Incompatible ? Status::Incompatible
                 : best.residual <= attainable    ? Status::Solved
                                                  : Status::OutOfBudget;
+  if (best.status == Status::OutOfBudget) best.blamed = {w.map.residual(best.r, best.u).worst};
   readActiveSet(problem, w.map.diagonal(), best.r, best.u, best.activeSet);
 }
 

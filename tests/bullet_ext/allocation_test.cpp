@@ -58,6 +58,7 @@ TEST(Allocation, GatheringAndWritingBackTakeNoMemoryOnceWarm) {
     answer.bodies = group.bodies;
     answer.contacts = group.guess;
     answer.modes.assign(group.contacts.size(), pass % 2 ? Mode::Open : Mode::Stick);
+    answer.troubles.assign(group.contacts.size(), Trouble::None);
     answer.rows.assign(group.rows.size(), 0);
     events.clear();
     bullet::writeVelocities(group, answer);

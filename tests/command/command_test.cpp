@@ -146,6 +146,11 @@ TEST_F(Command, runsAndTellsInJson) {
     EXPECT_EQ(run["steps"], 30);
     EXPECT_EQ(run["contacts_max"], 4);
     EXPECT_NEAR(run["reaction_over_weight"].get<double>(), 1, 0.05);
+    if (run["solver"] == "delassus") {
+      EXPECT_EQ(run["left_out"], 0);
+      EXPECT_TRUE(run["messages"].empty());
+      EXPECT_EQ(run["statuses"]["non_finite"], 0);
+    }
   }
 }
 

@@ -194,6 +194,7 @@ TEST(ProblemText, WritesSolutions) {
   writeSolution(one, rows, solution);
   EXPECT_EQ(one.str(), "solution v1\nname boxed\nstatus solved\nr\n0.1\n2\nu\n0\n1e-20\nend\n");
   EXPECT_EQ(toString(Status::Incompatible), "incompatible");
+  EXPECT_EQ(toString(Status::NonFinite), "non_finite");
 }
 
 TEST(ProblemText, WhatHasNoTextIsRefused) {

@@ -1,0 +1,60 @@
+#include "delassus/problem.h"
+
+#include <cmath>
+#include <limits>
+
+namespace delassus {
+namespace {
+
+constexpr double largest = 1e100;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+bool inBodySpace(const BodySpace& space, int contacts, int part) {
+  if (part < contacts) {
+    const BodySpace::ContactRows& rows = space.contacts[part];
+    return rows.Ja.cwiseAbs().sum() + rows.Jb.cwiseAbs().sum() +
+               space.compliance.segment<3>(3 * part).cwiseAbs().sum() <=
+           largest;
+  }
+  const int row = part - contacts;
+  const BodySpace::ScalarRow& scalar = space.rows[row];
+  return scalar.Ja.cwiseAbs().sum() + scalar.Jb.cwiseAbs().sum() +
+             std::abs(space.compliance[3 * contacts + row]) <=
+         largest;
+}
+
+bool inEntries(const DelassusMatrix::Sparse& entries, int first, int unknowns) {
+  double sum = 0;
+  for (int i = first; i < first + unknowns; ++i)
+    for (DelassusMatrix::Sparse::InnerIterator entry(entries, i); entry; ++entry)
+      sum += std::abs(entry.value());
+  return sum <= largest;
+}
+
+bool isFit(const Problem& problem, int part, int first, int unknowns) {
+  const int contacts = problem.contacts();
+  if (!(problem.q.segment(first, unknowns).cwiseAbs().sum() <= largest)) return false;
+  if (part < contacts) {
+    if (!(problem.friction[part] >= 0 && problem.friction[part] <= largest)) return false;
+  } else {
+    const double lower = problem.lower[part - contacts], upper = problem.upper[part - contacts];
+    if (!(lower <= upper && lower < infinity && upper > -infinity)) return false;
+  }
+  return problem.W.inBodySpace() ? inBodySpace(problem.W.bodySpace(), contacts, part)
+                                 : inEntries(problem.W.entries(), first, unknowns);
+}
+
+}  // namespace
+
+std::vector<int> unfitParts(const Problem& problem) {
+  const int contacts = problem.contacts();
+  std::vector<int> unfit;
+  for (int part = 0; part < contacts + problem.rows(); ++part) {
+    const bool contact = part < contacts;
+    const int first = contact ? 3 * part : 2 * contacts + part;
+    if (!isFit(problem, part, first, contact ? 3 : 1)) unfit.push_back(first);
+  }
+  return unfit;
+}
+
+}  // namespace delassus

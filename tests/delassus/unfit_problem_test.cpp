@@ -1,0 +1,112 @@
+/// Problems that no law can be stated for, and what the answer says of problems that are not solved.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "delassus/residual.h"
+#include "delassus/solver.h"
+#include "tests/support/box_piles.h"
+#include "tests/support/random_piles.h"
+
+namespace delassus::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+const double notANumber = std::nan("");
+
+/// Two contacts with friction and a row, not coupled.
+Problem threeParts() {
+  Problem problem;
+  MatrixXd W = MatrixXd::Identity(7, 7);
+  problem.W = DelassusMatrix(DelassusMatrix::Sparse(W.sparseView()));
+  problem.q = VectorXd::Constant(7, -1);
+  problem.friction = VectorXd::Constant(2, 0.5);
+  problem.lower = VectorXd::Constant(1, 0);
+  problem.upper = VectorXd::Constant(1, infinity);
+  return problem;
+}
+
+struct Unfit {
+  const char* what;
+  std::function<void(Problem&)> breakIt;
+  int first;  ///< unknown that is blamed
+};
+
+const std::vector<Unfit>& unfit() {
+  static const std::vector<Unfit> cases = {
+      {"q", [](Problem& p) { p.q[4] = notANumber; }, 3},
+      {"large q", [](Problem& p) { p.q[6] = 1e200; }, 6},
+      {"friction", [](Problem& p) { p.friction[1] = notANumber; }, 3},
+      {"negative friction", [](Problem& p) { p.friction[0] = -0.1; }, 0},
+      {"endless friction", [](Problem& p) { p.friction[0] = infinity; }, 0},
+      {"bound", [](Problem& p) { p.upper[0] = notANumber; }, 6},
+      {"crossed bounds", [](Problem& p) { p.upper[0] = -1; }, 6},
+      {"bounds at infinity", [](Problem& p) { p.lower[0] = infinity; }, 6},
+      {"W",
+       [](Problem& p) {
+         DelassusMatrix::Sparse entries = p.W.entries();
+         entries.coeffRef(5, 5) = infinity;
+         p.W = DelassusMatrix(entries);
+       },
+       3},
+  };
+  return cases;
+}
+
+TEST(UnfitProblem, IsNamedAndGetsNoReactions) {
+  ASSERT_THAT(unfitParts(threeParts()), IsEmpty());
+  for (const Unfit& c : unfit()) {
+    SCOPED_TRACE(c.what);
+    Problem problem = threeParts();
+    c.breakIt(problem);
+    Solver solver;
+    const Solution solution = solver.solve(problem, VectorXd::Ones(7));
+    EXPECT_EQ(solution.status, Status::NonFinite);
+    EXPECT_THAT(solution.blamed, ElementsAre(c.first));
+    EXPECT_EQ(solution.r, VectorXd::Zero(7));
+    EXPECT_EQ(solution.activeSet.contacts.size(), 2u);
+    EXPECT_EQ(solution.regions, 0) << "no work is wasted on it";
+    EXPECT_EQ(solver.solve(threeParts()).status, Status::Solved) << "and nothing is left of it";
+  }
+}
+
+TEST(UnfitProblem, SpoilsOnlyThePartThatItIsCoupledTo) {
+  Problem problem = threeParts();
+  problem.q[0] = notANumber;
+  const Solution solution = solve(problem);
+  EXPECT_EQ(solution.status, Status::NonFinite);
+  EXPECT_THAT(solution.blamed, ElementsAre(0));
+  EXPECT_NEAR(solution.r[3], 1, 1e-8);
+  EXPECT_NEAR(solution.r[6], 1, 1e-8);
+}
+
+TEST(UnfitProblem, InBodySpace) {
+  Random random(3);
+  const PileIsland pile(makeTower({1, 1, 1}, 0.5, 0, random));
+  Problem problem = pile.problem;
+  BodySpace space = problem.W.bodySpace();
+  space.contacts[2].Ja(1, 3) = notANumber;
+  problem.W = DelassusMatrix(space);
+  EXPECT_THAT(solve(problem).blamed, ElementsAre(6));
+}
+
+TEST(NotSolved, OutOfBudgetBlamesTheLargestResidual) {
+  Random random(3);
+  const PileIsland pile(makeTower(randomMasses(10, 1e3, random), 0.5, 1, random));
+  Options options;
+  options.newtonBudget = options.sweepBudget = 1;
+  const Solution solution = solve(pile.problem, options);
+  ASSERT_EQ(solution.status, Status::OutOfBudget);
+  EXPECT_THAT(solution.blamed,
+              ElementsAre(naturalResidual(pile.problem, solution.r, solution.u).worst));
+}
+
+}  // namespace
+}  // namespace delassus::testing

@@ -1,0 +1,50 @@
+/// What a run tells of the parts that it could not take or solve.
+
+#include "demos/scenes/simulate.h"
+
+#include <limits>
+
+#include "demos/scenes/builders.h"
+#include "tests/scenes/run_scene.h"
+
+namespace demos {
+namespace {
+
+RunSummary runFor(World& world, const std::string& solver, double seconds) {
+  NamedSolver named(solver);
+  return simulate(world, named, {seconds, 60}, [](double) {});
+}
+
+TEST(Simulate, tellsWhatWasLeftOutOnceWithTheNumberOfSteps) {
+  const auto world = buildGridOfBoxes(2, 3);
+  const btScalar notANumber = std::numeric_limits<btScalar>::quiet_NaN();
+  world->movableBodies()[1]->setAngularVelocity(btVector3(0, notANumber, 0));
+  const RunSummary run = runFor(*world, "delassus", 0.5);
+  ASSERT_TRUE(run.regions.has_value());
+  EXPECT_EQ(run.regions->leftOut, 30);
+  ASSERT_EQ(run.regions->messages.size(), 1U);
+  EXPECT_NE(run.regions->messages[0].text.find("left out: its"), std::string::npos);
+  EXPECT_EQ(run.regions->solved, 3 * 30) << "the islands of the other boxes";
+}
+
+TEST(Simulate, tellsNothingOfASoundWorld) {
+  const RunSummary run = runFor(*buildStack(3, 1), "delassus", 0.5);
+  EXPECT_EQ(run.regions->leftOut, 0);
+  EXPECT_EQ(run.regions->nonFinite, 0);
+  EXPECT_TRUE(run.regions->messages.empty());
+}
+
+TEST(Simulate, namesWhatIsNotSolved) {
+  delassus::Options options;
+  options.newtonBudget = options.sweepBudget = 1;
+  NamedSolver hasty("delassus:hasty", options);
+  const auto world = buildStack(10, 1000);
+  world->movableBodies()[9]->setLinearVelocity(btVector3(1, 0, 0));
+  const RunSummary run = simulate(*world, hasty, {0.1, 60}, [](double) {});
+  EXPECT_GT(run.regions->outOfBudget, 0);
+  ASSERT_FALSE(run.regions->messages.empty());
+  EXPECT_NE(run.regions->messages[0].text.find("budget"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace demos
