@@ -41,6 +41,7 @@ struct JointSource {
   btTypedConstraint* constraint;
   int firstRow, rowCount;  ///< among Group::rows
   int lastRow;             ///< the joint's own last row, or -1 if that row takes no part
+  double lastImpulse;      ///< that the last step left in the joint, N·s
 };
 
 /// What a joint writes for one row. Four scalars an axis and this alignment, because some joints

@@ -105,13 +105,13 @@ void clearResult(btTypedConstraint& joint) {
   }
 }
 
-void gatherRows(Group& group, btTypedConstraint& joint, double damping,
+void gatherRows(Group& group, btTypedConstraint& joint, double lastImpulse, double damping,
                 const btContactSolverInfo& info, StepReport& report) {
   const int a = bodyIndex(group, joint.getRigidBodyA(), info, report);
   const int b = bodyIndex(group, joint.getRigidBodyB(), info, report);
   if (a == leftOut || b == leftOut || (!group.movable(a) && !group.movable(b))) return;
 
-  JointSource source{&joint, static_cast<int>(group.rows.size()), 0, -1};
+  JointSource source{&joint, static_cast<int>(group.rows.size()), 0, -1, lastImpulse};
   for (std::size_t i = 0; i < group.asked.size(); ++i) {
     const Row row =
         toRow(group, a, b, group.asked[i], damping, joint.getBreakingImpulseThreshold());
@@ -135,6 +135,7 @@ void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
   for (int i = 0; i < count; ++i) {
     btTypedConstraint& joint = *constraints[i];
     joint.buildJacobian();
+    const double lastImpulse = joint.internalGetAppliedImpulse();
     clearResult(joint);
     if (!joint.isEnabled()) continue;
 
@@ -142,7 +143,7 @@ void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
     joint.getInfo1(&size);
     if (size.m_numConstraintRows > 0) {
       const double damping = askRows(joint, size.m_numConstraintRows, info, group.asked);
-      gatherRows(group, joint, damping, info, report);
+      gatherRows(group, joint, lastImpulse, damping, info, report);
     } else {
       group.obsolete.push_back(&joint);
     }

@@ -10,21 +10,10 @@
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "bullet_ext/convert.h"
 #include "bullet_ext/solve_group.h"
+#include "bullet_ext/write_back.h"
 
 namespace delassus::bullet {
 namespace {
-
-/// The entry of `object`, searched from where the last one was found: arrays keep most of their order between steps.
-template <class Owners>
-auto find(const Owners& owners, const void* object, std::size_t& cursor) -> decltype(&owners[0]) {
-  for (std::size_t k = 0; k < owners.size(); ++k) {
-    const std::size_t i = (cursor + k) % owners.size();
-    if (owners[i].object != object) continue;
-    cursor = i + 1;
-    return &owners[i];
-  }
-  return nullptr;
-}
 
 const btManifoldPoint& pointOf(const PointSource& source) {
   return source.manifold->getContactPoint(source.point);
@@ -54,7 +43,29 @@ void Memory::Step::clear() {
   rows.clear();
 }
 
+Memory::Owner Memory::ownerOf(const btPersistentManifold& manifold) {
+  return {&manifold, manifold.getBody0(), manifold.getBody1(), 0, 0, 0};
+}
+
+Memory::Owner Memory::ownerOf(const JointSource& joint, double impulse) {
+  const btTypedConstraint& constraint = *joint.constraint;
+  return {&constraint, &constraint.getRigidBodyA(), &constraint.getRigidBodyB(), impulse, 0, 0};
+}
+
+/// The entry of `wanted`, searched from where the last one was found: arrays keep most of their order between steps.
+const Memory::Owner* Memory::find(const std::vector<Owner>& owners, const Owner& wanted,
+                                  std::size_t& cursor) {
+  for (std::size_t k = 0; k < owners.size(); ++k) {
+    const std::size_t i = (cursor + k) % owners.size();
+    if (!owners[i].isSame(wanted)) continue;
+    cursor = i + 1;
+    return &owners[i];
+  }
+  return nullptr;
+}
+
 void Memory::nextStep() {
+  announced_ = true;
   std::swap(last_, now_);
   now_.clear();
   manifoldCursor_ = jointCursor_ = 0;
@@ -121,7 +132,8 @@ void Memory::recallPoints(Group& group, int begin, int end) {
   int fresh = 0;
   for (int i = begin; i < end; ++i) fresh += isFresh(pointOf(group.contactSources[i]));
   if (fresh == 0) return;
-  const Owner* owner = find(last_.manifolds, group.contactSources[begin].manifold, manifoldCursor_);
+  const Owner* owner =
+      find(last_.manifolds, ownerOf(*group.contactSources[begin].manifold), manifoldCursor_);
   if (!owner) return;
   // Points that stayed claim their own past; what is left goes to the fresh ones.
   claim(group, begin, end, *owner, false);
@@ -138,7 +150,7 @@ void Memory::recall(Group& group) {
 
   group.rowGuess.assign(group.rows.size(), 0);
   for (const JointSource& joint : group.joints) {
-    const Owner* owner = find(last_.joints, joint.constraint, jointCursor_);
+    const Owner* owner = find(last_.joints, ownerOf(joint, joint.lastImpulse), jointCursor_);
     // A limit or motor that came or went shifts the rows: then they start from zero.
     if (!owner || owner->end - owner->begin != joint.rowCount) continue;
     for (int i = 0; i < joint.rowCount; ++i)
@@ -147,6 +159,7 @@ void Memory::recall(Group& group) {
 }
 
 void Memory::keep(const Group& group, const Answer& answer) {
+  if (!announced_) return;
   const auto contacts = static_cast<int>(group.contacts.size());
   for (int begin = 0, end; begin < contacts; begin = end) {
     end = endOfManifold(group, begin);
@@ -156,12 +169,16 @@ void Memory::keep(const Group& group, const Answer& answer) {
       const Vec3& reaction = answer.contacts[i];
       now_.points.push_back({armOf(group, c), reaction, c.frame * reaction, false});
     }
-    now_.manifolds.push_back({group.contactSources[begin].manifold, first, first + end - begin});
+    Owner& owner = now_.manifolds.emplace_back(ownerOf(*group.contactSources[begin].manifold));
+    owner.begin = first;
+    owner.end = first + end - begin;
   }
   for (const JointSource& joint : group.joints) {
     const auto first = static_cast<int>(now_.rows.size());
     for (int i = 0; i < joint.rowCount; ++i) now_.rows.push_back(answer.rows[joint.firstRow + i]);
-    now_.joints.push_back({joint.constraint, first, first + joint.rowCount});
+    Owner& owner = now_.joints.emplace_back(ownerOf(joint, writtenImpulse(joint, answer)));
+    owner.begin = first;
+    owner.end = first + joint.rowCount;
   }
 }
 

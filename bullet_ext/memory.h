@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "bullet_ext/gather.h"
@@ -13,10 +14,12 @@ struct Answer;
 ///
 /// A fresh point takes over the reaction of the nearest point of its manifold that is gone; then all points of the
 /// manifold share the rest, so that together they push and turn as those of the last step did. Pointers serve to
-/// recognise, in the order of the arrays; nothing is read through them.
+/// recognise, in the order of the arrays; nothing is read through them. What a user deletes and makes anew may lie where
+/// the old one lay: it is recognised only if the bodies, and the impulse that a joint carries, are the same too.
 class Memory {
  public:
-  /// What was kept since the last call is what is recalled from now on.
+  /// What was kept since the last call is what is recalled from now on. Nothing is kept before the first call: who does
+  /// not announce steps (a solver pool) would have it grow without end.
   void nextStep();
   /// Fills the guesses that `group` lacks. Call once per group, before `keep`.
   void recall(Group& group);
@@ -26,8 +29,13 @@ class Memory {
 
  private:
   struct Owner {
-    const void* object;  ///< manifold or joint
-    int begin, end;      ///< among points or rows
+    const void *object, *bodyA, *bodyB;  ///< object: manifold or joint
+    double impulse;                      ///< that a joint was left with, N·s
+    int begin, end;                      ///< among points or rows
+    bool isSame(const Owner& other) const {
+      return object == other.object && bodyA == other.bodyA && bodyB == other.bodyB &&
+             impulse == other.impulse && std::signbit(impulse) == std::signbit(other.impulse);
+    }
   };
   struct Point {
     Vec3 arm;       ///< from the centre of the body that moves, m
@@ -42,10 +50,15 @@ class Memory {
     void clear();
   };
 
+  static Owner ownerOf(const btPersistentManifold& manifold);
+  static Owner ownerOf(const JointSource& joint, double impulse);
+  static const Owner* find(const std::vector<Owner>& owners, const Owner& wanted,
+                           std::size_t& cursor);
   void recallPoints(Group& group, int begin, int end);
   void claim(Group& group, int begin, int end, const Owner& owner, bool fresh);
   void keepWrench(Group& group, int begin, int end, const Owner& owner) const;
 
+  bool announced_ = false;
   Step last_, now_;
   std::size_t manifoldCursor_ = 0, jointCursor_ = 0;
 };

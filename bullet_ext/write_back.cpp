@@ -75,6 +75,11 @@ void writeContacts(const Group& group, const Answer& answer, StepReport& report,
   }
 }
 
+btScalar writtenImpulse(const JointSource& joint, const Answer& answer) {
+  const double last = joint.lastRow >= 0 ? answer.rows[joint.lastRow] : 0;
+  return last == 0 ? -btScalar(0) : static_cast<btScalar>(last);
+}
+
 void writeJoints(const Group& group, const Answer& answer, const btContactSolverInfo& info) {
   // Reactions at a bound are equal to it up to rounding of the library's precision.
   constexpr double atBound = 1 - 4 * static_cast<double>(SIMD_EPSILON);
@@ -91,9 +96,7 @@ void writeJoints(const Group& group, const Answer& answer, const btContactSolver
       breaks |= std::abs(r) >= breakingImpulse * atBound;
     }
 
-    // Bullet's joints answer with their last row alone; the feedback is the whole record.
-    if (source.lastRow >= 0)
-      joint.internalSetAppliedImpulse(static_cast<btScalar>(answer.rows[source.lastRow]));
+    joint.internalSetAppliedImpulse(writtenImpulse(source, answer));
     if (btJointFeedback* feedback = joint.getJointFeedback()) {
       const btRigidBody &a = joint.getRigidBodyA(), &b = joint.getRigidBodyB();
       const double h = info.m_timeStep;

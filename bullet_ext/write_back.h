@@ -21,6 +21,10 @@ void writePushes(const Group& group, const Pushes& pushes, const btContactSolver
 void writeContacts(const Group& group, const Answer& answer, StepReport& report,
                    std::vector<ContactEvent>* events);
 
+/// What a joint is left with: the impulse of its last row, for Bullet's joints answer with that alone (the feedback is the
+/// whole record). A zero is negative: by that it differs from the one in a joint that was never solved.
+btScalar writtenImpulse(const JointSource& joint, const Answer& answer);
+
 /// Impulses and feedback of the joints. A joint with a reaction at its breaking impulse is
 /// disabled.
 void writeJoints(const Group& group, const Answer& answer, const btContactSolverInfo& info);

@@ -31,10 +31,7 @@ class OwningWorld {
     world_.setGravity(btVector3(0, -gravity, 0));
   }
 
-  ~OwningWorld() {
-    for (auto& joint : joints_) world_.removeConstraint(joint.get());
-    for (auto& body : bodies_) world_.removeRigidBody(body.get());
-  }
+  ~OwningWorld() { clear(); }
   OwningWorld(const OwningWorld&) = delete;
   OwningWorld& operator=(const OwningWorld&) = delete;
 
@@ -98,6 +95,15 @@ class OwningWorld {
   void remove(btTypedConstraint& joint) {
     world_.removeConstraint(&joint);
     erase(joints_, joint);
+  }
+
+  /// Takes out and deletes all bodies, joints and shapes.
+  void clear() {
+    for (auto& joint : joints_) world_.removeConstraint(joint.get());
+    for (auto& body : bodies_) world_.removeRigidBody(body.get());
+    joints_.clear();
+    bodies_.clear();
+    shapes_.clear();
   }
 
   void advance(int steps = 1) {
