@@ -163,12 +163,15 @@ void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount
   w.events.clear();
   writeVelocities(w.group, w.answer);
   writePushes(w.group, w.pushes, info);
-  writeContacts(w.group, w.answer, w.report, listener_ ? &w.events : nullptr);
+  writeContacts(w.group, w.answer, w.report, listener_ || troubleListener_ ? &w.events : nullptr);
   writeJoints(w.group, w.answer, info);
   if (extension) extension->writeBack(w.group, w.answer);
   laps.end(w.report.secondsWriteBack);
 
-  for (const ContactEvent& event : w.events) listener_(event);
+  for (const ContactEvent& event : w.events) {
+    if (listener_ && event.from != event.to) listener_(event);
+    if (troubleListener_ && event.trouble != Trouble::None) troubleListener_(event);
+  }
 }
 
 void btDelassusConstraintSolver::reset() {
@@ -180,4 +183,9 @@ const StepReport& btDelassusConstraintSolver::report() const { return workspace_
 void btDelassusConstraintSolver::setContactListener(
     std::function<void(const ContactEvent&)> listener) {
   listener_ = std::move(listener);
+}
+
+void btDelassusConstraintSolver::setTroubleListener(
+    std::function<void(const ContactEvent&)> listener) {
+  troubleListener_ = std::move(listener);
 }

@@ -49,10 +49,12 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   /// reset().
   const delassus::StepReport& report() const;
 
-  /// Called at the end of each solveGroup with every contact whose mode changed or that is in
-  /// trouble, in the order of Bullet's manifolds: first those that took part, then the others. The listener must
+  /// Called at the end of each solveGroup with every contact whose mode changed, in the order of
+  /// Bullet's manifolds: first those that took part, then those that were left out. The listener must
   /// not add or remove anything in the world. An empty function ends it; then nothing is computed for it.
   void setContactListener(std::function<void(const delassus::ContactEvent&)> listener);
+  /// The same for every contact in trouble, in every step in which it is, changed or not.
+  void setTroubleListener(std::function<void(const delassus::ContactEvent&)> listener);
 
  private:
   friend class btDelassusMultiBodyConstraintSolver;
@@ -65,5 +67,5 @@ class btDelassusConstraintSolver : public btConstraintSolver {
 
   struct Workspace;
   std::unique_ptr<Workspace> workspace_;
-  std::function<void(const delassus::ContactEvent&)> listener_;
+  std::function<void(const delassus::ContactEvent&)> listener_, troubleListener_;
 };

@@ -25,7 +25,7 @@ struct ContactEvent {
   int point;  ///< index in the manifold
   Mode from, to;
   btVector3 reaction;  ///< on body 0 of the manifold, world axes, N·s
-  Trouble trouble;     ///< told in every step in which it lasts; the report says more in words
+  Trouble trouble;     ///< the report says more in words
 };
 
 }  // namespace delassus

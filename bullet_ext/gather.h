@@ -24,8 +24,9 @@ namespace delassus::bullet {
 /// Stands where a body index is expected for a body that is not fit to take part.
 constexpr int leftOut = -2;
 
-/// Numbers beyond this (kg, m, s, N) are mistakes: squares of their products would overflow.
-constexpr double largestNumber = 1e40;
+/// Numbers beyond this (kg, 1/kg, m, s, N) are mistakes: squares of their products, or the answers in Bullet's precision,
+/// would overflow. A mass beyond is Bullet's "infinity".
+constexpr double largestNumber = sizeof(btScalar) == sizeof(double) ? 1e40 : 1e30;
 
 /// What the gathered parts were in Bullet. Pointers are good until the end of the group.
 struct BodySource {

@@ -16,11 +16,12 @@ bool hasPlace(const btCollisionObject& object) {
          largestNumber;
 }
 
-/// A body of infinite mass given as dynamic: Bullet finds no finite weight for it. (Users take the
-/// static flag off a body without mass; that one weighs nothing.)
+/// A body of infinite mass given as dynamic. With an inverse mass of zero Bullet finds no finite weight
+/// for it. (Users take the static flag off a body without mass; that one weighs nothing.)
 bool hasInfiniteMass(const btRigidBody& rigid) {
-  return rigid.getInvMass() == 0 && !rigid.isStaticOrKinematicObject() &&
-         !toCore(rigid.getTotalForce()).allFinite();
+  if (rigid.isStaticOrKinematicObject()) return false;
+  return rigid.getInvMass() == 0 ? !toCore(rigid.getTotalForce()).allFinite()
+                                 : std::abs(rigid.getInvMass()) * largestNumber < 1;
 }
 
 /// What is wrong with a body, or null.
@@ -98,8 +99,8 @@ void fillBody(const btRigidBody& rigid, const btContactSolverInfo& info, Body& b
 bool sound(const btRigidBody& rigid, const Body& body) {
   const double sum = body.inverseMass.cwiseAbs().sum() + body.inverseInertia.cwiseAbs().sum() +
                      body.velocity.cwiseAbs().sum();
-  return hasPlace(rigid) && sum <= largestNumber && body.inverseMass.minCoeff() >= 0 &&
-         smallest(rigid.getInvInertiaDiagLocal()) >= 0 &&
+  return hasPlace(rigid) && sum <= largestNumber && !hasInfiniteMass(rigid) &&
+         body.inverseMass.minCoeff() >= 0 && smallest(rigid.getInvInertiaDiagLocal()) >= 0 &&
          body.inverseInertia.diagonal().minCoeff() >= 0;
 }
 

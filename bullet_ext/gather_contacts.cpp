@@ -15,7 +15,7 @@ namespace {
 
 // Users write "infinite". The residual of a contact in De Saxcé's form is blind to a closing speed of
 // μ times its tolerance, so that a wider cone than this would let bodies sink and call it solved.
-constexpr double largestFriction = 1e4;
+constexpr double largestFriction = 1e3;
 
 /// How hard a contact is: the coefficients that stand for it in Bullet's two descriptions.
 struct Softness {

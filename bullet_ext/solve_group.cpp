@@ -76,6 +76,9 @@ std::string blame(const Group& group, const Island& island, int unknown, Trouble
   return nameOf(*joint->constraint);
 }
 
+/// Finite in Bullet's precision.
+bool fitsBullet(const VectorXd& r) { return r.size() == 0 || r.cwiseAbs().sum() < SIMD_INFINITY; }
+
 void solveIsland(const Group& group, const Island& island, Solver& solver, Answer& answer) {
   const Problem& apart =
       answer.assembler.assemble(group.bodies, group.contacts, group.rows, island);
@@ -93,7 +96,7 @@ void solveIsland(const Group& group, const Island& island, Solver& solver, Answe
                       solution.residualRms,
                       problem.contacts() + problem.rows(),
                       {}};
-  if (solution.r.allFinite()) {
+  if (fitsBullet(solution.r)) {
     keepReactions(island, solution, answer);
     applyReaction(answer.bodies, group.contacts, group.rows, island, solution.r);
     if (articulated) answer.coupling.addGain(group.articulation, solution.r);
@@ -103,7 +106,7 @@ void solveIsland(const Group& group, const Island& island, Solver& solver, Answe
     for (int i : island.frictionless) answer.contacts[i].setZero();
     for (int i : island.rows) answer.rows[i] = 0;
     const NaturalResidual atRest = naturalResidual(problem, VectorXd::Zero(problem.size()));
-    result = {Status::OutOfBudget, atRest.max, atRest.rms, result.parts, {}};
+    result = {Status::NonFinite, atRest.max, atRest.rms, result.parts, {}};
     solution.blamed = {atRest.worst};
   }
   for (int unknown : solution.blamed)

@@ -62,6 +62,8 @@ std::vector<BrokenBody> brokenBodies() {
        }},
       {"its mass is infinite",
        [](btRigidBody& body) { body.setMassProps(infinity, btVector3(1, 1, 1)); }},
+      {"its mass is infinite",
+       [](btRigidBody& body) { body.setMassProps(SIMD_INFINITY, btVector3(1, 1, 1)); }},
       {"its mass is not finite",
        [](btRigidBody& body) { body.setMassProps(notANumber, btVector3(1, 1, 1)); }},
       {"its mass is not finite",
@@ -104,10 +106,9 @@ TEST(LeftOut, ABrokenBodyIsAsIfItWereNotThere) {
 }
 
 TEST(LeftOut, NumbersWhoseSquaresOverflow) {
-  if (!isDouble) GTEST_SKIP() << "floats are not that large";
   DelassusWorld world;
   btRigidBody& body = world.addCube({0, 0, 0});
-  body.setLinearVelocity({btScalar(1e50), 0, 0});
+  body.setLinearVelocity({isDouble ? btScalar(1e50) : btScalar(1e35), 0, 0});
   world.advance();
   EXPECT_THAT(world.report().messages, ElementsAre("body 0 left out: its numbers are too large"));
 }
@@ -165,7 +166,7 @@ class TwoContacts {
     info.m_erp2 = 0;
     info.m_solverMode |=
         SOLVER_ENABLE_FRICTION_DIRECTION_CACHING | SOLVER_USE_2_FRICTION_DIRECTIONS;
-    solver.setContactListener([this](const ContactEvent& event) { events.push_back(event); });
+    solver.setTroubleListener([this](const ContactEvent& event) { troubles.push_back(event); });
     solver.prepareSolve(2, 2);
     solver.solveGroup(bodies, 2, manifolds, 2, nullptr, 0, info, nullptr, nullptr);
   }
@@ -173,7 +174,7 @@ class TwoContacts {
   double soundSpeed() const { return sound_.getLinearVelocity().y(); }
 
   btDelassusConstraintSolver solver;
-  std::vector<ContactEvent> events;
+  std::vector<ContactEvent> troubles;
 
  private:
   btSphereShape shape_{1};
@@ -231,10 +232,9 @@ TEST(LeftOut, ABrokenContactIsAsIfItWereNotThere) {
     EXPECT_NEAR(two.brokenSpeed(), -1, 10 * precision);
     EXPECT_NEAR(two.soundSpeed(), 0, tolerance(1e-12, 1e-6));
 
-    ASSERT_EQ(two.events.size(), 2u) << "the sound one closed, the broken one is told of";
-    EXPECT_EQ(two.events[0].trouble, Trouble::None);
-    EXPECT_EQ(two.events[1].trouble, Trouble::LeftOut);
-    EXPECT_EQ(two.events[1].to, Mode::Open);
+    ASSERT_EQ(two.troubles.size(), 1u);
+    EXPECT_EQ(two.troubles[0].trouble, Trouble::LeftOut);
+    EXPECT_EQ(two.troubles[0].to, Mode::Open);
   }
 }
 
