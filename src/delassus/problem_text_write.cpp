@@ -46,8 +46,7 @@ void requireFinite(const Eigen::Ref<const VectorXd>& x, const char* what) {
 
 /// A nameless problem is written as "unnamed", for the format wants a word there.
 std::string nameWord(const std::string& name) {
-  const auto standsOut = [](char c) { return static_cast<unsigned char>(c) > ' ' && c != 0x7f; };
-  if (name.size() > WordReader::longestWord || !std::all_of(name.begin(), name.end(), standsOut))
+  if (name.size() > WordReader::longestWord || !std::all_of(name.begin(), name.end(), isVisible))
     throw std::invalid_argument("the name of a problem must be one word to be written");
   return name.empty() ? "unnamed" : name;
 }

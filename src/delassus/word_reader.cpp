@@ -1,5 +1,6 @@
 #include "delassus/word_reader.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <istream>
@@ -101,7 +102,8 @@ bool WordReader::openOptionalSection(const char* name, int entries) {
 
 std::string WordReader::word(const char* meaning) {
   readWord();
-  if (word_.empty()) fail(meaning);
+  if (word_.empty() || !std::all_of(word_.begin(), word_.end(), isVisible))
+    fail(std::string(meaning) + " without control characters");
   return word_;
 }
 

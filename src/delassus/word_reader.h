@@ -5,6 +5,9 @@
 
 namespace delassus {
 
+/// Neither blank nor a control character; bytes of UTF-8 are.
+inline bool isVisible(char c) { return static_cast<unsigned char>(c) > ' ' && c != 0x7f; }
+
 /// Reads a problem text word by word and says where it stands when a word is not the expected one:
 ///
 ///     FILE:LINE: expected WHAT [in entry K of N of 'SECTION'], found WORD

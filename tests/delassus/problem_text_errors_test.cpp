@@ -43,6 +43,10 @@ TEST(ProblemTextErrors, ErrorsNameTheLineAndWhatWasExpected) {
        "found '\\xef\\xbb\\xbfdelassus-problem v1'"},
       {contactText, 3, "nome two", ":3: expected 'name', found 'nome'"},
       {contactText, 3, "name two words", ":3: expected 'contacts', found 'words'"},
+      {contactText, 3,
+       "name a\x01"
+       "b",
+       ":3: expected a name without control characters, found 'a\\x01b'"},
       {contactText, 4, "contacts two",
        ":4: expected the number of contacts from 0 to 238609294, found 'two'"},
       {contactText, 4, "contacts -1",
