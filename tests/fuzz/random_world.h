@@ -1,0 +1,190 @@
+#pragma once
+/// Worlds that nobody would build: any shapes, masses over twelve decades, joints anyhow, flags, broken numbers.
+
+#include <limits>
+#include <string>
+
+#include "tests/fuzz/fuzz.h"
+#include "tests/support/bullet_world.h"
+
+namespace delassus::testing {
+
+/// What a world is, so that laws that need it are asked of it alone.
+struct WorldTraits {
+  bool joints = false;      ///< their rows may feed energy in
+  bool lockedAxes = false;  ///< momentum along them goes nowhere
+  bool bounces = false;     ///< restitution feeds energy in
+  bool broken = false;      ///< some number is none
+};
+
+class RandomWorld {
+ public:
+  explicit RandomWorld(Random& random) : random_(random) {
+    setUpStep();
+    if (chance(random, 0.8)) world_.addGround();
+    traits_.bounces = chance(random, 0.2);
+    traits_.lockedAxes = chance(random, 0.2);
+    const double decadesOfMass = chance(random, 0.5) ? 6 : 1;
+    const int count = pick(random, 1, 12);
+    for (int i = 0; i < count; ++i) addBody(decadesOfMass);
+    if (chance(random, 0.5))
+      for (int i = pick(random, 1, 6); i > 0; --i) addJoint();
+  }
+
+  BulletWorld& world() { return world_; }
+  const WorldTraits& traits() const { return traits_; }
+  btScalar timeStep() const { return timeStep_; }
+
+  /// Puts a number that is none, or absurd, somewhere.
+  void breakSomething() {
+    traits_.broken = true;
+    const btScalar bad[] = {std::numeric_limits<btScalar>::quiet_NaN(),
+                            std::numeric_limits<btScalar>::infinity(), SIMD_INFINITY,
+                            -SIMD_INFINITY, -1};
+    const btScalar x = bad[pick(random_, 0, 4)];
+    btRigidBody& body = *bodies_[pick(random_, 0, int(bodies_.size()) - 1)];
+    switch (pick(random_, 0, 6)) {
+      case 0:
+        body.setLinearVelocity({x, 0, 0});
+        break;
+      case 1:
+        body.setAngularVelocity({0, x, 0});
+        break;
+      case 2:
+        body.applyCentralForce({0, 0, x});
+        break;
+      case 3:
+        body.setMassProps(x, {1, 1, 1});
+        break;
+      case 4:
+        body.setMassProps(1, {1, x, 1});
+        body.updateInertiaTensor();
+        break;
+      case 5:
+        body.setFriction(x);
+        break;
+      case 6:
+        body.setRestitution(x);
+        break;
+    }
+  }
+
+ private:
+  btScalar some(double from, double to) { return btScalar(uniform(random_, from, to)); }
+  btVector3 someVector(double size) {
+    return {some(-size, size), some(-size, size), some(-size, size)};
+  }
+  btQuaternion someTurn() {
+    const btVector3 axis = someVector(1) + btVector3(0, btScalar(1e-3), 0);
+    return chance(random_, 0.4) ? btQuaternion::getIdentity()
+                                : btQuaternion(axis.normalized(), some(-3, 3));
+  }
+
+  void setUpStep() {
+    timeStep_ = chance(random_, 0.7) ? BulletWorld::step : btScalar(decades(random_, -3.5, -1.3));
+    btContactSolverInfo& info = world_.info();
+    info.m_splitImpulse = chance(random_, 0.5);
+    info.m_erp2 = some(0, 1);
+    if (chance(random_, 0.2)) info.m_globalCfm = btScalar(decades(random_, -9, -2));
+    if (chance(random_, 0.2)) info.m_solverMode &= ~SOLVER_USE_WARMSTARTING;
+    if (chance(random_, 0.2)) info.m_linearSlop = some(0, 0.01);
+    if (chance(random_, 0.3)) info.m_minimumSolverBatchSize = pick(random_, 1, 3);
+  }
+
+  std::unique_ptr<btCollisionShape> someShape() {
+    const btScalar a = btScalar(decades(random_, -1, 0.3)), b = btScalar(decades(random_, -1, 0.3));
+    switch (pick(random_, 0, 6)) {
+      case 0:
+      case 1:
+        return std::make_unique<btBoxShape>(btVector3(a, b, btScalar(decades(random_, -1, 0.3))));
+      case 2:
+        return std::make_unique<btSphereShape>(a);
+      case 3:
+        return std::make_unique<btCapsuleShape>(a, b);
+      case 4:
+        return std::make_unique<btCylinderShape>(btVector3(a, b, a));
+      case 5:
+        return std::make_unique<btConeShape>(a, b);
+      default: {
+        auto hull = std::make_unique<btConvexHullShape>();
+        for (int i = 0; i < 8; ++i) hull->addPoint(someVector(double(a)));
+        return hull;
+      }
+    }
+  }
+
+  void addBody(double decadesOfMass) {
+    const btVector3 place(some(-1.5, 1.5), some(0, 3), some(-1.5, 1.5));
+    const btScalar mass =
+        chance(random_, 0.1) ? 0 : btScalar(decades(random_, -decadesOfMass, decadesOfMass));
+    btRigidBody& body = world_.addBody(someShape(), btTransform(someTurn(), place), mass);
+    bodies_.push_back(&body);
+    body.setLinearVelocity(someVector(chance(random_, 0.1) ? 100 : 3));
+    body.setAngularVelocity(someVector(3));
+    body.setFriction(chance(random_, 0.2) ? 0 : some(0, 2));
+    if (traits_.bounces) body.setRestitution(some(0, 1));
+    if (traits_.lockedAxes && chance(random_, 0.5)) {
+      body.setLinearFactor({1, 1, btScalar(pick(random_, 0, 1))});
+      body.setAngularFactor({btScalar(pick(random_, 0, 1)), 1, 1});
+    }
+    if (chance(random_, 0.1))
+      body.setCollisionFlags(body.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+    if (chance(random_, 0.1))
+      body.setContactStiffnessAndDamping(btScalar(decades(random_, 1, 9)), some(0, 100));
+    if (chance(random_, 0.2)) body.setFlags(pick(random_, 0, 15));
+    if (chance(random_, 0.1)) body.setDamping(some(0, 1), some(0, 1));
+    if (chance(random_, 0.1)) body.forceActivationState(pick(random_, 1, 5));
+  }
+
+  void addJoint() {
+    traits_.joints = true;
+    btRigidBody& a = *bodies_[pick(random_, 0, int(bodies_.size()) - 1)];
+    btRigidBody& b = *bodies_[pick(random_, 0, int(bodies_.size()) - 1)];
+    const btTransform inA(someTurn(), someVector(1)), inB(someTurn(), someVector(1));
+    if (&a == &b) {
+      world_.addJoint<btPoint2PointConstraint>(a, inA.getOrigin());
+      return;
+    }
+    switch (pick(random_, 0, 6)) {
+      case 0:
+        world_.addJoint<btPoint2PointConstraint>(a, b, inA.getOrigin(), inB.getOrigin());
+        break;
+      case 1: {
+        auto& hinge = world_.addJoint<btHingeConstraint>(a, b, inA, inB);
+        if (chance(random_, 0.5)) hinge.setLimit(some(-1, 0), some(0, 1));
+        if (chance(random_, 0.5)) hinge.enableAngularMotor(true, some(-5, 5), some(0, 10));
+        break;
+      }
+      case 2:
+        world_.addJoint<btSliderConstraint>(a, b, inA, inB, true);
+        break;
+      case 3:
+        world_.addJoint<btConeTwistConstraint>(a, b, inA, inB)
+            .setLimit(some(0, 1), some(0, 1), some(0, 1));
+        break;
+      case 4: {
+        auto& spring = world_.addJoint<btGeneric6DofSpring2Constraint>(a, b, inA, inB);
+        const int axis = pick(random_, 0, 5);
+        spring.enableSpring(axis, true);
+        spring.setStiffness(axis, btScalar(decades(random_, 0, 9)));
+        spring.setDamping(axis, some(0, 10));
+        break;
+      }
+      case 5:
+        world_.addJoint<btFixedConstraint>(a, b, inA, inB);
+        break;
+      case 6:
+        world_.addJoint<btGearConstraint>(a, b, btVector3(0, 1, 0), btVector3(1, 0, 0),
+                                          some(0.1, 3));
+        break;
+    }
+  }
+
+  Random& random_;
+  DelassusWorld world_;
+  WorldTraits traits_;
+  btScalar timeStep_ = BulletWorld::step;
+  std::vector<btRigidBody*> bodies_;
+};
+
+}  // namespace delassus::testing

@@ -1,0 +1,188 @@
+#pragma once
+/// Looks on while a world is solved, and asks the laws of every group, from the velocities and impulses that were
+/// written, independently of what the solver says of itself.
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
+#include "bullet_ext/convert.h"
+#include "bullet_ext/gather.h"
+#include "delassus/cone.h"
+#include "tests/fuzz/random_world.h"
+
+namespace delassus::testing {
+
+class WatchingSolver : public btConstraintSolver {
+ public:
+  WatchingSolver(btDelassusConstraintSolver& inner, const WorldTraits& traits)
+      : inner_(inner), traits_(traits) {}
+
+  /// What is wrong, one line each; empty if nothing is.
+  const std::set<std::string>& faults() const { return faults_; }
+
+  void prepareSolve(int bodies, int manifolds) override { inner_.prepareSolve(bodies, manifolds); }
+  void allSolved(const btContactSolverInfo& info, btIDebugDraw* drawer) override {
+    inner_.allSolved(info, drawer);
+  }
+  void reset() override { inner_.reset(); }
+  btConstraintSolverType getSolverType() const override { return inner_.getSolverType(); }
+
+  btScalar solveGroup(btCollisionObject** bodies, int bodyCount, btPersistentManifold** manifolds,
+                      int manifoldCount, btTypedConstraint** joints, int jointCount,
+                      const btContactSolverInfo& info, btIDebugDraw* drawer,
+                      btDispatcher* dispatcher) override {
+    StepReport ignored;
+    group_.clear();
+    bullet::gatherBodies(group_, bodies, bodyCount, info, ignored);
+    bullet::gatherContacts(group_, manifolds, manifoldCount, info, dispatcher, ignored);
+    const int islands = inner_.report().islands;
+    inner_.solveGroup(bodies, bodyCount, manifolds, manifoldCount, joints, jointCount, info, drawer,
+                      dispatcher);
+    if (inner_.report().nonFinite > 0) faults_.insert("an island is called non-finite");
+    if (inner_.report().islands < islands) faults_.insert("islands are lost");
+    readBack();
+    askContacts();
+    if (jointCount == 0 && !traits_.lockedAxes) {
+      askMomentum();
+      askEnergy();
+    }
+    return 0;
+  }
+
+ private:
+  static constexpr double rounding = 256 * SIMD_EPSILON;
+
+  void readBack() {
+    after_.clear();
+    for (std::size_t i = 0; i < group_.bodies.size(); ++i) {
+      const btRigidBody& rigid = *group_.bodySources[i].rigid;
+      after_.push_back(bullet::toCore(rigid.getLinearVelocity(), rigid.getAngularVelocity()));
+      if (!after_.back().allFinite()) faults_.insert("a velocity is not finite");
+    }
+    reactions_.clear();
+    for (const bullet::PointSource& source : group_.contactSources) {
+      const btManifoldPoint& point = source.manifold->getContactPoint(source.point);
+      reactions_.push_back(
+          {point.m_appliedImpulse, point.m_appliedImpulseLateral1, point.m_appliedImpulseLateral2});
+      if (!reactions_.back().allFinite()) faults_.insert("an impulse is not finite");
+    }
+  }
+
+  Vec3 pointVelocity(int body, const Vec3& arm) const {
+    if (body < 0) return Vec3::Zero();
+    return after_[body].head<3>() + after_[body].tail<3>().cross(arm);
+  }
+  double pointSpeed(int body, const Vec3& arm) const {
+    if (body < 0) return 0;
+    const Vec6& free = group_.bodies[body].velocity;
+    return after_[body].head<3>().norm() + after_[body].tail<3>().norm() * arm.norm() +
+           free.head<3>().norm() + free.tail<3>().norm() * arm.norm();
+  }
+  Mat3 response(int body, const Vec3& arm) const {
+    if (!group_.movable(body)) return Mat3::Zero();
+    Mat3 cross;
+    cross << 0, -arm[2], arm[1], arm[2], 0, -arm[0], -arm[1], arm[0], 0;
+    return Mat3(group_.bodies[body].inverseMass.asDiagonal()) -
+           cross * group_.bodies[body].inverseInertia * cross;
+  }
+
+  /// Reactions in their cones; the law of each contact as well as the report says.
+  void askContacts() {
+    const double said = inner_.report().residualMax, largest = largestReaction();
+    for (std::size_t i = 0; i < group_.contacts.size(); ++i) {
+      const Contact& c = group_.contacts[i];
+      const Vec3& r = reactions_[i];
+      const double t = std::hypot(r[1], r[2]);
+      // The walk leaves round-off of the largest reaction in those that carry nothing.
+      const double noise = std::max(1e-12, rounding) * largest;
+      if (r[0] < -noise || t > c.friction * r[0] + noise)
+        faults_.insert("a reaction is outside its cone");
+
+      Mat3 W = c.frame.transpose() * (response(c.a, c.armA) + response(c.b, c.armB)) * c.frame;
+      W.diagonal() += Vec3(c.compliance, c.slipCompliance[0], c.slipCompliance[1]);
+      const double size = c.friction > 0 ? W.norm() : W(0, 0);
+      if (!(size > 0)) continue;
+      Vec3 u = c.frame.transpose() * (pointVelocity(c.a, c.armA) - pointVelocity(c.b, c.armB)) -
+               c.target;
+      u += Vec3(c.compliance, c.slipCompliance[0], c.slipCompliance[1]).cwiseProduct(r);
+      if (c.friction == 0) u.tail<2>().setZero();  // no law for them
+      const Vec3 v = correctedVelocity(u, c.friction);
+      const double residual = size * (r - projectOnCone(r - v / size, c.friction)).norm();
+      const double speed = pointSpeed(c.a, c.armA) + pointSpeed(c.b, c.armB) + c.target.norm();
+      // The solver's own measure takes the spectral norm for the size: √3 apart at most.
+      if (!(residual <= 2 * said + rounding * (1 + c.friction) * (speed + size * largest)))
+        faults_.insert("a contact is further from its law than the report says");
+    }
+  }
+
+  double largestReaction() const {
+    double largest = 0;
+    for (const Vec3& r : reactions_) largest = std::max(largest, r.cwiseAbs().maxCoeff());
+    return largest;
+  }
+
+  /// Σ m (v − v_f) is what the immovable world gives.
+  void askMomentum() {
+    Vec3 gain = Vec3::Zero(), given = Vec3::Zero();
+    double scale = 0;
+    for (std::size_t i = 0; i < after_.size(); ++i) {
+      if (!group_.movable(int(i))) continue;
+      const double mass = 1 / group_.bodies[i].inverseMass[0];
+      const Vec3 v = after_[i].head<3>(), free = group_.bodies[i].velocity.head<3>();
+      gain += mass * (v - free);
+      scale += mass * (v.norm() + free.norm());
+    }
+    for (std::size_t i = 0; i < group_.contacts.size(); ++i) {
+      const Contact& c = group_.contacts[i];
+      const Vec3 onA = c.frame * reactions_[i];
+      if (!group_.movable(c.b)) given += onA;
+      if (!group_.movable(c.a)) given -= onA;
+      scale += reactions_[i].norm();
+    }
+    if (!((gain - given).norm() <= rounding * scale)) faults_.insert("momentum is not conserved");
+  }
+
+  /// E(v) − E(v_f) ≤ Σ r·target: reactions feed in nothing but what was asked for (algorithms 9.5). What stands still by
+  /// itself and what is driven, kinematic bodies, do work too.
+  void askEnergy() {
+    double gain = 0, fed = 0, scale = 0;
+    for (std::size_t i = 0; i < after_.size(); ++i) {
+      if (!group_.movable(int(i))) {
+        if (group_.bodies[i].velocity.any()) return;
+        continue;
+      }
+      const Body& body = group_.bodies[i];
+      const btVector3& turns = group_.bodySources[i].rigid->getInvInertiaDiagLocal();
+      if (!(turns[turns.minAxis()] > 1e-9 * turns[turns.maxAxis()])) return;  // as good as locked
+      const Mat3 inertia = body.inverseInertia.inverse();
+      const auto energy = [&](const Vec6& v) {
+        const Vec3 linear = v.head<3>(), angular = v.tail<3>();
+        return linear.squaredNorm() / body.inverseMass[0] / 2 + angular.dot(inertia * angular) / 2;
+      };
+      gain += energy(after_[i]) - energy(body.velocity);
+      scale += energy(after_[i]) + energy(body.velocity);
+    }
+    for (std::size_t i = 0; i < group_.contacts.size(); ++i) {
+      const Contact& c = group_.contacts[i];
+      fed += reactions_[i].dot(c.target);
+      scale += std::abs(reactions_[i].dot(c.target));
+      scale += reactions_[i].norm() * (pointSpeed(c.a, c.armA) + pointSpeed(c.b, c.armB));
+      // What an answer that is not exact may add.
+      fed += 2 * (1 + c.friction) * reactions_[i].norm() * inner_.report().residualMax;
+    }
+    if (!(gain <= fed + rounding * scale)) faults_.insert("energy is gained");
+  }
+
+  btDelassusConstraintSolver& inner_;
+  const WorldTraits& traits_;
+  bullet::Group group_;
+  std::vector<Vec6> after_;
+  std::vector<Vec3> reactions_;
+  std::set<std::string> faults_;
+};
+
+}  // namespace delassus::testing
