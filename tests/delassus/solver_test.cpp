@@ -222,5 +222,20 @@ TEST(Solver, ModesSayWhatTheMotionDoes) {
   }
 }
 
+TEST(Solver, AGuessThatIsNotAllowedIsMovedIntoItsConeAndBounds) {
+  // A sliding contact and a motor at its limit, not coupled. The guess solves them to 1e-10, outside of what is allowed.
+  Problem problem;
+  problem.W = DelassusMatrix(DelassusMatrix::Sparse(MatrixXd::Identity(4, 4).sparseView()));
+  problem.q = Eigen::Vector4d(-1, 1, 0, -5);
+  problem.friction = VectorXd::Constant(1, 0.5);
+  problem.lower = VectorXd::Constant(1, -2);
+  problem.upper = VectorXd::Constant(1, 2);
+  const double outside = 1e-10;
+  const Solution solution =
+      Solver().solve(problem, Eigen::Vector4d(1, -0.5 - outside, 0, 2 + outside));
+  EXPECT_EQ(solution.status, Status::Solved);
+  EXPECT_LE(infeasibility(problem, solution.r), 1e-15);
+}
+
 }  // namespace
 }  // namespace delassus
