@@ -148,8 +148,7 @@ void MultiBodyParts::addLink(Group& group, const btMultiBodyLinkCollider& collid
   const TreeSource source = treeOf(group, *collider.m_multiBody);
   const Matrix6X L = motionOf(collider);
   if (source.tree == leftOut || !L.allFinite()) {
-    report.tell(nameOf(collider) +
-                " left out: the pose, velocity or mass of its tree is not finite");
+    report.leaveOut(nameOf(collider), "the pose, velocity or mass of its tree is not finite");
     group.indexOf.insert(&collider, leftOut);
     return;
   }
@@ -248,7 +247,7 @@ void MultiBodyParts::addRow(Group& group, btMultiBodyConstraint& constraint, int
   const char* fault = row.a == leftOut || row.b == leftOut ? brokenBody : faultOf(row);
   if (fault || (row.lower == 0 && row.upper == 0)) {
     jointRows.resize(jointRowsBefore);
-    if (fault) report.tell(std::string("a row of an articulated body left out: ") + fault);
+    if (fault) report.leaveOut("a row of an articulated body", fault);
     return;
   }
   group.rows.push_back(row);
