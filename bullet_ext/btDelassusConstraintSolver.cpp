@@ -8,6 +8,7 @@
 #include "bullet_ext/extension.h"
 #include "bullet_ext/gather.h"
 #include "bullet_ext/memory.h"
+#include "bullet_ext/plan.h"
 #include "bullet_ext/push.h"
 #include "bullet_ext/solve_group.h"
 #include "bullet_ext/write_back.h"
@@ -49,6 +50,13 @@ void countStatus(Status status, StepReport& report) {
   }
 }
 
+void countTier(Tier tier, StepReport& report) {
+  ++(tier == Tier::Free         ? report.freeIslands
+     : tier == Tier::Kept       ? report.keptIslands
+     : tier == Tier::ClosedForm ? report.closedForms
+                                : report.walks);
+}
+
 /// What messages say after the name of a contact or joint that is blamed.
 const char* reasonOf(Status status) {
   switch (status) {
@@ -67,9 +75,11 @@ const char* reasonOf(Status status) {
 }  // namespace
 
 struct btDelassusConstraintSolver::Workspace {
-  explicit Workspace(const Options& options) : solver(options) {}
+  explicit Workspace(const Options& options)
+      : solver(options), pushSolver(options), answer(options) {}
 
   Solver solver;
+  Solver pushSolver;  ///< its own, so that neither has to change the size of its storage
   Group group;
   Memory memory;
   Answer answer;
@@ -84,8 +94,20 @@ struct btDelassusConstraintSolver::Workspace {
     residualSquares = 0;
     residualParts = 0;
   }
+  /// Lets go of all storage that no later step depends on.
+  void release();
   void countSolve();
 };
+
+void btDelassusConstraintSolver::Workspace::release() {
+  const Options options = solver.options();
+  solver = Solver(options);
+  pushSolver = Solver(options);
+  group = Group();
+  answer = Answer(options);
+  pushes = Pushes();
+  events = {};
+}
 
 void btDelassusConstraintSolver::Workspace::countSolve() {
   report.contacts += static_cast<int>(group.contacts.size());
@@ -93,6 +115,7 @@ void btDelassusConstraintSolver::Workspace::countSolve() {
   report.islands += static_cast<int>(answer.islands.size());
   for (const IslandResult& island : answer.islands) {
     countStatus(island.status, report);
+    countTier(island.tier, report);
     report.residualMax = std::max(report.residualMax, island.residualMax);
     residualSquares += island.residualRms * island.residualRms * island.parts;
     residualParts += island.parts;
@@ -100,8 +123,10 @@ void btDelassusConstraintSolver::Workspace::countSolve() {
   }
   if (residualParts > 0) report.residualRms = std::sqrt(residualSquares / residualParts);
 
+  report.matrices += answer.matrices;
   report.regions += answer.regions + pushes.regions;
   report.factorisations += answer.factorisations + pushes.factorisations;
+  report.sweeps += answer.sweeps + pushes.sweeps;
   report.obsoleteConstraints += answer.obsoleteConstraints;
   report.pushIslands += pushes.islands;
   report.pushUnsolved += pushes.unsolved;
@@ -141,7 +166,9 @@ void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount
     return;
   }
 
+  const Economies& economies = w.solver.options().economies;
   Laps laps;
+  if (!economies.storage) w.release();
   w.group.clear();
   gatherBodies(w.group, bodies, bodyCount, info, w.report);
   if (extension) extension->gatherBodies(w.group, w.report);
@@ -154,23 +181,40 @@ void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount
   }
   laps.end(w.report.secondsGather);
 
-  bullet::solveGroup(w.group, info, w.solver, w.answer, w.report);
-  solvePushes(w.group, w.solver, w.pushes);
+  const bool heard = listener_ || troubleListener_;
+  const Plan plan = makePlan(w.group, heard, economies, w.answer.assembler);
+  startFromGuess(w.group, w.answer);
+  checkIslands(w.group, economies, w.answer);
+  laps.end(w.report.secondsPlan);
+
+  if (!w.answer.open.empty() || plan.obsolete > 0) {
+    solveIslands(w.group, info, w.solver, w.answer, w.report);
+    laps.end(w.report.secondsSolve);
+  }
+  w.pushes.clear();
+  if (plan.pushContacts > 0) {
+    solvePushes(w.group, plan.pushContacts > plan.deep, w.pushSolver, w.pushes);
+    laps.end(w.report.secondsPush);
+  }
+  w.report.plan.add(plan);
   w.countSolve();
   w.memory.keep(w.group, w.answer);
-  laps.end(w.report.secondsSolve);
 
   w.events.clear();
   writeVelocities(w.group, w.answer);
   writePushes(w.group, w.pushes, info);
-  writeContacts(w.group, w.answer, w.report, listener_ || troubleListener_ ? &w.events : nullptr);
+  writeContacts(w.group, w.answer, w.report, plan.events ? &w.events : nullptr);
   writeJoints(w.group, w.answer, info);
   if (extension) extension->writeBack(w.group, w.answer);
+  w.report.events += static_cast<int>(w.events.size());
   laps.end(w.report.secondsWriteBack);
 
-  for (const ContactEvent& event : w.events) {
-    if (listener_ && event.from != event.to) listener_(event);
-    if (troubleListener_ && event.trouble != Trouble::None) troubleListener_(event);
+  if (plan.heard && !w.events.empty()) {
+    for (const ContactEvent& event : w.events) {
+      if (listener_ && event.from != event.to) listener_(event);
+      if (troubleListener_ && event.trouble != Trouble::None) troubleListener_(event);
+    }
+    laps.end(w.report.secondsListener);
   }
 }
 

@@ -13,6 +13,7 @@ void Group::clear() {
   pushes.clear();
   guess.clear();
   idle.clear();
+  bouncing = 0;
   rows.clear();
   rowGuess.clear();
   joints.clear();

@@ -62,6 +62,7 @@ struct Group {
   std::vector<double> pushes;  ///< wanted normal push velocity of each contact, m/s (split impulse)
   std::vector<Vec3> guess;     ///< reaction of each contact to start from, N·s
   std::vector<PointSource> idle;  ///< points that were passed but take no part
+  int bouncing = 0;               ///< contacts with restitution
 
   std::vector<Row> rows;
   std::vector<double> rowGuess;              ///< reaction of each row to start from, N·s

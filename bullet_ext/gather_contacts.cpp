@@ -197,6 +197,7 @@ void gatherManifold(Group& group, const Pair& pair, const btContactSolverInfo& i
     }
     group.contactSources.push_back({&manifold, i});
     group.pushes.push_back(push);
+    group.bouncing += point.m_combinedRestitution != 0;
     group.guess.push_back(guessOf(point, info));
   }
 }

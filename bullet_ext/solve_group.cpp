@@ -12,12 +12,9 @@
 namespace delassus::bullet {
 namespace {
 
-/// Collects in `answer.guess` the reactions of the island, in the order of its unknowns.
-void collectGuess(const Island& island, Answer& answer) {
-  const auto contacts = static_cast<int>(island.frictional.size());
-  const auto scalars = static_cast<int>(island.frictionless.size() + island.rows.size());
-  VectorXd& r = answer.guess;
-  r.resize(3 * contacts + scalars);
+/// Collects the reactions of the island, in the order of its unknowns.
+void collectGuess(const Island& island, const Answer& answer, VectorXd& r) {
+  r.resize(island.unknowns());
   int at = 0;
   for (int i : island.frictional) {
     r.segment<3>(at) = answer.contacts[i];
@@ -79,23 +76,54 @@ std::string blame(const Group& group, const Island& island, int unknown, Trouble
 /// Finite in Bullet's precision.
 bool fitsBullet(const VectorXd& r) { return r.size() == 0 || r.cwiseAbs().sum() < SIMD_INFINITY; }
 
-void solveIsland(const Group& group, const Island& island, Solver& solver, Answer& answer) {
+void note(const Solution& solution, int parts, IslandResult& result) {
+  result.status = solution.status;
+  result.tier = solution.tier;
+  result.residualMax = solution.residual;
+  result.residualRms = solution.residualRms;
+  result.parts = parts;
+  result.blamed.clear();
+}
+
+int partsOf(const Island& island) {
+  return static_cast<int>(island.frictional.size() + island.frictionless.size() +
+                          island.rows.size());
+}
+
+/// Whether the island needs no W: then `solution` answers it, and its bodies move in `answer`.
+bool needsNoSolving(const Group& group, const Island& island, const Economies& economies,
+                    Answer& answer, Solution& solution) {
+  if (economies.keptIslands) {
+    collectGuess(island, answer, solution.r);
+    if (solution.r.any() && answer.check.isKept(group.bodies, group.contacts, group.rows, island,
+                                                answer.bodies, solution))
+      return true;
+  }
+  return economies.freeIslands &&
+         answer.check.isFree(group.bodies, group.contacts, group.rows, island, solution);
+}
+
+/// Island `i` of the step; trees join what the assembler has split.
+const Island& islandOf(const Group& group, const Answer& answer, int i) {
+  return group.articulation.trees.empty() ? answer.assembler.island(i) : answer.joined[i];
+}
+
+void solveIsland(const Group& group, const Island& island, Solver& solver, Answer& answer,
+                 IslandResult& result) {
   const Problem& apart =
       answer.assembler.assemble(group.bodies, group.contacts, group.rows, island);
   const bool articulated = group.articulation.moves(island);
   const Problem& problem =
       articulated ? answer.coupling.couple(group.articulation, apart, island) : apart;
-  collectGuess(island, answer);
+  collectGuess(island, answer, answer.guess);
   Solution& solution = answer.solution;
   solver.solve(problem, answer.guess, solution);
+  ++answer.matrices;
   answer.regions += solution.regions;
   answer.factorisations += solution.factorisations;
+  answer.sweeps += solution.sweeps;
 
-  IslandResult result{solution.status,
-                      solution.residual,
-                      solution.residualRms,
-                      problem.contacts() + problem.rows(),
-                      {}};
+  note(solution, partsOf(island), result);
   if (fitsBullet(solution.r)) {
     keepReactions(island, solution, answer);
     applyReaction(answer.bodies, group.contacts, group.rows, island, solution.r);
@@ -106,52 +134,78 @@ void solveIsland(const Group& group, const Island& island, Solver& solver, Answe
     for (int i : island.frictionless) answer.contacts[i].setZero();
     for (int i : island.rows) answer.rows[i] = 0;
     const NaturalResidual atRest = naturalResidual(problem, VectorXd::Zero(problem.size()));
-    result = {Status::NonFinite, atRest.max, atRest.rms, result.parts, {}};
+    result.status = Status::NonFinite;
+    result.residualMax = atRest.max;
+    result.residualRms = atRest.rms;
     solution.blamed = {atRest.worst};
   }
   for (int unknown : solution.blamed)
     result.blamed.push_back(blame(group, island, unknown, troubleOf(result.status), answer));
-  answer.islands.push_back(std::move(result));
 }
 
-/// Solves every island, starting from the reactions in `answer`, which it replaces.
-void solveIslands(const Group& group, Solver& solver, Answer& answer) {
-  answer.islands.clear();
-  answer.bodies = group.bodies;
-  answer.modes.assign(group.contacts.size(), Mode::Open);
-  answer.troubles.assign(group.contacts.size(), Trouble::None);
-  answer.assembler.split(group.bodies, group.contacts, group.rows);
-  if (group.articulation.trees.empty()) {
-    for (int i = 0; i < answer.assembler.islands(); ++i)
-      solveIsland(group, answer.assembler.island(i), solver, answer);
-    return;
-  }
-  answer.coupling.reset(group.articulation);
-  for (const Island& island : joinIslands(answer.assembler, group.articulation))
-    solveIsland(group, island, solver, answer);
+/// Solves the islands that the check has left.
+void solveOpenIslands(const Group& group, Solver& solver, Answer& answer) {
+  for (int i : answer.open)
+    solveIsland(group, islandOf(group, answer, i), solver, answer, answer.islands[i]);
 }
 
 }  // namespace
 
 std::size_t Answer::bytes() const {
   const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-  return of(bodies) + of(contacts) + of(modes) + of(troubles) + of(rows) + of(islands) +
-         static_cast<std::size_t>(guess.size()) * sizeof(double);
+  std::size_t numbers = guess.size();
+  for (const Solution& solution : seen) numbers += solution.r.size() + solution.u.size();
+  return of(bodies) + of(contacts) + of(modes) + of(troubles) + of(rows) + of(islands) + of(seen) +
+         of(open) + numbers * sizeof(double);
 }
 
-void solveGroup(Group& group, const btContactSolverInfo& info, Solver& solver, Answer& answer,
-                StepReport& report) {
-  answer.regions = answer.factorisations = answer.obsoleteConstraints = 0;
+void checkIslands(const Group& group, const Economies& economies, Answer& answer) {
+  const Articulation& articulation = group.articulation;
+  int count = answer.assembler.islands();
+  if (!articulation.trees.empty()) {
+    answer.coupling.reset(articulation);
+    answer.joined = joinIslands(answer.assembler, articulation);
+    count = static_cast<int>(answer.joined.size());
+  }
+  answer.islands.resize(count);
+  if (static_cast<int>(answer.seen.size()) < count) answer.seen.resize(count);
+  answer.open.clear();
+  answer.bodies = group.bodies;
+  answer.modes.assign(group.contacts.size(), Mode::Open);
+  answer.troubles.assign(group.contacts.size(), Trouble::None);
+  for (int i = 0; i < count; ++i) {
+    const Island& island = islandOf(group, answer, i);
+    Solution& solution = answer.seen[i];
+    // The check knows of bodies, not of trees.
+    if (!articulation.moves(island) &&
+        needsNoSolving(group, island, economies, answer, solution)) {
+      note(solution, partsOf(island), answer.islands[i]);
+      keepReactions(island, solution, answer);
+    } else {
+      answer.open.push_back(i);
+    }
+  }
+}
+
+void startFromGuess(const Group& group, Answer& answer) {
+  answer.regions = answer.factorisations = answer.sweeps = 0;
+  answer.matrices = answer.obsoleteConstraints = 0;
   answer.contacts = group.guess;
   answer.rows = group.rowGuess;
   answer.rows.resize(group.rows.size(), 0);
-  solveIslands(group, solver, answer);
+}
+
+void solveIslands(Group& group, const btContactSolverInfo& info, Solver& solver, Answer& answer,
+                  StepReport& report) {
+  solveOpenIslands(group, solver, answer);
   if (group.obsolete.empty()) return;
 
   ObsoleteConstraints obsolete(group, info);
   for (int sweep = 0; sweep < info.m_numIterations && obsolete.sweep(group, answer.bodies, report);
-       ++sweep)
-    solveIslands(group, solver, answer);
+       ++sweep) {
+    checkIslands(group, solver.options().economies, answer);
+    solveOpenIslands(group, solver, answer);
+  }
   answer.obsoleteConstraints = obsolete.acted();
 }
 

@@ -7,6 +7,7 @@
 #include "delassus/active_set.h"
 #include "delassus/articulation.h"
 #include "delassus/island.h"
+#include "delassus/island_check.h"
 #include "delassus/solution.h"
 #include "delassus/solver.h"
 
@@ -15,6 +16,7 @@ namespace delassus::bullet {
 /// How the solve of one island ended.
 struct IslandResult {
   Status status;
+  Tier tier;
   double residualMax, residualRms;  ///< m/s
   int parts;                        ///< contacts and rows
   std::vector<std::string>
@@ -23,28 +25,40 @@ struct IslandResult {
 
 /// What the reactions of a group are and what motion they leave.
 struct Answer {
+  explicit Answer(const Options& options) : check(options) {}
+
   std::vector<Body> bodies;       ///< velocities after the reactions
   std::vector<Vec3> contacts;     ///< reaction of each contact in its frame, N·s
   std::vector<Mode> modes;        ///< of each contact
   std::vector<Trouble> troubles;  ///< the same
   std::vector<double> rows;       ///< reaction of each row, N·s
   std::vector<IslandResult> islands;
-  VectorXd guess;       ///< of the island that is being solved
-  Solution solution;    ///< the same
-  Assembler assembler;  ///< of the islands
-  Coupling coupling;    ///< of those with articulated bodies, and the gains of these
-  int regions = 0, factorisations = 0, obsoleteConstraints = 0;
+  std::vector<Solution> seen;  ///< of each island what the check saw; as many as there ever were
+  std::vector<int> open;       ///< islands that the check has left to be solved
+  VectorXd guess;              ///< of the island that is being solved
+  Solution solution;           ///< the same
+  Assembler assembler;         ///< of the islands
+  Coupling coupling;           ///< of those with articulated bodies, and the gains of these
+  std::vector<Island> joined;  ///< the islands if there are articulated bodies
+  IslandCheck check;
+  int matrices = 0;  ///< problems whose W was built
+  int regions = 0, factorisations = 0, sweeps = 0, obsoleteConstraints = 0;
 
   std::size_t bytes() const;
 };
 
-/// Solves the whole group, starting from its guess, in turns with the constraints that solve
-/// themselves.
+/// Puts the guess of the group in the place of the reactions.
+void startFromGuess(const Group& group, Answer& answer);
+
+/// Answers the islands of the plan that need no solving, starting from the reactions in `answer`.
+void checkIslands(const Group& group, const Economies& economies, Answer& answer);
+
+/// Solves the others, in turns with the constraints that solve themselves.
 ///
 /// These see what the exact reactions did and change the free velocities in `group`; the exact
 /// solve follows each of their sweeps, until nothing changes or the sweeps of the step's budget are
 /// used up.
-void solveGroup(Group& group, const btContactSolverInfo& info, Solver& solver, Answer& answer,
-                StepReport& report);
+void solveIslands(Group& group, const btContactSolverInfo& info, Solver& solver, Answer& answer,
+                  StepReport& report);
 
 }  // namespace delassus::bullet

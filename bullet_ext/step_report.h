@@ -4,18 +4,26 @@
 #include <string>
 #include <vector>
 
+#include "bullet_ext/plan.h"
+
 namespace delassus {
 
 /// What the last world step was: sums over all its groups and islands.
 struct StepReport {
+  Plan plan;  ///< what the step asked for, and what it was made of
   int islands = 0;
   int contacts = 0;  ///< contact points that took part
   int rows = 0;      ///< joint rows
   int open = 0, stick = 0,
       slide = 0;  ///< modes of the contacts; frictionless persisting contacts count as slide
   int modeChanges = 0;
+  int events = 0;  ///< contact events made
+  int freeIslands = 0, keptIslands = 0, closedForms = 0,
+      walks = 0;           ///< islands by the tier that answered them
+  int matrices = 0;        ///< problems whose W was built, no pushes
   int regions = 0;         ///< regions visited, pushes included
   int factorisations = 0;  ///< pushes included
+  int sweeps = 0;          ///< pushes included
   double residualMax = 0;  ///< natural residual, m/s
   double residualRms = 0;  ///< m/s, over contacts and rows
   int solved = 0, outOfBudget = 0, incompatible = 0, nonFinite = 0;  ///< islands by status
@@ -25,7 +33,12 @@ struct StepReport {
   int pushUnsolved = 0;  ///< those of them that ended without status solved
   int obsoleteConstraints =
       0;  ///< user constraints solved by their own solveConstraintObsolete, outside the exact solve
-  double secondsGather = 0, secondsSolve = 0, secondsWriteBack = 0;
+  double secondsGather = 0;
+  double secondsPlan = 0;   ///< plan, islands, and the check for those that need no solving
+  double secondsSolve = 0;  ///< the others, and constraints that solve themselves
+  double secondsPush = 0;
+  double secondsWriteBack = 0;
+  double secondsListener = 0;      ///< inside the user's function
   std::size_t workspaceBytes = 0;  ///< kept from step to step by the door
   std::vector<std::string>
       messages;  ///< bodies, contacts, joints left out or not solved: what, where, why

@@ -33,7 +33,8 @@ void addReportCommand(CLI::App& app, Action& chosen) {
       ->type_name("NAME,...");
   command
       ->add_option("--parts", arguments->parts,
-                   "which of same_problem, persisting, own_trajectory, time_step, scaling")
+                   "which of same_problem, persisting, own_trajectory, time_step, scaling, "
+                   "ablation")
       ->delimiter(',')
       ->type_name("NAME,...");
   command->add_option("--out", arguments->out, "folder for what is made")

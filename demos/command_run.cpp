@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "demos/command.h"
+#include "demos/explain.h"
 #include "demos/number_checks.h"
 #include "demos/progress_bar.h"
 #include "demos/scenes/simulate.h"
@@ -20,6 +21,7 @@ struct RunArguments {
   double seconds = 0;  ///< 0: the scene's own
   double hz = 0;       ///< 0: the scene's own
   bool json = false;
+  bool explain = false;
 };
 
 nlohmann::ordered_json toJson(const std::string& scene, const RunSummary& run) {
@@ -73,6 +75,23 @@ void printMessages(const std::vector<RunSummary::Message>& messages) {
     std::printf("  and %zu more; --json has them\n", messages.size() - most);
 }
 
+/// The same words as `explain`, by key.
+nlohmann::ordered_json explanation(const StepTotals& totals) {
+  nlohmann::ordered_json json;
+  for (const Need& need : needsOf(totals)) json["asked_for"][need.key] = need.aStep;
+  for (const Cost& cost : costsOf(totals)) json["microseconds"][cost.key] = cost.microseconds;
+  const delassus::StepReport& sum = totals.sum;
+  const std::pair<const char*, int> islands[] = {{"free", sum.freeIslands},
+                                                 {"kept", sum.keptIslands},
+                                                 {"closed_form", sum.closedForms},
+                                                 {"walked", sum.walks}};
+  for (const auto& [key, count] : islands) json["islands"][key] = totals.aStep(count);
+  json["matrices"] = totals.aStep(sum.matrices);
+  json["push_islands"] = totals.aStep(sum.pushIslands);
+  json["events"] = totals.aStep(sum.events);
+  return json;
+}
+
 void printTable(const std::vector<RunSummary>& runs) {
   Table table({"solver", "ms median", "ms p95", "residual max", "rms m/s", "overlap m", "drift m",
                "joints m", "kinetic J", "reaction/weight", "open/stick/slide", "fallbacks"});
@@ -119,13 +138,22 @@ int runSubject(const RunArguments& arguments) {
     ProgressBar bar(subject.name + " " + solver.name());
     runs.push_back(simulate(*subject.world, solver, settings,
                             [&bar](double fraction) { bar.show(fraction); }));
-    if (arguments.json) std::printf("%s\n", toJson(subject.name, runs.back()).dump().c_str());
+    if (arguments.json) {
+      nlohmann::ordered_json json = toJson(subject.name, runs.back());
+      if (arguments.explain && runs.back().regions)
+        json["explain"] = explanation(runs.back().regions->totals);
+      std::printf("%s\n", json.dump().c_str());
+    }
   }
   if (!arguments.json && !runs.empty()) {
     std::printf("%s: %d steps at %g Hz, %d bodies, up to %d contacts, %s precision\n",
                 arguments.subject.c_str(), runs[0].steps, runs[0].hz, runs[0].bodies,
                 runs[0].contactsMax, precisionName());
     printTable(runs);
+    for (const RunSummary& run : runs)
+      if (arguments.explain && run.regions)
+        std::printf("\n%s, means of %d steps\n\n%s", run.solver.c_str(), run.steps,
+                    explain(run.regions->totals).c_str());
   }
   return exitDone;
 }
@@ -153,6 +181,9 @@ void addRunCommand(CLI::App& app, Action& chosen) {
       ->add_option("--hz", arguments->hz,
                    "steps a second (default: the scene's own, 60 for most and for files)")
       ->check(greaterThanZero);
+  command->add_flag("--explain", arguments->explain,
+                    "what the scene asks of delassus, what a step is made of therefore, and what "
+                    "each part costs");
   command->add_flag("--json", arguments->json, "one JSON object a line, one per solver");
   command->callback(
       [&chosen, arguments] { chosen = [arguments] { return runSubject(*arguments); }; });

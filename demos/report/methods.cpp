@@ -115,7 +115,7 @@ std::vector<double> solveRepeatedly(const Method& method, const CapturedStep& st
                               double(fallbacks),
                               double(report.regions),
                               double(report.factorisations),
-                              report.secondsSolve,
+                              report.secondsPlan + report.secondsSolve + report.secondsPush,
                               report.secondsGather + report.secondsWriteBack,
                               peak.bytes()};
   for (const Vec6& velocity : motion)

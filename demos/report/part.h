@@ -35,6 +35,7 @@ Part persistingPart(const Plan& plan);
 Part ownTrajectoryPart(const Plan& plan);
 Part timeStepPart(const Plan& plan);
 Part scalingPart(const Plan& plan);
+Part ablationPart(const Plan& plan);
 
 /// Measures what is missing, or everything anew, and writes the page. Returns false if it was interrupted.
 bool makeReport(const ReportArguments& arguments);

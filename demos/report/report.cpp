@@ -17,7 +17,7 @@ constexpr const char* stampName = "command.txt";
 
 std::vector<Part> partsOf(const Plan& plan, const std::vector<std::string>& names) {
   std::vector<Part> all{sameProblemPart(plan), persistingPart(plan), ownTrajectoryPart(plan),
-                        timeStepPart(plan), scalingPart(plan)};
+                        timeStepPart(plan),    scalingPart(plan),    ablationPart(plan)};
   if (names.empty()) return all;
   std::vector<Part> chosen;
   std::string existing;

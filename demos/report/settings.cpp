@@ -80,6 +80,14 @@ Plan makePlan(const ReportArguments& arguments) {
   plan.scoutLimit = quick ? 4 : 20;
   plan.certificateLimit = quick ? 5 : 60;
   plan.trajectoryLimit = quick ? 2 : 6;
+  plan.ablationScenes =
+      !arguments.scenes.empty() ? arguments.scenes
+      : quick                   ? Names{"one_box", "stack_10", "newton_cradle"}
+              : Names{"one_box",       "islands_100",      "stack_10",          "pyramid_10",
+                      "pyramid_20",    "wall_20x10",       "wall_and_ball",     "domino_run",
+                      "newton_cradle", "heavy_ball_chain", "bead_in_trihedron", "ball_off_ball"};
+  plan.ablationSeconds = quick ? 1 : 3;
+  plan.ablationLimit = quick ? 5 : 20;
   plan.rates = {30, 60, 120, 240, 480};
   plan.contactCounts = quick ? std::vector<int>{4, 16, 64, 256, 1000}
                              : std::vector<int>{4, 16, 64, 256, 1000, 4000, 16000, 40000};

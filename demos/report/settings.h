@@ -35,6 +35,9 @@ struct Plan {
   double certificateLimit;    ///< of one solve of v*, s
   double trajectoryLimit;     ///< of one method's own trajectory, s
   std::vector<double> rates;  ///< steps a second of the time-step part
+  std::vector<std::string> ablationScenes;
+  double ablationSeconds;          ///< simulated, s, at most
+  double ablationLimit;            ///< of one scene, s
   std::vector<int> contactCounts;  ///< wanted in the scaling part
 };
 

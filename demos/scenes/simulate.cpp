@@ -67,6 +67,7 @@ void count(RunSummary& summary, const delassus::StepReport& report) {
   regions.nonFinite += report.nonFinite;
   regions.leftOut += report.leftOut;
   collect(report.messages, regions.messages);
+  regions.totals.add(report);
   summary.modes = {report.open, report.stick, report.slide};
 }
 

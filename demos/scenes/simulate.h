@@ -7,6 +7,7 @@
 
 #include "demos/scenes/measures.h"
 #include "demos/scenes/solvers.h"
+#include "demos/scenes/step_totals.h"
 
 namespace demos {
 
@@ -48,6 +49,7 @@ struct RunSummary {
     long solved = 0, outOfBudget = 0, incompatible = 0, nonFinite = 0;  ///< islands, all steps
     long leftOut = 0;  ///< bodies, contacts and rows solved around, all steps
     std::vector<Message> messages;
+    StepTotals totals;
   };
   std::optional<Regions> regions;
 };

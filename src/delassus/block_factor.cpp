@@ -122,7 +122,8 @@ bool BlockFactor::factorise() {
 }
 
 void BlockFactor::solve(VectorXd& x) const {
-  VectorXd z(x.size());
+  VectorXd& z = ordered_;
+  z.resize(x.size());
   for (int body = 0; body < bodies_; ++body)
     z.segment<6>(6 * place_[body]) = x.segment<6>(6 * body);
 

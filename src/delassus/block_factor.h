@@ -61,7 +61,8 @@ class BlockFactor {
 
   std::vector<Mat6> diagonal_, diagonalInverse_;
   std::vector<Mat6> lower_,
-      upper_;  ///< block (row, column) of L and block (column, row) of U, transposed
+      upper_;                 ///< block (row, column) of L and block (column, row) of U, transposed
+  mutable VectorXd ordered_;  ///< scratch: a right-hand side in the elimination order
 };
 
 }  // namespace delassus

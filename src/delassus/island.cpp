@@ -60,7 +60,7 @@ void Assembler::addIsland() {
 }
 
 void Assembler::split(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
-                      const std::vector<Row>& rows) {
+                      const std::vector<Row>& rows, bool allTangents) {
   constexpr int untouched = -2, unnumbered = -1;
   const int bodyCount = static_cast<int>(bodies.size());
   links_.reset(bodyCount);
@@ -97,7 +97,8 @@ void Assembler::split(const std::vector<Body>& bodies, const std::vector<Contact
   };
   for (int i = 0; i < static_cast<int>(contacts.size()); ++i)
     if (Island* island = islandTouching(contacts[i].a, contacts[i].b))
-      (contacts[i].friction > 0 ? island->frictional : island->frictionless).push_back(i);
+      (contacts[i].friction > 0 || allTangents ? island->frictional : island->frictionless)
+          .push_back(i);
   for (int i = 0; i < static_cast<int>(rows.size()); ++i)
     if (Island* island = islandTouching(rows[i].a, rows[i].b)) island->rows.push_back(i);
 }

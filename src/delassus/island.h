@@ -18,15 +18,20 @@ struct Island {
   std::vector<int> frictional;    ///< contacts with friction > 0
   std::vector<int> frictionless;  ///< contacts with friction = 0: one unknown each
   std::vector<int> rows;
+
+  int unknowns() const {
+    return static_cast<int>(3 * frictional.size() + frictionless.size() + rows.size());
+  }
 };
 
 /// Splits steps into islands and writes their problems, in storage that it keeps from step to step.
 class Assembler {
  public:
   /// Finds the islands of a step, ordered by their first body; good until the next call. Contacts and rows between
-  /// immovable bodies have no unknowns and appear in no island.
+  /// immovable bodies have no unknowns and appear in no island. With `allTangents` contacts without friction count as
+  /// frictional ones of μ = 0.
   void split(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
-             const std::vector<Row>& rows);
+             const std::vector<Row>& rows, bool allTangents = false);
   int islands() const { return count_; }
   const Island& island(int i) const { return islands_[i]; }
 

@@ -29,8 +29,7 @@ void ProximalNewton<Motion>::setProblem(const Problem& problem, const NaturalMap
 
 template <class Motion>
 void ProximalNewton<Motion>::forgetFactor() {
-  factored_.contacts.clear();
-  factored_.rows.resize(0);
+  hasFactor_ = false;
 }
 
 template <class Motion>
@@ -127,14 +126,11 @@ void ProximalNewton<Motion>::respondInRegion(const Problem& problem, const Solut
 
 template <class Motion>
 bool ProximalNewton<Motion>::factorise(Solution& count) {
-  if (factored_ == G_) return true;
+  if (keepsFactors_ && hasFactor_ && factored_ == G_) return true;
   ++count.factorisations;
-  const bool fine = motion_.factorise(G_);
-  if (fine)
-    factored_ = G_;
-  else
-    forgetFactor();
-  return fine;
+  hasFactor_ = motion_.factorise(G_);
+  if (hasFactor_) factored_ = G_;
+  return hasFactor_;
 }
 
 /// What the bodies feel of r_ beyond the center, J̃ᵀ (r − r_k).

@@ -24,6 +24,9 @@ class ProximalNewton {
   /// `map` is that of the problem; both must outlive the walks.
   void setProblem(const Problem& problem, const NaturalMap& map);
 
+  /// Whether a region whose factor is there is not factored again.
+  void keepFactors(bool keep) { keepsFactors_ = keep; }
+
   /// Improves best.r (with its u and residual) until its natural residual is at most `tolerance` (m/s), or the region
   /// budget is spent. `alpha`: first proximal weight. Among redundant contacts the limit stays near the reactions it came
   /// from: a self-stress changes only as much as the demands ask.
@@ -74,6 +77,8 @@ class ProximalNewton {
   VectorXd step_, trialDelta_, trialError_, trialU_, change_, felt_;
   double fine_ = 0;  ///< inner error that is small enough whatever the size of the step
   Stiffness G_, factored_;
+  bool hasFactor_ = false;  ///< that of factored_
+  bool keepsFactors_ = true;
 };
 
 }  // namespace delassus

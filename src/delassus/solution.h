@@ -18,12 +18,22 @@ enum class Status : unsigned char {
 /// solved, out_of_budget, incompatible or non_finite.
 std::string toString(Status status);
 
+/// By which road the reactions were found, the cheapest first.
+enum class Tier : unsigned char {
+  Free,        ///< there are none: nothing approaches
+  Kept,        ///< the guess keeps the law
+  ClosedForm,  ///< one contact or one row
+  Pivoting,    ///< rows alone, explicit W
+  Walk,        ///< sweeps, regions, interior point
+};
+
 /// What the reactions of one island are, and how good they are.
 struct Solution {
   VectorXd r;  ///< reactions, N·s
   VectorXd u;  ///< relative velocities u = W r + q, m/s
   ActiveSet activeSet;
   Status status = Status::Solved;
+  Tier tier = Tier::Free;
   double residual = 0;     ///< natural residual, largest over contacts and rows, m/s
   double residualRms = 0;  ///< its root mean square, m/s
   int regions = 0;         ///< regions visited

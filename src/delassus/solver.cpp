@@ -10,6 +10,7 @@
 #include "delassus/one_contact.h"
 #include "delassus/pivoting.h"
 #include "delassus/proximal_newton.h"
+#include "delassus/read_mode.h"
 #include "delassus/residual.h"
 #include "delassus/split_problem.h"
 #include "delassus/sweeps.h"
@@ -17,37 +18,29 @@
 namespace delassus {
 namespace {
 
-/// Reads the modes from the point z = r − v/W_aa that the law projects (from r alone grazing contacts lie).
+/// The region that the answer lies in.
 void readActiveSet(const Problem& problem, const VectorXd& diagonal, const VectorXd& r,
                    const VectorXd& u, ActiveSet& set) {
   const int n = problem.contacts();
   set.contacts.resize(n);
   for (int i = 0; i < n; ++i) {
     const int at = 3 * i;
-    const double mu = problem.friction[i];
-    const double mean = diagonal.segment<3>(at).mean();
-    const double rho = mean > 0 ? 1 / mean : 0;
-    const Vec3 z = r.segment<3>(at) - rho * correctedVelocity(u.segment<3>(at), mu);
-    const double zt = std::hypot(z[1], z[2]);
-    set.contacts[i] = mu * zt <= -z[0] || (z[0] <= 0 && zt == 0) ? Mode::Open
-                      : zt < mu * z[0]                           ? Mode::Stick
-                                                                 : Mode::Slide;
+    set.contacts[i] = modeOf(r.segment<3>(at), u.segment<3>(at), problem.friction[i],
+                             diagonal.segment<3>(at).mean());
   }
   set.rows.resize(problem.rows());
   for (int i = 0; i < problem.rows(); ++i) {
     const int at = 3 * n + i;
-    const double z = r[at] - (diagonal[at] > 0 ? u[at] / diagonal[at] : 0);
-    set.rows[i] = z <= problem.lower[i]   ? RowState::AtLower
-                  : z >= problem.upper[i] ? RowState::AtUpper
-                                          : RowState::Free;
+    set.rows[i] = stateOf(r[at], u[at], problem.lower[i], problem.upper[i], diagonal[at]);
   }
 }
 
 /// The paper's forced motion: all that approach are held, whatever the sign of their reactions will be.
-ActiveSet forcedActiveSet(const Problem& problem) {
+void forceActiveSet(const Problem& problem, ActiveSet& set) {
   // Bodies that fall together touch with q_n = 0 up to round-off: they are held too.
   const double touching = 1e-6 * problem.q.cwiseAbs().maxCoeff();
-  ActiveSet set;
+  set.contacts.clear();
+  set.rows.clear();
   for (int i = 0; i < problem.contacts(); ++i)
     set.contacts.push_back(problem.q[3 * i] <= touching ? Mode::Stick : Mode::Open);
   for (int i = 0; i < problem.rows(); ++i) {
@@ -56,7 +49,24 @@ ActiveSet forcedActiveSet(const Problem& problem) {
                        : q < -touching && std::isfinite(problem.upper[i]) ? RowState::AtUpper
                                                                           : RowState::Free);
   }
-  return set;
+}
+
+/// A contact or a row that is alone has a formula for its reaction. False if there is more.
+bool solveAlone(const Problem& problem, const NaturalMap& map, VectorXd& r) {
+  if (problem.contacts() == 1 && problem.rows() == 0) {
+    r = solveOneContact(problem.W.contactBlock(0), problem.q, problem.friction[0]);
+    return true;
+  }
+  if (problem.contacts() > 0 || problem.rows() != 1 || !(map.diagonal()[0] > 0)) return false;
+  r.resize(1);
+  r[0] = std::clamp(-problem.q[0] / map.diagonal()[0], problem.lower[0], problem.upper[0]);
+  return true;
+}
+
+/// Joints alone, without limits and motors: there is one region.
+bool hasOneRegion(const Problem& problem) {
+  return problem.contacts() == 0 && problem.lower.array().isInf().all() &&
+         problem.upper.array().isInf().all();
 }
 
 /// Moves reactions into the cones and bounds.
@@ -181,10 +191,15 @@ Outcome Solver::Workspace::walk(Engines<Motion>& engines, const Problem& problem
 
   ProximalNewton<Motion>& newton = engines.walk;
   newton.setProblem(problem, map);
+  newton.keepFactors(options.economies.factors);
   if (!guess) {
-    best.activeSet = forcedActiveSet(problem);
+    forceActiveSet(problem, best.activeSet);
     const Outcome outcome =
         newton.walkFromRegion(problem, tolerance, knownRegion, firstTry / 2, best);
+    if (settled(outcome)) return outcome;
+  }
+  if (options.economies.oneRegion && hasOneRegion(problem)) {
+    const Outcome outcome = newton.walk(problem, tolerance, knownRegion, firstTry / 2, best);
     if (settled(outcome)) return outcome;
   }
   if (best.residual > disturbed * demand) sweepWhileItGains(problem, options, tolerance, best);
@@ -254,6 +269,7 @@ void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best
   best.u = problem.q;
   best.residual = best.residualRms = std::numeric_limits<double>::infinity();
   best.regions = best.factorisations = best.sweeps = 0;
+  best.tier = Tier::Free;
   best.blamed = unfitParts(problem);
   if (!best.blamed.empty()) {
     best.status = Status::NonFinite;
@@ -265,26 +281,37 @@ void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best
   w.map.setProblem(problem);
   const double demand = problem.size() > 0 ? problem.q.cwiseAbs().maxCoeff() : 0;
   const double tolerance = std::max(options_.tolerance * demand, problem.roundOff);
-  const bool warm = guess.size() == problem.size() && problem.size() > 0 && guess.any();
+  bool warm = guess.size() == problem.size() && problem.size() > 0 && guess.any();
   if (warm) {
     w.trial.r = guess;
     makeFeasible(problem, w.trial.r);
     w.consider(problem, w.trial, best);
   }
-  if (!(best.residual <= tolerance)) {
+  const Economies& economies = options_.economies;
+  if (best.residual <= tolerance && !economies.keptIslands) {
+    // What keeps the law is solved again all the same, from nothing.
+    warm = false;
+    best.residual = std::numeric_limits<double>::infinity();
+  }
+  if (best.residual <= tolerance) {
+    best.tier = Tier::Kept;
+  } else {
     w.trial.r.setZero(problem.size());
     makeFeasible(problem, w.trial.r);
     w.consider(problem, w.trial, best);
   }
-  if (best.residual > tolerance && problem.contacts() == 1 && problem.rows() == 0) {
+  if (best.residual > tolerance && economies.closedForms && solveAlone(problem, w.map, w.trial.r)) {
     ++best.regions;
-    w.trial.r = solveOneContact(problem.W.contactBlock(0), problem.q, problem.friction[0]);
+    best.tier = Tier::ClosedForm;
     w.consider(problem, w.trial, best);
   }
   Outcome outcome = Outcome::Lost;
-  if (best.residual > tolerance && problem.contacts() == 0 && !problem.W.inBodySpace())
+  if (best.residual > tolerance && problem.contacts() == 0 && !problem.W.inBodySpace()) {
+    best.tier = Tier::Pivoting;
     outcome = w.pivotRows(problem, options_, tolerance, best);
+  }
   if (best.residual > tolerance && outcome == Outcome::Lost) {
+    best.tier = Tier::Walk;
     const VectorXd* start = warm ? &guess : nullptr;
     outcome = problem.W.inBodySpace()
                   ? w.walk(w.bodies, problem, options_, tolerance, start, best)

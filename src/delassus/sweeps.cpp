@@ -17,7 +17,7 @@ double boundedRow(double r, double u, double diagonal, double lower, double uppe
 void Sweeps::setProblem(const Problem& problem) {
   blocks_.resize(problem.contacts());
   for (int i = 0; i < problem.contacts(); ++i) blocks_[i] = problem.W.contactBlock(3 * i);
-  diagonal_ = problem.W.diagonal();
+  problem.W.diagonal(diagonal_);
 }
 
 void Sweeps::sweep(const Problem& problem, int count, VectorXd& r) {

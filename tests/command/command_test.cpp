@@ -111,6 +111,41 @@ TEST_F(Command, namesAFileThatCannotBeRead) {
   }
 }
 
+TEST_F(Command, explainsWhatAStepIsMadeOf) {
+  const Outcome words = call("run one_box --solver delassus,si:10 --seconds 0.5 --explain");
+  ASSERT_EQ(words.status, 0) << words.err;
+  for (const char* line :
+       {"contacts with friction     4 ", "no push problem", "no events", "gather"})
+    EXPECT_NE(words.out.find(line), std::string::npos) << line << '\n' << words.out;
+
+  const Outcome outcome =
+      call("run one_box --solver delassus,si:10 --seconds 0.5 --explain --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::istringstream out(outcome.out);
+  std::string line;
+  ASSERT_TRUE(std::getline(out, line));
+  const json explained = json::parse(line).at("explain");
+  EXPECT_EQ(explained["asked_for"]["frictional"], 4);
+  EXPECT_EQ(explained["asked_for"]["frictionless"], 0);
+  EXPECT_EQ(explained["asked_for"]["unknowns"], 12);
+  EXPECT_EQ(explained["asked_for"]["islands"], 1);
+  EXPECT_EQ(explained["asked_for"]["listeners"], 0);
+  EXPECT_EQ(explained["push_islands"], 0);
+  EXPECT_EQ(explained["events"], 0);
+  // The first step is solved; then the box stands.
+  EXPECT_GT(explained["matrices"], 0);
+  EXPECT_LT(explained["matrices"], 0.2);
+  EXPECT_GT(explained["islands"]["kept"], 0.8);
+  double islands = 0;
+  for (const auto& [tier, count] : explained["islands"].items()) islands += double(count);
+  EXPECT_NEAR(islands, 1, 1e-12);
+  EXPECT_GT(explained["microseconds"]["gather"], 0);
+  EXPECT_EQ(explained["microseconds"]["push"], 0);
+  // Bullet's own solvers tell nothing of the kind.
+  ASSERT_TRUE(std::getline(out, line));
+  EXPECT_FALSE(json::parse(line).contains("explain"));
+}
+
 TEST_F(Command, runsAndTellsInJson) {
   const Outcome outcome = call("run one_box --solver delassus,si:10 --seconds 0.5 --json");
   ASSERT_EQ(outcome.status, 0) << outcome.err;

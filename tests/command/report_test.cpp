@@ -138,4 +138,35 @@ TEST_F(Report, findsTheOrderOfTheIntegrator) {
   }
 }
 
+// One economy at a time: more work, the same motion.
+TEST_F(Report, tellsWhatEachEconomyIsWorth) {
+  ASSERT_EQ(report("--scenes stack_10,ball_off_ball --parts ablation"), 0) << read(said());
+  const auto rowsByName = [&](const char* scene) {
+    std::map<std::string, std::map<std::string, std::string>> rows;
+    for (const auto& row : rowsOf(out() / "ablation" / (std::string(scene) + ".csv")))
+      rows[row.at("without")] = row;
+    return rows;
+  };
+  for (const char* scene : {"stack_10", "ball_off_ball"}) {
+    auto rows = rowsByName(scene);
+    ASSERT_EQ(rows.size(), 10U) << scene;
+    for (auto& [without, row] : rows) {
+      EXPECT_LT(std::stod(row["difference"]), 1e-5) << scene << ' ' << without;
+      EXPECT_GT(std::stod(row["busy_ratio"]), 0) << scene << ' ' << without;
+    }
+    EXPECT_EQ(std::stod(rows["nothing"]["events"]), 0);
+    EXPECT_EQ(std::stod(rows["nothing"]["push_islands"]), 0);
+    EXPECT_GT(std::stod(rows["pushes"]["push_islands"]), 0) << scene;
+  }
+  auto stack = rowsByName("stack_10"), ball = rowsByName("ball_off_ball");
+  EXPECT_LT(std::stod(stack["nothing"]["matrices"]), 0.1);
+  EXPECT_EQ(std::stod(stack["kept"]["matrices"]), 1);
+  EXPECT_GT(std::stod(ball["nothing"]["unknowns"]), 0);
+  EXPECT_NEAR(std::stod(ball["tangents"]["unknowns"]), 3 * std::stod(ball["nothing"]["unknowns"]),
+              1e-6);
+  const std::string page = read(out() / "report.md");
+  for (const char* words : {"Calm steps", "stack_10", "one region"})
+    EXPECT_NE(page.find(words), std::string::npos) << words;
+}
+
 }  // namespace

@@ -1,0 +1,55 @@
+#include "bullet_ext/plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bullet_ext/gather.h"
+#include "delassus/island.h"
+
+namespace delassus {
+
+void Plan::add(const Plan& group) {
+  for (const auto count :
+       {&Plan::frictional, &Plan::frictionless, &Plan::bouncing, &Plan::soft, &Plan::deep,
+        &Plan::joints, &Plan::rows, &Plan::boundedRows, &Plan::softRows, &Plan::obsolete,
+        &Plan::islands, &Plan::unknowns, &Plan::pushContacts})
+    this->*count += group.*count;
+  largestIsland = std::max(largestIsland, group.largestIsland);
+  heard |= group.heard;
+  events |= group.events;
+}
+
+namespace bullet {
+
+Plan makePlan(const Group& group, bool heard, const Economies& economies, Assembler& islands) {
+  Plan plan;
+  plan.bouncing = group.bouncing;
+  for (std::size_t i = 0; i < group.contacts.size(); ++i) {
+    const Contact& c = group.contacts[i];
+    ++(c.friction > 0 ? plan.frictional : plan.frictionless);
+    plan.soft += c.compliance > 0 || c.slipCompliance.any();
+    plan.deep += group.pushes[i] > 0;
+  }
+  plan.joints = static_cast<int>(group.joints.size());
+  plan.rows = static_cast<int>(group.rows.size());
+  for (const Row& row : group.rows) {
+    plan.boundedRows += std::isfinite(row.lower) || std::isfinite(row.upper);
+    plan.softRows += row.compliance > 0;
+  }
+  plan.obsolete = static_cast<int>(group.obsolete.size());
+  plan.heard = heard;
+
+  islands.split(group.bodies, group.contacts, group.rows, !economies.tangents);
+  plan.islands = islands.islands();
+  for (int i = 0; i < islands.islands(); ++i) {
+    const int size = islands.island(i).unknowns();
+    plan.unknowns += size;
+    plan.largestIsland = std::max(plan.largestIsland, size);
+  }
+  plan.pushContacts = plan.deep > 0 || economies.pushes ? plan.deep : plan.contacts();
+  plan.events = heard || !economies.events;
+  return plan;
+}
+
+}  // namespace bullet
+}  // namespace delassus

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "delassus/economies.h"
+
+namespace delassus {
+
+class Assembler;
+
+namespace bullet {
+struct Group;
+}
+
+/// What a step asks for, counted in what was gathered before anything is solved, and what it is made of therefore. Nothing
+/// else exists in the step: no unknowns, no pass, no events.
+struct Plan {
+  // What there is.
+  int frictional = 0;    ///< contacts with friction
+  int frictionless = 0;  ///< contacts without
+  int bouncing = 0;      ///< contacts with restitution
+  int soft = 0;          ///< contacts with a compliance, of the normal or of slip
+  int deep = 0;          ///< contacts whose penetration is left to the push
+  int joints = 0;        ///< joints that have rows
+  int rows = 0;          ///< of the joints
+  int boundedRows = 0;   ///< rows with a finite bound: limits, motors, joints that can break
+  int softRows = 0;      ///< rows with a compliance
+  int obsolete = 0;      ///< constraints that solve themselves, in turns with the rest
+  int islands = 0;
+  int largestIsland = 0;  ///< its unknowns
+  bool heard = false;     ///< somebody listens to contact events
+
+  // What is made for it.
+  int unknowns = 0;      ///< three a contact with friction, one a contact without, one a row
+  int pushContacts = 0;  ///< contacts of the push problem; 0: there is none
+  bool events = false;   ///< contact events are made
+
+  int contacts() const { return frictional + frictionless; }
+  /// Adds another group of the same step.
+  void add(const Plan& group);
+};
+
+namespace bullet {
+
+/// Finds the islands of the group, which `islands` keeps, and reads off the plan.
+Plan makePlan(const Group& group, bool heard, const Economies& economies, Assembler& islands);
+
+}  // namespace bullet
+}  // namespace delassus

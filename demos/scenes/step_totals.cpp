@@ -1,0 +1,20 @@
+#include "demos/scenes/step_totals.h"
+
+namespace demos {
+
+void StepTotals::add(const delassus::StepReport& report) {
+  using Report = delassus::StepReport;
+  ++steps;
+  sum.plan.add(report.plan);
+  for (const auto count :
+       {&Report::islands, &Report::freeIslands, &Report::keptIslands, &Report::closedForms,
+        &Report::walks, &Report::matrices, &Report::regions, &Report::factorisations,
+        &Report::sweeps, &Report::pushIslands, &Report::events})
+    sum.*count += report.*count;
+  for (const auto seconds :
+       {&Report::secondsGather, &Report::secondsPlan, &Report::secondsSolve, &Report::secondsPush,
+        &Report::secondsWriteBack, &Report::secondsListener})
+    sum.*seconds += report.*seconds;
+}
+
+}  // namespace demos

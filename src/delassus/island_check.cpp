@@ -1,0 +1,258 @@
+#include "delassus/island_check.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "delassus/read_mode.h"
+
+namespace delassus {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// What the rounding of two velocities can leave where they cancel.
+double roundOff(double a, double b) {
+  return 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
+}
+
+/// The velocity of the point of `body` at `arm`; that of the fixed world is zero.
+Vec3 velocityAt(const std::vector<Body>& bodies, int body, const Vec3& arm) {
+  if (body < 0) return Vec3::Zero();
+  const Vec6& v = bodies[body].velocity;
+  return v.head<3>() + v.tail<3>().cross(arm);
+}
+
+Vec3 relativeVelocity(const std::vector<Body>& bodies, const Contact& c) {
+  const Vec3 slip = velocityAt(bodies, c.a, c.armA) - velocityAt(bodies, c.b, c.armB);
+  return c.frame.transpose() * slip - c.target;
+}
+
+double normalVelocity(const std::vector<Body>& bodies, const Contact& c) {
+  const Vec3 slip = velocityAt(bodies, c.a, c.armA) - velocityAt(bodies, c.b, c.armB);
+  return c.frame.col(0).dot(slip) - c.target[0];
+}
+
+double along(const std::vector<Body>& bodies, int body, const Row6& J) {
+  return body >= 0 ? J.dot(bodies[body].velocity) : 0;
+}
+
+double relativeVelocity(const std::vector<Body>& bodies, const Row& c) {
+  return along(bodies, c.a, c.jacobianA) + along(bodies, c.b, c.jacobianB) - c.target;
+}
+
+/// Trace of one body's share in the first `columns` rows of W_aa.
+double traceShare(const std::vector<Body>& bodies, int body, const Vec3& arm, const Mat3& frame,
+                  int columns) {
+  if (body < 0) return 0;
+  double trace = 0;
+  for (int i = 0; i < columns; ++i) {
+    const Vec3 turn = arm.cross(frame.col(i));
+    trace += frame.col(i).cwiseAbs2().dot(bodies[body].inverseMass) +
+             turn.dot(bodies[body].inverseInertia * turn);
+  }
+  return trace;
+}
+
+double trace(const std::vector<Body>& bodies, const Contact& c, int columns) {
+  return traceShare(bodies, c.a, c.armA, c.frame, columns) +
+         traceShare(bodies, c.b, c.armB, c.frame, columns) + c.compliance +
+         (columns > 1 ? c.slipCompliance.sum() : 0);
+}
+
+double diagonalShare(const std::vector<Body>& bodies, int body, const Row6& J) {
+  if (body < 0) return 0;
+  const Vec3 linear = J.head<3>(), angular = J.tail<3>();
+  return linear.cwiseAbs2().dot(bodies[body].inverseMass) +
+         angular.dot(bodies[body].inverseInertia * angular);
+}
+
+double diagonal(const std::vector<Body>& bodies, const Row& c) {
+  return diagonalShare(bodies, c.a, c.jacobianA) + diagonalShare(bodies, c.b, c.jacobianB) +
+         c.compliance;
+}
+
+/// The natural residuals of an island, one contact or row after the other, until one is too large.
+class Residuals {
+ public:
+  explicit Residuals(double tolerance) : tolerance_(tolerance) {}
+
+  bool add(double residual) {
+    if (!(residual <= tolerance_)) return false;
+    max_ = std::max(max_, residual);
+    squares_ += residual * residual;
+    ++count_;
+    return true;
+  }
+  void write(Solution& solution) const {
+    solution.residual = max_;
+    solution.residualRms = count_ > 0 ? std::sqrt(squares_ / count_) : 0;
+  }
+
+ private:
+  double tolerance_, max_ = 0, squares_ = 0;
+  int count_ = 0;
+};
+
+double rowResidual(double r, double u, double lower, double upper, double size) {
+  return std::abs(r - std::clamp(r - u / size, lower, upper)) * size;
+}
+
+void makeReady(const Island& island, Tier tier, Solution& solution) {
+  const auto scalars = island.frictionless.size() + island.rows.size();
+  solution.u.resize(static_cast<int>(3 * island.frictional.size() + scalars));
+  solution.activeSet.contacts.resize(island.frictional.size());
+  solution.activeSet.rows.resize(scalars);
+  solution.status = Status::Solved;
+  solution.tier = tier;
+  solution.regions = solution.factorisations = solution.sweeps = 0;
+  solution.blamed.clear();
+}
+
+}  // namespace
+
+bool IslandCheck::isFree(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
+                         const std::vector<Row>& rows, const Island& island,
+                         Solution& solution) const {
+  Residuals residuals(infinity);
+  const auto leaves = [&](int i) {
+    const Contact& c = contacts[i];
+    const double q = normalVelocity(bodies, c);
+    if (q >= 0) return residuals.add(0);
+    const auto normal = [&](int body, const Vec3& arm) {
+      return c.frame.col(0).dot(velocityAt(bodies, body, arm));
+    };
+    return -q <= roundOff(normal(c.a, c.armA), normal(c.b, c.armB)) && residuals.add(-q);
+  };
+  const auto rests = [&](int i) {
+    const Row& c = rows[i];
+    if (c.lower > 0 || c.upper < 0) return false;
+    const double q = relativeVelocity(bodies, c);
+    const double missed = std::max(c.lower < 0 ? q : 0, c.upper > 0 ? -q : 0);
+    return missed <= roundOff(along(bodies, c.a, c.jacobianA), along(bodies, c.b, c.jacobianB)) &&
+           residuals.add(std::max(missed, 0.0));
+  };
+  if (!std::all_of(island.frictional.begin(), island.frictional.end(), leaves) ||
+      !std::all_of(island.frictionless.begin(), island.frictionless.end(), leaves) ||
+      !std::all_of(island.rows.begin(), island.rows.end(), rests))
+    return false;
+
+  makeReady(island, Tier::Free, solution);
+  solution.r.setZero(solution.u.size());
+  residuals.write(solution);
+  std::fill(solution.activeSet.contacts.begin(), solution.activeSet.contacts.end(), Mode::Open);
+  int at = 0, state = 0;
+  for (int i : island.frictional) {
+    solution.u.segment<3>(at) = relativeVelocity(bodies, contacts[i]);
+    at += 3;
+  }
+  for (int i : island.frictionless) {
+    solution.u[at++] = normalVelocity(bodies, contacts[i]);
+    solution.activeSet.rows[state++] = RowState::AtLower;
+  }
+  for (int i : island.rows) {
+    solution.u[at++] = relativeVelocity(bodies, rows[i]);
+    solution.activeSet.rows[state++] = rows[i].lower == 0   ? RowState::AtLower
+                                       : rows[i].upper == 0 ? RowState::AtUpper
+                                                            : RowState::Free;
+  }
+  return true;
+}
+
+/// Projects r, gives the bodies the velocities that it leaves, and returns the largest |q|.
+double IslandCheck::move(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
+                         const std::vector<Row>& rows, const Island& island,
+                         std::vector<Body>& moved, VectorXd& r) {
+  impulses_.resize(bodies.size(), Vec6::Zero());
+  for (int body : island.bodies) impulses_[body].setZero();
+  double demand = 0;
+  const auto moves = [&](int body) { return body >= 0 && bodies[body].movable(); };
+  const auto push = [&](const Contact& c, const Vec3& impulse) {
+    if (moves(c.a)) {
+      impulses_[c.a].head<3>() += impulse;
+      impulses_[c.a].tail<3>() += c.armA.cross(impulse);
+    }
+    if (moves(c.b)) {
+      impulses_[c.b].head<3>() -= impulse;
+      impulses_[c.b].tail<3>() -= c.armB.cross(impulse);
+    }
+  };
+  int at = 0;
+  for (int i : island.frictional) {
+    const Contact& c = contacts[i];
+    demand = std::max(demand, relativeVelocity(bodies, c).cwiseAbs().maxCoeff());
+    r.segment<3>(at) = projectOnCone(r.segment<3>(at), c.friction);
+    push(c, c.frame * r.segment<3>(at));
+    at += 3;
+  }
+  for (int i : island.frictionless) {
+    const Contact& c = contacts[i];
+    demand = std::max(demand, std::abs(normalVelocity(bodies, c)));
+    r[at] = std::max(r[at], 0.0);
+    push(c, c.frame.col(0) * r[at++]);
+  }
+  for (int i : island.rows) {
+    const Row& c = rows[i];
+    demand = std::max(demand, std::abs(relativeVelocity(bodies, c)));
+    r[at] = std::clamp(r[at], c.lower, c.upper);
+    if (moves(c.a)) impulses_[c.a] += c.jacobianA.transpose() * r[at];
+    if (moves(c.b)) impulses_[c.b] += c.jacobianB.transpose() * r[at];
+    ++at;
+  }
+  for (int body : island.bodies) {
+    const Body& free = bodies[body];
+    Vec6& v = moved[body].velocity;
+    v.head<3>() += free.inverseMass.cwiseProduct(impulses_[body].head<3>());
+    v.tail<3>() += free.inverseInertia * impulses_[body].tail<3>();
+  }
+  return demand;
+}
+
+bool IslandCheck::isKept(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
+                         const std::vector<Row>& rows, const Island& island,
+                         std::vector<Body>& moved, Solution& solution) {
+  VectorXd& r = solution.r;
+  Residuals residuals(options_.tolerance * move(bodies, contacts, rows, island, moved, r));
+  makeReady(island, Tier::Kept, solution);
+  VectorXd& u = solution.u;
+
+  int at = 0, state = 0;
+  const auto keepsCone = [&](int i) {
+    const Contact& c = contacts[i];
+    const double size = trace(moved, c, 3), mean = size / 3;
+    const Vec3 reaction = r.segment<3>(at);
+    Vec3 velocity = relativeVelocity(moved, c) + c.compliance * Vec3(reaction[0], 0, 0);
+    velocity.tail<2>() += c.slipCompliance.cwiseProduct(reaction.tail<2>());
+    u.segment<3>(at) = velocity;
+    solution.activeSet.contacts[at / 3] = modeOf(reaction, velocity, c.friction, mean);
+    at += 3;
+    const Vec3 step = correctedVelocity(velocity, c.friction) / size;
+    return residuals.add((reaction - projectOnCone(reaction - step, c.friction)).norm() * size);
+  };
+  const auto keepsBounds = [&](double velocity, double lower, double upper, double size) {
+    u[at] = velocity;
+    solution.activeSet.rows[state++] = stateOf(r[at], velocity, lower, upper, size);
+    return residuals.add(rowResidual(r[at++], velocity, lower, upper, size));
+  };
+  const auto keepsNormal = [&](int i) {
+    const Contact& c = contacts[i];
+    return keepsBounds(normalVelocity(moved, c) + c.compliance * r[at], 0, infinity,
+                       trace(moved, c, 1));
+  };
+  const auto keepsRow = [&](int i) {
+    const Row& c = rows[i];
+    return keepsBounds(relativeVelocity(moved, c) + c.compliance * r[at], c.lower, c.upper,
+                       diagonal(moved, c));
+  };
+  if (std::all_of(island.frictional.begin(), island.frictional.end(), keepsCone) &&
+      std::all_of(island.frictionless.begin(), island.frictionless.end(), keepsNormal) &&
+      std::all_of(island.rows.begin(), island.rows.end(), keepsRow)) {
+    residuals.write(solution);
+    return true;
+  }
+  for (int body : island.bodies) moved[body].velocity = bodies[body].velocity;
+  return false;
+}
+
+}  // namespace delassus

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "delassus/island.h"
+#include "delassus/options.h"
+#include "delassus/solution.h"
+
+namespace delassus {
+
+/// Sees, contact by contact, whether an island needs no solving. No W is built for it, and nothing is factored.
+class IslandCheck {
+ public:
+  explicit IslandCheck(const Options& options) : options_(options) {}
+
+  /// Whether the free motion keeps the law: r = 0 and u = q, up to the round-off of the velocities that cancel in q,
+  ///
+  ///     contacts:  q_n ≥ 0
+  ///     rows:      lower ≤ 0 ≤ upper,  q ≥ 0 unless lower < 0,  q ≤ 0 unless upper > 0
+  ///
+  /// Looks no further than to the first contact that approaches.
+  bool isFree(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
+              const std::vector<Row>& rows, const Island& island, Solution& solution) const;
+
+  /// Whether the reactions in `solution.r`, moved into their cones and bounds, keep the law: whether their natural
+  /// residual, ‖r − P(r − ρ v)‖/ρ with ρ = 1/trace W_aa for contacts, is within the tolerance. (A shorter ρ makes it
+  /// larger: it bounds the one with ρ = 1/‖W_aa‖.) If so, `moved` holds the bodies' velocities v_f + M⁻¹ Jᵀ r; otherwise
+  /// `moved` and `solution.r` are as they were, but for that projection.
+  bool isKept(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
+              const std::vector<Row>& rows, const Island& island, std::vector<Body>& moved,
+              Solution& solution);
+
+ private:
+  double move(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
+              const std::vector<Row>& rows, const Island& island, std::vector<Body>& moved,
+              VectorXd& r);
+
+  Options options_;
+  std::vector<Vec6> impulses_;  ///< on each body, N·s and N·m·s
+};
+
+}  // namespace delassus

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cmath>
+
+#include "delassus/active_set.h"
+#include "delassus/cone.h"
+
+namespace delassus {
+
+/// The mode of a contact, read from the point z = r − v/W_aa that the law projects (from r alone grazing contacts lie).
+/// `weight` stands for W_aa: the mean of its diagonal, 1/kg.
+inline Mode modeOf(const Vec3& r, const Vec3& u, double friction, double weight) {
+  const double rho = weight > 0 ? 1 / weight : 0;
+  const Vec3 z = r - rho * correctedVelocity(u, friction);
+  const double zt = std::hypot(z[1], z[2]);
+  return friction * zt <= -z[0] || (z[0] <= 0 && zt == 0) ? Mode::Open
+         : zt < friction * z[0]                           ? Mode::Stick
+                                                          : Mode::Slide;
+}
+
+/// The same of a row.
+inline RowState stateOf(double r, double u, double lower, double upper, double weight) {
+  const double z = r - (weight > 0 ? u / weight : 0);
+  return z <= lower ? RowState::AtLower : z >= upper ? RowState::AtUpper : RowState::Free;
+}
+
+}  // namespace delassus

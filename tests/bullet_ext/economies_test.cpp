@@ -1,0 +1,264 @@
+/// A step does nothing that its scene does not need: counted, and compared with the step that does it all the same.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "tests/support/bullet_world.h"
+
+namespace delassus::testing {
+namespace {
+
+using Build = std::function<void(BulletWorld&)>;
+using Look = std::function<void(const StepReport& report)>;
+
+std::unique_ptr<btDelassusConstraintSolver> solverWithout(bool Economies::*economy) {
+  Options options;
+  if (economy) options.economies.*economy = false;
+  return std::make_unique<btDelassusConstraintSolver>(options);
+}
+
+double difference(BulletWorld& a, BulletWorld& b) {
+  double largest = 0;
+  for (int i = 0; i < a->getNumCollisionObjects(); ++i) {
+    const btRigidBody &left = *btRigidBody::upcast(a->getCollisionObjectArray()[i]),
+                      &right = *btRigidBody::upcast(b->getCollisionObjectArray()[i]);
+    for (const btVector3& d :
+         {btVector3(left.getLinearVelocity() - right.getLinearVelocity()),
+          btVector3(left.getAngularVelocity() - right.getAngularVelocity()),
+          btVector3(left.getWorldTransform().getOrigin() - right.getWorldTransform().getOrigin())})
+      largest = std::max<double>(largest, d.length());
+  }
+  return largest;
+}
+
+/// Steps the scene with all economies, and without `economy`: the motion is the same. The reports are shown to `with` and
+/// `without` after each step.
+void compare(bool Economies::*economy, int steps, const Build& build, const Look& with,
+             const Look& without) {
+  BulletWorld lean(solverWithout(nullptr)), lavish(solverWithout(economy));
+  build(lean);
+  build(lavish);
+  for (int i = 0; i < steps; ++i) {
+    SCOPED_TRACE("step " + std::to_string(i));
+    lean.advance();
+    lavish.advance();
+    EXPECT_LE(lean.report().residualMax, 1e-8);
+    EXPECT_LE(lavish.report().residualMax, 1e-8);
+    EXPECT_LT(difference(lean, lavish), tolerance(1e-6, 1e-4));
+    with(lean.report());
+    without(lavish.report());
+  }
+}
+
+void addTower(BulletWorld& world, int height = 3) {
+  world.addGround();
+  for (int i = 0; i < height; ++i) world.addCube({0, btScalar(0.5) + i, 0});
+}
+
+TEST(Economies, NoTangentsWithoutFriction) {
+  const Build glide = [](BulletWorld& world) {
+    world.addGround();
+    btRigidBody& box = world.addCube({0, btScalar(0.5), 0});
+    box.setFriction(0);
+    box.setLinearVelocity({btScalar(0.01), 0, 0});
+    world.addCube({5, btScalar(0.5), 0});
+  };
+  compare(
+      &Economies::tangents, 30, glide,
+      [](const StepReport& report) {
+        EXPECT_EQ(report.plan.frictional, 4);
+        EXPECT_GT(report.plan.frictionless, 0);
+        EXPECT_EQ(report.plan.unknowns, 3 * 4 + report.plan.frictionless);
+      },
+      [](const StepReport& report) {
+        EXPECT_EQ(report.plan.unknowns, 3 * (4 + report.plan.frictionless));
+      });
+}
+
+TEST(Economies, NoPushProblemWithoutDeepPenetrations) {
+  const auto atHeight = [](btScalar height) {
+    return [height](BulletWorld& world) {
+      world.addGround();
+      world.addCube({0, height, 0});
+    };
+  };
+  compare(
+      &Economies::pushes, 10, atHeight(btScalar(0.5)),
+      [](const StepReport& report) {
+        EXPECT_EQ(report.plan.deep, 0);
+        EXPECT_EQ(report.plan.pushContacts, 0);
+        EXPECT_EQ(report.pushIslands, 0);
+        EXPECT_EQ(report.secondsPush, 0);
+      },
+      [](const StepReport& report) {
+        EXPECT_EQ(report.plan.pushContacts, 4);
+        EXPECT_EQ(report.pushIslands, 1);
+      });
+  const Look pushed = [](const StepReport& report) {
+    EXPECT_EQ(report.plan.deep, 4);
+    EXPECT_EQ(report.plan.pushContacts, 4);
+    EXPECT_EQ(report.pushIslands, 1);
+  };
+  compare(&Economies::pushes, 1, atHeight(btScalar(0.4)), pushed, pushed);
+}
+
+TEST(Economies, NoMatrixWithoutApproachingContacts) {
+  const Build parting = [](BulletWorld& world) {
+    addTower(world, 2);
+    // Everything leaves the ground, the upper box the lower one.
+    for (int i = 1; i <= 2; ++i)
+      btRigidBody::upcast(world->getCollisionObjectArray()[i])
+          ->setLinearVelocity({0, btScalar(0.5) * btScalar(i), btScalar(0.1)});
+  };
+  compare(
+      &Economies::freeIslands, 1, parting,
+      [](const StepReport& report) {
+        EXPECT_EQ(report.contacts, 8);
+        EXPECT_EQ(report.open, 8);
+        EXPECT_EQ(report.freeIslands, report.islands);
+        EXPECT_EQ(report.matrices, 0);
+        EXPECT_EQ(report.residualMax, 0);
+      },
+      [](const StepReport& report) {
+        EXPECT_EQ(report.open, 8);
+        EXPECT_EQ(report.matrices, report.islands);
+      });
+}
+
+TEST(Economies, WhatStandsIsOnlyChecked) {
+  int step = 0;
+  const auto settled = [&step] { return step > 5; };
+  compare(
+      &Economies::keptIslands, 40, [](BulletWorld& world) { addTower(world); },
+      [&](const StepReport& report) {
+        ++step;
+        if (!settled()) return;
+        EXPECT_EQ(report.islands, 1);
+        EXPECT_EQ(report.keptIslands, 1);
+        EXPECT_EQ(report.matrices + report.sweeps + report.regions + report.factorisations, 0);
+        EXPECT_EQ(report.stick, 12);
+        EXPECT_EQ(report.secondsSolve, 0);
+      },
+      [&](const StepReport& report) {
+        if (!settled()) return;
+        EXPECT_EQ(report.matrices, 1);
+        EXPECT_EQ(report.walks, 1);
+        EXPECT_GT(report.regions, 0);
+      });
+}
+
+// More than the tolerance, and it is solved again; each island by itself.
+TEST(Economies, WhatIsDisturbedIsSolvedAgain) {
+  BulletWorld world(solverWithout(nullptr));
+  world.addGround();
+  btRigidBody* boxes[3];
+  for (int i = 0; i < 3; ++i) boxes[i] = &world.addCube({btScalar(3 * i), btScalar(0.5), 0});
+  world.advance(10);
+  for (const double force : {1e-3, 1.0}) {
+    boxes[1]->applyCentralForce({btScalar(force), 0, 0});
+    world.advance();
+    EXPECT_EQ(world.report().keptIslands, 2) << force;
+    EXPECT_EQ(world.report().matrices, 1) << force;
+    world.advance(5);
+  }
+}
+
+TEST(Economies, ASingleContactTakesAFormula) {
+  int formulas = 0, walks = 0;
+  compare(
+      &Economies::closedForms, 20,
+      [](BulletWorld& world) {
+        world.addGround();
+        world.addSphere(btScalar(0.5), {0, btScalar(0.5), 0}).setLinearVelocity({2, 0, 0});
+      },
+      [&](const StepReport& report) {
+        if (report.contacts > 1) return;  // Bullet keeps a point of the step before for a while
+        formulas += report.closedForms;
+        EXPECT_EQ(report.walks + report.factorisations, 0);
+      },
+      [&](const StepReport& report) {
+        EXPECT_EQ(report.closedForms, 0);
+        if (report.contacts > 1) return;
+        walks += report.walks;
+        EXPECT_EQ(report.walks, report.matrices);
+      });
+  EXPECT_GT(formulas, 0);
+  EXPECT_EQ(walks, formulas);
+}
+
+TEST(Economies, NoEventsUnheard) {
+  int changes = 0;
+  const Build drop = [](BulletWorld& world) {
+    world.addGround();
+    world.addCube({0, btScalar(0.6), 0});
+  };
+  compare(
+      &Economies::events, 20, drop,
+      [&](const StepReport& report) {
+        changes += report.modeChanges;
+        EXPECT_FALSE(report.plan.heard);
+        EXPECT_EQ(report.events, 0);
+      },
+      [](const StepReport& report) { EXPECT_EQ(report.events, report.modeChanges); });
+  EXPECT_GT(changes, 0);
+
+  BulletWorld world(solverWithout(nullptr));
+  drop(world);
+  int told = 0;
+  world.delassus().setContactListener([&](const ContactEvent&) { ++told; });
+  int made = 0;
+  for (int i = 0; i < 20; ++i) {
+    world.advance();
+    EXPECT_TRUE(world.report().plan.heard);
+    made += world.report().events;
+  }
+  EXPECT_EQ(told, changes);
+  EXPECT_EQ(made, changes);
+}
+
+TEST(Economies, KeptStorageDoesNotShow) {
+  const Look nothing = [](const StepReport&) {};
+  compare(
+      &Economies::storage, 30,
+      [](BulletWorld& world) {
+        addTower(world);
+        btRigidBody& ball = world.addSphere(btScalar(0.2), {btScalar(0.4), 4, 0});
+        world.addJoint<btPoint2PointConstraint>(ball, btVector3(0, 1, 0));
+      },
+      nothing, nothing);
+}
+
+TEST(Plan, CountsWhatTheSceneAsksFor) {
+  DelassusWorld world;
+  world.addGround();
+  btRigidBody& soft = world.addCube({0, btScalar(0.5), 0});
+  soft.setContactStiffnessAndDamping(1000, 10);
+  btRigidBody& bouncing = world.addCube({5, btScalar(0.5), 0});
+  bouncing.setRestitution(btScalar(0.5));
+  btRigidBody* ground = btRigidBody::upcast(world->getCollisionObjectArray()[0]);
+  ground->setRestitution(1);
+  btRigidBody& door = world.addSphere(btScalar(0.2), {0, 5, 5});
+  auto& hinge = world.addJoint<btHingeConstraint>(door, btVector3(1, 0, 0), btVector3(0, 0, 1));
+  hinge.enableAngularMotor(true, 1, 1);
+  world.advance();
+
+  const Plan& plan = world.report().plan;
+  EXPECT_EQ(plan.frictional, 8);
+  EXPECT_EQ(plan.frictionless, 0);
+  EXPECT_EQ(plan.bouncing, 4);
+  EXPECT_EQ(plan.soft, 4);
+  EXPECT_EQ(plan.joints, 1);
+  EXPECT_EQ(plan.rows, 6);
+  EXPECT_EQ(plan.boundedRows, 1);  // the motor
+  EXPECT_EQ(plan.obsolete, 0);
+  EXPECT_EQ(plan.islands, 3);
+  EXPECT_EQ(plan.largestIsland, 12);
+  EXPECT_EQ(plan.unknowns, 3 * 8 + 6);
+  EXPECT_EQ(plan.contacts(), world.report().contacts);
+  EXPECT_EQ(plan.rows, world.report().rows);
+}
+
+}  // namespace
+}  // namespace delassus::testing

@@ -1,0 +1,141 @@
+/// What is seen without W must be what W would have shown.
+#include "delassus/island_check.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "delassus/residual.h"
+#include "delassus/solver.h"
+#include "tests/support/random_piles.h"
+
+namespace delassus {
+namespace {
+
+using namespace delassus::testing;
+
+/// Towers whose contacts are of all kinds: with and without friction, soft, with joints on top.
+Pile mixedTower(int height, Random& random) {
+  Pile pile = makeTower(randomMasses(height, 10, random), 0.7, 0.02, random);
+  mixFriction(pile, 1, random);
+  for (Contact& c : pile.contacts)
+    if (uniform(random, 0, 1) < 0.3) {
+      c.compliance = uniform(random, 0, 0.1);
+      c.slipCompliance = Vec2(0.02, 0.03);
+    }
+  Row row;
+  row.a = height - 1;
+  row.jacobianA = normalMatrix(1, 6, random);
+  row.lower = -uniform(random, 0, 0.1);
+  row.upper = uniform(random, 0, 0.1);
+  row.compliance = uniform(random, 0, 0.01);
+  pile.rows.push_back(row);
+  return pile;
+}
+
+/// The largest difference of the bodies' velocities.
+double difference(const std::vector<Body>& a, const std::vector<Body>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    largest = std::max(largest, (a[i].velocity - b[i].velocity).cwiseAbs().maxCoeff());
+  return largest;
+}
+
+TEST(IslandCheck, KeepsTheReactionsThatTheSolverFound) {
+  Random random(81);
+  int kept = 0, renamed = 0;
+  for (int k = 0; k < 100; ++k) {
+    SCOPED_TRACE(k);
+    const PileIsland island(mixedTower(1 + k % 4, random));
+    const auto& [bodies, contacts, rows] = island.pile;
+    Options tight;
+    tight.tolerance = 1e-12;
+    const Solution exact = Solver(tight).solve(island.problem);
+    if (exact.status != Status::Solved) continue;
+
+    std::vector<Body> moved = bodies;
+    Solution seen;
+    seen.r = exact.r;
+    ASSERT_TRUE(IslandCheck(Options()).isKept(bodies, contacts, rows, island.island, moved, seen));
+    ++kept;
+    EXPECT_EQ(seen.tier, Tier::Kept);
+    EXPECT_EQ(seen.status, Status::Solved);
+    EXPECT_LT((seen.r - exact.r).norm(), 1e-12 * exact.r.norm());
+    EXPECT_LT((seen.u - exact.u).norm(), 1e-12);
+    renamed += !(seen.activeSet == exact.activeSet);
+    EXPECT_LT(difference(moved, island.after(exact.r)), 1e-13);
+    // The bound lies above the residual itself, and below the tolerance.
+    EXPECT_GE(seen.residual * (1 + 1e-6) + 1e-14, naturalResidual(island.problem, seen.r).max);
+    EXPECT_LE(seen.residual, Options().tolerance * island.problem.q.cwiseAbs().maxCoeff());
+  }
+  EXPECT_GT(kept, 90);
+  EXPECT_LE(renamed, 2);  // on a wall between two regions either name may stand
+}
+
+TEST(IslandCheck, RefusesWhatDoesNotKeepTheLawAndLeavesTheBodiesAlone) {
+  Random random(82);
+  for (int k = 0; k < 100; ++k) {
+    SCOPED_TRACE(k);
+    const PileIsland island(mixedTower(1 + k % 4, random));
+    const auto& [bodies, contacts, rows] = island.pile;
+    Solution seen;
+    seen.r = Solver().solve(island.problem).r + 1e-3 * normalVector(island.problem.size(), random);
+    std::vector<Body> moved = bodies;
+    EXPECT_FALSE(IslandCheck(Options()).isKept(bodies, contacts, rows, island.island, moved, seen));
+    EXPECT_EQ(difference(moved, bodies), 0);
+    // It was right to refuse.
+    EXPECT_GT(naturalResidual(island.problem, seen.r).max,
+              Options().tolerance * island.problem.q.cwiseAbs().maxCoeff());
+  }
+}
+
+// q ≥ 0, and only then: against the natural residual of r = 0.
+TEST(IslandCheck, FreeMeansThatNoReactionIsAskedFor) {
+  Random random(83);
+  int free = 0;
+  for (int k = 0; k < 400; ++k) {
+    SCOPED_TRACE(k);
+    Pile pile = mixedTower(1 + k % 2, random);
+    pile.rows[0].lower = k % 3 ? 0 : -1;
+    pile.rows[0].upper = std::numeric_limits<double>::infinity();
+    for (Body& body : pile.bodies) body.velocity[2] = uniform(random, -0.1, 0.6);
+    const PileIsland island(pile);
+    const double residual =
+        naturalResidual(island.problem, VectorXd::Zero(island.problem.size())).max;
+    Solution seen;
+    const bool says =
+        IslandCheck(Options()).isFree(pile.bodies, pile.contacts, pile.rows, island.island, seen);
+    EXPECT_EQ(says, residual <= island.problem.roundOff);
+    if (!says) continue;
+    ++free;
+    EXPECT_EQ(seen.tier, Tier::Free);
+    EXPECT_TRUE(seen.r.isZero(0));
+    EXPECT_LT((seen.u - island.problem.q).norm(), 1e-14);
+    EXPECT_EQ(seen.activeSet, Solver().solve(island.problem).activeSet);
+  }
+  EXPECT_GT(free, 20);
+  EXPECT_LT(free, 380);
+}
+
+// Bodies that fall together touch with q_n = 0, up to the rounding of their velocities.
+TEST(IslandCheck, RoundingIsNoApproach) {
+  Random random(84);
+  Pile pile = makeTower({1, 2}, 0.5, 0, random);
+  pile.contacts.erase(pile.contacts.begin(), pile.contacts.begin() + 4);  // no ground
+  for (int k = 0; k < 50; ++k) {
+    // One rigid motion of both.
+    const Vec3 v = normalVector(3, random), w = normalVector(3, random);
+    for (int i = 0; i < 2; ++i) pile.bodies[i].velocity << v + w.cross(Vec3(0, 0, i)), w;
+    const PileIsland island(pile);
+    Solution seen;
+    EXPECT_TRUE(
+        IslandCheck(Options()).isFree(pile.bodies, pile.contacts, pile.rows, island.island, seen));
+    EXPECT_LE(seen.residual, island.problem.roundOff);
+    pile.bodies[1].velocity[2] -= 1e-9;
+    EXPECT_FALSE(
+        IslandCheck(Options()).isFree(pile.bodies, pile.contacts, pile.rows, island.island, seen));
+  }
+}
+
+}  // namespace
+}  // namespace delassus

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# What is left out of the build asks for nothing: each option is configured on its own, where the dependencies that go with
+# it cannot be found. The argument is the source tree.
+set -euo pipefail
+source=$(realpath "$1")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# pkg-config knows the modules named and no others.
+only_modules() {
+  rm -rf "$work/modules"
+  mkdir "$work/modules"
+  for module in "$@"; do
+    cp "$(pkg-config --variable=pcfiledir "$module")/$module.pc" "$work/modules"
+  done
+  export PKG_CONFIG_LIBDIR=$work/modules
+}
+
+# configures NAME, with these packages out of reach: -DOPTION=...
+configures() {
+  local name=$1 hidden=() package
+  for package in $2; do hidden+=("-DCMAKE_DISABLE_FIND_PACKAGE_$package=TRUE"); done
+  cmake -S "$source" -B "$work/$name" -DCMAKE_BUILD_TYPE=Release --log-level=ERROR "${hidden[@]}" "${@:3}" \
+    >"$work/log" 2>&1 || { echo "$name does not configure:" >&2; cat "$work/log" >&2; exit 1; }
+}
+
+all=$(pkg-config --list-all | cut -d' ' -f1)
+only_modules bullet bullet-float64
+configures no_demos "CLI11 nlohmann_json" -DDELASSUS_DEMOS=OFF
+configures no_render "" -DDELASSUS_RENDER=OFF
+configures no_multibody "" -DDELASSUS_MULTIBODY=OFF -DDELASSUS_RENDER=OFF
+unset PKG_CONFIG_LIBDIR
+if grep -qx osmesa <<<"$all"; then configures no_tests "GTest" -DDELASSUS_TESTS=OFF; fi
+only_modules
+configures core "PkgConfig GTest CLI11 nlohmann_json" -DDELASSUS_BULLET=OFF -DDELASSUS_MULTIBODY=OFF \
+  -DDELASSUS_DEMOS=OFF -DDELASSUS_RENDER=OFF -DDELASSUS_TESTS=OFF
+
+# It can tell: what is asked for and cannot be found is an error.
+if (configures lacking "GTest" -DDELASSUS_DEMOS=OFF) 2>/dev/null; then
+  echo "tests were configured without GoogleTest" >&2
+  exit 1
+fi
+echo "each option leaves its dependencies out"
