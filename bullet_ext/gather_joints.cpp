@@ -134,8 +134,9 @@ void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
                   const btContactSolverInfo& info, StepReport& report) {
   for (int i = 0; i < count; ++i) {
     btTypedConstraint& joint = *constraints[i];
-    joint.buildJacobian();
+    // Some joints clear their impulse in buildJacobian.
     const double lastImpulse = joint.internalGetAppliedImpulse();
+    joint.buildJacobian();
     clearResult(joint);
     if (!joint.isEnabled()) continue;
 
