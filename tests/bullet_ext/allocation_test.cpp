@@ -123,7 +123,7 @@ void buildTower(BulletWorld& world) {
 
 TEST(Allocation, AWarmStepTakesNoMemory) {
   const auto rest = [](BulletWorld&, int) {};
-  EXPECT_EQ(allocationsOf({}, buildTower, rest), 0);
+  EXPECT_EQ(allocationsOf(optionsOfPrecision(), buildTower, rest), 0);
 
   // Pushed to and fro, so that each step is solved anew.
   int walked = 0;
@@ -132,10 +132,10 @@ TEST(Allocation, AWarmStepTakesNoMemory) {
     btRigidBody::upcast(world->getCollisionObjectArray()[1])
         ->applyCentralForce({btScalar(step % 2 ? 3 : -3), 0, 0});
   };
-  EXPECT_EQ(allocationsOf({}, buildTower, shake), 0);
+  EXPECT_EQ(allocationsOf(optionsOfPrecision(), buildTower, shake), 0);
   EXPECT_GT(walked, 80);
 
-  Options options;
+  Options options = optionsOfPrecision();
   options.economies.storage = false;
   EXPECT_GT(allocationsOf(options, buildTower, rest), 0);
 }
@@ -152,7 +152,7 @@ TEST(Allocation, APushTakesNoMemory) {
     box.setWorldTransform(BulletWorld::at({0, btScalar(0.4), 0}));
     box.setLinearVelocity({0, 0, 0});
   };
-  EXPECT_EQ(allocationsOf({}, build, sink), 0);
+  EXPECT_EQ(allocationsOf(optionsOfPrecision(), build, sink), 0);
   EXPECT_EQ(pushed, 89);
 }
 

@@ -14,7 +14,7 @@ using Build = std::function<void(BulletWorld&)>;
 using Look = std::function<void(const StepReport& report)>;
 
 std::unique_ptr<btDelassusConstraintSolver> solverWithout(bool Economies::*economy) {
-  Options options;
+  Options options = optionsOfPrecision();
   if (economy) options.economies.*economy = false;
   return std::make_unique<btDelassusConstraintSolver>(options);
 }
@@ -44,8 +44,8 @@ void compare(bool Economies::*economy, int steps, const Build& build, const Look
     SCOPED_TRACE("step " + std::to_string(i));
     lean.advance();
     lavish.advance();
-    EXPECT_LE(lean.report().residualMax, 1e-8);
-    EXPECT_LE(lavish.report().residualMax, 1e-8);
+    EXPECT_LE(lean.report().residualMax, tolerance(1e-8, 1e-5));
+    EXPECT_LE(lavish.report().residualMax, tolerance(1e-8, 1e-5));
     EXPECT_LT(difference(lean, lavish), tolerance(1e-6, 1e-4));
     with(lean.report());
     without(lavish.report());
@@ -156,7 +156,7 @@ TEST(Economies, WhatIsDisturbedIsSolvedAgain) {
   btRigidBody* boxes[3];
   for (int i = 0; i < 3; ++i) boxes[i] = &world.addCube({btScalar(3 * i), btScalar(0.5), 0});
   world.advance(10);
-  for (const double force : {1e-3, 1.0}) {
+  for (const double force : {0.01, 1.0}) {
     boxes[1]->applyCentralForce({btScalar(force), 0, 0});
     world.advance();
     EXPECT_EQ(world.report().keptIslands, 2) << force;

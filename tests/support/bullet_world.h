@@ -19,6 +19,13 @@ constexpr double tolerance(double inDouble, double inFloat) {
   return isDouble ? inDouble : inFloat;
 }
 
+/// A tolerance that poses and velocities of this precision can meet from step to step.
+inline Options optionsOfPrecision() {
+  Options options;
+  options.tolerance = tolerance(1e-8, 1e-5);
+  return options;
+}
+
 /// A world that owns all that is in it: gravity 9.81 along −y, 60 Hz, bodies of friction 0.5 that
 /// never sleep.
 template <class World, class Solver>
