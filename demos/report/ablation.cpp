@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 
 #include "bullet_ext/btDelassusConstraintSolver.h"
 #include "demos/report/child.h"
@@ -52,10 +53,18 @@ class Variant {
       : solver_(without ? without->name : "all", optionsWithout(without)),
         timed_(solver_.solver()) {}
 
-  /// Solves the step as it stands, timed.
+  /// Solves the step as it stands, timed. Joints are given the impulses that this solver left in them, by which it knows
+  /// them again.
   void solve(const CapturedStep& step) {
+    forEachJoint(step, [this](btTypedConstraint& joint) {
+      const auto left = impulses_.find(&joint);
+      if (left != impulses_.end()) joint.internalSetAppliedImpulse(left->second);
+    });
     timed_.prepareSolve(0, 0);
     step.solve(timed_, *step.info);
+    forEachJoint(step, [this](btTypedConstraint& joint) {
+      impulses_[&joint] = joint.internalGetAppliedImpulse();
+    });
     milliseconds_.push_back(1e3 * timed_.takeSeconds());
     totals_.add(solver_.delassus()->report());
   }
@@ -67,6 +76,11 @@ class Variant {
   const StepTotals& totals() const { return totals_; }
 
  private:
+  template <class Visit>
+  static void forEachJoint(const CapturedStep& step, Visit visit) {
+    for (const CapturedStep::Group& group : step.groups)
+      for (btTypedConstraint* joint : group.constraints) visit(*joint);
+  }
   static delassus::Options optionsWithout(const Economy* economy) {
     delassus::Options options;
     if (economy) options.economies.*(economy->member) = false;
@@ -75,6 +89,7 @@ class Variant {
 
   NamedSolver solver_;
   TimedSolver timed_;
+  std::map<const btTypedConstraint*, btScalar> impulses_;
   std::vector<double> milliseconds_;
   double difference_ = 0;
   StepTotals totals_;
