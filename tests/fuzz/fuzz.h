@@ -1,7 +1,7 @@
 #pragma once
 /// What random drivers share. Every round has its own seed: a failure names it, and it alone brings the case back.
 
-#include <cstdint>
+#include <cmath>
 #include <cstdlib>
 #include <random>
 

@@ -2,7 +2,8 @@
 /// Worlds that nobody would build: any shapes, masses over twelve decades, joints anyhow, flags, broken numbers.
 
 #include <limits>
-#include <string>
+#include <memory>
+#include <vector>
 
 #include "tests/fuzz/fuzz.h"
 #include "tests/support/bullet_world.h"

@@ -1,6 +1,8 @@
 /// Random worlds, stepped: the laws hold in every step, the status is honest, the same input gives the same bits, and
 /// numbers that are none stay where they are.
 
+#include <gtest/gtest.h>
+
 #include <cstdio>
 #include <cstring>
 #include <map>
