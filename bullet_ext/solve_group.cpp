@@ -177,8 +177,7 @@ void checkIslands(const Group& group, const Economies& economies, Answer& answer
     const Island& island = islandOf(group, answer, i);
     Solution& solution = answer.seen[i];
     // The check knows of bodies, not of trees.
-    if (!articulation.moves(island) &&
-        needsNoSolving(group, island, economies, answer, solution)) {
+    if (!articulation.moves(island) && needsNoSolving(group, island, economies, answer, solution)) {
       note(solution, partsOf(island), answer.islands[i]);
       keepReactions(island, solution, answer);
     } else {

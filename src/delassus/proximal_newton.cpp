@@ -287,7 +287,8 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
     problem.W.multiply(r_, felt_, trialU_);
     trialU_ += problem.q;
     const double now = map_->residual(r_, trialU_).max;
-    if (now > 0.5 * residual && alpha <= hardly && growsInVain(problem, tolerance, now)) {
+    if (now > std::max(0.5 * residual, tolerance) && alpha <= hardly &&
+        growsInVain(problem, tolerance, now)) {
       compromise(problem, best);
       return Outcome::Incompatible;
     }

@@ -142,8 +142,8 @@ Outcome Solver::Workspace::pivotRows(const Problem& problem, const Options& opti
   best.factorisations += result.factorisations;
   trial.r = result.r;
   consider(problem, trial, best);
-  if (result.status != Status::Incompatible)
-    return best.residual <= tolerance ? Outcome::Reached : Outcome::Lost;
+  if (best.residual <= tolerance) return Outcome::Reached;
+  if (result.status != Status::Incompatible) return Outcome::Lost;
   best.r = result.r;
   best.u = result.u;
   const NaturalResidual residual = map.residual(best.r, best.u);

@@ -30,8 +30,8 @@ void expectLawKept(OnRegions& run, double seconds, double hz = 60, double share 
     obsolete += run.solver.report().obsoleteConstraints;
     ASSERT_TRUE(allFinite(stateOf(*run.world))) << "step " << i;
   }
-  EXPECT_LE(above, share * steps)
-      << "steps above the tolerance, of " << steps << "; the worst has " << worst << " m/s";
+  EXPECT_LE(above, share * steps) << "steps above the tolerance, of " << steps << "; the worst has "
+                                  << worst << " m/s";
   EXPECT_EQ(obsolete, 0);
 }
 
