@@ -55,3 +55,8 @@ void btDelassusMultiBodyConstraintSolver::setContactListener(
     std::function<void(const ContactEvent&)> listener) {
   parts_->rigid.setContactListener(std::move(listener));
 }
+
+void btDelassusMultiBodyConstraintSolver::setTroubleListener(
+    std::function<void(const ContactEvent&)> listener) {
+  parts_->rigid.setTroubleListener(std::move(listener));
+}

@@ -47,6 +47,7 @@ class btDelassusMultiBodyConstraintSolver : public btMultiBodyConstraintSolver {
   /// As those of btDelassusConstraintSolver; `rows` counts those of both kinds of constraints.
   const delassus::StepReport& report() const;
   void setContactListener(std::function<void(const delassus::ContactEvent&)> listener);
+  void setTroubleListener(std::function<void(const delassus::ContactEvent&)> listener);
 
  private:
   btDelassusMultiBodyConstraintSolver(const delassus::Options& options, btDelassusPrecision);
