@@ -98,13 +98,16 @@ struct Solver::Workspace {
   Sweeps sweeps;
   Engines<BodyMotion> bodies;
   Engines<FactoredMotion> factored;
-  Solution trial, wandering;
+  Solution trial, wandering, cold;
   VectorXd felt;
 
   /// Completes u and the residual of a candidate r, and takes it as the best answer if its residual is smaller.
   void consider(const Problem& problem, Solution& candidate, Solution& best);
 
   /// `guess`: reactions to start from, or null.
+  template <class Motion>
+  Outcome search(Engines<Motion>& engines, const Problem& problem, const Options& options,
+                 double tolerance, const VectorXd* guess, Solution& best);
   template <class Motion>
   Outcome walk(Engines<Motion>& engines, const Problem& problem, const Options& options,
                double tolerance, const VectorXd* guess, Solution& best);
@@ -184,7 +187,7 @@ Outcome Solver::Workspace::walk(Engines<Motion>& engines, const Problem& problem
   constexpr double knownRegion = 1e-6;
   constexpr double disturbed = 1e-3;  // share of the demands that the last reactions leave open
   constexpr int interiorSteps = 40;
-  const int firstTry = options.newtonBudget / 24;
+  const int firstTry = options.newtonBudget / 16;
   const double demand = problem.q.cwiseAbs().maxCoeff();
   const auto settled = [](Outcome outcome) { return outcome != Outcome::Lost; };
   const auto left = [&] { return options.newtonBudget - best.regions; };
@@ -252,6 +255,37 @@ Outcome Solver::Workspace::wander(Engines<Motion>& engines, const Problem& probl
   return Outcome::Lost;
 }
 
+/// Walks from the guess; if that is lost, with what is left of the budget as if there were none.
+template <class Motion>
+Outcome Solver::Workspace::search(Engines<Motion>& engines, const Problem& problem,
+                                  const Options& options, double tolerance, const VectorXd* guess,
+                                  Solution& best) {
+  if (!guess) return walk(engines, problem, options, tolerance, nullptr, best);
+  Options share = options;
+  share.newtonBudget -= 3 * options.newtonBudget / 8;
+  share.sweepBudget -= options.sweepBudget / 2;
+  Outcome outcome = walk(engines, problem, share, tolerance, guess, best);
+  if (outcome != Outcome::Lost) return outcome;
+
+  cold.r.setZero(problem.size());
+  makeFeasible(problem, cold.r);
+  cold.residual = std::numeric_limits<double>::infinity();
+  consider(problem, cold, best);
+  cold.regions = best.regions;
+  cold.factorisations = best.factorisations;
+  cold.sweeps = best.sweeps;
+  outcome = walk(engines, problem, options, tolerance, nullptr, cold);
+  best.regions = cold.regions;
+  best.factorisations = cold.factorisations;
+  best.sweeps = cold.sweeps;
+  if (outcome == Outcome::Lost && !(cold.residual < best.residual)) return outcome;
+  best.r = cold.r;
+  best.u = cold.u;
+  best.residual = cold.residual;
+  best.blamed = cold.blamed;
+  return outcome;
+}
+
 Solver::Solver(Options options) : options_(options), workspace_(std::make_unique<Workspace>()) {}
 Solver::~Solver() = default;
 Solver::Solver(Solver&&) noexcept = default;
@@ -312,10 +346,10 @@ void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best
   }
   if (best.residual > tolerance && outcome == Outcome::Lost) {
     best.tier = Tier::Walk;
-    const VectorXd* start = warm ? &guess : nullptr;
-    outcome = problem.W.inBodySpace()
-                  ? w.walk(w.bodies, problem, options_, tolerance, start, best)
-                  : w.walk(w.factored, problem, options_, tolerance, start, best);
+    outcome =
+        problem.W.inBodySpace()
+            ? w.search(w.bodies, problem, options_, tolerance, warm ? &guess : nullptr, best)
+            : w.search(w.factored, problem, options_, tolerance, warm ? &guess : nullptr, best);
     best.residualRms = w.map.residual(best.r, best.u).rms;
   }
 
