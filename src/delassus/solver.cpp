@@ -186,8 +186,7 @@ Outcome Solver::Workspace::walk(Engines<Motion>& engines, const Problem& problem
                                 Solution& best) {
   constexpr double knownRegion = 1e-6;
   constexpr double disturbed = 1e-3;  // share of the demands that the last reactions leave open
-  constexpr int interiorSteps = 40;
-  const int firstTry = options.newtonBudget / 16;
+  constexpr int firstTry = 32, interiorSteps = 40, secondTry = 90;
   const double demand = problem.q.cwiseAbs().maxCoeff();
   const auto settled = [](Outcome outcome) { return outcome != Outcome::Lost; };
   const auto left = [&] { return options.newtonBudget - best.regions; };
@@ -197,12 +196,13 @@ Outcome Solver::Workspace::walk(Engines<Motion>& engines, const Problem& problem
   newton.keepFactors(options.economies.factors);
   if (!guess) {
     forceActiveSet(problem, best.activeSet);
-    const Outcome outcome =
-        newton.walkFromRegion(problem, tolerance, knownRegion, firstTry / 2, best);
+    const Outcome outcome = newton.walkFromRegion(problem, tolerance, knownRegion,
+                                                  std::min(firstTry / 2, left()), best);
     if (settled(outcome)) return outcome;
   }
   if (options.economies.oneRegion && hasOneRegion(problem)) {
-    const Outcome outcome = newton.walk(problem, tolerance, knownRegion, firstTry / 2, best);
+    const Outcome outcome =
+        newton.walk(problem, tolerance, knownRegion, std::min(firstTry / 2, left()), best);
     if (settled(outcome)) return outcome;
   }
   if (best.residual > disturbed * demand) sweepWhileItGains(problem, options, tolerance, best);
@@ -214,7 +214,8 @@ Outcome Solver::Workspace::walk(Engines<Motion>& engines, const Problem& problem
   if (engines.interior.solve(newton.motion(), problem, map, tolerance,
                              std::min(interiorSteps, left()), best))
     return Outcome::Reached;
-  outcome = newton.walk(problem, tolerance, proximalWeight(problem, best, 1e-4), left() / 8, best);
+  outcome = newton.walk(problem, tolerance, proximalWeight(problem, best, 1e-4),
+                        std::min(secondTry, left()), best);
   if (settled(outcome)) return outcome;
 
   return wander(engines, problem, options, tolerance, guess, best);

@@ -82,19 +82,20 @@ class Pendulum {
 
 TEST(ArticulatedBody, LinksAreSeenWhereItsJointsPutThem) {
   constexpr Size size{240, 135};
-  const auto pendulum = std::make_shared<Pendulum>();
-  pendulum->swing(0.5);
-  ASSERT_LT(pendulum->centre(Pendulum::links - 1).y(), -0.5) << "it swings";
+  auto held = std::make_shared<Pendulum>();
+  Pendulum& pendulum = *held;
+  pendulum.swing(0.5);
+  ASSERT_LT(pendulum.centre(Pendulum::links - 1).y(), -0.5) << "it swings";
 
   auto world = std::make_unique<World>();
-  pendulum->showIn(world->dynamics());
-  world->keep(pendulum);
+  pendulum.showIn(world->dynamics());
+  world->keep(std::move(held));  // goes before the world in which it is shown
   Wish wish;
   wish.direction = Eigen::Vector3d::UnitZ();
   const Shot shot(std::move(world), 0, size, wish);
   ASSERT_EQ(shot.film.things.size(), 1u + Pendulum::links);
   for (int link = -1; link < Pendulum::links; ++link) {
-    const auto seen = shot.view.project(pendulum->centre(link), size);
+    const auto seen = shot.view.project(pendulum.centre(link), size);
     ASSERT_TRUE(seen.has_value());
     EXPECT_EQ(shot.drawing.number(int(seen->x()), int(seen->y())), std::uint32_t(link + 2));
     EXPECT_EQ(shot.film.things[std::size_t(link + 1)].mass, link < 0 ? 0 : 1);
