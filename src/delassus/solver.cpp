@@ -185,7 +185,8 @@ Outcome Solver::Workspace::walk(Engines<Motion>& engines, const Problem& problem
                                 const Options& options, double tolerance, const VectorXd* guess,
                                 Solution& best) {
   constexpr double knownRegion = 1e-6;
-  constexpr double disturbed = 1e-3;  // share of the demands that the last reactions leave open
+  // Shares of the demands that the last reactions leave open.
+  constexpr double disturbed = 1e-3, nearly = 1e-7;
   constexpr int firstTry = 32, interiorSteps = 40, secondTry = 90;
   const double demand = problem.q.cwiseAbs().maxCoeff();
   const auto settled = [](Outcome outcome) { return outcome != Outcome::Lost; };
@@ -207,8 +208,9 @@ Outcome Solver::Workspace::walk(Engines<Motion>& engines, const Problem& problem
   }
   if (best.residual > disturbed * demand) sweepWhileItGains(problem, options, tolerance, best);
   if (best.residual <= tolerance) return Outcome::Reached;
-  Outcome outcome = newton.walk(problem, tolerance, proximalWeight(problem, best, 1e-2),
-                                std::min(firstTry, left()), best);
+  const double weight =
+      best.residual <= nearly * demand ? knownRegion : proximalWeight(problem, best, 1e-2);
+  Outcome outcome = newton.walk(problem, tolerance, weight, std::min(firstTry, left()), best);
   if (settled(outcome)) return outcome;
 
   if (engines.interior.solve(newton.motion(), problem, map, tolerance,
