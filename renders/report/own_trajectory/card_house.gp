@@ -2,92 +2,92 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.105026 5.83998e-05 0.105026 0.105026
+0.118156 5.84005e-05 0.118156 0.118156
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.064546 5.53403e-05 0.064546 0.064546
+0.074671 5.91767e-05 0.074671 0.074671
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.019088 1.5808 0.019088 0.019088
+0.025158 1.5808 0.025158 0.025158
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.113047 2.02331 0.113047 0.113047
+0.112887 2.02331 0.112887 0.112887
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.002433 197.651 0.002433 0.002433
+0.002053 197.651 0.002053 0.002053
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.149372 2.99011 0.149372 0.149372
+0.12821 2.99011 0.12821 0.12821
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.105026 1e-05 0.105026 0.105026
+0.118156 1e-05 0.118156 0.118156
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.064546 1e-05 0.064546 0.064546
+0.074671 1e-05 0.074671 0.074671
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.019088 0.0112187 0.019088 0.019088
+0.025158 0.0112187 0.025158 0.025158
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.113047 0.0416622 0.113047 0.113047
+0.112887 0.0416622 0.112887 0.112887
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.002433 0.964563 0.002433 0.002433
+0.002053 0.964563 0.002053 0.002053
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.149372 0.079782 0.149372 0.149372
+0.12821 0.079782 0.12821 0.12821
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.105026 3.58406e-08 0.105026 0.105026
+0.118156 3.799e-08 0.118156 0.118156
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.064546 2.97398e-05 0.064546 0.064546
+0.074671 3.48904e-05 0.074671 0.074671
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.019088 0.0579454 0.019088 0.019088
+0.025158 0.0579454 0.025158 0.025158
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.113047 0.271104 0.113047 0.113047
+0.112887 0.271104 0.112887 0.112887
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.002433 2.42954 0.002433 0.002433
+0.002053 2.42954 0.002053 0.002053
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.149372 0.967598 0.149372 0.149372
+0.12821 0.967598 0.12821 0.12821
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -107,7 +107,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00166067:1.41396]
+set xrange [0.00139909:1.22499]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -118,10 +118,10 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.223679, graph 0.0928801 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.64159, graph 0.0958014 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.38886, graph 0.64986 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.652498, graph 0.65162 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.681742, graph 0.0958021 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-4" at graph 0.26825, graph 0.0965188 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.453423, graph 0.64986 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.675009, graph 0.65162 left front noenhanced textcolor rgb '#d55e00'
 set label "dantzig:1e-6" at graph 0.693796, graph 0.707737 left front noenhanced textcolor rgb '#555555'
 set label "nncg:10" at graph 0.0835457, graph 0.911987 left front noenhanced textcolor rgb '#009e73'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -139,7 +139,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00166067:1.41396]
+set xrange [0.00139909:1.22499]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -150,10 +150,10 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.64159, graph 0.142857 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-4" at graph 0.223679, graph 0.142857 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.38886, graph 0.578563 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.652498, graph 0.659963 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.681742, graph 0.142857 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-4" at graph 0.26825, graph 0.142857 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.453423, graph 0.578563 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.675009, graph 0.659963 left front noenhanced textcolor rgb '#d55e00'
 set label "dantzig:1e-6" at graph 0.370493, graph 0.700272 left front noenhanced textcolor rgb '#555555'
 set label "nncg:10" at graph 0.0835457, graph 0.854904 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -171,7 +171,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00166067:1.41396]
+set xrange [0.00139909:1.22499]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -182,10 +182,10 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.64159, graph 0.0615973 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-4" at graph 0.569434, graph 0.385926 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.38886, graph 0.751447 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.652498, graph 0.825904 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.681742, graph 0.0644077 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-4" at graph 0.614005, graph 0.393634 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.453423, graph 0.751447 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.675009, graph 0.825904 left front noenhanced textcolor rgb '#d55e00'
 set label "dantzig:1e-6" at graph 0.693796, graph 0.887299 left front noenhanced textcolor rgb '#555555'
 set label "nncg:10" at graph 0.0835457, graph 0.931725 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \

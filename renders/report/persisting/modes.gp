@@ -1,149 +1,147 @@
 # Draws modes.svg and modes.png: gnuplot modes.gp
 $line0_0 << EOD
-0.0110567 93.3333 0.0110567 0.0110567
-0.062823 92.5 0.062823 0.062823
-0.207164 83.3333 0.207164 0.207164
+0.01137 80 0.01137 0.01137
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-0.0157 2.5 0.0157 0.0157
+0.0165113 2.5 0.0165113 0.0165113
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-0.0132697 100 0.0132697 0.0132697
+0.0144647 100 0.0144647 0.0144647
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-0.0582497 93.3333 0.0582497 0.0582497
-0.210783 92.5 0.210783 0.210783
-0.808218 83.3333 0.808218 0.808218
+0.0610603 80 0.0610603 0.0610603
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-0.123961 0 0.123961 0.123961
+0.152573 0 0.152573 0.152573
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-0.030542 0 0.030542 0.030542
+0.009658 0 0.009658 0.009658
 EOD
 $marks0_5 << EOD
 EOD
 $line1_0 << EOD
-0.111983 99.5 0.111983 0.111983
-0.154195 95.25 0.154195 0.154195
-0.630709 0 0.630709 0.630709
+0.113455 99.5 0.113455 0.113455
+0.153872 95.75 0.153872 0.153872
+0.573514 0 0.573514 0.573514
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-0.145403 67.3333 0.145403 0.145403
-0.215209 38.8333 0.215209 0.215209
-0.960047 0 0.960047 0.960047
+0.153211 68 0.153211 0.153211
+0.197776 39.75 0.197776 0.197776
+0.778031 0 0.778031 0.778031
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-0.128177 99.8333 0.128177 0.128177
-0.222199 90.0833 0.222199 0.222199
-0.890431 1.5 0.890431 0.890431
-6.01355 0 6.01355 6.01355
+0.13923 100 0.13923 0.13923
+0.20262 90.25 0.20262 0.20262
+0.921834 2.25 0.921834 0.921834
+3.52529 0 3.52529 3.52529
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-8.42461 95.25 8.42461 8.42461
-14.5069 0 14.5069 14.5069
+2.81595 95.75 2.81595 2.81595
+5.84765 0 5.84765 5.84765
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-278.461 0 278.461 278.461
+124.045 0 124.045 124.045
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-0.286208 0 0.286208 0.286208
+0.096079 0 0.096079 0.096079
 EOD
 $marks1_5 << EOD
 EOD
 $line2_0 << EOD
-0.014198 84.0278 0.014198 0.014198
-0.0226203 72.9167 0.0226203 0.0226203
-0.0800657 4.16667 0.0800657 0.0800657
-0.273766 0 0.273766 0.273766
+0.0140105 84.375 0.0140105 0.0140105
+0.0208015 72.9167 0.0208015 0.0208015
+0.0743905 4.16667 0.0743905 0.0743905
+0.275188 0 0.275188 0.275188
 EOD
 $marks2_0 << EOD
 EOD
 $line2_1 << EOD
-0.0198127 79.1667 0.0198127 0.0198127
-0.0287493 63.1944 0.0287493 0.0287493
-0.114146 4.16667 0.114146 0.114146
-0.399135 0 0.399135 0.399135
+0.019589 79.1667 0.019589 0.019589
+0.03028 63.5417 0.03028 0.03028
+0.117004 4.16667 0.117004 0.117004
+0.429808 0 0.429808 0.429808
 EOD
 $marks2_1 << EOD
 EOD
 $line2_2 << EOD
-0.0171153 100 0.0171153 0.0171153
-0.162771 0 0.162771 0.162771
+0.019829 100 0.019829 0.019829
+0.190263 0 0.190263 0.190263
 EOD
 $marks2_2 << EOD
 EOD
 $line2_3 << EOD
-0.0735693 84.0278 0.0735693 0.0735693
-0.104582 72.9167 0.104582 0.104582
-0.243394 4.16667 0.243394 0.243394
-0.737217 0 0.737217 0.737217
+0.063749 84.375 0.063749 0.063749
+0.0780355 72.9167 0.0780355 0.0780355
+0.264152 4.16667 0.264152 0.264152
+0.892313 0 0.892313 0.892313
 EOD
 $marks2_3 << EOD
 EOD
 $line2_4 << EOD
-0.351812 12.5 0.351812 0.351812
+0.331096 12.5 0.331096 0.331096
 EOD
 $marks2_4 << EOD
 EOD
 $line2_5 << EOD
-0.0408143 0 0.0408143 0.0408143
+0.0134 2.08333 0.0134 0.0134
+0.013405 0 0.013405 0.013405
 EOD
 $marks2_5 << EOD
 EOD
 $line3_0 << EOD
-0.00662 83.3333 0.00662 0.00662
-0.027521 33.3333 0.027521 0.027521
+0.00559133 66.6667 0.00559133 0.00559133
+0.027968 22.2222 0.027968 0.027968
 EOD
 $marks3_0 << EOD
 EOD
 $line3_1 << EOD
-0.0064995 83.3333 0.0064995 0.0064995
-0.010641 77.0833 0.010641 0.010641
-0.0293035 0 0.0293035 0.0293035
+0.00663967 66.6667 0.00663967 0.00663967
+0.034471 5.55556 0.034471 0.034471
+0.125386 0 0.125386 0.125386
 EOD
 $marks3_1 << EOD
 EOD
 $line3_2 << EOD
-0.0053325 83.3333 0.0053325 0.0053325
-0.0378365 33.3333 0.0378365 0.0378365
+0.00684367 69.4444 0.00684367 0.00684367
+0.009925 66.6667 0.009925 0.009925
+0.0348447 19.4444 0.0348447 0.0348447
 EOD
 $marks3_2 << EOD
 EOD
 $line3_3 << EOD
-0.031246 83.3333 0.031246 0.031246
-0.110524 33.3333 0.110524 0.110524
+0.026753 66.6667 0.026753 0.026753
+0.121273 22.2222 0.121273 0.121273
 EOD
 $marks3_3 << EOD
 EOD
 $line3_4 << EOD
-0.0222325 33.3333 0.0222325 0.0222325
+0.0347047 22.2222 0.0347047 0.0347047
 EOD
 $marks3_4 << EOD
 EOD
 $line3_5 << EOD
-0.041076 16.6667 0.041076 0.041076
-0.0786765 0 0.0786765 0.0786765
+0.017052 55.5556 0.017052 0.017052
+0.0547447 0 0.0547447 0.0547447
 EOD
 $marks3_5 << EOD
 EOD
@@ -165,7 +163,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00803482:2.26167]
+set xrange [0.00761612:0.505955]
 set xlabel "ms a step" noenhanced
 unset logscale y
 set ytics autofreq nomirror
@@ -176,12 +174,14 @@ set ylabel "contacts in a wrong mode, %" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig" at graph 0.519932, graph 0.0434783 left front noenhanced textcolor rgb '#555555'
-set label "delassus" at graph 0.271555, graph 0.0806342 left front noenhanced textcolor rgb '#0060a8'
-set label "si2" at graph 0.153571, graph 0.0837954 left front noenhanced textcolor rgb '#e69f00'
-set label "si" at graph 0.610985, graph 0.768116 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs" at graph 0.852351, graph 0.768116 left front noenhanced textcolor rgb '#cc79a7'
-set label "nncg" at graph 0.123752, graph 0.913043 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.749111, graph 0.0434783 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.0914038, graph 0.11779 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566038, graph 0.0434783 to graph 0.0914038, graph 0.11779 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2" at graph 0.219201, graph 0.195263 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.184401, graph 0.0652174 to graph 0.219201, graph 0.195263 nohead lw 0.6 lc rgb '#e69f00'
+set label "si" at graph 0.130294, graph 0.73913 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs" at graph 0.530869, graph 0.73913 left front noenhanced textcolor rgb '#cc79a7'
+set label "nncg" at graph 0.187663, graph 0.913043 left front noenhanced textcolor rgb '#009e73'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line0_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line0_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -209,25 +209,26 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0571371:8312.25]
+set xrange [0.0518672:2785.4]
 set xlabel "ms a step" noenhanced
 unset logscale y
 set ytics autofreq nomirror
 set mytics
 set format y "%g"
-set yrange [-4.99167:109.817]
+set yrange [-5:110]
 set ylabel "contacts in a wrong mode, %" noenhanced
 unset label
 unset arrow
 unset object
-set label "si" at graph 0.109205, graph 0.0806342 left front noenhanced textcolor rgb '#d55e00'
-set label "si2" at graph 0.272147, graph 0.0992122 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg" at graph 0.240889, graph 0.173524 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.391689, graph 0.0434783 to graph 0.356889, graph 0.173524 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs" at graph 0.500566, graph 0.0434783 left front noenhanced textcolor rgb '#cc79a7'
+set label "si" at graph 0.127845, graph 0.0434783 left front noenhanced textcolor rgb '#d55e00'
+set label "si2" at graph 0.283448, graph 0.11779 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.248648, graph 0.0434783 to graph 0.283448, graph 0.11779 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg" at graph 0.236579, graph 0.340726 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.387379, graph 0.0434783 to graph 0.352579, graph 0.340726 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs" at graph 0.468646, graph 0.0434783 left front noenhanced textcolor rgb '#cc79a7'
 set label "dantzig" at graph 0.749111, graph 0.0434783 left front noenhanced textcolor rgb '#555555'
-set label "delassus" at graph 0.17034, graph 0.266414 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.13554, graph 0.0434783 to graph 0.17034, graph 0.266414 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.0914038, graph 0.192102 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566038, graph 0.0434783 to graph 0.0914038, graph 0.192102 nohead lw 0.6 lc rgb '#0060a8'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line1_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line1_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -255,7 +256,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0105835:1.90056]
+set xrange [0.00980547:2.4418]
 set xlabel "ms a step" noenhanced
 unset logscale y
 set ytics autofreq nomirror
@@ -266,15 +267,15 @@ set ylabel "contacts in a wrong mode, %" noenhanced
 unset label
 unset arrow
 unset object
-set label "si" at graph 0.661505, graph 0.192102 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.626705, graph 0.0434783 to graph 0.661505, graph 0.192102 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2" at graph 0.734141, graph 0.0992122 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg" at graph 0.561338, graph 0.340726 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.526538, graph 0.0434783 to graph 0.561338, graph 0.340726 nohead lw 0.6 lc rgb '#009e73'
+set label "si" at graph 0.639147, graph 0.192102 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.604347, graph 0.0434783 to graph 0.639147, graph 0.192102 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2" at graph 0.719959, graph 0.0992122 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg" at graph 0.57226, graph 0.284992 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.53746, graph 0.0434783 to graph 0.57226, graph 0.284992 nohead lw 0.6 lc rgb '#009e73'
 set label "pgs" at graph 0.852351, graph 0.0434783 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus" at graph 0.294835, graph 0.0434783 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig" at graph 0.709827, graph 0.28222 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.675027, graph 0.152174 to graph 0.709827, graph 0.28222 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.0914714, graph 0.0434783 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig" at graph 0.672668, graph 0.37511 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.637868, graph 0.152174 to graph 0.672668, graph 0.37511 nohead lw 0.6 lc rgb '#555555'
 plot $line2_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line2_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line2_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -299,26 +300,28 @@ set tmargin at screen 0.421875
 set bmargin at screen 0.08125
 set title "gripper" noenhanced
 set logscale x
-set xtics 10 nomirror
+set xtics nomirror (0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5)
 set mxtics
 set format x "%g"
-set xrange [0.00418287:0.305172]
+set xrange [0.00443649:0.264307]
 set xlabel "ms a step" noenhanced
 unset logscale y
 set ytics autofreq nomirror
 set mytics
 set format y "%g"
-set yrange [-4.16667:91.6667]
+set yrange [-3.47222:76.3889]
 set ylabel "contacts in a wrong mode, %" noenhanced
 unset label
 unset arrow
 unset object
-set label "si2" at graph 0.488591, graph 0.0434783 left front noenhanced textcolor rgb '#e69f00'
-set label "delassus" at graph 0.718817, graph 0.0434783 left front noenhanced textcolor rgb '#0060a8'
-set label "si" at graph 0.473962, graph 0.33557 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg" at graph 0.548166, graph 0.391304 left front noenhanced textcolor rgb '#009e73'
-set label "pgs" at graph 0.798047, graph 0.391304 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.151619, graph 0.33557 left front noenhanced textcolor rgb '#555555'
+set label "si2" at graph 0.852351, graph 0.0434783 left front noenhanced textcolor rgb '#e69f00'
+set label "delassus" at graph 0.347994, graph 0.0434783 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg" at graph 0.53906, graph 0.305535 left front noenhanced textcolor rgb '#009e73'
+set label "si" at graph 0.357673, graph 0.247427 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.450473, graph 0.321739 to graph 0.415673, graph 0.247427 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs" at graph 0.844191, graph 0.321739 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.265475, graph 0.135959 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.503275, graph 0.321739 to graph 0.468475, graph 0.135959 nohead lw 0.6 lc rgb '#555555'
 plot $line3_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line3_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line3_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \

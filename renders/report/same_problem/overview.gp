@@ -1,102 +1,100 @@
 # Draws overview.svg and overview.png: gnuplot overview.gp
 $line0_0 << EOD
-0.0110567 0.996271 0.011013 0.011527
-0.0132697 0.99555 0.01322 0.01333
-0.0168417 0.994108 0.0168017 0.017122
-0.018504 0.989338 0.0184607 0.018581
-0.062823 0.977381 0.062366 0.063367
-0.0876733 0.962076 0.0870857 0.101708
-0.123961 0.130574 0.12151 0.1347
+0.01137 0.996271 0.01128 0.0114303
+0.0144647 0.99555 0.0137503 0.0179437
+0.016498 0.994108 0.0164673 0.016585
+0.0211517 0.989338 0.019826 0.0215287
+0.0597757 0.977381 0.059682 0.0601623
+0.084245 0.962076 0.0821153 0.089192
+0.152573 0.130574 0.149945 0.163676
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.0168417 0.994108 0.0168417 0.0168417
+0.016498 0.994108 0.016498 0.016498
 EOD
 $line0_2 << EOD
-0.030542 7.4102e-07 0.0291833 0.035993
-0.0317703 8.47899e-08 0.0300847 0.0321377
-0.113091 7.88117e-10 0.112487 0.125579
+0.009658 7.86528e-08 0.00957733 0.00977133
+0.0512057 2.38875e-11 0.050889 0.0531557
 EOD
 $marks0_2 << EOD
 EOD
 $line1_0 << EOD
-0.111983 0.267916 0.109987 0.117488
-0.145403 0.267123 0.138759 0.158959
-0.154195 0.127426 0.152413 0.155153
-0.215209 0.127028 0.211861 0.228538
-0.222199 0.0531251 0.214736 0.229964
-0.630709 0.00586441 0.626445 0.678676
-0.890431 0.00167389 0.86551 6.25226
-3.78044 0.00053279 3.78044 5.56245
-6.01355 0.000172566 6.01355 12.6881
-22.8744 1.99173e-06 22.8744 24.7174
-31.5936 3.08866e-09 31.5936 33.9112
+0.113455 0.267916 0.111819 0.114346
+0.153211 0.267123 0.150907 0.162992
+0.153872 0.127426 0.153228 0.154993
+0.197776 0.127028 0.197183 0.200504
+0.20262 0.0531251 0.199449 0.218501
+0.573514 0.00586441 0.572399 0.589945
+0.921834 0.00167389 0.909549 0.943316
+2.18811 0.00051834 2.14688 2.21792
+3.52529 0.00015263 3.52529 3.60712
+9.99528 1.99173e-06 9.99528 10.7386
+16.0218 3.01711e-09 16.0218 16.1584
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.154195 0.127426 0.154195 0.154195
+0.153872 0.127426 0.153872 0.153872
 EOD
 $line1_2 << EOD
-0.286208 2.52463e-06 0.274794 0.32368
-0.451934 2.53616e-08 0.442162 4.46274
-80.9086 4.21108e-10 74.5905 83.8249
+0.096079 4.02963e-05 0.089636 0.100502
+0.0988197 5.07109e-07 0.095909 0.102342
+0.176018 8.14293e-09 0.174489 0.185629
+0.707923 5.08291e-09 0.676637 0.814217
+133.636 5.31223e-10 133.62 133.655
 EOD
 $marks1_2 << EOD
 EOD
 $line2_0 << EOD
-0.014198 0.286712 0.014081 0.014281
-0.0226203 0.150076 0.0225333 0.022874
-0.0800657 0.00976808 0.0792373 0.0814373
-0.114146 0.00956268 0.112527 0.11668
-0.273766 0.00415142 0.270161 0.277949
-1.50255 0.000460188 1.50104 8.17809
+0.0140105 0.286712 0.0139455 0.014121
+0.0208015 0.150076 0.0207205 0.021031
+0.0743905 0.0097666 0.0742505 0.0745855
+0.117004 0.0095614 0.116328 0.118306
+0.275188 0.00415143 0.274528 0.275834
+1.35303 0.000460191 1.34649 1.3864
 EOD
 $marks2_0 << EOD
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.0226203 0.150076 0.0226203 0.0226203
+0.0208015 0.150076 0.0208015 0.0208015
 EOD
 $line2_2 << EOD
-0.0408143 0.000266061 0.040617 0.043858
-0.048105 1.31027e-06 0.0476377 0.052771
-0.0580397 5.27024e-08 0.0575353 0.0591777
-0.067179 3.89177e-08 0.0668727 0.0680273
-0.221779 6.59804e-10 0.212071 0.227841
+0.0134 0.00661927 0.0133645 0.013495
+0.013405 2.14036e-08 0.01335 0.0137005
+0.015538 1.74358e-08 0.015433 0.015949
+0.24615 3.9233e-10 0.24262 0.253811
 EOD
 $marks2_2 << EOD
 EOD
 $line3_0 << EOD
-0.0053325 1.9119 0.0052835 0.005433
-0.0064995 0.580181 0.0063645 0.006665
-0.00662 0.580053 0.0053925 0.006845
-0.007987 0.360902 0.007741 0.008177
-0.0102205 0.135869 0.0097895 0.0103205
-0.0222325 0.0109302 0.022163 0.0239805
-0.027521 0.00561529 0.027345 0.027761
-0.0293035 0.00197033 0.029264 0.029524
-0.113474 0.000113385 0.112472 0.119918
-0.578297 3.96211e-11 0.565799 0.63735
+0.00559133 0.578376 0.00550533 0.00577867
+0.008095 0.36945 0.008022 0.00824567
+0.009925 0.282355 0.00910033 0.0101887
+0.027968 0.0258937 0.0278383 0.0288363
+0.034471 0.0122222 0.034311 0.035713
+0.125386 0.01054 0.123988 0.130403
 EOD
 $marks3_0 << EOD
 EOD
 $line3_1 << EOD
 EOD
 $marks3_1 << EOD
-0.007987 0.360902 0.007987 0.007987
+0.008095 0.36945 0.008095 0.008095
 EOD
 $line3_2 << EOD
-0.041076 0.0317577 0.04023 0.041406
-0.0786765 1.18428e-06 0.076143 0.0827225
-0.105001 9.34405e-09 0.0944155 0.113038
-0.109488 8.48965e-11 0.098942 0.131015
+0.017052 1 0.0168783 0.0177793
+0.0547447 0.00437823 0.0544777 0.0550653
+0.138355 5.4794e-05 0.137765 0.140732
+0.24962 7.06598e-07 0.248218 0.256494
+0.348327 7.94292e-09 0.345132 0.358879
+0.564397 3.1992e-11 0.560227 0.575273
 EOD
 $marks3_2 << EOD
 EOD
@@ -118,7 +116,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00801609:2.35137]
+set xrange [0.00668974:4.39391]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -129,10 +127,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.89962e-12 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.500669, graph 0.278328 left front noenhanced textcolor rgb '#0060a8'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 2.00485e-12 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.348527, graph 0.169869 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.865418 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.165475, graph 0.872654 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.173941, graph 0.872654 left front noenhanced textcolor rgb '#555555'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line0_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line0_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -149,7 +147,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0524848:34234.2]
+set xrange [0.0478666:10614.3]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -160,10 +158,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 3.06194e-10 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.583085, graph 0.258885 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.512846, graph 0.339276 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.115296, graph 0.901817 left front noenhanced textcolor rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 3.5572e-11 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.679391, graph 0.266091 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.507068, graph 0.357127 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.129663, graph 0.901817 left front noenhanced textcolor rgb '#555555'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line1_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line1_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -180,7 +178,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00763564:438.457]
+set xrange [0.00725165:372.88]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -191,10 +189,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.23782e-11 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.342228, graph 0.272815 left front noenhanced textcolor rgb '#0060a8'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.18045e-12 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.359725, graph 0.256689 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.69021 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.133906, graph 0.906892 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.131944, graph 0.906892 left front noenhanced textcolor rgb '#555555'
 plot $line2_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line2_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line2_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -210,8 +208,8 @@ set title "gripper" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "10^{%T}"
-set xrange [0.00285848:173.853]
+set format x "%g"
+set xrange [0.00365489:6.68151]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -222,10 +220,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 3.26755e-12 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "best of Bullet's" at graph 0.516822, graph 0.185566 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus" at graph 0.0641393, graph 0.209206 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.128078, graph 0.915534 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.705772, graph 0.178931 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.505485, graph 0.787346 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.140668, graph 0.749059 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.105868, graph 0.897683 to graph 0.140668, graph 0.749059 nohead lw 0.6 lc rgb '#555555'
 plot $line3_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line3_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line3_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \

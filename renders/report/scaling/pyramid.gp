@@ -1,85 +1,82 @@
 # Draws pyramid.svg and pyramid.png: gnuplot pyramid.gp
 $line0_0 << EOD
-4 4.87475 4 4
-16 45.0743 16 16
-64 150.225 64 64
-256 161.145 256 256
-1024 199.511 1024 1024
+4 3.62775 4 4
+16 50.3534 16 16
+64 1235.49 64 64
+256 1155.8 256 256
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 2.26075 4 4
-16 34.9261 16 16
-64 33.0612 64 64
-256 177.663 256 256
-1024 215.542 1024 1024
+4 1.42725 4 4
+16 12.9223 16 16
+64 55.1379 64 64
+256 133.323 256 256
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.36575 4 4
-16 0.329875 16 16
-64 0.336281 64 64
-256 0.414832 256 256
-1024 0.444575 1024 1024
+4 0.3605 4 4
+16 0.33425 16 16
+64 0.436734 64 64
+256 0.384516 256 256
+1024 0.36691 1024 1024
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 3.00175 4 4
-16 2.34662 16 16
-64 2.59322 64 64
-256 2.66027 256 256
-1024 3.45823 1024 1024
+4 2.39875 4 4
+16 2.34725 16 16
+64 3.20069 64 64
+256 2.46091 256 256
+1024 2.69989 1024 1024
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.43075 4 4
-16 0.41625 16 16
-64 0.436891 64 64
-256 0.495812 256 256
-1024 0.666574 1024 1024
+4 0.6735 4 4
+16 0.415 16 16
+64 0.574438 64 64
+256 0.43518 256 256
+1024 0.497262 1024 1024
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 0.93375 4 4
-16 1.99294 16 16
-64 2.50216 64 64
-256 8.20209 256 256
-1024 88.3226 1024 1024
+4 1.392 4 4
+16 1.4165 16 16
+64 3.75056 64 64
+256 7.61782 256 256
+1024 54.3576 1024 1024
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 0.70625 4 4
-16 0.861938 16 16
-64 6.92245 64 64
+4 1.1165 4 4
+16 0.84125 16 16
+64 8.99834 64 64
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 0.80875 4 4
-16 0.922 16 16
-64 6.05148 64 64
-256 521.241 256 256
+4 1.15175 4 4
+16 0.901375 16 16
+64 7.40692 64 64
+256 310.912 256 256
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-4 8.72775 4 4
+4 10.1378 4 4
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-1024 3.44883 1024 1024
+256 2.02342 256 256
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-1024 3.44064 1024 1024
 EOD
 $marks1_1 << EOD
 EOD
@@ -96,8 +93,8 @@ EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-256 5.2265 256 256
-1024 69.8409 1024 1024
+256 5.23878 256 256
+1024 70.0416 1024 1024
 EOD
 $marks1_5 << EOD
 EOD
@@ -106,7 +103,7 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-256 9.28154 256 256
+256 9.36346 256 256
 EOD
 $marks1_7 << EOD
 EOD
@@ -132,28 +129,27 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [2.51065:9403.73]
+set xrange [2.64715:3891.09]
 set xlabel "contacts" noenhanced
 set logscale y
 set ytics 10 nomirror
 set mytics
-set format y "%g"
-set yrange [0.1:1000]
+set format y "10^{%T}"
+set yrange [0.1:10000]
 set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.749941, graph 0.161986 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.749941, graph 0.2176 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.749941, graph 0.384713 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.260835, graph 0.460065 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.076027, graph 0.589967 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.0566038, graph 0.485226 to graph 0.076027, graph 0.589967 nohead lw 0.6 lc rgb '#999999'
-set label "pgs:10" at graph 0.749941, graph 0.736518 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus" at graph 0.749941, graph 0.824991 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-4" at graph 0.749941, graph 0.879935 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.730517, graph 0.833383 to graph 0.749941, graph 0.879935 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.581462, graph 0.92926 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.836374, graph 0.112912 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.162593 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.286269 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.304052, graph 0.390833 left front noenhanced textcolor rgb '#555555'
+set label "lemke" at graph 0.076027, graph 0.459378 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.0566038, graph 0.401188 to graph 0.076027, graph 0.459378 nohead lw 0.6 lc rgb '#999999'
+set label "pgs:10" at graph 0.836374, graph 0.547052 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.646287, graph 0.624981 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.646287, graph 0.698528 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.646287, graph 0.812577 left front noenhanced textcolor rgb '#0060a8'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -190,7 +186,7 @@ set logscale x
 set xtics nomirror (100, 200, 500, 1000, 2000, 5000)
 set mxtics
 set format x "%g"
-set xrange [227.862:1782.58]
+set xrange [231.341:1384.69]
 set xlabel "contacts" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -201,17 +197,13 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.749941, graph 0.26832 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.581606, graph 0.268836 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.076027, graph 0.553638 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.48381 to graph 0.076027, graph 0.553638 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:10" at graph 0.749941, graph 0.922055 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus" at graph 0.076027, graph 0.153043 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.076027, graph 0.543908 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.485718 to graph 0.076027, graph 0.543908 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:10" at graph 0.850779, graph 0.922678 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
-  $line1_1 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
-  $line1_1 using 1:2 with lines lw 1.5 lc rgb '#0060a8', \
-  $line1_1 using 1:2 with points pt 7 ps 0.575 lc rgb '#0060a8', \
   $line1_5 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0cc79a7', \
   $line1_5 using 1:2 with lines lw 1.5 lc rgb '#cc79a7', \
   $line1_5 using 1:2 with points pt 7 ps 0.575 lc rgb '#cc79a7', \

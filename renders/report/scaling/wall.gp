@@ -1,68 +1,67 @@
 # Draws wall.svg and wall.png: gnuplot wall.gp
 $line0_0 << EOD
-4 10.4932 4 4
-8 12.7815 8 8
-44 239.393 44 44
-240 132.321 240 240
-992 150.896 992 992
+4 18.66 4 4
+8 22.0089 8 8
+44 890.545 44 44
+240 1270.57 240 240
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 9.32375 4 4
-8 8.27475 8 8
-44 26.6058 44 44
-240 51.1211 240 240
-992 73.5574 992 992
+4 3.961 4 4
+8 3.95963 8 8
+44 15.0851 44 44
+240 68.6459 240 240
+992 98.4341 992 992
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.36075 4 4
-8 0.333 8 8
-44 0.331386 44 44
-240 0.347725 240 240
-992 0.413405 992 992
+4 0.363 4 4
+8 0.381875 8 8
+44 0.3685 44 44
+240 0.474621 240 240
+992 0.37493 992 992
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 2.41375 4 4
-8 2.79787 8 8
-44 2.24014 44 44
-240 2.51682 240 240
-992 2.81467 992 992
+4 2.43875 4 4
+8 2.27212 8 8
+44 2.57995 44 44
+240 3.13307 240 240
+992 2.63929 992 992
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.45575 4 4
-8 0.400625 8 8
-44 0.422659 44 44
-240 0.461392 240 240
-992 0.520965 992 992
+4 0.5835 4 4
+8 0.396875 8 8
+44 0.467727 44 44
+240 0.608446 240 240
+992 0.467821 992 992
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 0.9615 4 4
-8 0.85625 8 8
-44 2.00866 44 44
-240 4.79269 240 240
-992 62.3854 992 992
+4 2.063 4 4
+8 1.3695 8 8
+44 1.98977 44 44
+240 7.0639 240 240
+992 43.4668 992 992
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 0.71875 4 4
+4 0.80625 4 4
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 0.75375 4 4
-8 0.661 8 8
-44 2.59884 44 44
-240 257.085 240 240
+4 0.61575 4 4
+8 1.03025 8 8
+44 2.11586 44 44
+240 163.73 240 240
 EOD
 $marks0_7 << EOD
 EOD
@@ -71,12 +70,11 @@ EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-992 3.26042 992 992
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-992 3.13344 992 992
+992 3.69869 992 992
 EOD
 $marks1_1 << EOD
 EOD
@@ -93,7 +91,7 @@ EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-240 4.59571 240 240
+240 4.51789 240 240
 992 65.663 992 992
 EOD
 $marks1_5 << EOD
@@ -103,7 +101,7 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-240 8.21658 240 240
+240 8.15104 240 240
 EOD
 $marks1_7 << EOD
 EOD
@@ -134,21 +132,21 @@ set xlabel "contacts" noenhanced
 set logscale y
 set ytics 10 nomirror
 set mytics
-set format y "%g"
-set yrange [0.1:1000]
+set format y "10^{%T}"
+set yrange [0.1:10000]
 set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.749941, graph 0.154094 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.749941, graph 0.202478 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig" at graph 0.076027, graph 0.283972 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.214144 to graph 0.076027, graph 0.283972 nohead lw 0.6 lc rgb '#555555'
-set label "si:100" at graph 0.749941, graph 0.362357 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:10" at graph 0.749941, graph 0.698771 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.749941, graph 0.75157 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.749941, graph 0.806307 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.576484, graph 0.864157 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.749941, graph 0.11479 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.749941, graph 0.16893 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.076027, graph 0.0881905 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.181294 to graph 0.076027, graph 0.0881905 nohead lw 0.6 lc rgb '#555555'
+set label "si:100" at graph 0.749941, graph 0.284297 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:10" at graph 0.749941, graph 0.527632 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.749941, graph 0.598629 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.343405, graph 0.642826 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.576484, graph 0.8208 left front noenhanced textcolor rgb '#0060a8'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -193,15 +191,11 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.749941, graph 0.248011 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.581606, graph 0.256637 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.076027, graph 0.538811 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.457345 to graph 0.076027, graph 0.538811 nohead lw 0.6 lc rgb '#555555'
+set label "delassus:1e-4" at graph 0.749941, graph 0.284024 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.076027, graph 0.525434 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.455607 to graph 0.076027, graph 0.525434 nohead lw 0.6 lc rgb '#555555'
 set label "pgs:10" at graph 0.749941, graph 0.90866 left front noenhanced textcolor rgb '#cc79a7'
-plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
-  $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
-  $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
-  $line1_1 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
+plot $line1_1 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_1 using 1:2 with lines lw 1.5 lc rgb '#0060a8', \
   $line1_1 using 1:2 with points pt 7 ps 0.575 lc rgb '#0060a8', \
   $line1_5 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0cc79a7', \
