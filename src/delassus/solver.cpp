@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "delassus/cone.h"
 #include "delassus/interior_point.h"
@@ -12,7 +11,6 @@
 #include "delassus/proximal_newton.h"
 #include "delassus/read_mode.h"
 #include "delassus/residual.h"
-#include "delassus/split_problem.h"
 #include "delassus/sweeps.h"
 
 namespace delassus {
@@ -362,43 +360,6 @@ void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best
                                                  : Status::OutOfBudget;
   if (best.status == Status::OutOfBudget) best.blamed = {w.map.residual(best.r, best.u).worst};
   readActiveSet(problem, w.map.diagonal(), best.r, best.u, best.activeSet);
-}
-
-Solution solve(const Problem& problem, const Options& options) {
-  Solver solver(options);
-  if (problem.W.inBodySpace()) return solver.solve(problem);
-
-  // Parts that nothing couples are solved apart.
-  Solution whole;
-  double squares = 0;  // of residuals, (m/s)²
-  int parts = 0;
-  whole.r = VectorXd::Zero(problem.size());
-  whole.u = whole.r;
-  whole.activeSet.contacts.resize(problem.contacts());
-  whole.activeSet.rows.resize(problem.rows());
-  for (const ProblemPart& part : splitProblem(problem)) {
-    const Solution s = solver.solve(part.problem);
-    const int n = part.problem.contacts();
-    for (int k = 0; k < part.problem.size(); ++k) {
-      whole.r[part.unknowns[k]] = s.r[k];
-      whole.u[part.unknowns[k]] = s.u[k];
-    }
-    for (int i = 0; i < n; ++i)
-      whole.activeSet.contacts[part.unknowns[3 * i] / 3] = s.activeSet.contacts[i];
-    for (int i = 0; i < part.problem.rows(); ++i)
-      whole.activeSet.rows[part.unknowns[3 * n + i] - 3 * problem.contacts()] = s.activeSet.rows[i];
-    whole.status = std::max(whole.status, s.status);
-    whole.residual = std::max(whole.residual, s.residual);
-    const int size = n + part.problem.rows();
-    squares += s.residualRms * s.residualRms * size;
-    parts += size;
-    whole.regions += s.regions;
-    whole.factorisations += s.factorisations;
-    whole.sweeps += s.sweeps;
-    for (int blamed : s.blamed) whole.blamed.push_back(part.unknowns[blamed]);
-  }
-  if (parts > 0) whole.residualRms = std::sqrt(squares / parts);
-  return whole;
 }
 
 }  // namespace delassus

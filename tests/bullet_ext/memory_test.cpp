@@ -1,0 +1,94 @@
+/// What points that Bullet's narrow phase has put in the place of others start from.
+#include "bullet_ext/memory.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
+#include "bullet_ext/solve_group.h"
+#include "tests/support/bullet_world.h"
+
+namespace delassus::testing {
+namespace {
+
+using namespace delassus::bullet;
+
+/// One body on the ground at points below it, as the door gathers them.
+class Touch {
+ public:
+  explicit Touch(const std::vector<Vec3>& arms, int lifeTime) {
+    group_.bodies.emplace_back().inverseMass.setOnes();
+    for (const Vec3& arm : arms) {
+      btManifoldPoint point;
+      point.m_lifeTime = lifeTime;
+      manifold_.addManifoldPoint(point, true);
+      Contact& contact = group_.contacts.emplace_back();
+      contact.a = 0;
+      contact.armA = arm;
+      contact.friction = 0.5;
+      group_.contactSources.push_back({&manifold_, manifold_.getNumContacts() - 1});
+      group_.guess.push_back(Vec3::Zero());
+    }
+  }
+
+  /// The same manifold with other points.
+  void replace(const std::vector<Vec3>& arms, int lifeTime) {
+    for (std::size_t i = 0; i < arms.size(); ++i) {
+      manifold_.getContactPoint(static_cast<int>(i)).m_lifeTime = lifeTime;
+      group_.contacts[i].armA = arms[i];
+      group_.guess[i].setZero();
+    }
+  }
+  Vec6 wrench(const std::vector<Vec3>& reactions) const {
+    Vec6 sum = Vec6::Zero();
+    for (std::size_t i = 0; i < reactions.size(); ++i) {
+      const Vec3 force = group_.contacts[i].frame * reactions[i];
+      sum.head<3>() += force;
+      sum.tail<3>() += group_.contacts[i].armA.cross(force);
+    }
+    return sum;
+  }
+  Group& group() { return group_; }
+
+ private:
+  btPersistentManifold manifold_;
+  Group group_;
+};
+
+const std::vector<Vec3> corners{{-1, 0.5, 0.5}, {-1, -0.5, 0.5}, {-1, -0.5, -0.5}, {-1, 0.5, -0.5}};
+const std::vector<Vec3> reactions{{3, 0.5, 0.1}, {2, -0.2, 0.3}, {1, 0.1, 0}, {4, 0, -0.4}};
+
+Answer answerOf(const std::vector<Vec3>& contacts) {
+  Answer answer{Options()};
+  answer.contacts = contacts;
+  return answer;
+}
+
+TEST(Memory, FreshPointsPushAndTurnAsThoseThatAreGone) {
+  Touch touch(corners, 5);
+  const Vec6 before = touch.wrench(reactions);
+  Memory memory;
+  memory.nextStep();
+  memory.keep(touch.group(), answerOf(reactions));
+  memory.nextStep();
+
+  touch.replace({{-1, 0.4, 0.3}, {-1, -0.5, 0.5}, {-1, -0.3, -0.5}, {-1, 0.5, -0.2}}, 0);
+  memory.recall(touch.group());
+  EXPECT_LT((touch.wrench(touch.group().guess) - before).norm(), 1e-6 * before.norm());
+}
+
+TEST(Memory, PointsThatStayAreLeftAlone) {
+  Touch touch(corners, 5);
+  Memory memory;
+  memory.nextStep();
+  memory.keep(touch.group(), answerOf(reactions));
+  memory.nextStep();
+  touch.replace({{-1, 0.4, 0.3}, {-1, -0.5, 0.5}, {-1, -0.3, -0.5}, {-1, 0.5, -0.2}}, 5);
+  memory.recall(touch.group());
+  for (const Vec3& guess : touch.group().guess) EXPECT_EQ(guess, Vec3::Zero());
+}
+
+}  // namespace
+}  // namespace delassus::testing
