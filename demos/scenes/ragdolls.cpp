@@ -6,7 +6,10 @@ namespace demos {
 
 namespace {
 
-constexpr btScalar quarterTurn = btScalar(M_PI / 2);
+/// Axes of a doll that stands upright and holds its arms out: what its joints turn about.
+const btQuaternion xToUp = aboutZ(M_PI / 2), xToTheLeft = aboutZ(M_PI);
+const btQuaternion zToTheSide(btVector3(0, 1, 0), btScalar(M_PI / 2));
+const btQuaternion zToUp(btVector3(1, 0, 0), btScalar(-M_PI / 2));
 
 /// One limb: a capsule of 1 kg from `from` to `to`, both measured from the doll's feet.
 struct Limb {
@@ -28,19 +31,20 @@ class Doll {
                       {surfaceFriction(usualFriction), 0});
   }
 
-  /// A hinge about the doll's side axis at `joint`, bending between `low` and `high` radians.
-  void hinge(btRigidBody& a, btRigidBody& b, const btVector3& joint, btScalar low, btScalar high) {
-    const btTransform frame =
-        place_ * btTransform(btQuaternion(btVector3(0, 1, 0), quarterTurn), joint);
+  /// A hinge at `joint` about the z axis of `axes`, bending between `low` and `high` radians.
+  void hinge(btRigidBody& a, btRigidBody& b, const btVector3& joint, const btQuaternion& axes,
+             btScalar low, btScalar high) {
+    const btTransform frame = place_ * btTransform(axes, joint);
     auto made = std::make_unique<btHingeConstraint>(a, b, inBody(a, frame), inBody(b, frame));
     made->setLimit(low, high);
     world_.join(std::move(made));
   }
 
-  /// A cone around the vertical of the doll at `joint`.
-  void coneTwist(btRigidBody& a, btRigidBody& b, const btVector3& joint, btScalar swing,
-                 btScalar twist) {
-    const btTransform frame = place_ * btTransform(aboutZ(0.5 * M_PI), joint);
+  /// A cone at `joint` around the x axis of `axes`, which is that of the limb: about any other axis a limb that spins
+  /// would run far past its twist, and come back with the speed that the joint's law asks for.
+  void coneTwist(btRigidBody& a, btRigidBody& b, const btVector3& joint, const btQuaternion& axes,
+                 btScalar swing, btScalar twist) {
+    const btTransform frame = place_ * btTransform(axes, joint);
     auto made = std::make_unique<btConeTwistConstraint>(a, b, inBody(a, frame), inBody(b, frame));
     made->setLimit(swing, swing, twist);
     world_.join(std::move(made));
@@ -63,8 +67,8 @@ void addDoll(World& world, const btTransform& place) {
   btRigidBody& pelvis = doll.addLimb({point(0, 0.85), point(0, 1.15), btScalar(0.14)});
   btRigidBody& chest = doll.addLimb({point(0, 1.15), point(0, 1.55), btScalar(0.15)});
   btRigidBody& head = doll.addLimb({point(0, 1.6), point(0, 1.9), btScalar(0.1)});
-  doll.hinge(pelvis, chest, point(0, 1.15), -pi / 4, pi / 4);
-  doll.coneTwist(chest, head, point(0, 1.58), pi / 4, pi / 4);
+  doll.hinge(pelvis, chest, point(0, 1.15), zToTheSide, -pi / 4, pi / 4);
+  doll.coneTwist(chest, head, point(0, 1.58), xToUp, pi / 4, pi / 4);
   for (const int side : {-1, 1}) {
     btRigidBody& thigh =
         doll.addLimb({point(0.18 * side, 0.82), point(0.18 * side, 0.45), btScalar(0.08)});
@@ -74,10 +78,11 @@ void addDoll(World& world, const btTransform& place) {
         doll.addLimb({point(0.2 * side, 1.5), point(0.52 * side, 1.5), btScalar(0.06)});
     btRigidBody& foreArm =
         doll.addLimb({point(0.54 * side, 1.5), point(0.84 * side, 1.5), btScalar(0.05)});
-    doll.coneTwist(pelvis, thigh, point(0.18 * side, 0.85), pi / 4, pi / 8);
-    doll.hinge(thigh, shin, point(0.18 * side, 0.435), 0, pi / 2);
-    doll.coneTwist(chest, upperArm, point(0.18 * side, 1.5), pi / 2, pi / 8);
-    doll.hinge(upperArm, foreArm, point(0.53 * side, 1.5), -pi / 2, 0);
+    doll.coneTwist(pelvis, thigh, point(0.18 * side, 0.85), xToUp, pi / 4, pi / 8);
+    doll.hinge(thigh, shin, point(0.18 * side, 0.435), zToTheSide, 0, pi / 2);
+    doll.coneTwist(chest, upperArm, point(0.18 * side, 1.5),
+                   side > 0 ? btQuaternion::getIdentity() : xToTheLeft, pi / 2, pi / 8);
+    doll.hinge(upperArm, foreArm, point(0.53 * side, 1.5), zToUp, -pi / 2, 0);
   }
 }
 
