@@ -72,11 +72,17 @@ const char* reasonOf(Status status) {
   return "";
 }
 
+/// Worlds step on from their reactions: what comes to a solver with a guess has been found wanting by the island check.
+Options forWorlds(Options options) {
+  options.guessShare = std::min(options.guessShare, polishedShare);
+  return options;
+}
+
 }  // namespace
 
 struct btDelassusConstraintSolver::Workspace {
   explicit Workspace(const Options& options)
-      : solver(options), pushSolver(options), answer(options) {}
+      : solver(forWorlds(options)), pushSolver(options), answer(options) {}
 
   Solver solver;
   Solver pushSolver;  ///< its own, so that neither has to change the size of its storage

@@ -13,6 +13,7 @@ void Group::clear() {
   pushes.clear();
   guess.clear();
   idle.clear();
+  restless.clear();
   bouncing = 0;
   rows.clear();
   rowGuess.clear();
@@ -25,8 +26,8 @@ void Group::clear() {
 std::size_t Group::bytes() const {
   const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
   return of(bodies) + of(bodySources) + of(contacts) + of(contactSources) + of(pushes) + of(guess) +
-         of(idle) + of(rows) + of(joints) + obsolete.capacity() * sizeof(void*) + of(asked) +
-         indexOf.bytes();
+         of(idle) + of(restless) + of(rows) + of(joints) + obsolete.capacity() * sizeof(void*) +
+         of(asked) + indexOf.bytes();
 }
 
 std::string nameOf(const btCollisionObject& object) {

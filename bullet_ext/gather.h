@@ -62,7 +62,9 @@ struct Group {
   std::vector<double> pushes;  ///< wanted normal push velocity of each contact, m/s (split impulse)
   std::vector<Vec3> guess;     ///< reaction of each contact to start from, N·s
   std::vector<PointSource> idle;  ///< points that were passed but take no part
-  int bouncing = 0;               ///< contacts with restitution
+  std::vector<char>
+      restless;  ///< contacts of islands whose last reactions changed the motion; empty if there are none
+  int bouncing = 0;  ///< contacts with restitution
 
   std::vector<Row> rows;
   std::vector<double> rowGuess;              ///< reaction of each row to start from, N·s

@@ -11,6 +11,7 @@
 #include "bullet_ext/convert.h"
 #include "bullet_ext/solve_group.h"
 #include "bullet_ext/write_back.h"
+#include "delassus/cone.h"
 
 namespace delassus::bullet {
 namespace {
@@ -41,6 +42,7 @@ void Memory::Step::clear() {
   joints.clear();
   points.clear();
   rows.clear();
+  restless.clear();
 }
 
 Memory::Owner Memory::ownerOf(const btPersistentManifold& manifold) {
@@ -90,7 +92,9 @@ void Memory::claim(Group& group, int begin, int end, const Owner& owner, bool fr
   }
 }
 
-/// Adds to the guesses the least change that makes their wrench (J_iᵀ r_i, summed) that of the last step.
+/// Changes the guesses, within their cones, so that their wrench (J_iᵀ r_i, summed) comes as near as it can to that of the
+/// last step, in the norm of S⁻¹, S = Σ J_iᵀ J_i: first the least change that keeps the wrench, then, where that has left a
+/// cone, rounds over the points, each of which takes what the others leave.
 void Memory::keepWrench(Group& group, int begin, int end, const Owner& owner) const {
   using Mat63 = Eigen::Matrix<double, 6, 3>;
   using Mat6 = Eigen::Matrix<double, 6, 6>;
@@ -124,8 +128,22 @@ void Memory::keepWrench(Group& group, int begin, int end, const Owner& owner) co
   // One or two points cannot make every wrench.
   constexpr double negligible = 1e-10;
   sum.diagonal().array() += negligible * sum.trace();
-  const Vec6 share = sum.ldlt().solve(missing);
-  for (int i = begin; i < end; ++i) group.guess[i] += wrenchPerReaction(i).transpose() * share;
+  const Eigen::LDLT<Mat6> factor(sum);
+  const auto add = [&](int i, const Vec6& share) {
+    const Mat63 g = wrenchPerReaction(i);
+    Vec3& r = group.guess[i];
+    const Vec3 before = r;
+    const Vec3 wanted = r + g.transpose() * share;
+    r = projectOnCone(wanted, group.contacts[i].friction);
+    missing -= g * (r - before);
+    return r == wanted;
+  };
+  const Vec6 share = factor.solve(missing);
+  bool inCones = true;
+  for (int i = begin; i < end; ++i) inCones = add(i, share) && inCones;
+  constexpr int rounds = 20;
+  for (int k = 0; k < rounds && !inCones; ++k)
+    for (int i = begin; i < end; ++i) add(i, factor.solve(missing));
 }
 
 void Memory::recallPoints(Group& group, int begin, int end) {
@@ -141,7 +159,22 @@ void Memory::recallPoints(Group& group, int begin, int end) {
   keepWrench(group, begin, end, *owner);
 }
 
+/// Marks the contacts of those bodies. A body that is new where another one was has only fresh points.
+void Memory::recallRestless(Group& group) {
+  if (last_.restless.empty()) return;
+  restless_.clear();
+  for (const btCollisionObject* body : last_.restless)
+    if (!restless_.find(body)) restless_.insert(body, 0);
+  group.restless.assign(group.contacts.size(), 0);
+  for (std::size_t i = 0; i < group.contacts.size(); ++i) {
+    const PointSource& source = group.contactSources[i];
+    group.restless[i] = !isFresh(pointOf(source)) && (restless_.find(source.manifold->getBody0()) ||
+                                                      restless_.find(source.manifold->getBody1()));
+  }
+}
+
 void Memory::recall(Group& group) {
+  recallRestless(group);
   const auto contacts = static_cast<int>(group.contacts.size());
   for (int begin = 0, end; begin < contacts; begin = end) {
     end = endOfManifold(group, begin);
@@ -173,6 +206,9 @@ void Memory::keep(const Group& group, const Answer& answer) {
     owner.begin = first;
     owner.end = first + end - begin;
   }
+  for (const IslandResult& island : answer.islands)
+    if (island.restless >= 0 && group.bodySources[island.restless].rigid)
+      now_.restless.push_back(group.bodySources[island.restless].rigid);
   for (const JointSource& joint : group.joints) {
     const auto first = static_cast<int>(now_.rows.size());
     for (int i = 0; i < joint.rowCount; ++i) now_.rows.push_back(answer.rows[joint.firstRow + i]);
@@ -186,8 +222,9 @@ std::size_t Memory::bytes() const {
   const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
   std::size_t sum = 0;
   for (const Step* step : {&last_, &now_})
-    sum += of(step->manifolds) + of(step->joints) + of(step->points) + of(step->rows);
-  return sum;
+    sum += of(step->manifolds) + of(step->joints) + of(step->points) + of(step->rows) +
+           of(step->restless);
+  return sum + restless_.bytes();
 }
 
 }  // namespace delassus::bullet

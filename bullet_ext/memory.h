@@ -47,6 +47,7 @@ class Memory {
     std::vector<Owner> manifolds, joints;
     std::vector<Point> points;
     std::vector<double> rows;
+    std::vector<const btCollisionObject*> restless;  ///< a body of each restless island
     void clear();
   };
 
@@ -54,12 +55,14 @@ class Memory {
   static Owner ownerOf(const JointSource& joint, double impulse);
   static const Owner* find(const std::vector<Owner>& owners, const Owner& wanted,
                            std::size_t& cursor);
+  void recallRestless(Group& group);
   void recallPoints(Group& group, int begin, int end);
   void claim(Group& group, int begin, int end, const Owner& owner, bool fresh);
   void keepWrench(Group& group, int begin, int end, const Owner& owner) const;
 
   bool announced_ = false;
   Step last_, now_;
+  BodyTable restless_;
   std::size_t manifoldCursor_ = 0, jointCursor_ = 0;
 };
 

@@ -82,6 +82,7 @@ void note(const Solution& solution, int parts, IslandResult& result) {
   result.residualMax = solution.residual;
   result.residualRms = solution.residualRms;
   result.parts = parts;
+  result.restless = -1;
   result.blamed.clear();
 }
 
@@ -90,13 +91,25 @@ int partsOf(const Island& island) {
                           island.rows.size());
 }
 
+/// Reactions that have just been found also stopped what moved, and would set it in motion the other way if they came
+/// again: before they are kept they must be those of the rest.
+double shareToKeep(const Group& group, const Island& island) {
+  const auto restless = [&](int i) { return group.restless[i] != 0; };
+  const bool settled =
+      group.restless.empty() ||
+      (std::none_of(island.frictional.begin(), island.frictional.end(), restless) &&
+       std::none_of(island.frictionless.begin(), island.frictionless.end(), restless));
+  return settled ? keptShare : polishedShare;
+}
+
 /// Whether the island needs no W: then `solution` answers it, and its bodies move in `answer`.
 bool needsNoSolving(const Group& group, const Island& island, const Economies& economies,
                     Answer& answer, Solution& solution) {
   if (economies.keptIslands) {
     collectGuess(island, answer, solution.r);
-    if (solution.r.any() && answer.check.isKept(group.bodies, group.contacts, group.rows, island,
-                                                answer.bodies, solution))
+    if (solution.r.any() &&
+        answer.check.isKept(group.bodies, group.contacts, group.rows, island,
+                            shareToKeep(group, island), answer.bodies, solution))
       return true;
   }
   return economies.freeIslands &&
@@ -124,6 +137,9 @@ void solveIsland(const Group& group, const Island& island, Solver& solver, Answe
   answer.sweeps += solution.sweeps;
 
   note(solution, partsOf(island), result);
+  constexpr double gain = 10;
+  if (solution.tier == Tier::Walk && solution.startResidual > gain * solution.residual)
+    result.restless = island.bodies.front();
   if (fitsBullet(solution.r)) {
     keepReactions(island, solution, answer);
     applyReaction(answer.bodies, group.contacts, group.rows, island, solution.r);

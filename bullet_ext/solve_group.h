@@ -19,6 +19,8 @@ struct IslandResult {
   Tier tier;
   double residualMax, residualRms;  ///< m/s
   int parts;                        ///< contacts and rows
+  int restless;  ///< one of its bodies, if other reactions were found than those of the last
+                 ///< step; or −1
   std::vector<std::string>
       blamed;  ///< names of the contacts and joints that keep it from being solved
 };

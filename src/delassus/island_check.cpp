@@ -210,10 +210,11 @@ double IslandCheck::move(const std::vector<Body>& bodies, const std::vector<Cont
 }
 
 bool IslandCheck::isKept(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
-                         const std::vector<Row>& rows, const Island& island,
+                         const std::vector<Row>& rows, const Island& island, double share,
                          std::vector<Body>& moved, Solution& solution) {
   VectorXd& r = solution.r;
-  Residuals residuals(options_.tolerance * move(bodies, contacts, rows, island, moved, r));
+  const double demand = move(bodies, contacts, rows, island, moved, r);
+  Residuals residuals(share * options_.tolerance * demand);
   makeReady(island, Tier::Kept, solution);
   VectorXd& u = solution.u;
 

@@ -24,11 +24,11 @@ class IslandCheck {
 
   /// Whether the reactions in `solution.r`, moved into their cones and bounds, keep the law: whether their natural
   /// residual, ‖r − P(r − ρ v)‖/ρ with ρ = 1/trace W_aa for contacts, is within the tolerance. (A shorter ρ makes it
-  /// larger: it bounds the one with ρ = 1/‖W_aa‖.) If so, `moved` holds the bodies' velocities v_f + M⁻¹ Jᵀ r; otherwise
+  /// larger: it bounds the one with ρ = 1/‖W_aa‖.) `share` is how much of the tolerance may be used. If so, `moved` holds the bodies' velocities v_f + M⁻¹ Jᵀ r; otherwise
   /// `moved` and `solution.r` are as they were, but for that projection.
   bool isKept(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
-              const std::vector<Row>& rows, const Island& island, std::vector<Body>& moved,
-              Solution& solution);
+              const std::vector<Row>& rows, const Island& island, double share,
+              std::vector<Body>& moved, Solution& solution);
 
  private:
   double move(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "delassus/options.h"
 #include "delassus/residual.h"
 
 namespace delassus {
@@ -145,7 +146,7 @@ template <class Motion>
 typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
     const Problem& problem, int& budget, Solution& count, const Solution* region) {
   // An inner answer only has to be better than what the outer step corrects anyway; at round-off the line search stalls.
-  constexpr double enough = 1e-7, stalled = 1e-2;
+  constexpr double enough = 1e-3, stalled = 1e-2;
   constexpr int mostSteps = 40, mostHalvings = 10;
   motion_.impulse(center_, delta_);
   delta_.setZero();
@@ -266,12 +267,12 @@ template <class Motion>
 Outcome ProximalNewton<Motion>::converge(const Problem& problem, double tolerance, double alpha,
                                          int regionBudget, bool fromRegion, double residual,
                                          Solution& best) {
-  constexpr double smallest = 1e-12, largest = 10, hardly = 1e-7;
-  constexpr int mostOuters = 60, mostFailures = 4;
+  constexpr double smallest = 1e-12, largest = 10, hardly = 1e-7, growth = 10;
+  constexpr int mostOuters = 60, mostFailures = 6;
   // An error of the motion (in energy norm) that no contact can tell from the tolerance.
   fine_ = 0.1 * tolerance / std::sqrt(scale_.maxCoeff());
   r_ = center_;
-  double shrink = 0.1;  // less boldly after each failure
+  double shrink = 0.01;  // less boldly after each failure
   int failures = 0;
   for (int outer = 0; outer < mostOuters; ++outer) {
     setWeights(alpha);
@@ -280,8 +281,8 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
       if (best.residual <= tolerance) return Outcome::Reached;
       if (fromRegion || regionBudget <= 0 || ++failures > mostFailures || alpha >= largest)
         return Outcome::Lost;
-      alpha /= shrink;
       shrink = std::sqrt(shrink);
+      alpha *= growth;
       continue;
     }
     problem.W.multiply(r_, felt_, trialU_);
@@ -300,7 +301,7 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
       best.residual = now;
     }
     // Some digits more if they come by themselves: then the next step may stand on these reactions.
-    const double aim = now > 0.1 * residual ? tolerance : 0.1 * tolerance;
+    const double aim = now > 0.1 * residual ? tolerance : polishedShare * tolerance;
     if (now <= std::max(aim, map_->roundOff(center_))) return Outcome::Reached;
     // A region that is known needs a small weight to finish; one that still changes needs a larger one.
     if (now > 0.1 * residual && alpha <= smallest) return Outcome::Lost;

@@ -34,9 +34,10 @@ struct Solution {
   ActiveSet activeSet;
   Status status = Status::Solved;
   Tier tier = Tier::Free;
-  double residual = 0;     ///< natural residual, largest over contacts and rows, m/s
-  double residualRms = 0;  ///< its root mean square, m/s
-  int regions = 0;         ///< regions visited
+  double startResidual = 0;  ///< natural residual of the guess, m/s; infinite without one
+  double residual = 0;       ///< natural residual, largest over contacts and rows, m/s
+  double residualRms = 0;    ///< its root mean square, m/s
+  int regions = 0;           ///< regions visited
   int factorisations = 0;
   int sweeps = 0;
   /// First unknowns of the contacts and rows that keep it from being solved: those with incompatible

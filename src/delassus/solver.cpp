@@ -99,7 +99,11 @@ struct Solver::Workspace {
   Solution trial, wandering, cold;
   VectorXd felt;
 
-  /// Completes u and the residual of a candidate r, and takes it as the best answer if its residual is smaller.
+  /// Completes u and the residuals of a candidate r.
+  void measure(const Problem& problem, Solution& candidate);
+  static void take(const Solution& candidate, Solution& best);
+  void startBetter(const Problem& problem, Solution& best);
+  /// Measures it, and takes it as the best answer if its residual is smaller.
   void consider(const Problem& problem, Solution& candidate, Solution& best);
 
   /// `guess`: reactions to start from, or null.
@@ -112,6 +116,9 @@ struct Solver::Workspace {
   template <class Motion>
   Outcome wander(Engines<Motion>& engines, const Problem& problem, const Options& options,
                  double tolerance, const VectorXd* guess, Solution& best);
+  template <class Motion>
+  void polish(Engines<Motion>& engines, const Problem& problem, const Options& options, double aim,
+              Solution& best);
   Outcome pivotRows(const Problem& problem, const Options& options, double tolerance,
                     Solution& best);
   void sweep(const Problem& problem, int count, Solution& best);
@@ -119,13 +126,31 @@ struct Solver::Workspace {
                          Solution& best);
 };
 
-void Solver::Workspace::consider(const Problem& problem, Solution& candidate, Solution& best) {
+void Solver::Workspace::measure(const Problem& problem, Solution& candidate) {
   problem.W.multiply(candidate.r, felt, candidate.u);
   candidate.u += problem.q;
   const NaturalResidual residual = map.residual(candidate.r, candidate.u);
   candidate.residual = residual.max;
   candidate.residualRms = residual.rms;
-  if (!(candidate.residual < best.residual)) return;
+}
+
+void Solver::Workspace::consider(const Problem& problem, Solution& candidate, Solution& best) {
+  measure(problem, candidate);
+  if (candidate.residual < best.residual) take(candidate, best);
+}
+
+/// Starts from no reactions at all if those in `best` are no start. They are compared as a whole: where few contacts came or
+/// went, a guess is far wrong only there, and what was learnt of all the others is worth more.
+void Solver::Workspace::startBetter(const Problem& problem, Solution& best) {
+  constexpr double hopeless = 30;
+  const double guessed = best.residualRms;
+  trial.r.setZero(problem.size());
+  makeFeasible(problem, trial.r);
+  measure(problem, trial);
+  if (!(guessed <= hopeless * trial.residualRms)) take(trial, best);
+}
+
+void Solver::Workspace::take(const Solution& candidate, Solution& best) {
   best.r = candidate.r;
   best.u = candidate.u;
   best.residual = candidate.residual;
@@ -256,6 +281,17 @@ Outcome Solver::Workspace::wander(Engines<Motion>& engines, const Problem& probl
   return Outcome::Lost;
 }
 
+/// A short walk from reactions that keep the law already.
+template <class Motion>
+void Solver::Workspace::polish(Engines<Motion>& engines, const Problem& problem,
+                               const Options& options, double aim, Solution& best) {
+  constexpr double weight = 1e-4;
+  constexpr int regions = 8;
+  engines.walk.setProblem(problem, map);
+  engines.walk.keepFactors(options.economies.factors);
+  engines.walk.walk(problem, aim, weight, regions, best);
+}
+
 /// Walks from the guess; if that is lost, with what is left of the budget as if there were none.
 template <class Motion>
 Outcome Solver::Workspace::search(Engines<Motion>& engines, const Problem& problem,
@@ -322,20 +358,20 @@ void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best
     makeFeasible(problem, w.trial.r);
     w.consider(problem, w.trial, best);
   }
+  best.startResidual = best.residual;
   const Economies& economies = options_.economies;
   if (best.residual <= tolerance && !economies.keptIslands) {
     // What keeps the law is solved again all the same, from nothing.
     warm = false;
     best.residual = std::numeric_limits<double>::infinity();
   }
-  if (best.residual <= tolerance) {
+  const double aim = std::max(options_.guessShare * tolerance, problem.roundOff);
+  if (best.residual <= aim) {
     best.tier = Tier::Kept;
-  } else {
-    w.trial.r.setZero(problem.size());
-    makeFeasible(problem, w.trial.r);
-    w.consider(problem, w.trial, best);
+  } else if (best.residual > tolerance) {
+    w.startBetter(problem, best);
   }
-  if (best.residual > tolerance && economies.closedForms && solveAlone(problem, w.map, w.trial.r)) {
+  if (best.residual > aim && economies.closedForms && solveAlone(problem, w.map, w.trial.r)) {
     ++best.regions;
     best.tier = Tier::ClosedForm;
     w.consider(problem, w.trial, best);
@@ -345,12 +381,19 @@ void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best
     best.tier = Tier::Pivoting;
     outcome = w.pivotRows(problem, options_, tolerance, best);
   }
+  const VectorXd* start = warm ? &guess : nullptr;
   if (best.residual > tolerance && outcome == Outcome::Lost) {
     best.tier = Tier::Walk;
-    outcome =
-        problem.W.inBodySpace()
-            ? w.search(w.bodies, problem, options_, tolerance, warm ? &guess : nullptr, best)
-            : w.search(w.factored, problem, options_, tolerance, warm ? &guess : nullptr, best);
+    outcome = problem.W.inBodySpace()
+                  ? w.search(w.bodies, problem, options_, tolerance, start, best)
+                  : w.search(w.factored, problem, options_, tolerance, start, best);
+    best.residualRms = w.map.residual(best.r, best.u).rms;
+  } else if (best.residual > aim && best.tier == Tier::Free) {
+    best.tier = Tier::Walk;
+    if (problem.W.inBodySpace())
+      w.polish(w.bodies, problem, options_, aim, best);
+    else
+      w.polish(w.factored, problem, options_, aim, best);
     best.residualRms = w.map.residual(best.r, best.u).rms;
   }
 

@@ -69,7 +69,8 @@ TEST(IslandCheck, KeepsTheReactionsThatTheSolverFound) {
     std::vector<Body> moved = bodies;
     Solution seen;
     seen.r = exact.r;
-    ASSERT_TRUE(IslandCheck(Options()).isKept(bodies, contacts, rows, island.island, moved, seen));
+    ASSERT_TRUE(
+        IslandCheck(Options()).isKept(bodies, contacts, rows, island.island, 1, moved, seen));
     ++kept;
     EXPECT_EQ(seen.tier, Tier::Kept);
     EXPECT_EQ(seen.status, Status::Solved);
@@ -93,7 +94,8 @@ TEST(IslandCheck, RefusesWhatDoesNotKeepTheLawAndLeavesTheBodiesAlone) {
     Solution seen;
     seen.r = Solver().solve(island.problem).r + 1e-3 * normalVector(island.problem.size(), random);
     std::vector<Body> moved = bodies;
-    EXPECT_FALSE(IslandCheck(Options()).isKept(bodies, contacts, rows, island.island, moved, seen));
+    EXPECT_FALSE(
+        IslandCheck(Options()).isKept(bodies, contacts, rows, island.island, 1, moved, seen));
     EXPECT_EQ(difference(moved, bodies), 0);
     // It was right to refuse.
     EXPECT_GT(naturalResidual(island.problem, seen.r).max,
