@@ -57,6 +57,7 @@ nlohmann::ordered_json toJson(const std::string& scene, const RunSummary& run) {
                         {"non_finite", run.regions->nonFinite}};
   }
   json["fallbacks"] = run.fallbacks;
+  if (run.lawError) json["law_error"] = *run.lawError;
   if (run.regions) {
     json["left_out"] = run.regions->leftOut;
     json["messages"] = nlohmann::ordered_json::array();
@@ -119,6 +120,13 @@ void printTable(const std::vector<RunSummary>& runs) {
   }
 }
 
+void printLawErrors(const Law& law, const std::vector<RunSummary>& runs) {
+  std::printf("%s:", law.name.c_str());
+  for (const RunSummary& run : runs)
+    std::printf("  %s %s", run.solver.c_str(), shortNumber(*run.lawError).c_str());
+  std::printf("\n");
+}
+
 int runSubject(const RunArguments& arguments) {
   // A wrong name is told before the first solver has run for minutes.
   std::vector<NamedSolver> solvers;
@@ -126,10 +134,12 @@ int runSubject(const RunArguments& arguments) {
   if (solvers.empty()) solvers.emplace_back(arguments.solvers);
 
   std::vector<RunSummary> runs;
+  std::optional<Law> law;
   for (NamedSolver& solver : solvers) {
     Subject subject = openSubject(arguments.subject);
     RunSettings settings{arguments.seconds > 0 ? arguments.seconds : subject.seconds,
-                         arguments.hz > 0 ? arguments.hz : subject.hz};
+                         arguments.hz > 0 ? arguments.hz : subject.hz, subject.law};
+    law = subject.law;
     if (runs.empty()) {
       std::FILE* notesTo = arguments.json ? stderr : stdout;
       for (const std::string& note : subject.notes)
@@ -150,6 +160,7 @@ int runSubject(const RunArguments& arguments) {
                 arguments.subject.c_str(), runs[0].steps, runs[0].hz, runs[0].bodies,
                 runs[0].contactsMax, precisionName());
     printTable(runs);
+    if (law) printLawErrors(*law, runs);
     for (const RunSummary& run : runs)
       if (arguments.explain && run.regions)
         std::printf("\n%s, means of %d steps\n\n%s", run.solver.c_str(), run.steps,

@@ -44,12 +44,12 @@ void rehearse(const std::string& file) {
 Subject openSubject(const std::string& name) {
   if (!isFile(name)) {
     const SceneDescription& scene = findScene(name);
-    return {scene.name, scene.build(), scene.seconds, scene.hz, {}};
+    return {scene.name, scene.build(), scene.seconds, scene.hz, {}, scene.law};
   }
   constexpr double usualSeconds = 5, usualHz = 60;
   rehearse(name);
   LoadedFile file = loadBulletFile(name);
-  return {name, std::move(file.world), usualSeconds, usualHz, std::move(file.notes)};
+  return {name, std::move(file.world), usualSeconds, usualHz, std::move(file.notes), std::nullopt};
 }
 
 const char* precisionName() { return sizeof(btScalar) == sizeof(double) ? "double" : "float"; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Subject {
   double seconds;                  ///< how long it is simulated unless the user says otherwise
   double hz;                       ///< and at how many steps a second
   std::vector<std::string> notes;  ///< what there is to say about a file
+  std::optional<Law> law;          ///< of a scene that has one
 };
 
 /// `name` is a file if it ends in ".bullet" or has a slash in it, else a scene.

@@ -85,6 +85,8 @@ std::unique_ptr<World> buildCardHouse(int storeys);
 std::unique_ptr<World> buildSpheresBin(int side);
 std::unique_ptr<World> buildHeavyBallChain(int links, double ballMass);
 std::unique_ptr<World> buildNewtonCradle(int balls);
+/// A doll of eleven limbs of 1 kg, 1.9 m tall at scale 1, with its feet at `place` and friction `mu` against its like.
+void addDoll(World& world, const btTransform& place, double scale = 1, double mu = usualFriction);
 std::unique_ptr<World> buildRagdolls(int count);
 std::unique_ptr<World> buildGripper();
 

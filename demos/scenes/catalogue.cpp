@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "demos/scenes/benchmarks.h"
 #include "demos/scenes/builders.h"
+#include "demos/scenes/force_plate.h"
 #include "demos/scenes/wall_and_ball.h"
 
 namespace demos {
@@ -70,6 +72,12 @@ void addFrictionScenes(std::vector<SceneDescription>& scenes) {
        [] {
          return buildInclines({{frictionAngle() - degree, 0}, {frictionAngle() + degree, 0}});
        }});
+  scenes.push_back(
+      {"force_plate", "load gliding over a table on four feet", 5, seenFrom(1.2, 1.6, 4, 0.4),
+       "the feet carry the force and the moments of statics, to 1e-6 of the weight",
+       buildForcePlate, 60,
+       Law{"force and moments under the feet against statics, largest error by the weight",
+           footForceError}});
   scenes.push_back({"box_headings", "twelve boxes pushed outwards in twelve directions", 3,
                     seenFrom(0, 16, 14, 0),
                     "all stop on one circle, v^2/(2 mu g) further out: friction is a round cone",
@@ -139,6 +147,33 @@ void addRoundAndHungScenes(std::vector<SceneDescription>& scenes) {
                     [] { return buildGripper(); }});
 }
 
+/// What Bullet's own benchmark shows, and its vehicle.
+void addBenchmarkScenes(std::vector<SceneDescription>& scenes) {
+  scenes.push_back({"benchmark_boxes", "3008 boxes falling in 47 layers (Bullet's benchmark 1)", 20,
+                    seenFrom(60, 90, 200, 50), "none falls through; no energy is gained",
+                    buildBenchmarkBoxes});
+  scenes.push_back({"benchmark_town",
+                    "pyramid, three walls and a round tower of 1076 boxes (benchmark 2)", 20,
+                    seenFrom(20, 35, 75, 8), "stands", buildBenchmarkTown});
+  scenes.push_back({"benchmark_ragdolls", "136 ragdolls falling (benchmark 3)", 20,
+                    seenFrom(50, 70, 160, 45), "fall to rest with their joints closed",
+                    buildBenchmarkRagdolls});
+  scenes.push_back({"benchmark_hulls", "960 barrels, convex hulls, falling (benchmark 4)", 20,
+                    seenFrom(50, 60, 130, 30), "none falls through; no energy is gained",
+                    buildBenchmarkHulls});
+  scenes.push_back({"voronoi_cells",
+                    "a block of stone, broken in 90 Voronoi cells, falls (benchmark 8)", 20,
+                    seenFrom(10, 9, 18, 2.5), "none falls through; no energy is gained",
+                    [] { return buildVoronoiCells(90, 1); }});
+  scenes.push_back({"vehicle_on_planks",
+                    "raycast vehicle of 800 kg drives over a mound of planks and brakes",
+                    20,
+                    {vec3(4, 9, 30), vec3(6, 0, 0), 40},
+                    "crosses without touching them: wheels are rays, which weigh on nothing; the "
+                    "planks stay",
+                    buildVehicleOnPlanks});
+}
+
 }  // namespace
 
 const std::vector<SceneDescription>& catalogue() {
@@ -148,6 +183,7 @@ const std::vector<SceneDescription>& catalogue() {
     addFrictionScenes(all);
     addBoxScenes(all);
     addRoundAndHungScenes(all);
+    addBenchmarkScenes(all);
     return all;
   }();
   return scenes;

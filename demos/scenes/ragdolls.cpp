@@ -11,7 +11,7 @@ const btQuaternion xToUp = aboutZ(M_PI / 2), xToTheLeft = aboutZ(M_PI);
 const btQuaternion zToTheSide(btVector3(0, 1, 0), btScalar(M_PI / 2));
 const btQuaternion zToUp(btVector3(1, 0, 0), btScalar(-M_PI / 2));
 
-/// One limb: a capsule of 1 kg from `from` to `to`, both measured from the doll's feet.
+/// One limb: a capsule of 1 kg from `from` to `to`, both measured from the feet of a doll of scale 1.
 struct Limb {
   btVector3 from, to;
   btScalar radius;
@@ -19,22 +19,23 @@ struct Limb {
 
 class Doll {
  public:
-  Doll(World& world, const btTransform& place) : world_(world), place_(place) {}
+  Doll(World& world, const btTransform& place, double scale, double mu)
+      : world_(world), place_(place), scale_(btScalar(scale)), material_{surfaceFriction(mu), 0} {}
 
   btRigidBody& addLimb(const Limb& limb) {
-    const btVector3 axis = limb.to - limb.from;
-    const btScalar length = axis.length();
+    const btVector3 axis = scale_ * (limb.to - limb.from);
+    const btScalar length = axis.length(), radius = scale_ * limb.radius;
     const btQuaternion turn = shortestArcQuat(btVector3(0, 1, 0), axis / length);
     btCapsuleShape& shape =
-        world_.own(std::make_unique<btCapsuleShape>(limb.radius, length - 2 * limb.radius));
-    return world_.add(1, shape, place_ * btTransform(turn, (limb.from + limb.to) / 2),
-                      {surfaceFriction(usualFriction), 0});
+        world_.own(std::make_unique<btCapsuleShape>(radius, length - 2 * radius));
+    const btVector3 middle = scale_ * (limb.from + limb.to) / 2;
+    return world_.add(1, shape, place_ * btTransform(turn, middle), material_);
   }
 
   /// A hinge at `joint` about the z axis of `axes`, bending between `low` and `high` radians.
   void hinge(btRigidBody& a, btRigidBody& b, const btVector3& joint, const btQuaternion& axes,
              btScalar low, btScalar high) {
-    const btTransform frame = place_ * btTransform(axes, joint);
+    const btTransform frame = place_ * btTransform(axes, scale_ * joint);
     auto made = std::make_unique<btHingeConstraint>(a, b, inBody(a, frame), inBody(b, frame));
     made->setLimit(low, high);
     world_.join(std::move(made));
@@ -44,7 +45,7 @@ class Doll {
   /// would run far past its twist, and come back with the speed that the joint's law asks for.
   void coneTwist(btRigidBody& a, btRigidBody& b, const btVector3& joint, const btQuaternion& axes,
                  btScalar swing, btScalar twist) {
-    const btTransform frame = place_ * btTransform(axes, joint);
+    const btTransform frame = place_ * btTransform(axes, scale_ * joint);
     auto made = std::make_unique<btConeTwistConstraint>(a, b, inBody(a, frame), inBody(b, frame));
     made->setLimit(swing, swing, twist);
     world_.join(std::move(made));
@@ -57,12 +58,16 @@ class Doll {
 
   World& world_;
   btTransform place_;
+  btScalar scale_;
+  Material material_;
 };
 
 btVector3 point(double x, double y) { return vec3(x, y, 0); }
 
-void addDoll(World& world, const btTransform& place) {
-  Doll doll(world, place);
+}  // namespace
+
+void addDoll(World& world, const btTransform& place, double scale, double mu) {
+  Doll doll(world, place, scale, mu);
   constexpr btScalar pi = btScalar(M_PI);
   btRigidBody& pelvis = doll.addLimb({point(0, 0.85), point(0, 1.15), btScalar(0.14)});
   btRigidBody& chest = doll.addLimb({point(0, 1.15), point(0, 1.55), btScalar(0.15)});
@@ -85,8 +90,6 @@ void addDoll(World& world, const btTransform& place) {
     doll.hinge(upperArm, foreArm, point(0.53 * side, 1.5), zToUp, -pi / 2, 0);
   }
 }
-
-}  // namespace
 
 std::unique_ptr<World> buildRagdolls(int count) {
   constexpr int columns = 5;

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "demos/scenes/world.h"
@@ -15,6 +16,12 @@ struct Camera {
   double fov = 40;
 };
 
+/// How far the last step, of `timeStep` s, is from what a scene's expectation says, where one number can say it.
+struct Law {
+  std::string name;  ///< of the number, with its unit
+  std::function<double(const World&, double timeStep)> error;
+};
+
 /// One scene: everything that a run, a test, a picture or a report needs to know about it.
 struct SceneDescription {
   std::string name;
@@ -24,6 +31,7 @@ struct SceneDescription {
   std::string expectation;  ///< the closed form or the law that the motion obeys
   std::function<std::unique_ptr<World>()> build;
   double hz = 60;  ///< steps a second
+  std::optional<Law> law = std::nullopt;
 };
 
 }  // namespace demos

@@ -109,6 +109,9 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
       verdict.count += now.count;
       summary.reactionOverWeight +=
           reactionOverWeight(world, 1 / settings.hz) / (summary.steps - settled);
+      if (settings.law)
+        summary.lawError =
+            std::max(summary.lawError.value_or(0), settings.law->error(world, 1 / settings.hz));
     }
     if (summary.regions) count(summary, named.delassus()->report());
     summary.contactsMax = std::max(summary.contactsMax, world.contactCount());

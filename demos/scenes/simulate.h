@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "demos/scenes/measures.h"
+#include "demos/scenes/scene.h"
 #include "demos/scenes/solvers.h"
 #include "demos/scenes/step_totals.h"
 
@@ -14,6 +15,7 @@ namespace demos {
 struct RunSettings {
   double seconds = 5;  ///< simulated, s
   double hz = 60;      ///< steps a second
+  std::optional<Law> law = std::nullopt;
 };
 
 /// seconds · hz as a whole number. Throws std::runtime_error above a billion: nobody would see the end of it.
@@ -21,7 +23,7 @@ int stepsIn(double seconds, double hz);
 
 /// One solver on one world: what moved, how well the law was kept, what it cost. The keys of `run --json`.
 ///
-/// Residuals are over the last three quarters of the run, m/s. Times are of solveGroup alone, per step.
+/// Residuals and the error of the law are over the last three quarters of the run, residuals in m/s. Times are of solveGroup alone, per step.
 struct RunSummary {
   std::string solver;
   int steps = 0;
@@ -30,12 +32,13 @@ struct RunSummary {
   int contactsMax = 0;
   double msMedian = 0, msP95 = 0;
   double residualRms = 0, residualMax = 0;
-  double penetrationMax = 0;      ///< m, over the run
-  double kineticEnergy = 0;       ///< J, at the end
-  double driftMax = 0;            ///< largest distance of any body from its start, over the run, m
-  double jointErrorMax = 0;       ///< m, over the run
-  double reactionOverWeight = 0;  ///< mean of the last three quarters
-  ModeCounts modes;               ///< of the last step
+  double penetrationMax = 0;       ///< m, over the run
+  double kineticEnergy = 0;        ///< J, at the end
+  double driftMax = 0;             ///< largest distance of any body from its start, over the run, m
+  double jointErrorMax = 0;        ///< m, over the run
+  double reactionOverWeight = 0;   ///< mean of the last three quarters
+  std::optional<double> lawError;  ///< the largest, in the unit of the law
+  ModeCounts modes;                ///< of the last step
   int fallbacks = 0;
 
   /// Something that was left out or not solved, and in how many steps.

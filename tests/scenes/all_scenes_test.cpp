@@ -39,7 +39,8 @@ void expectLawKept(OnRegions& run, double seconds, double hz = 60, double share 
 class EveryScene : public testing::TestWithParam<std::string> {};
 
 bool isLarge(const std::string& scene) {
-  return scene == "pyramid_50" || scene == "pyramid_20" || scene == "spheres_bin";
+  return scene == "pyramid_50" || scene == "pyramid_20" || scene == "spheres_bin" ||
+         scene == "voronoi_cells" || scene.rfind("benchmark_", 0) == 0;
 }
 
 TEST_P(EveryScene, keepsTheLawInItsFirstSteps) {

@@ -1,0 +1,53 @@
+// What force plates under the feet of a table read, against statics.
+#include "demos/scenes/force_plate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "demos/scenes/simulate.h"
+#include "tests/scenes/run_scene.h"
+
+namespace demos {
+namespace {
+
+constexpr double h = 1.0 / 60;
+
+TEST(ForcePlate, readsForceAndMomentsOfStatics) {
+  OnRegions run("force_plate");
+  for (int step = 0; step < 300; ++step) {
+    run.world->step(h);
+    ASSERT_LT(footForceError(*run.world, h), byPrecision(1e-6, 1e-3)) << step;
+    // Four rigid feet: in single precision the rounding of their heights says which of them carry.
+    if (!doublePrecision) continue;
+    for (const double force : measuredFootForces(*run.world, h)) ASSERT_GT(force, 0) << step;
+  }
+  // The load has gone from one side to the other.
+  EXPECT_NEAR(run.body(1).getWorldTransform().getOrigin().x(), 0.5, byPrecision(1e-9, 1e-3));
+}
+
+// What statics leaves open between four feet is shared by least norm where no reactions are remembered.
+TEST(ForcePlate, sharesByLeastNormAtFirst) {
+  OnRegions run("force_plate");
+  run.world->step(h);
+  const FootForces measured = measuredFootForces(*run.world, h);
+  const FootStatics statics = staticsOfWeights(*run.world, h);
+  const FootForces expected = leastNormShare(statics);
+  for (int foot = 0; foot < 4; ++foot)
+    EXPECT_NEAR(measured[foot], expected[foot], byPrecision(1e-6, 1e-3) * statics.force) << foot;
+}
+
+TEST(ForcePlate, stockReadsPerCentsOff) {
+  for (const std::string name : {"si:10", "si2:10"}) {
+    NamedSolver stock(name);  // outlives the world
+    const SceneDescription& scene = findScene("force_plate");
+    const auto world = scene.build();
+    const RunSummary summary =
+        simulate(*world, stock, {scene.seconds, scene.hz, scene.law}, [](double) {});
+    EXPECT_GT(summary.lawError.value(), 0.01) << name;
+  }
+}
+
+}  // namespace
+}  // namespace demos
