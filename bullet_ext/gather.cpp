@@ -2,8 +2,35 @@
 
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
+#include "BulletDynamics/Featherstone/btMultiBodyConstraint.h"
+#include "BulletDynamics/Featherstone/btMultiBodyLinkCollider.h"
 
 namespace delassus::bullet {
+namespace {
+
+std::string placeOf(const btCollisionObject& object) {
+  const int place = object.getWorldArrayIndex();
+  return place >= 0 ? "body " + std::to_string(place) : "a body outside the world";
+}
+
+std::string quoted(const char* name) { return "'" + std::string(name) + "'"; }
+
+std::string nameOf(const btMultiBody& body) {
+  if (body.getBaseName()) return "multibody " + quoted(body.getBaseName());
+  const btCollisionObject* first = body.getBaseCollider();
+  for (int link = 0; !first && link < body.getNumLinks(); ++link)
+    first = body.getLinkCollider(link);
+  return first ? "the multibody that begins with " + placeOf(*first)
+               : "a multibody without colliders";
+}
+
+std::string nameOfLink(const btMultiBody& body, int link) {
+  if (link < 0) return "the base of " + nameOf(body);
+  const char* name = body.getLink(link).m_linkName;
+  return "link " + std::to_string(link) + (name ? " " + quoted(name) : "") + " of " + nameOf(body);
+}
+
+}  // namespace
 
 void Group::clear() {
   bodies.clear();
@@ -20,19 +47,21 @@ void Group::clear() {
   joints.clear();
   obsolete.clear();
   articulation.clear();
+  multiBodyRows.clear();
   indexOf.clear();
 }
 
 std::size_t Group::bytes() const {
   const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
   return of(bodies) + of(bodySources) + of(contacts) + of(contactSources) + of(pushes) + of(guess) +
-         of(idle) + of(restless) + of(rows) + of(joints) + obsolete.capacity() * sizeof(void*) +
-         of(asked) + indexOf.bytes();
+         of(idle) + of(restless) + of(rows) + of(joints) + of(multiBodyRows) +
+         obsolete.capacity() * sizeof(void*) + of(asked) + indexOf.bytes();
 }
 
 std::string nameOf(const btCollisionObject& object) {
-  const int place = object.getWorldArrayIndex();
-  return place >= 0 ? "body " + std::to_string(place) : "a body outside the world";
+  const btMultiBodyLinkCollider* link = btMultiBodyLinkCollider::upcast(&object);
+  if (!link || !link->m_multiBody) return placeOf(object);
+  return placeOf(object) + " (" + nameOfLink(*link->m_multiBody, link->m_link) + ")";
 }
 
 std::string nameOf(const PointSource& source) {
@@ -42,6 +71,15 @@ std::string nameOf(const PointSource& source) {
 
 std::string nameOf(const btTypedConstraint& joint) {
   return "a joint of " + nameOf(joint.getRigidBodyA()) + " and " + nameOf(joint.getRigidBodyB());
+}
+
+std::string nameOf(btMultiBodyConstraint& constraint) {
+  std::string name = "a constraint of ";
+  const btMultiBody *a = constraint.getMultiBodyA(), *b = constraint.getMultiBodyB();
+  if (a) name += nameOfLink(*a, constraint.getLinkA());
+  if (a && b) name += " and ";
+  if (b) name += nameOfLink(*b, constraint.getLinkB());
+  return name;
 }
 
 }  // namespace delassus::bullet

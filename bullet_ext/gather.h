@@ -14,6 +14,7 @@
 
 class btCollisionObject;
 class btDispatcher;
+class btMultiBodyConstraint;
 class btPersistentManifold;
 class btRigidBody;
 class btTypedConstraint;
@@ -45,6 +46,12 @@ struct JointSource {
   double lastImpulse;      ///< that the last step left in the joint, N·s
 };
 
+/// A row that an Extension has added.
+struct MultiBodyRowSource {
+  int row;  ///< among Group::rows
+  btMultiBodyConstraint* constraint;
+};
+
 /// What a joint writes for one row. Four scalars an axis and this alignment, because some joints
 /// write whole btVector3.
 struct alignas(16) InfoRow {
@@ -71,7 +78,8 @@ struct Group {
   std::vector<JointSource> joints;           ///< enabled joints that have rows
   std::vector<btTypedConstraint*> obsolete;  ///< enabled constraints without rows in getInfo1
 
-  Articulation articulation;  ///< what an Extension has added
+  Articulation articulation;                      ///< what an Extension has added
+  std::vector<MultiBodyRowSource> multiBodyRows;  ///< the same, in the order of the rows
 
   BodyTable indexOf;
   std::vector<InfoRow> asked;  ///< of the joint that is being gathered
@@ -120,9 +128,11 @@ void gatherContacts(Group& group, btPersistentManifold** manifolds, int count,
 void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
                   const btContactSolverInfo& info, StepReport& report);
 
-/// How messages call an object: by its place in the world. Contacts and joints: by their bodies.
+/// How messages call an object: by its place in the world. Contacts and joints: by their bodies. A link: by its number and
+/// its multibody too, which is called by the name of its base, or by the place of its first collider.
 std::string nameOf(const btCollisionObject& object);
 std::string nameOf(const PointSource& source);
 std::string nameOf(const btTypedConstraint& joint);
+std::string nameOf(btMultiBodyConstraint& constraint);
 
 }  // namespace delassus::bullet

@@ -247,10 +247,11 @@ void MultiBodyParts::addRow(Group& group, btMultiBodyConstraint& constraint, int
   const char* fault = row.a == leftOut || row.b == leftOut ? brokenBody : faultOf(row);
   if (fault || (row.lower == 0 && row.upper == 0)) {
     jointRows.resize(jointRowsBefore);
-    if (fault) report.leaveOut("a row of an articulated body", fault);
+    if (fault) report.leaveOut("row " + std::to_string(dof) + " of " + nameOf(constraint), fault);
     return;
   }
   group.rows.push_back(row);
+  group.multiBodyRows.push_back({rowIndex, &constraint});
   rowSources_.push_back({rowIndex, asked, &constraint, dof, constraint.getAppliedImpulse(dof)});
 }
 

@@ -69,8 +69,11 @@ std::string blame(const Group& group, const Island& island, int unknown, Trouble
   const auto joint =
       std::find_if(group.joints.begin(), group.joints.end(),
                    [&](const JointSource& j) { return row < j.firstRow + j.rowCount; });
-  if (joint == group.joints.end()) return "a constraint of an articulated body";
-  return nameOf(*joint->constraint);
+  if (joint != group.joints.end()) return nameOf(*joint->constraint);
+  const auto source =
+      std::find_if(group.multiBodyRows.begin(), group.multiBodyRows.end(),
+                   [&](const MultiBodyRowSource& candidate) { return candidate.row == row; });
+  return nameOf(*source->constraint);
 }
 
 /// Finite in Bullet's precision.

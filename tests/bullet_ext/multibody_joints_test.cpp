@@ -5,6 +5,7 @@
 #include <BulletDynamics/Featherstone/btMultiBodyJointLimitConstraint.h>
 #include <BulletDynamics/Featherstone/btMultiBodyJointMotor.h>
 #include <BulletDynamics/Featherstone/btMultiBodyPoint2Point.h>
+#include <BulletDynamics/Featherstone/btMultiBodySliderConstraint.h>
 #include <BulletDynamics/Featherstone/btMultiBodySphericalJointLimit.h>
 #include <BulletDynamics/Featherstone/btMultiBodySphericalJointMotor.h>
 #include <gtest/gtest.h>
@@ -93,6 +94,46 @@ TEST(MultiBodyJoints, FeedbackOfAnArmHeldByMotorsIsItsWeight) {
     weight += Chain::mass(i) * g;
     EXPECT_NEAR(chain.feedback[i].m_reactionForces.getLinear().y() / weight, 1,
                 tolerance(1e-6, 1e-4));
+  }
+}
+
+constexpr double thrown[] = {0.3, -0.1};  ///< joint velocities, rad/s
+
+/// Motors throw a straight chain of two upwards, from rest.
+struct ThrownChain : Chain {
+  explicit ThrownChain(MultiBodyWorld& world) : Chain(world, 2) {
+    world.finish(*tree);
+    for (int i : {0, 1})
+      world.addConstraint<btMultiBodyJointMotor>(tree, i, btScalar(thrown[i]), btScalar(1000));
+  }
+  btVector3 force(int joint) { return feedback[joint].m_reactionForces.getLinear(); }
+};
+
+/// Each joint carries what lies beyond it, Σ m (a + g), with a of the centres of mass.
+TEST(MultiBodyJoints, FeedbackOfAThrownArmIsThatOfInverseDynamics) {
+  DelassusMultiBodyWorld world;
+  ThrownChain chain(world);
+  world.advance();
+  const double first = thrown[0] / h, both = (thrown[0] + thrown[1]) / h;  // rad/s²
+  const double beyondSecond = Chain::mass(1) * (first + 0.5 * both + g);
+  const double beyondFirst = Chain::mass(0) * (0.5 * first + g) + beyondSecond;
+  EXPECT_NEAR(chain.force(1).y() / beyondSecond, 1, tolerance(1e-6, 1e-4));
+  EXPECT_NEAR(chain.force(0).y() / beyondFirst, 1, tolerance(1e-6, 1e-4));
+}
+
+/// What Bullet 3.24 makes of our reactions where joints move is not mechanics: its pass for constraints has the Coriolis
+/// forces once more. It is what it makes of stock's.
+TEST(MultiBodyJoints, FeedbackOfAMovingArmIsThatOfStock) {
+  DelassusMultiBodyWorld ours;
+  StockMultiBodyWorld stock;
+  ThrownChain a(ours), b(stock);
+  for (int step = 0; step < 20; ++step) {
+    ours.advance();
+    stock.advance();
+    for (int joint : {0, 1})
+      EXPECT_LE((a.force(joint) - b.force(joint)).length() / b.force(joint).length(),
+                tolerance(1e-6, 1e-3))
+          << step;
   }
 }
 
@@ -207,6 +248,62 @@ TEST(MultiBodyJoints, FixedConstraintMakesOneBodyOfTwo) {
   }
   const btVector3 between = box.getWorldTransform().getOrigin() - tree.getBasePos();
   EXPECT_NEAR(between.length(), 0.5, 1e-3);
+}
+
+/// A box of 1 kg on a rail along x, of the world or of a body of 3 kg that floats: free along it, held across.
+TEST(MultiBodyJoints, SliderLeavesItsAxisFree) {
+  const btVector3 half(btScalar(0.2), btScalar(0.2), btScalar(0.2)), axis(1, 0, 0);
+  const btMatrix3x3 straight = btMatrix3x3::getIdentity();
+  for (const bool ofWorld : {true, false}) {
+    SCOPED_TRACE(ofWorld ? "rail of the world" : "rail of a body");
+    DelassusMultiBodyWorld world;
+    if (!ofWorld) world->setGravity(btVector3(0, 0, 0));
+    const btScalar I = btScalar(0.03);
+    btMultiBody& tree = world.addTree(0, 1, btVector3(I, I, I), false, btVector3(0, 5, 0));
+    world.addCollider(tree, -1, std::make_unique<btBoxShape>(half));
+    world.finish(tree);
+    btRigidBody* rail = ofWorld ? nullptr : &world.addBox(half, btVector3(0, 6, 0), 3);
+    world.addConstraint<btMultiBodySliderConstraint>(
+        &tree, -1, rail, btVector3(0, 0, 0), ofWorld ? btVector3(0, 5, 0) : btVector3(0, -1, 0),
+        straight, straight, axis);
+    const double along = 1, across = 0.5;
+    tree.setBaseVel(btVector3(along, across, 0));
+    // Across, both go on with the momentum of the box; along, it alone.
+    const double together = ofWorld ? 0 : across / 4;
+    for (int step = 0; step < 60; ++step) {
+      world.advance();
+      EXPECT_NEAR(tree.getBaseVel().x(), along, tolerance(1e-9, 1e-4)) << step;
+      EXPECT_NEAR(tree.getBaseVel().y(), together, tolerance(1e-9, 1e-4)) << step;
+      EXPECT_LE(tree.getBaseOmega().length(), tolerance(1e-9, 1e-4)) << step;
+      if (rail) {
+        EXPECT_NEAR(rail->getLinearVelocity().x(), 0, tolerance(1e-9, 1e-4)) << step;
+        EXPECT_NEAR(rail->getLinearVelocity().y(), together, tolerance(1e-9, 1e-4)) << step;
+      }
+    }
+  }
+}
+
+/// A box that turns on its rail turns the body of the rail with it.
+TEST(MultiBodyJoints, SliderHoldsAgainstTurning) {
+  const btVector3 half(btScalar(0.2), btScalar(0.2), btScalar(0.2));
+  const btMatrix3x3 straight = btMatrix3x3::getIdentity();
+  DelassusMultiBodyWorld world;
+  world->setGravity(btVector3(0, 0, 0));
+  const btScalar I = btScalar(0.03);
+  btMultiBody& tree = world.addTree(0, 1, btVector3(I, I, I), false, btVector3(0, 5, 0));
+  world.addCollider(tree, -1, std::make_unique<btBoxShape>(half));
+  world.finish(tree);
+  btRigidBody& rail = world.addBox(half, btVector3(0, 6, 0), 3);
+  world.addConstraint<btMultiBodySliderConstraint>(&tree, -1, &rail, btVector3(0, 0, 0),
+                                                   btVector3(0, -1, 0), straight, straight,
+                                                   btVector3(1, 0, 0));
+  tree.setBaseOmega(btVector3(0, btScalar(0.5), 0));
+  const double turning = 0.5 * I / (I + 1 / double(rail.getInvInertiaDiagLocal().y()));
+  for (int step = 0; step < 10; ++step) {
+    world.advance();
+    EXPECT_NEAR(tree.getBaseOmega().y(), turning, 0.01 * turning) << step;
+    EXPECT_NEAR(rail.getAngularVelocity().y(), turning, 0.01 * turning) << step;
+  }
 }
 
 TEST(MultiBodyJoints, GearKeepsItsRatio) {

@@ -200,7 +200,36 @@ TEST(MultiBodyParity, BrokenTreeIsLeftOutAndTold) {
   world.advance();
   ASSERT_FALSE(world.report().messages.empty());
   EXPECT_NE(world.report().messages[0].find("left out"), std::string::npos);
+  EXPECT_NE(world.report().messages[0].find(" of the multibody that begins with body 2)"),
+            std::string::npos)
+      << world.report().messages[0];
   EXPECT_LE(box.getLinearVelocity().length(), tolerance(1e-8, 1e-5));
+}
+
+/// Link and multibody are named, by their own names where they have some.
+TEST(MultiBodyParity, TroubleNamesLinkAndMultiBody) {
+  DelassusMultiBodyWorld world;
+  btMultiBody& tree = addChain(world, 2, true, btVector3(0, 3, 0));
+  // One end of the chain in two places at once, with whatever it takes.
+  for (const btScalar x : {btScalar(0.5), btScalar(1.5)})
+    world
+        .addConstraint<btMultiBodyPoint2Point>(&tree, 1, nullptr, btVector3(btScalar(0.2), 0, 0),
+                                               btVector3(x, 3, 0))
+        .setMaxAppliedImpulse(BT_LARGE_FLOAT);
+  world.advance();
+  ASSERT_FALSE(world.report().messages.empty());
+  EXPECT_EQ(world.report().messages[0].rfind(
+                "a constraint of link 1 of the multibody that begins with body 0: ", 0),
+            0u)
+      << world.report().messages[0];
+
+  tree.setBaseName("arm");
+  tree.getLink(1).m_linkName = "wrist";
+  world.advance();
+  EXPECT_EQ(
+      world.report().messages[0].rfind("a constraint of link 1 'wrist' of multibody 'arm': ", 0),
+      0u)
+      << world.report().messages[0];
 }
 
 TEST(MultiBodyParity, ListenerHearsTheContactsOfATree) {
