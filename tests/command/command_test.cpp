@@ -189,6 +189,22 @@ TEST_F(Command, runsAndTellsInJson) {
   }
 }
 
+TEST_F(Command, tellsHowFarASceneIsFromItsLaw) {
+  const Outcome outcome = call("run force_plate --solver delassus,si:10 --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::istringstream runs(outcome.out);
+  std::string ours, stock;
+  std::getline(runs, ours);
+  std::getline(runs, stock);
+  EXPECT_LT(json::parse(ours)["law_error"].get<double>(), 1e-6);
+  EXPECT_GT(json::parse(stock)["law_error"].get<double>(), 0.01);
+
+  const Outcome table = call("run force_plate --seconds 0.1");
+  EXPECT_NE(table.out.find("force and moments under the feet against statics"), std::string::npos);
+  const Outcome lawless = call("run one_box --seconds 0.1 --json");
+  EXPECT_EQ(json::parse(lawless.out).count("law_error"), 0U);
+}
+
 TEST_F(Command, comparesSolversInOneTable) {
   const Outcome outcome = call("run one_box --solver delassus,si:10 --seconds 0.2");
   EXPECT_EQ(outcome.status, 0);
