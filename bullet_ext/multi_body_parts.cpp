@@ -18,14 +18,8 @@ namespace {
 
 int freedomsOf(const btMultiBody& body) { return 6 + body.getNumDofs(); }
 
-VectorXd toCore(const btScalar* values, int count) {
-  VectorXd out(count);
-  for (int i = 0; i < count; ++i) out[i] = values[i];
-  return out;
-}
-
-VectorXd velocityOf(const btMultiBody& body) {
-  return toCore(body.getVelocityVector(), freedomsOf(body));
+bool isFinite(const btScalar* values, int count) {
+  return std::all_of(values, values + count, [](btScalar value) { return std::isfinite(value); });
 }
 
 /// Everything that a constraint may leave unset.
@@ -78,25 +72,32 @@ const char* faultOf(const Row& row) {
 
 }  // namespace
 
-int MultiBodyParts::addLimb(Group& group, int tree, const LimbSource& source, const Matrix6X& L) {
+/// Index of the new body, that of `source` or (if that has none) a stem.
+int MultiBodyParts::addLimb(Group& group, int tree, const LimbSource& source) {
   const auto index = static_cast<int>(group.bodies.size());
-  const Matrix6X motion = L * group.articulation.trees[tree].root;
+  Articulation::Limb& limb = group.articulation.limbs.add();
+  limb.body = index;
+  limb.tree = tree;
+  limb.motion.noalias() = source.L * group.articulation.trees[tree].root;
   Body& body = group.bodies.emplace_back();
-  if (!source.body || !motion.isZero(0)) {
+  if (!source.body || !limb.motion.isZero(0)) {
     body.inverseMass.setOnes();
     body.inverseInertia.setIdentity();
   }
-  if (source.body) body.velocity = L * velocityOf(*source.body);
+  if (source.body) {
+    const btScalar* v = source.body->getVelocityVector();
+    for (int i = 0; i < source.L.cols(); ++i) body.velocity += source.L.col(i) * v[i];
+  }
   group.bodySources.push_back({nullptr, body.velocity});
-  group.articulation.limbs.push_back({index, tree, motion});
-  limbs_.push_back(source);
   return index;
 }
 
 /// Index of the new tree, or leftOut.
-int MultiBodyParts::addTree(Group& group, const btMultiBody& body) {
+int MultiBodyParts::addTree(Group& group, TreeSource& source) {
+  const btMultiBody& body = *source.body;
   const int n = freedomsOf(body);
-  MatrixXd inverseMass = MatrixXd::Zero(n, n);
+  MatrixXd& inverseMass = source.inverseMass;
+  inverseMass.setZero(n, n);
   unit_.resize(n);
   response_.resize(n);
   for (int i = 0; i < n; ++i) unit_[i] = 0;
@@ -104,30 +105,39 @@ int MultiBodyParts::addTree(Group& group, const btMultiBody& body) {
     unit_[i] = 1;
     body.calcAccelerationDeltasMultiDof(&unit_[0], &response_[0], data_.scratch_r, data_.scratch_v);
     unit_[i] = 0;
-    inverseMass.col(i) = toCore(&response_[0], n);
+    for (int j = 0; j < n; ++j) inverseMass(j, i) = response_[j];
   }
-  if (!inverseMass.allFinite() || !velocityOf(body).allFinite()) return leftOut;
-  group.articulation.trees.push_back({rootOf(0.5 * (inverseMass + inverseMass.transpose()))});
+  if (!inverseMass.allFinite() || !isFinite(body.getVelocityVector(), n)) return leftOut;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < i; ++j)
+      inverseMass(i, j) = inverseMass(j, i) = 0.5 * (inverseMass(i, j) + inverseMass(j, i));
+  source.root.find(inverseMass, group.articulation.trees.add().root);
   return static_cast<int>(group.articulation.trees.size()) - 1;
 }
 
-MultiBodyParts::TreeSource MultiBodyParts::treeOf(Group& group, btMultiBody& body) {
+const MultiBodyParts::TreeSource& MultiBodyParts::treeOf(Group& group, btMultiBody& body) {
   // From the end, since the links of a tree follow each other.
-  const auto known = std::find_if(trees_.rbegin(), trees_.rend(),
-                                  [&](const TreeSource& tree) { return tree.body == &body; });
-  if (known != trees_.rend()) return *known;
-  TreeSource added{&body, addTree(group, body), leftOut};
-  if (added.tree != leftOut)
-    added.stem = addLimb(group, added.tree, {nullptr, -1}, Matrix6X::Zero(6, freedomsOf(body)));
-  trees_.push_back(added);
+  for (std::size_t i = trees_.size(); i-- > 0;)
+    if (trees_[i].body == &body) return trees_[i];
+  TreeSource& added = trees_.add();
+  added.body = &body;
+  added.tree = addTree(group, added);
+  added.stem = leftOut;
+  if (added.tree != leftOut) {
+    LimbSource& stem = limbs_.add();
+    stem.body = nullptr;
+    stem.link = -1;
+    stem.L.setZero(6, freedomsOf(body));
+    added.stem = addLimb(group, added.tree, stem);
+  }
   return added;
 }
 
 /// L of a link about the place of its collider: three linear rows, three angular ones.
-Matrix6X MultiBodyParts::motionOf(const btMultiBodyLinkCollider& collider) {
+void MultiBodyParts::findMotion(const btMultiBodyLinkCollider& collider, Matrix6X& L) {
   const btMultiBody& body = *collider.m_multiBody;
   const int n = freedomsOf(body);
-  Matrix6X L(6, n);
+  L.resize(6, n);
   unit_.resize(n);
   const btVector3& centre = collider.getWorldTransform().getOrigin();
   const btVector3 zero(0, 0, 0);
@@ -137,22 +147,25 @@ Matrix6X MultiBodyParts::motionOf(const btMultiBodyLinkCollider& collider) {
     body.fillConstraintJacobianMultiDof(collider.m_link, centre, i < 3 ? zero : axis,
                                         i < 3 ? axis : zero, &unit_[0], data_.scratch_r,
                                         data_.scratch_v, data_.scratch_m);
-    L.row(i) = toCore(&unit_[0], n).transpose();
+    for (int j = 0; j < n; ++j) L(i, j) = unit_[j];
   }
-  return L;
 }
 
 void MultiBodyParts::addLink(Group& group, const btMultiBodyLinkCollider& collider,
                              StepReport& report) {
   if (group.indexOf.find(&collider)) return;
-  const TreeSource source = treeOf(group, *collider.m_multiBody);
-  const Matrix6X L = motionOf(collider);
-  if (source.tree == leftOut || !L.allFinite()) {
+  const int tree = treeOf(group, *collider.m_multiBody).tree;
+  LimbSource& limb = limbs_.add();
+  limb.body = collider.m_multiBody;
+  limb.link = collider.m_link;
+  findMotion(collider, limb.L);
+  if (tree == leftOut || !limb.L.allFinite()) {
+    limbs_.pop_back();
     report.leaveOut(nameOf(collider), "the pose, velocity or mass of its tree is not finite");
     group.indexOf.insert(&collider, leftOut);
     return;
   }
-  group.indexOf.insert(&collider, addLimb(group, source.tree, {source.body, collider.m_link}, L));
+  group.indexOf.insert(&collider, addLimb(group, tree, limb));
 }
 
 void MultiBodyParts::gatherBodies(Group& group, StepReport& report) {
@@ -216,17 +229,21 @@ void MultiBodyParts::addRow(Group& group, btMultiBodyConstraint& constraint, int
   const auto rowIndex = static_cast<int>(group.rows.size());
   const int absent = data_.m_fixedBodyId + 1;
   Row row;
-  std::vector<Articulation::JointRow>& jointRows = group.articulation.jointRows;
+  KeptList<Articulation::JointRow>& jointRows = group.articulation.jointRows;
   const std::size_t jointRowsBefore = jointRows.size();
   /// One side: the body it acts on, or leftOut.
   const auto sideOf = [&](btMultiBody* body, int jacobian, int solverBodyId,
                           const btVector3& linear, const btVector3& angular, Row6& J) {
     if (body) {
-      const TreeSource source = treeOf(group, *body);
+      const TreeSource& source = treeOf(group, *body);
       if (source.tree == leftOut) return leftOut;
-      const VectorXd joints = toCore(&data_.m_jacobians[jacobian], freedomsOf(*body));
-      jointRows.push_back(
-          {rowIndex, source.tree, group.articulation.trees[source.tree].root.transpose() * joints});
+      const MatrixXd& root = group.articulation.trees[source.tree].root;
+      Articulation::JointRow& added = jointRows.add();
+      added.row = rowIndex;
+      added.tree = source.tree;
+      added.effect.setZero(root.cols());
+      for (int i = 0; i < root.rows(); ++i)
+        added.effect += root.row(i).transpose() * data_.m_jacobians[jacobian + i];
       return source.stem;
     }
     if (solverBodyId == absent) return leftOut;
@@ -246,7 +263,7 @@ void MultiBodyParts::addRow(Group& group, btMultiBodyConstraint& constraint, int
 
   const char* fault = row.a == leftOut || row.b == leftOut ? brokenBody : faultOf(row);
   if (fault || (row.lower == 0 && row.upper == 0)) {
-    jointRows.resize(jointRowsBefore);
+    while (jointRows.size() > jointRowsBefore) jointRows.pop_back();
     if (fault) report.leaveOut("row " + std::to_string(dof) + " of " + nameOf(constraint), fault);
     return;
   }
@@ -291,7 +308,7 @@ void MultiBodyParts::writeBack(const Group& group, const Answer& answer) {
   const auto addToLimb = [&](int body, const Vec3& force, const Vec3& arm) {
     const Articulation::Limb* limb = group.articulation.limbOf(body);
     if (!limb) return;
-    const LimbSource& source = limbs_[limb - group.articulation.limbs.data()];
+    const LimbSource& source = limbs_[limb - group.articulation.limbs.begin()];
     addForce(*source.body, source.link, toBullet(force), toBullet(arm.cross(force).eval()));
   };
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {

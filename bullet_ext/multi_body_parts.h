@@ -48,10 +48,13 @@ class MultiBodyParts : public Extension {
     btMultiBody* body;
     int tree;  ///< in the articulation, or leftOut
     int stem;  ///< body that stands for the tree
+    MatrixXd inverseMass;
+    RootFinder root;
   };
   struct LimbSource {
     btMultiBody* body;
-    int link;  ///< −1 for the base
+    int link;    ///< −1 for the base
+    Matrix6X L;  ///< velocity of the limb = L v
   };
   struct RowSource {
     int row;    ///< among Group::rows
@@ -61,10 +64,10 @@ class MultiBodyParts : public Extension {
     double guess;
   };
 
-  TreeSource treeOf(Group& group, btMultiBody& body);
-  int addTree(Group& group, const btMultiBody& body);
-  int addLimb(Group& group, int tree, const LimbSource& source, const Matrix6X& L);
-  Matrix6X motionOf(const btMultiBodyLinkCollider& collider);
+  const TreeSource& treeOf(Group& group, btMultiBody& body);
+  int addTree(Group& group, TreeSource& source);
+  int addLimb(Group& group, int tree, const LimbSource& source);
+  void findMotion(const btMultiBodyLinkCollider& collider, Matrix6X& L);
   void addLink(Group& group, const btMultiBodyLinkCollider& collider, StepReport& report);
 
   void lendCompanionIds(const Group& group);
@@ -74,8 +77,8 @@ class MultiBodyParts : public Extension {
               StepReport& report);
 
   Input input_{};
-  std::vector<TreeSource> trees_;
-  std::vector<LimbSource> limbs_;  ///< as in the articulation; stems have no body
+  KeptList<TreeSource> trees_;
+  KeptList<LimbSource> limbs_;  ///< as in the articulation; stems have no body
   std::vector<RowSource> rowSources_;
   btMultiBodyConstraintArray rows_;
   btMultiBodyJacobianData data_;

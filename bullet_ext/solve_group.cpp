@@ -121,7 +121,7 @@ bool needsNoSolving(const Group& group, const Island& island, const Economies& e
 
 /// Island `i` of the step; trees join what the assembler has split.
 const Island& islandOf(const Group& group, const Answer& answer, int i) {
-  return group.articulation.trees.empty() ? answer.assembler.island(i) : answer.joined[i];
+  return group.articulation.trees.empty() ? answer.assembler.island(i) : answer.joiner.islands()[i];
 }
 
 void solveIsland(const Group& group, const Island& island, Solver& solver, Answer& answer,
@@ -183,8 +183,7 @@ void checkIslands(const Group& group, const Economies& economies, Answer& answer
   int count = answer.assembler.islands();
   if (!articulation.trees.empty()) {
     answer.coupling.reset(articulation);
-    answer.joined = joinIslands(answer.assembler, articulation);
-    count = static_cast<int>(answer.joined.size());
+    count = static_cast<int>(answer.joiner.join(answer.assembler, articulation).size());
   }
   answer.islands.resize(count);
   if (static_cast<int>(answer.seen.size()) < count) answer.seen.resize(count);

@@ -41,7 +41,7 @@ struct Answer {
   Solution solution;           ///< the same
   Assembler assembler;         ///< of the islands
   Coupling coupling;           ///< of those with articulated bodies, and the gains of these
-  std::vector<Island> joined;  ///< the islands if there are articulated bodies
+  IslandJoiner joiner;         ///< of the islands, if there are articulated bodies
   IslandCheck check;
   int matrices = 0;  ///< problems whose W was built
   int regions = 0, factorisations = 0, sweeps = 0, obsoleteConstraints = 0;

@@ -1,7 +1,7 @@
 #include "delassus/articulation.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 
 namespace delassus {
 
@@ -22,55 +22,57 @@ bool Articulation::moves(const Island& island) const {
                      [&](int body) { return limbOf(body) != nullptr; });
 }
 
-MatrixXd rootOf(const MatrixXd& inverseMass) {
-  const Eigen::LDLT<MatrixXd> factor(inverseMass);
-  const VectorXd d = factor.vectorD().cwiseMax(0).cwiseSqrt();
+void RootFinder::find(const MatrixXd& inverseMass, MatrixXd& B) {
+  factor_.compute(inverseMass);
+  const auto d = factor_.vectorD();
   // The largest pivots come first: what has no motion comes last.
   Eigen::Index rank = d.size();
-  while (rank > 0 && d[rank - 1] == 0) --rank;
-  const MatrixXd L = factor.matrixL();
-  return factor.transpositionsP().transpose() * (L.leftCols(rank) * d.head(rank).asDiagonal());
+  while (rank > 0 && d[rank - 1] <= 0) --rank;
+  L_ = factor_.matrixL();
+  for (Eigen::Index i = 0; i < rank; ++i) L_.col(i) *= std::sqrt(std::max(d[i], 0.0));
+  B = factor_.transpositionsP().transpose() * L_.leftCols(rank);
 }
 
-std::vector<Island> joinIslands(const Assembler& assembler, const Articulation& articulation) {
+const KeptList<Island>& IslandJoiner::join(const Assembler& assembler,
+                                           const Articulation& articulation) {
   constexpr int unseen = -1;
   const int count = assembler.islands();
-  Links links(count);
-  std::vector<int> islandOf(articulation.trees.size(), unseen);
+  links_.reset(count);
+  islandOf_.assign(articulation.trees.size(), unseen);
   for (int i = 0; i < count; ++i)
     for (int body : assembler.island(i).bodies)
       if (const Articulation::Limb* limb = articulation.limbOf(body)) {
-        int& island = islandOf[limb->tree];
+        int& island = islandOf_[limb->tree];
         if (island == unseen) island = i;
-        links.join(island, i);
+        links_.join(island, i);
       }
 
-  std::vector<Island> joined;
-  std::vector<int> place(count);
+  joined_.clear();
+  place_.resize(count);
   for (int i = 0; i < count; ++i) {
-    const int root = links.root(i);
+    const int root = links_.root(i);
     if (root == i) {
-      place[i] = static_cast<int>(joined.size());
-      joined.push_back(assembler.island(i));
+      place_[i] = static_cast<int>(joined_.size());
+      joined_.add() = assembler.island(i);
       continue;
     }
     const auto append = [](std::vector<int>& to, const std::vector<int>& from) {
-      const auto middle = to.insert(to.end(), from.begin(), from.end());
-      std::inplace_merge(to.begin(), middle, to.end());
+      to.insert(to.end(), from.begin(), from.end());
+      std::sort(to.begin(), to.end());
     };
-    Island& into = joined[place[root]];
+    Island& into = joined_[place_[root]];
     append(into.bodies, assembler.island(i).bodies);
     append(into.frictional, assembler.island(i).frictional);
     append(into.frictionless, assembler.island(i).frictionless);
     append(into.rows, assembler.island(i).rows);
   }
-  return joined;
+  return joined_;
 }
 
 void Coupling::reset(const Articulation& articulation) {
-  gains_.resize(articulation.trees.size());
-  for (std::size_t i = 0; i < gains_.size(); ++i)
-    gains_[i].setZero(articulation.trees[i].root.rows());
+  const std::size_t count = articulation.trees.size();
+  if (gains_.size() < count) gains_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) gains_[i].setZero(articulation.trees[i].root.rows());
 }
 
 /// Gives each tree of the island its blocks, behind those of the bodies.
@@ -85,21 +87,25 @@ void Coupling::layOut(const Articulation& articulation, const Island& island) {
   }
 }
 
-/// Adds J, in the motion of the tree, to what the contact or row at `at` moves.
-void Coupling::addParts(int at, int tree, const MatrixXd& J) {
+/// Adds J, in the motion of the tree, to what the contact or row at `at` moves: block(column, width) is a part of it.
+template <class Block>
+void Coupling::addParts(int at, int tree, Eigen::Index columns, const Block& block) {
+  using Piece =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 3, 6>;  // on the stack
   std::vector<BodySpace::Part>& parts = space_->parts;
-  for (int column = 0; column < J.cols(); column += 6) {
-    const int block = firstBlock_[tree] + column / 6;
+  for (int column = 0; column < columns; column += 6) {
+    const auto width = std::min<Eigen::Index>(6, columns - column);
+    const Piece J = block(column, width);
+    const int index = firstBlock_[tree] + column / 6;
     // Both sides of a contact may be limbs of one tree.
     auto part = std::find_if(parts.rbegin(), parts.rend(), [&](const BodySpace::Part& p) {
-      return p.at < at || p.body == block;
+      return p.at < at || p.body == index;
     });
     if (part == parts.rend() || part->at < at) {
-      parts.push_back({at, block, BodySpace::Rows::Zero(J.rows(), 6)});
+      parts.push_back({at, index, BodySpace::Rows::Zero(J.rows(), 6)});
       part = parts.rbegin();
     }
-    const auto width = std::min<Eigen::Index>(6, J.cols() - column);
-    part->J.leftCols(width) += J.middleCols(column, width);
+    part->J.leftCols(width) += J;
   }
 }
 
@@ -118,7 +124,10 @@ const Problem& Coupling::couple(const Articulation& articulation, const Problem&
     if (body < 0) return;
     const Articulation::Limb* limb = articulation.limbOf(island.bodies[body]);
     if (!limb) return;
-    addParts(at, limb->tree, J * limb->motion);
+    const Matrix6X& motion = limb->motion;
+    addParts(at, limb->tree, motion.cols(), [&](Eigen::Index column, Eigen::Index width) {
+      return J.lazyProduct(motion.middleCols(column, width));
+    });
     body = fixedWorld;
   };
   for (BodySpace::ContactRows& c : space_->contacts) {
@@ -134,7 +143,9 @@ const Problem& Coupling::couple(const Articulation& articulation, const Problem&
     const int row = at < jointsBegin ? -1 : island.rows[at - jointsBegin];
     while (next != articulation.jointRows.end() && next->row < row) ++next;
     for (; next != articulation.jointRows.end() && next->row == row; ++next)
-      addParts(at, next->tree, next->effect.transpose());
+      addParts(at, next->tree, next->effect.size(), [&](Eigen::Index column, Eigen::Index width) {
+        return next->effect.segment(column, width).transpose();
+      });
     ++at;
   }
 

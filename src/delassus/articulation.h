@@ -1,8 +1,11 @@
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <vector>
 
 #include "delassus/island.h"
+#include "delassus/kept_list.h"
+#include "delassus/links.h"
 
 namespace delassus {
 
@@ -31,9 +34,9 @@ struct Articulation {
     int row, tree;
     VectorXd effect;  ///< Bᵀ Jᵀ
   };
-  std::vector<Tree> trees;
-  std::vector<Limb> limbs;          ///< in the order of their bodies
-  std::vector<JointRow> jointRows;  ///< in the order of their rows; a row between two trees has two
+  KeptList<Tree> trees;
+  KeptList<Limb> limbs;          ///< in the order of their bodies
+  KeptList<JointRow> jointRows;  ///< in the order of their rows; a row between two trees has two
 
   void clear();
   /// The limb that the body is, or null.
@@ -43,10 +46,28 @@ struct Articulation {
 
 /// B with M⁻¹ = B Bᵀ, for a symmetric M⁻¹ that is positive semi-definite up to rounding: Cholesky
 /// with diagonal pivoting.
-MatrixXd rootOf(const MatrixXd& inverseMass);
+class RootFinder {
+ public:
+  void find(const MatrixXd& inverseMass, MatrixXd& B);
+
+ private:
+  Eigen::LDLT<MatrixXd> factor_;
+  MatrixXd L_;
+};
 
 /// The islands of a step whose trees couple what the assembler has split, in the same order.
-std::vector<Island> joinIslands(const Assembler& assembler, const Articulation& articulation);
+class IslandJoiner {
+ public:
+  const KeptList<Island>& join(const Assembler& assembler, const Articulation& articulation);
+  /// As they were joined last.
+  const KeptList<Island>& islands() const { return joined_; }
+
+ private:
+  KeptList<Island> joined_;
+  Links links_;
+  std::vector<int> islandOf_;  ///< the first island of each tree
+  std::vector<int> place_;     ///< of each island that is the first of its set, among the joined
+};
 
 /// The problem of an island with trees: W from the whole motion of each tree, in blocks of six.
 class Coupling {
@@ -66,7 +87,8 @@ class Coupling {
 
  private:
   void layOut(const Articulation& articulation, const Island& island);
-  void addParts(int at, int tree, const MatrixXd& J);
+  template <class Block>
+  void addParts(int at, int tree, Eigen::Index columns, const Block& block);
 
   std::vector<int> firstBlock_;  ///< of each tree, or -1
   int blocks_ = 0;               ///< of the island

@@ -14,6 +14,12 @@
 namespace delassus {
 namespace {
 
+MatrixXd rootOf(const MatrixXd& inverseMass) {
+  MatrixXd B;
+  RootFinder().find(inverseMass, B);
+  return B;
+}
+
 TEST(Articulation, RootOfInverseMassSquaresToIt) {
   Random random(3);
   for (int n : {1, 4, 13}) {
@@ -105,7 +111,8 @@ TEST(Articulation, JoinsIslandsThatATreeCouples) {
   Assembler assembler;
   assembler.split(scene.bodies, scene.contacts, scene.rows);
   EXPECT_EQ(assembler.islands(), 3);
-  const std::vector<Island> islands = joinIslands(assembler, scene.articulation);
+  IslandJoiner joiner;
+  const KeptList<Island>& islands = joiner.join(assembler, scene.articulation);
   ASSERT_EQ(islands.size(), 2u);
   EXPECT_EQ(islands[0].bodies, (std::vector<int>{0, 1, 2, 3}));
   EXPECT_EQ(islands[0].frictional, std::vector<int>{0});
@@ -123,7 +130,7 @@ struct Coupled {
   Coupled() : J(MatrixXd::Zero(8, n + 6)), inverseMass(MatrixXd::Zero(n + 6, n + 6)) {
     scene.addContact(Scene::limb1, Scene::limb2, 0.5);
     assembler.split(scene.bodies, scene.contacts, scene.rows);
-    const Island island = joinIslands(assembler, scene.articulation)[0];
+    const Island island = IslandJoiner().join(assembler, scene.articulation)[0];
     const Problem& apart = assembler.assemble(scene.bodies, scene.contacts, scene.rows, island);
     coupling.reset(scene.articulation);
     problem = coupling.couple(scene.articulation, apart, island);
