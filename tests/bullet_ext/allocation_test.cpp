@@ -8,11 +8,12 @@
 #include "bullet_ext/gather.h"
 #include "bullet_ext/solve_group.h"
 #include "bullet_ext/write_back.h"
+#include "tests/support/allocations.h"
 #include "tests/support/bullet_world.h"
 
 // Eigen asks malloc, the standard library new, which asks malloc too. Sanitizers bring a malloc of their own.
 #ifndef __SANITIZE_ADDRESS__
-namespace {
+namespace delassus::testing {
 thread_local long allocations = 0;
 }
 
@@ -22,15 +23,15 @@ void* __libc_realloc(void* memory, std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
 
 void* malloc(std::size_t size) {
-  ++allocations;
+  ++delassus::testing::allocations;
   return __libc_malloc(size);
 }
 void* realloc(void* memory, std::size_t size) {
-  ++allocations;
+  ++delassus::testing::allocations;
   return __libc_realloc(memory, size);
 }
 void* calloc(std::size_t count, std::size_t size) {
-  ++allocations;
+  ++delassus::testing::allocations;
   return __libc_calloc(count, size);
 }
 }
