@@ -308,7 +308,7 @@ void MultiBodyParts::writeBack(const Group& group, const Answer& answer) {
   const auto addToLimb = [&](int body, const Vec3& force, const Vec3& arm) {
     const Articulation::Limb* limb = group.articulation.limbOf(body);
     if (!limb) return;
-    const LimbSource& source = limbs_[limb - group.articulation.limbs.begin()];
+    const LimbSource& source = limbs_[limb - group.articulation.limbs.data()];
     addForce(*source.body, source.link, toBullet(force), toBullet(arm.cross(force).eval()));
   };
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {

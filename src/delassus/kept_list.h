@@ -23,7 +23,8 @@ class KeptList {
   bool empty() const { return size_ == 0; }
   Entry& operator[](std::size_t i) { return entries_[i]; }
   const Entry& operator[](std::size_t i) const { return entries_[i]; }
-  const Entry* begin() const { return entries_.data(); }
+  const Entry* data() const { return entries_.data(); }
+  const Entry* begin() const { return data(); }
   const Entry* end() const { return begin() + size_; }
 
  private:
