@@ -117,7 +117,7 @@ void btDelassusConstraintSolver::Workspace::release() {
 
 void btDelassusConstraintSolver::Workspace::countSolve() {
   report.contacts += static_cast<int>(group.contacts.size());
-  report.rows += static_cast<int>(group.rows.size());
+  report.rows += static_cast<int>(group.rows.size()) - group.turningRows;
   report.islands += static_cast<int>(answer.islands.size());
   for (const IslandResult& island : answer.islands) {
     countStatus(island.status, report);
@@ -181,6 +181,7 @@ void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount
   gatherContacts(w.group, manifolds, manifoldCount, info, dispatcher, w.report);
   gatherJoints(w.group, constraints, constraintCount, info, w.report);
   if (extension) extension->gatherRows(w.group, w.report);
+  gatherTurningFriction(w.group);
   if (info.m_solverMode & SOLVER_USE_WARMSTARTING) {
     w.memory.recall(w.group);
     if (extension) extension->recall(w.group);

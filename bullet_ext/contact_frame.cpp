@@ -12,9 +12,10 @@
 namespace delassus::bullet {
 namespace {
 
-Mat3 stretchOf(const btCollisionObject& object) {
-  if (!object.hasAnisotropicFriction(btCollisionObject::CF_ANISOTROPIC_FRICTION))
-    return Mat3::Identity();
+using Tangents = Eigen::Matrix<double, 3, 2>;
+
+Mat3 stretchOf(const btCollisionObject& object, int flag) {
+  if (!object.hasAnisotropicFriction(flag)) return Mat3::Identity();
   const Mat3 R = toCore(object.getWorldTransform().getBasis());
   return R * toCore(object.getAnisotropicFriction()).asDiagonal() * R.transpose();
 }
@@ -46,14 +47,32 @@ void setUserDirections(const btManifoldPoint& point, int solverMode, ContactFram
   }
 }
 
+Anisotropy anisotropyOf(const btCollisionObject& a, const btCollisionObject& b, int flag) {
+  Anisotropy out;
+  out.any = a.hasAnisotropicFriction(flag) || b.hasAnisotropicFriction(flag);
+  if (out.any) out.F = stretchOf(b, flag) * stretchOf(a, flag);
+  return out;
+}
+
+/// T D.
+Tangents tangentsOf(const btManifoldPoint& point, const Vec3& n,
+                    const Anisotropy& anisotropy) {
+  Tangents T;
+  T.col(0) = planeSpace(point.m_normalWorldOnB, n);
+  T.col(1) = n.cross(T.col(0));
+  if (!anisotropy.any) return T;
+  const Tangents stretched = anisotropy.F * T;
+  return stretched - n * (n.transpose() * stretched);
+}
+
 }  // namespace
 
 Anisotropy anisotropyOf(const btCollisionObject& a, const btCollisionObject& b) {
-  Anisotropy out;
-  out.any = a.hasAnisotropicFriction(btCollisionObject::CF_ANISOTROPIC_FRICTION) ||
-            b.hasAnisotropicFriction(btCollisionObject::CF_ANISOTROPIC_FRICTION);
-  if (out.any) out.F = stretchOf(b) * stretchOf(a);
-  return out;
+  return anisotropyOf(a, b, btCollisionObject::CF_ANISOTROPIC_FRICTION);
+}
+
+Anisotropy rollingAnisotropyOf(const btCollisionObject& a, const btCollisionObject& b) {
+  return anisotropyOf(a, b, btCollisionObject::CF_ANISOTROPIC_ROLLING_FRICTION);
 }
 
 ContactFrame contactFrame(const btManifoldPoint& point, const Anisotropy& anisotropy,
@@ -66,12 +85,7 @@ ContactFrame contactFrame(const btManifoldPoint& point, const Anisotropy& anisot
       (point.m_contactPointFlags & BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED)) {
     setUserDirections(point, info.m_solverMode, out);
   } else {
-    out.axes.col(1) = planeSpace(point.m_normalWorldOnB, n);
-    out.axes.col(2) = n.cross(out.axes.col(1));
-    if (anisotropy.any) {
-      const Eigen::Matrix<double, 3, 2> stretched = anisotropy.F * out.axes.rightCols<2>();
-      out.axes.rightCols<2>() = stretched - n * (n.transpose() * stretched);
-    }
+    out.axes.rightCols<2>() = tangentsOf(point, n, anisotropy);
   }
 
   if (point.m_contactPointFlags & BT_CONTACT_FLAG_FRICTION_ANCHOR) {
@@ -81,6 +95,11 @@ ContactFrame contactFrame(const btManifoldPoint& point, const Anisotropy& anisot
     out.motion2 -= rate * drift.dot(out.axes.col(2));
   }
   return out;
+}
+
+Eigen::Matrix<double, 3, 2> rollingAxes(const btManifoldPoint& point,
+                                        const Anisotropy& anisotropy) {
+  return tangentsOf(point, toCore(point.m_normalWorldOnB).normalized(), anisotropy);
 }
 
 }  // namespace delassus::bullet

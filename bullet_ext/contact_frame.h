@@ -15,6 +15,8 @@ struct Anisotropy {
   Mat3 F = Mat3::Identity();
 };
 Anisotropy anisotropyOf(const btCollisionObject& a, const btCollisionObject& b);
+/// The same for rolling friction (CF_ANISOTROPIC_ROLLING_FRICTION).
+Anisotropy rollingAnisotropyOf(const btCollisionObject& a, const btCollisionObject& b);
 
 /// The frame of a contact, columns n, t1, t2, and the velocity wanted along t1 and t2.
 ///
@@ -45,5 +47,8 @@ struct ContactFrame {
 };
 ContactFrame contactFrame(const btManifoldPoint& point, const Anisotropy& anisotropy,
                           const btContactSolverInfo& info);
+
+/// The axes T D that rolling friction acts about, as those above and whatever directions the user has set for sliding.
+Eigen::Matrix<double, 3, 2> rollingAxes(const btManifoldPoint& point, const Anisotropy& anisotropy);
 
 }  // namespace delassus::bullet

@@ -41,7 +41,7 @@ void Group::clear() {
   guess.clear();
   idle.clear();
   restless.clear();
-  bouncing = 0;
+  bouncing = turning = turningRows = 0;
   rows.clear();
   rowGuess.clear();
   joints.clear();

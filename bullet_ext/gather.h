@@ -72,8 +72,10 @@ struct Group {
   std::vector<char>
       restless;  ///< contacts of islands whose last reactions changed the motion; empty if there are none
   int bouncing = 0;  ///< contacts with restitution
+  int turning = 0;   ///< contacts with rolling or spinning friction
 
-  std::vector<Row> rows;
+  std::vector<Row> rows;                     ///< of joints, then of turning friction
+  int turningRows = 0;                       ///< the last of them
   std::vector<double> rowGuess;              ///< reaction of each row to start from, N·s
   std::vector<JointSource> joints;           ///< enabled joints that have rows
   std::vector<btTypedConstraint*> obsolete;  ///< enabled constraints without rows in getInfo1
@@ -127,6 +129,15 @@ void gatherContacts(Group& group, btPersistentManifold** manifolds, int count,
 /// A disabled joint has no rows; its impulse and feedback are cleared.
 void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
                   const btContactSolverInfo& info, StepReport& report);
+
+/// Rows against rolling and spinning, of the contacts that ask for it; call it when all other rows are gathered. With Bullet's
+/// combined coefficients, read from the point and in m:
+///
+///     |τ_n| ≤ spinning r_n,   ‖τ_t‖ ≤ rolling r_n        (turning_friction.h; axes: contact_frame.h)
+///
+/// Bullet's solver bounds these impulses by the coefficients themselves too, in N·m·s, so that a heavy body hardly feels
+/// them, and knows no spinning friction without rolling friction.
+void gatherTurningFriction(Group& group);
 
 /// How messages call an object: by its place in the world. Contacts and joints: by their bodies. A link: by its number and
 /// its multibody too, which is called by the name of its base, or by the place of its first collider.

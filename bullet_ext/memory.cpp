@@ -35,12 +35,20 @@ int endOfManifold(const Group& group, int begin) {
   return end;
 }
 
+/// Where the reaction of a row of turning friction stands in a Turn.
+int placeOf(const std::vector<Row>& rows, std::size_t row) {
+  if (rows[row].paired) return 1;
+  return row > 0 && rows[row - 1].paired ? 2 : 0;
+}
+
 }  // namespace
 
 void Memory::Step::clear() {
   manifolds.clear();
+  turners.clear();
   joints.clear();
   points.clear();
+  turns.clear();
   rows.clear();
   restless.clear();
 }
@@ -70,7 +78,7 @@ void Memory::nextStep() {
   announced_ = true;
   std::swap(last_, now_);
   now_.clear();
-  manifoldCursor_ = jointCursor_ = 0;
+  manifoldCursor_ = turnerCursor_ = jointCursor_ = 0;
 }
 
 /// Gives each point that is fresh, or that is not, the nearest point of the last step that is left.
@@ -189,6 +197,51 @@ void Memory::recall(Group& group) {
     for (int i = 0; i < joint.rowCount; ++i)
       group.rowGuess[joint.firstRow + i] = last_.rows[owner->begin + i];
   }
+  recallTurns(group);
+}
+
+const Memory::Turn* Memory::nearestTurn(const Owner& owner, const Vec3& arm) const {
+  const auto distance = [&](const Turn& turn) { return (turn.arm - arm).squaredNorm(); };
+  return &*std::min_element(
+      last_.turns.begin() + owner.begin, last_.turns.begin() + owner.end,
+      [&](const Turn& a, const Turn& b) { return distance(a) < distance(b); });
+}
+
+/// Each contact that resists turning starts as the nearest one of its manifold ended.
+void Memory::recallTurns(Group& group) {
+  const btPersistentManifold* manifold = nullptr;
+  const Owner* owner = nullptr;
+  const Turn* turn = nullptr;
+  int contact = -1;
+  for (std::size_t row = group.rows.size() - group.turningRows; row < group.rows.size(); ++row) {
+    if (group.rows[row].governor != contact) {
+      contact = group.rows[row].governor;
+      if (group.contactSources[contact].manifold != manifold) {
+        manifold = group.contactSources[contact].manifold;
+        owner = find(last_.turners, ownerOf(*manifold), turnerCursor_);
+      }
+      turn = owner ? nearestTurn(*owner, armOf(group, group.contacts[contact])) : nullptr;
+    }
+    if (turn) group.rowGuess[row] = turn->reaction[placeOf(group.rows, row)];
+  }
+}
+
+void Memory::keepTurns(const Group& group, const Answer& answer) {
+  const btPersistentManifold* manifold = nullptr;
+  int contact = -1;
+  for (std::size_t row = group.rows.size() - group.turningRows; row < group.rows.size(); ++row) {
+    if (group.rows[row].governor != contact) {
+      contact = group.rows[row].governor;
+      if (group.contactSources[contact].manifold != manifold) {
+        manifold = group.contactSources[contact].manifold;
+        Owner& owner = now_.turners.emplace_back(ownerOf(*manifold));
+        owner.begin = owner.end = static_cast<int>(now_.turns.size());
+      }
+      ++now_.turners.back().end;
+      now_.turns.push_back({armOf(group, group.contacts[contact]), Vec3::Zero()});
+    }
+    now_.turns.back().reaction[placeOf(group.rows, row)] = answer.rows[row];
+  }
 }
 
 void Memory::keep(const Group& group, const Answer& answer) {
@@ -216,14 +269,15 @@ void Memory::keep(const Group& group, const Answer& answer) {
     owner.begin = first;
     owner.end = first + joint.rowCount;
   }
+  keepTurns(group, answer);
 }
 
 std::size_t Memory::bytes() const {
   const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
   std::size_t sum = 0;
   for (const Step* step : {&last_, &now_})
-    sum += of(step->manifolds) + of(step->joints) + of(step->points) + of(step->rows) +
-           of(step->restless);
+    sum += of(step->manifolds) + of(step->turners) + of(step->joints) + of(step->points) +
+           of(step->turns) + of(step->rows) + of(step->restless);
   return sum + restless_.bytes();
 }
 

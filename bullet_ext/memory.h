@@ -9,8 +9,8 @@ namespace delassus::bullet {
 
 struct Answer;
 
-/// Reactions of the last step, for those who cannot carry their own: rows of joints, and points that Bullet's narrow phase
-/// has put in the place of others. Only guesses come from here; the answer does not depend on them.
+/// Reactions of the last step, for those who cannot carry their own: rows of joints and of turning friction, and points that
+/// Bullet's narrow phase has put in the place of others. Only guesses come from here; the answer does not depend on them.
 ///
 /// A fresh point takes over the reaction of the nearest point of its manifold that is gone; then all points of the
 /// manifold share the rest, so that together they push and turn as those of the last step did. Pointers serve to
@@ -43,9 +43,15 @@ class Memory {
     Vec3 impulse;   ///< the same in the world, N·s
     bool taken;     ///< by a point of this step
   };
+  /// Of a contact that resists turning.
+  struct Turn {
+    Vec3 arm;       ///< as above
+    Vec3 reaction;  ///< spinning, then rolling about its two axes, N·m·s
+  };
   struct Step {
-    std::vector<Owner> manifolds, joints;
+    std::vector<Owner> manifolds, turners, joints;
     std::vector<Point> points;
+    std::vector<Turn> turns;
     std::vector<double> rows;
     std::vector<const btCollisionObject*> restless;  ///< a body of each restless island
     void clear();
@@ -57,13 +63,16 @@ class Memory {
                            std::size_t& cursor);
   void recallRestless(Group& group);
   void recallPoints(Group& group, int begin, int end);
+  const Turn* nearestTurn(const Owner& owner, const Vec3& arm) const;
+  void recallTurns(Group& group);
+  void keepTurns(const Group& group, const Answer& answer);
   void claim(Group& group, int begin, int end, const Owner& owner, bool fresh);
   void keepWrench(Group& group, int begin, int end, const Owner& owner) const;
 
   bool announced_ = false;
   Step last_, now_;
   BodyTable restless_;
-  std::size_t manifoldCursor_ = 0, jointCursor_ = 0;
+  std::size_t manifoldCursor_ = 0, turnerCursor_ = 0, jointCursor_ = 0;
 };
 
 }  // namespace delassus::bullet

@@ -318,6 +318,18 @@ void MultiBodyParts::writeBack(const Group& group, const Answer& answer) {
     addToLimb(contact.b, -force, contact.armB);
   }
 
+  const auto turnLimb = [&](int body, const Vec3& torque) {
+    const Articulation::Limb* limb = group.articulation.limbOf(body);
+    if (!limb) return;
+    const LimbSource& source = limbs_[limb - group.articulation.limbs.data()];
+    addForce(*source.body, source.link, btVector3(0, 0, 0), toBullet(torque));
+  };
+  for (std::size_t i = group.rows.size() - group.turningRows; i < group.rows.size(); ++i) {
+    const Row& row = group.rows[i];
+    turnLimb(row.a, row.jacobianA.tail<3>().transpose() * (answer.rows[i] / h));
+    turnLimb(row.b, row.jacobianB.tail<3>().transpose() * (answer.rows[i] / h));
+  }
+
   for (const RowSource& source : rowSources_) {
     const btMultiBodySolverConstraint& row = rows_[source.asked];
     const auto r = static_cast<btScalar>(answer.rows[source.row]);

@@ -11,7 +11,7 @@ namespace delassus {
 void Plan::add(const Plan& group) {
   for (const auto count :
        {&Plan::frictional, &Plan::frictionless, &Plan::bouncing, &Plan::soft, &Plan::deep,
-        &Plan::joints, &Plan::rows, &Plan::boundedRows, &Plan::softRows, &Plan::obsolete,
+        &Plan::rolling, &Plan::spinning, &Plan::joints, &Plan::rows, &Plan::boundedRows, &Plan::softRows, &Plan::obsolete,
         &Plan::islands, &Plan::unknowns, &Plan::pushContacts})
     this->*count += group.*count;
   largestIsland = std::max(largestIsland, group.largestIsland);
@@ -31,8 +31,11 @@ Plan makePlan(const Group& group, bool heard, const Economies& economies, Assemb
     plan.deep += group.pushes[i] > 0;
   }
   plan.joints = static_cast<int>(group.joints.size());
-  plan.rows = static_cast<int>(group.rows.size());
-  for (const Row& row : group.rows) {
+  plan.rows = static_cast<int>(group.rows.size()) - group.turningRows;
+  for (const Row& row : group.rows) plan.rolling += row.paired;
+  plan.spinning = group.turningRows - 2 * plan.rolling;
+  for (int i = 0; i < plan.rows; ++i) {
+    const Row& row = group.rows[i];
     plan.boundedRows += std::isfinite(row.lower) || std::isfinite(row.upper);
     plan.softRows += row.compliance > 0;
   }

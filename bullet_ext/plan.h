@@ -19,6 +19,8 @@ struct Plan {
   int bouncing = 0;      ///< contacts with restitution
   int soft = 0;          ///< contacts with a compliance, of the normal or of slip
   int deep = 0;          ///< contacts whose penetration is left to the push
+  int rolling = 0;       ///< contacts with rolling friction
+  int spinning = 0;      ///< contacts with spinning friction
   int joints = 0;        ///< joints that have rows
   int rows = 0;          ///< of the joints
   int boundedRows = 0;   ///< rows with a finite bound: limits, motors, joints that can break
@@ -29,7 +31,7 @@ struct Plan {
   bool heard = false;     ///< somebody listens to contact events
 
   // What is made for it.
-  int unknowns = 0;      ///< three a contact with friction, one a contact without, one a row
+  int unknowns = 0;      ///< three a contact with friction, one without; one a row; two for rolling, one for spinning
   int pushContacts = 0;  ///< contacts of the push problem; 0: there is none
   bool events = false;   ///< contact events are made
 

@@ -66,6 +66,10 @@ std::string blame(const Group& group, const Island& island, int unknown, Trouble
     return nameOf(group.contactSources[i]);
   }
   const int row = island.rows[scalar - frictionless];
+  if (const int governor = group.rows[row].governor; governor >= 0) {
+    answer.troubles[governor] = trouble;
+    return nameOf(group.contactSources[governor]);
+  }
   const auto joint =
       std::find_if(group.joints.begin(), group.joints.end(),
                    [&](const JointSource& j) { return row < j.firstRow + j.rowCount; });

@@ -44,6 +44,7 @@ class ProblemCatcher : public SolverDecorator {
                            arguments.dispatcher, ignored);
     bullet::gatherJoints(group, arguments.constraints, arguments.constraintCount, arguments.info,
                          ignored);
+    bullet::gatherTurningFriction(group);
     for (const Island& island : splitIslands(group.bodies, group.contacts, group.rows))
       problems_.push_back(assemble(group.bodies, group.contacts, group.rows, island));
   }
@@ -82,6 +83,13 @@ int dumpProblems(const DumpArguments& arguments) {
   for (std::size_t i = 0; i < catcher.problems().size(); ++i) {
     Problem problem = catcher.problems()[i];
     problem.name = subject.name + "-" + std::to_string(steps) + "-" + std::to_string(i);
+    if (!problem.disks.empty()) {
+      std::fprintf(stderr,
+                   "delassus: island %zu has rolling or spinning friction: no format holds that, "
+                   "left out\n",
+                   i);
+      continue;
+    }
     if (problem.contacts() > 0 && problem.rows() > 0) {
       std::fprintf(
           stderr,

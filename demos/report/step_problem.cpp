@@ -93,6 +93,7 @@ StepProblem::StepProblem(const CapturedStep& step, double cfm) : cfm_(cfm) {
                            step.dispatcher, ignored);
     bullet::gatherJoints(group, open.constraints.data(), int(open.constraints.size()), info,
                          ignored);
+    bullet::gatherTurningFriction(group);
     contacts_ += int(group.contacts.size());
     rows_ += int(group.rows.size());
     for (const Body& body : group.bodies) {

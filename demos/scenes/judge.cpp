@@ -39,6 +39,7 @@ void JudgedSolver::beforeGroup(const GroupArguments& arguments) {
   bullet::gatherContacts(group_, arguments.manifolds, arguments.manifoldCount, info,
                          arguments.dispatcher, ignored);
   bullet::gatherJoints(group_, arguments.constraints, arguments.constraintCount, info, ignored);
+  bullet::gatherTurningFriction(group_);
   lendFeedback(arguments);
 }
 

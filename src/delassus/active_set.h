@@ -13,10 +13,11 @@ enum class RowState : unsigned char { AtLower, Free, AtUpper };
 /// Names a region: the set of all q for which these modes are right.
 struct ActiveSet {
   std::vector<Mode> contacts;
-  std::vector<RowState> rows;
+  std::vector<RowState> rows;  ///< those of disks are Free
+  std::vector<Mode> disks;     ///< Open where the disk is a point
 
   bool operator==(const ActiveSet& other) const {
-    return contacts == other.contacts && rows == other.rows;
+    return contacts == other.contacts && rows == other.rows && disks == other.disks;
   }
 };
 

@@ -153,6 +153,7 @@ const Problem& Coupling::couple(const Articulation& articulation, const Problem&
   problem_.friction = apart.friction;
   problem_.lower = apart.lower;
   problem_.upper = apart.upper;
+  problem_.disks = apart.disks;
   problem_.roundOff = apart.roundOff;
   return problem_;
 }

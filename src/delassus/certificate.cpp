@@ -31,7 +31,7 @@ MotionBound motionBound(const Problem& problem, const VectorXd& r, const VectorX
   assert((largestReaction.size() == 0 || largestReaction.size() == problem.size()) &&
          "no reaction is limited, or all are");
   const MotionBound nothingKnown{infinity, 0};
-  if ((problem.friction.array() > 0).any()) return nothingKnown;
+  if ((problem.friction.array() > 0).any() || !problem.disks.empty()) return nothingKnown;
 
   MotionBound bound;
   for (int i = 0; i < problem.size(); ++i) {
@@ -64,6 +64,8 @@ EnergyBalance energyBalance(const Problem& problem, const VectorXd& target, cons
   balance.targets = r.dot(target);
   for (int a = 0; a < problem.contacts(); ++a)
     balance.friction -= problem.friction[a] * r[3 * a] * std::hypot(u[3 * a + 1], u[3 * a + 2]);
+  for (const Disk& disk : problem.disks)
+    balance.friction -= disk.radiusAt(r) * disk.of(u).norm();
   balance.complementarity = r.dot(u) - balance.friction;
   balance.compliance = -soft;
   balance.impact = -jump;

@@ -12,7 +12,7 @@ namespace delassus {
 /// misses are relaxed, each by at most `relaxation`: q_i + δ_i in place of q_i, |δ_i| ≤ relaxation.
 ///
 /// Valid if all of these hold (then, and only then, is a finite number returned):
-///   - no contact has friction: Coulomb's law is not associated, and the bound is false for it;
+///   - no contact has friction, and there are no disks: Coulomb's law is not associated, and the bound is false for it;
 ///   - the reactions are allowed: lower ≤ r ≤ upper, to the last bit; tangential reactions of μ = 0 are zero.
 /// It is also understood that u = W r + q, that the symmetric part of W is positive semi-definite, and that the problem
 /// bounded has a solution. Round-off in u, about ε (|W||r| + |q|) an entry, is not counted.
@@ -40,7 +40,7 @@ MotionBound motionBound(const Problem& problem, const VectorXd& r, const VectorX
 struct EnergyBalance {
   double change = 0;    ///< E(v) − E(v_f) = r·(q + target) + ½ |v − v_f|²_M
   double targets = 0;   ///< r·target: fed in by restitution, push-out, belts and motors
-  double friction = 0;  ///< −Σ μ r_n |u_t|: lost by sliding
+  double friction = 0;  ///< −Σ μ r_n |u_t| − Σ κ r_n |u_d|: lost by sliding, rolling and spinning
   double complementarity =
       0;  ///< r·u − friction: 0 for contacts and limits that obey their law, ≤ 0 for motors
   double compliance = 0;  ///< −r·R r: lost in, or stored by, soft constraints

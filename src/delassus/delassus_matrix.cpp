@@ -88,6 +88,33 @@ Mat3 DelassusMatrix::contactBlock(int first) const {
   return W;
 }
 
+Mat2 DelassusMatrix::pairBlock(int first) const {
+  Mat2 W;
+  if (!inBodySpace_) {
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) W(i, j) = entries_.coeff(first + i, first + j);
+    return W;
+  }
+  W = Vec2(space_.compliance.segment<2>(first)).asDiagonal();
+  const auto* rows = &space_.rows[first - 3 * space_.contacts.size()];
+  // What a row adds for one of its blocks meets the same block of the other row.
+  const auto add = [&](int i, int body, const auto& J) {
+    if (body < 0) return;
+    for (int j = 0; j < 2; ++j) {
+      if (rows[j].a == body) W(i, j) += J.dot(rows[j].Ja);
+      if (rows[j].b == body) W(i, j) += J.dot(rows[j].Jb);
+      for (const BodySpace::Part& p : space_.partsOf(first + j))
+        if (p.body == body) W(i, j) += J.dot(p.J.row(0));
+    }
+  };
+  for (int i = 0; i < 2; ++i) {
+    add(i, rows[i].a, rows[i].Ja);
+    add(i, rows[i].b, rows[i].Jb);
+    for (const BodySpace::Part& p : space_.partsOf(first + i)) add(i, p.body, p.J.row(0));
+  }
+  return W;
+}
+
 VectorXd DelassusMatrix::diagonal() const {
   VectorXd d;
   diagonal(d);

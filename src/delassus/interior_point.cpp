@@ -12,43 +12,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// x ∘ y in the Jordan algebra of the Lorentz cone.
-Vec3 product(const Vec3& x, const Vec3& y) {
-  return {x.dot(y), x[0] * y[1] + y[0] * x[1], x[0] * y[2] + y[0] * x[2]};
-}
-
-/// c with x ∘ c = b.
-Vec3 quotient(const Vec3& x, const Vec3& b) {
-  const double tail = std::hypot(x[1], x[2]);
-  const double c = (x[0] * b[0] - x[1] * b[1] - x[2] * b[2]) / ((x[0] - tail) * (x[0] + tail));
-  return {c, (b[1] - c * x[1]) / x[0], (b[2] - c * x[2]) / x[0]};
-}
-
-/// √(x_0² − ‖x_1‖²) for x in the interior of the cone.
-double cornerDistance(const Vec3& x) {
-  const double tail = std::hypot(x[1], x[2]);
-  return std::sqrt(std::max((x[0] - tail) * (x[0] + tail), 1e-300));
-}
-
-/// Largest t with x + t d in the Lorentz cone.
-double longestStep(const Vec3& x, const Vec3& d) {
-  const double a = d[0] * d[0] - d[1] * d[1] - d[2] * d[2];
-  const double b = x[0] * d[0] - x[1] * d[1] - x[2] * d[2];
-  const double corner = cornerDistance(x), c = corner * corner;
-  // The first positive root of a t² + 2 b t + c, if there is one.
-  const double discriminant = b * b - a * c;
-  double t = infinity;
-  if (a < 0) {
-    t = c / (-b + std::sqrt(std::max(discriminant, 0.0)));
-    if (b > 0) t = (b + std::sqrt(std::max(discriminant, 0.0))) / -a;
-  } else if (b < 0 && discriminant >= 0) {
-    t = c / (-b + std::sqrt(discriminant));
-  }
-  if (d[0] < 0) t = std::min(t, -x[0] / d[0]);
-  return t;
-}
-
-double longestStep(double x, double d) { return d < 0 ? -x / d : infinity; }
+double longestStepOf(double x, double d) { return d < 0 ? -x / d : infinity; }
 
 }  // namespace
 
@@ -59,6 +23,10 @@ void InteriorPoint<Motion>::start(const Problem& problem, const NaturalMap& map)
   scale_ = map.diagonal();
   for (int i = 0; i < n; ++i)
     scale_.template segment<3>(3 * i).setConstant(scale_.template segment<3>(3 * i).mean());
+  for (const Disk& disk : problem.disks) {
+    auto own = scale_.segment(disk.first, disk.unknowns);
+    own.setConstant(own.mean());
+  }
   scale_ = scale_.cwiseMax(1e-14 * std::max(scale_.maxCoeff(), 1e-300));
   // Smaller, and reactions that squeeze each other run away; larger, and the last digits come slowly.
   constexpr double proximal = 1e-6;
@@ -99,8 +67,15 @@ void InteriorPoint<Motion>::start(const Problem& problem, const NaturalMap& map)
     if (std::isfinite(lo)) lower_[i] = {true, r - lo, speed, 0, 0, 0}, ++degree_;
     if (std::isfinite(hi)) upper_[i] = {true, hi - r, speed, 0, 0, 0}, ++degree_;
   }
-  G_.contacts.resize(n);
-  G_.rows.resize(m);
+  disks_.resize(problem.disks.size());
+  for (std::size_t k = 0; k < disks_.size(); ++k) {
+    const Disk& disk = problem.disks[k];
+    disks_[k].x = Vec3(disk.radius * r_[disk.governor], 0, 0);
+    disks_[k].y = Vec3(speed / disk.radius, 0, 0);
+    disks_[k].residual.setZero();
+    ++degree_;
+  }
+  G_.reset(problem);
   b_.resize(problem.size());
 }
 
@@ -110,6 +85,7 @@ void InteriorPoint<Motion>::measure(const Problem& problem) {
   const int n = problem.contacts(), m = problem.rows();
   double gap = 0;
   for (const Cone& c : cones_) gap += c.x.dot(c.y);
+  for (const LorentzPair& c : disks_) gap += c.x.dot(c.y);
   for (int i = 0; i < m; ++i) {
     if (lower_[i].bounded) gap += lower_[i].x * lower_[i].y;
     if (upper_[i].bounded) gap += upper_[i].x * upper_[i].y;
@@ -133,6 +109,9 @@ void InteriorPoint<Motion>::measure(const Problem& problem) {
   for (int i = 0; i < m; ++i)
     rowResidual_[i] = u_[3 * n + i] - ((lower_[i].bounded ? lower_[i].y : 0) -
                                        (upper_[i].bounded ? upper_[i].y : 0));
+  // y_0 is free: that y lies in the cone and x ⟂ y make it ‖u_d‖.
+  for (std::size_t k = 0; k < disks_.size(); ++k)
+    disks_[k].residual.tail<2>() = problem.disks[k].of(u_) - disks_[k].y.tail<2>();
 }
 
 /// Scaling points and −dr/du of every contact and row.
@@ -148,26 +127,10 @@ void InteriorPoint<Motion>::linearise(const Problem& problem) {
       G_.contacts[i](0, 0) = 1 / (c.y[0] / c.x[0] + weight[0]);
       continue;
     }
-    const double cornerX = cornerDistance(c.x), cornerY = cornerDistance(c.y);
-    const Vec3 x = c.x / cornerX, y = c.y / cornerY;
-    const double gamma = std::sqrt(0.5 * (1 + x.dot(y)));
-    const Vec3 w = Vec3(x[0] + y[0], x[1] - y[1], x[2] - y[2]) / (2 * gamma);
-    const double beta = std::sqrt(cornerX / cornerY);
-    const Vec3 v = Vec3(w[0] + 1, w[1], w[2]) / std::sqrt(2 * (w[0] + 1));
-    const Vec3 jv(v[0], -v[1], -v[2]);
-    const Vec3 J(1, -1, -1);
-    c.scaling = 2 * beta * v * v.transpose();
-    c.scaling -= (beta * J).asDiagonal().toDenseMatrix();
-    c.inverse = (2 / beta) * jv * jv.transpose();
-    c.inverse -= (J / beta).asDiagonal().toDenseMatrix();
-    c.scaled = c.scaling * c.y;
-
+    c.scale();
     Mat3 fromY = Mat3::Identity();  // B⁻¹
     fromY.row(0) << mu, -mu * c.slip[0], -mu * c.slip[1];
-    const Vec3 jw(w[0], -w[1], -w[2]);
-    Mat3 inverse2 = 2 * jw * jw.transpose();  // W⁻² β²
-    inverse2.diagonal() -= J;
-    Mat3 softness = fromY * (inverse2 / (beta * beta));
+    Mat3 softness = fromY * c.softness;
     softness.col(0) *= mu;
     softness.diagonal() += weight;
     G_.contacts[i] = softness.inverse();
@@ -178,6 +141,16 @@ void InteriorPoint<Motion>::linearise(const Problem& problem) {
     if (lower_[i].bounded) softness += lower_[i].y / lower_[i].x;
     if (upper_[i].bounded) softness += upper_[i].y / upper_[i].x;
     G_.rows[i] = problem.lower[i] < problem.upper[i] ? 1 / softness : 0;
+  }
+  for (std::size_t k = 0; k < disks_.size(); ++k) {
+    const Disk& disk = problem.disks[k];
+    LorentzPair& c = disks_[k];
+    c.scale();
+    Stiffness::OfDisk& answer = G_.disks[k];
+    answer.own =
+        (c.softness.bottomRightCorner<2, 2>() + weight_[disk.first] * Mat2::Identity()).inverse();
+    answer.governor = -answer.own * c.softness.block<2, 1>(1, 0) * disk.radius * G_.ofNormal(disk);
+    G_.rows.segment(disk.first - 3 * n, disk.unknowns).setZero();
   }
 }
 
@@ -195,11 +168,7 @@ bool InteriorPoint<Motion>::step(Motion& motion, const Problem& problem, double 
           Vec3(G_.contacts[i](0, 0) * (c.shift[0] - c.residual[0]), 0, 0);
       continue;
     }
-    // W⁻¹ (λ \ (τ e − λ ∘ λ)), in the form that keeps its digits at the boundary of the cone.
-    const double corner = cornerDistance(c.x);
-    c.shift = (tau / (corner * corner)) * Vec3(c.x[0], -c.x[1], -c.x[2]) - c.y;
-    if (corrector)
-      c.shift -= c.inverse * quotient(c.scaled, product(c.inverse * c.dx, c.scaling * c.dy));
+    c.aim(tau, corrector);
     const Vec3 y = c.shift - c.residual;
     const Vec3 u(mu * (y[0] - c.slip[0] * y[1] - c.slip[1] * y[2]), y[1], y[2]);
     b_.template segment<3>(3 * i) = G_.contacts[i] * u;
@@ -218,6 +187,14 @@ bool InteriorPoint<Motion>::step(Motion& motion, const Problem& problem, double 
     b_[3 * n + i] = G_.rows[i] * y;
   }
 
+  for (std::size_t k = 0; k < disks_.size(); ++k) {
+    const Disk& disk = problem.disks[k];
+    LorentzPair& c = disks_[k];
+    c.aim(tau, corrector);
+    const Vec2 wider = c.softness.block<2, 1>(1, 0) * (disk.radius * b_[disk.governor]);
+    disk.put(G_.disks[k].own * ((c.shift - c.residual).tail<2>() - wider), b_);
+  }
+
   motion.impulse(b_, dv_);
   motion.solve(dv_);
   if (!dv_.allFinite()) return false;
@@ -229,8 +206,7 @@ bool InteriorPoint<Motion>::step(Motion& motion, const Problem& problem, double 
     const Vec3 dr = b_.template segment<3>(3 * i) - G_.contacts[i] * du_.template segment<3>(3 * i);
     b_.template segment<3>(3 * i) = dr;
     if (mu > 0) {
-      c.dx = Vec3(mu * dr[0], dr[1], dr[2]);
-      c.dy = c.shift - c.inverse * (c.inverse * c.dx);
+      c.follow({mu * dr[0], dr[1], dr[2]});
     } else {
       c.dx = Vec3(dr[0], 0, 0);
       c.dy = Vec3(c.shift[0] - c.y[0] / c.x[0] * dr[0], 0, 0);
@@ -244,18 +220,31 @@ bool InteriorPoint<Motion>::step(Motion& motion, const Problem& problem, double 
     if (lo.bounded) lo.dx = dr, lo.dy = (lo.target - lo.y * dr) / lo.x;
     if (hi.bounded) hi.dx = -dr, hi.dy = (hi.target + hi.y * dr) / hi.x;
   }
+  for (std::size_t k = 0; k < disks_.size(); ++k) {
+    const Disk& disk = problem.disks[k];
+    Vec3 governing(0, 0, 0);  // du of its governor
+    const int unknowns = disk.governor < 3 * n ? 3 : 1;
+    governing.head(unknowns) = du_.segment(disk.governor, unknowns);
+    const Vec2 dr =
+        disk.of(b_) - G_.disks[k].own * disk.of(du_) - G_.disks[k].governor * governing;
+    disk.put(dr, b_);
+    disks_[k].follow({disk.radius * b_[disk.governor], dr[0], dr[1]});
+  }
   return true;
 }
 
 template <class Motion>
 double InteriorPoint<Motion>::longestStep() const {
   double t = infinity;
-  for (const Cone& c : cones_)
-    t = std::min({t, delassus::longestStep(c.x, c.dx), delassus::longestStep(c.y, c.dy)});
+  const auto shorten = [&t](const LorentzPair& c) {
+    t = std::min({t, lorentz::longestStep(c.x, c.dx), lorentz::longestStep(c.y, c.dy)});
+  };
+  for (const Cone& c : cones_) shorten(c);
+  for (const LorentzPair& c : disks_) shorten(c);
   for (const auto* sides : {&lower_, &upper_})
     for (const Side& s : *sides)
       if (s.bounded)
-        t = std::min({t, delassus::longestStep(s.x, s.dx), delassus::longestStep(s.y, s.dy)});
+        t = std::min({t, longestStepOf(s.x, s.dx), longestStepOf(s.y, s.dy)});
   return t;
 }
 
@@ -263,6 +252,7 @@ template <class Motion>
 double InteriorPoint<Motion>::gapAfter(double length) const {
   double gap = 0;
   for (const Cone& c : cones_) gap += (c.x + length * c.dx).dot(c.y + length * c.dy);
+  for (const LorentzPair& c : disks_) gap += (c.x + length * c.dx).dot(c.y + length * c.dy);
   for (const auto* sides : {&lower_, &upper_})
     for (const Side& s : *sides)
       if (s.bounded) gap += (s.x + length * s.dx) * (s.y + length * s.dy);
@@ -273,6 +263,7 @@ template <class Motion>
 void InteriorPoint<Motion>::advance(const Problem& problem, double length) {
   r_ += length * b_;
   for (Cone& c : cones_) c.x += length * c.dx, c.y += length * c.dy;
+  for (LorentzPair& c : disks_) c.x += length * c.dx, c.y += length * c.dy;
   for (auto* sides : {&lower_, &upper_})
     for (Side& s : *sides) s.x += length * s.dx, s.y += length * s.dy;
   problem.W.multiply(r_, y_, u_);

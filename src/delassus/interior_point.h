@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "delassus/lorentz_cone.h"
 #include "delassus/motion_space.h"
 #include "delassus/residual.h"
 #include "delassus/solution.h"
@@ -11,7 +12,7 @@ namespace delassus {
 /// A primal-dual interior-point method for the whole law, Coulomb's normality gap included, in a motion space.
 ///
 /// With x = (μ r_n, r_t) and y = (u_n/μ + ‖u_t‖, u_t) the law reads  L ∋ x ⟂ y ∈ L  for the Lorentz cone L, and a row is
-/// the same with half-lines. Newton's method follows x ∘ y = τ e, τ → 0, with Nesterov and Todd's scaling and Mehrotra's
+/// the same with half-lines, a disk with x = (κ r_n, r_d), y = (y_0, u_d) and free y_0. Newton's method follows x ∘ y = τ e, τ → 0, with Nesterov and Todd's scaling and Mehrotra's
 /// corrector; ‖u_t‖ is differentiated too, smoothed by what τ allows to slip. Each step costs one factorisation of
 /// K = I + J̃ᵀ G J̃, whatever the number of contacts that change their mode: it needs 10 to 40 of them from any start,
 /// where the walk over regions may need hundreds if many contacts are at a wall of their region.
@@ -26,15 +27,9 @@ class InteriorPoint {
              int budget, Solution& best);
 
  private:
-  /// A contact with friction: a point in the Lorentz cone, and what a step does to it.
-  struct Cone {
-    Vec3 x, y;
-    Vec3 dx, dy;
-    Vec3 residual;          ///< of y against the relative velocity
-    Mat3 scaling, inverse;  ///< W and W⁻¹ with W y = W⁻¹ x
-    Vec3 scaled;            ///< λ = W y
-    Vec2 slip;              ///< derivative of the smoothed ‖u_t‖
-    Vec3 shift;             ///< −b: reaction of the step for a body that stays
+  /// A contact with friction.
+  struct Cone : LorentzPair {
+    Vec2 slip;  ///< derivative of the smoothed ‖u_t‖
   };
   /// One side of a row: x = r − lower, y = u⁺, or x = upper − r, y = u⁻.
   struct Side {
@@ -57,6 +52,7 @@ class InteriorPoint {
   VectorXd b_, dv_, du_;
   VectorXd weight_;  ///< compliance + proximal weight
   std::vector<Cone> cones_;
+  std::vector<LorentzPair> disks_;  ///< x = (κ r_n, r_d), y = (y_0, u_d)
   std::vector<Side> lower_, upper_;
   VectorXd rowResidual_;
   Stiffness G_;

@@ -32,6 +32,15 @@ Row6 normalJacobian(const Mat3& frame, const Vec3& arm) {
 
 }  // namespace
 
+int Island::normalOf(int contact) const {
+  const auto place = [contact](const std::vector<int>& list) {
+    const auto at = std::lower_bound(list.begin(), list.end(), contact);
+    return at != list.end() && *at == contact ? static_cast<int>(at - list.begin()) : -1;
+  };
+  const int k = place(frictional);
+  return k >= 0 ? 3 * k : static_cast<int>(3 * frictional.size()) + place(frictionless);
+}
+
 /// Cholesky that skips locked axes.
 Assembler::RootOfInverseMass Assembler::rootOf(const Body& body) {
   RootOfInverseMass root{body.inverseMass.cwiseSqrt(), Mat3::Zero()};
@@ -118,6 +127,7 @@ const Problem& Assembler::assemble(const std::vector<Body>& bodies,
   problem_.friction.resize(n);
   problem_.lower.resize(m);
   problem_.upper.resize(m);
+  problem_.disks.clear();
 
   roots_.clear();
   for (int body : island.bodies) roots_.push_back(rootOf(bodies[body]));
@@ -178,9 +188,20 @@ const Problem& Assembler::assemble(const std::vector<Body>& bodies,
     addRow(c.a, c.b, normalJacobian(c.frame, c.armA), -normalJacobian(c.frame, c.armB), c.target[0],
            0, std::numeric_limits<double>::infinity(), c.compliance);
   }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  bool paired = false;  // with the row before
   for (int i : island.rows) {
     const Row& c = rows[i];
-    addRow(c.a, c.b, c.jacobianA, c.jacobianB, c.target, c.lower, c.upper, c.compliance);
+    if (c.governor < 0) {
+      addRow(c.a, c.b, c.jacobianA, c.jacobianB, c.target, c.lower, c.upper, c.compliance);
+      continue;
+    }
+    if (paired)
+      ++problem_.disks.back().unknowns;
+    else
+      problem_.disks.push_back({at, 1, island.normalOf(c.governor), c.upper});
+    paired = c.paired;
+    addRow(c.a, c.b, c.jacobianA, c.jacobianB, c.target, -infinity, infinity, 0);
   }
 
   problem_.roundOff = 4 * std::numeric_limits<double>::epsilon() * largestTerm;

@@ -13,6 +13,7 @@ namespace delassus {
 /// Contacts and rows that can feel each other: linked through movable bodies. Indices are in ascending order.
 ///
 /// The unknowns of its problem are, in this order: three per frictional contact, one per frictionless contact, one per row.
+/// Rows with a governor make disks; all others come before them.
 struct Island {
   std::vector<int> bodies;        ///< movable bodies
   std::vector<int> frictional;    ///< contacts with friction > 0
@@ -22,6 +23,8 @@ struct Island {
   int unknowns() const {
     return static_cast<int>(3 * frictional.size() + frictionless.size() + rows.size());
   }
+  /// The unknown that is the normal reaction of one of its contacts.
+  int normalOf(int contact) const;
 };
 
 /// Splits steps into islands and writes their problems, in storage that it keeps from step to step.

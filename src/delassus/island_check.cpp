@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "delassus/disk.h"
 #include "delassus/read_mode.h"
 
 namespace delassus {
@@ -99,11 +100,24 @@ double rowResidual(double r, double u, double lower, double upper, double size) 
   return std::abs(r - std::clamp(r - u / size, lower, upper)) * size;
 }
 
+void moveIntoDisk(const Disk& disk, VectorXd& r) {
+  disk.put(projectOnDisk(disk.of(r), disk.radiusAt(r)), r);
+}
+
+/// The disk that ends with the k-th row of the island, whose rows begin at this unknown.
+Disk diskAt(const std::vector<Row>& rows, const Island& island, int k, int rowsBegin) {
+  const Row& last = rows[island.rows[k]];
+  const bool pair = k > 0 && rows[island.rows[k - 1]].paired;
+  const int unknowns = pair ? 2 : 1;
+  return {rowsBegin + k + 1 - unknowns, unknowns, island.normalOf(last.governor), last.upper};
+}
+
 void makeReady(const Island& island, Tier tier, Solution& solution) {
   const auto scalars = island.frictionless.size() + island.rows.size();
   solution.u.resize(static_cast<int>(3 * island.frictional.size() + scalars));
   solution.activeSet.contacts.resize(island.frictional.size());
   solution.activeSet.rows.resize(scalars);
+  solution.activeSet.disks.clear();
   solution.status = Status::Solved;
   solution.tier = tier;
   solution.regions = solution.factorisations = solution.sweeps = 0;
@@ -127,6 +141,7 @@ bool IslandCheck::isFree(const std::vector<Body>& bodies, const std::vector<Cont
   };
   const auto rests = [&](int i) {
     const Row& c = rows[i];
+    if (c.governor >= 0) return residuals.add(0);  // its disk is a point
     if (c.lower > 0 || c.upper < 0) return false;
     const double q = relativeVelocity(bodies, c);
     const double missed = std::max(c.lower < 0 ? q : 0, c.upper > 0 ? -q : 0);
@@ -153,6 +168,11 @@ bool IslandCheck::isFree(const std::vector<Body>& bodies, const std::vector<Cont
   }
   for (int i : island.rows) {
     solution.u[at++] = relativeVelocity(bodies, rows[i]);
+    if (rows[i].governor >= 0) {
+      solution.activeSet.rows[state++] = RowState::Free;
+      if (!rows[i].paired) solution.activeSet.disks.push_back(Mode::Open);
+      continue;
+    }
     solution.activeSet.rows[state++] = rows[i].lower == 0   ? RowState::AtLower
                                        : rows[i].upper == 0 ? RowState::AtUpper
                                                             : RowState::Free;
@@ -192,10 +212,19 @@ double IslandCheck::move(const std::vector<Body>& bodies, const std::vector<Cont
     r[at] = std::max(r[at], 0.0);
     push(c, c.frame.col(0) * r[at++]);
   }
+  const int rowsBegin = at;
   for (int i : island.rows) {
     const Row& c = rows[i];
     demand = std::max(demand, std::abs(relativeVelocity(bodies, c)));
-    r[at] = std::clamp(r[at], c.lower, c.upper);
+    if (c.governor < 0)
+      r[at] = std::clamp(r[at], c.lower, c.upper);
+    else if (!c.paired)
+      moveIntoDisk(diskAt(rows, island, at - rowsBegin, rowsBegin), r);
+    ++at;
+  }
+  at = rowsBegin;
+  for (int i : island.rows) {
+    const Row& c = rows[i];
     if (moves(c.a)) impulses_[c.a] += c.jacobianA.transpose() * r[at];
     if (moves(c.b)) impulses_[c.b] += c.jacobianB.transpose() * r[at];
     ++at;
@@ -241,8 +270,27 @@ bool IslandCheck::isKept(const std::vector<Body>& bodies, const std::vector<Cont
     return keepsBounds(normalVelocity(moved, c) + c.compliance * r[at], 0, infinity,
                        trace(moved, c, 1));
   };
+  const int rowsBegin = island.unknowns() - static_cast<int>(island.rows.size());
+  double pairSize = 0;  // of the first row of a pair
+  /// At the last row of a disk, where its velocity is known.
+  const auto keepsDisk = [&](const Row& c) {
+    const double size = pairSize + diagonal(moved, c);
+    u[at] = relativeVelocity(moved, c);
+    solution.activeSet.rows[state++] = RowState::Free;
+    ++at;
+    pairSize = c.paired ? size : 0;
+    if (c.paired) return true;
+    const Disk disk = diskAt(rows, island, at - 1 - rowsBegin, rowsBegin);
+    const Vec2 reaction = disk.of(r), velocity = disk.of(u);
+    const double radius = disk.radiusAt(r);
+    solution.activeSet.disks.push_back(
+        diskModeOf(reaction, velocity, radius, size / disk.unknowns));
+    const Vec2 wished = projectOnDisk(reaction - velocity / size, radius);
+    return residuals.add((reaction - wished).norm() * size);
+  };
   const auto keepsRow = [&](int i) {
     const Row& c = rows[i];
+    if (c.governor >= 0) return keepsDisk(c);
     return keepsBounds(relativeVelocity(moved, c) + c.compliance * r[at], c.lower, c.upper,
                        diagonal(moved, c));
   };

@@ -1,5 +1,6 @@
 #include "delassus/motion_space.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -56,8 +57,21 @@ void forPairsWithParts(const BodySpace& space, const Visit& visit) {
 
 }  // namespace
 
+void Stiffness::reset(const Problem& problem) {
+  contacts.assign(problem.contacts(), Mat3::Zero());
+  rows.setZero(problem.rows());
+  disks.assign(problem.disks.size(), OfDisk());
+}
+
+Eigen::RowVector3d Stiffness::ofNormal(const Disk& disk) const {
+  const auto contactsEnd = static_cast<int>(3 * contacts.size());
+  if (disk.governor < contactsEnd) return contacts[disk.governor / 3].row(0);
+  return {rows[disk.governor - contactsEnd], 0, 0};
+}
+
 void BodyMotion::setProblem(const Problem& problem) {
   space_ = &problem.W.bodySpace();
+  disks_ = &problem.disks;
   edges_.clear();
   const auto couple = [&](int a, int b) {
     if (a >= 0 && b >= 0 && a != b) edges_.push_back({a, b});
@@ -65,6 +79,11 @@ void BodyMotion::setProblem(const Problem& problem) {
   for (const auto& c : space_->contacts) couple(c.a, c.b);
   for (const auto& c : space_->rows) couple(c.a, c.b);
   forPairsWithParts(*space_, [&](int, int a, const auto&, int b, const auto&) { couple(a, b); });
+  for (const Disk& disk : *disks_) {
+    findShares(disk);
+    for (std::size_t i = 0; i < shares_.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) couple(shares_[i].body, shares_[j].body);
+  }
   factor_.analyse(space_->bodies, edges_);
 }
 
@@ -94,11 +113,61 @@ bool BodyMotion::factorise(const Stiffness& G) {
       factor_.addOffDiagonal(at, ab, ab.transpose());
     }
   }
-  if (!space_->parts.empty()) addParts(G, edge);
+  if (!space_->parts.empty()) edge = addParts(G, edge);
+  if (!disks_->empty()) addDisks(G, edge);
   return factor_.factorise();
 }
 
-void BodyMotion::addParts(const Stiffness& G, int edge) {
+/// Fills shares_: the blocks that a disk or its governor moves, each once.
+void BodyMotion::findShares(const Disk& disk) {
+  shares_.clear();
+  const auto of = [&](int body) -> DiskShare& {
+    const auto known = std::find_if(shares_.begin(), shares_.end(),
+                                    [&](const DiskShare& share) { return share.body == body; });
+    if (known != shares_.end()) return *known;
+    return shares_.emplace_back(
+        DiskShare{body, Eigen::Matrix<double, 2, 6>::Zero(), Mat36::Zero()});
+  };
+  const auto contactsEnd = static_cast<int>(3 * space_->contacts.size());
+  for (int i = 0; i < disk.unknowns; ++i) {
+    const BodySpace::ScalarRow& c = space_->rows[disk.first + i - contactsEnd];
+    if (c.a >= 0) of(c.a).disk.row(i) += c.Ja;
+    if (c.b >= 0) of(c.b).disk.row(i) += c.Jb;
+    for (const BodySpace::Part& p : space_->partsOf(disk.first + i))
+      of(p.body).disk.row(i) += p.J.row(0);
+  }
+  const auto addGovernor = [&](const auto& c) {
+    if (c.a >= 0) of(c.a).governor.topRows(c.Ja.rows()) += c.Ja;
+    if (c.b >= 0) of(c.b).governor.topRows(c.Jb.rows()) += c.Jb;
+  };
+  if (disk.governor < contactsEnd)
+    addGovernor(space_->contacts[disk.governor / 3]);
+  else
+    addGovernor(space_->rows[disk.governor - contactsEnd]);
+  for (const BodySpace::Part& p : space_->partsOf(disk.governor))
+    of(p.body).governor.topRows(p.J.rows()) += p.J;
+}
+
+void BodyMotion::addDisks(const Stiffness& G, int edge) {
+  for (std::size_t k = 0; k < disks_->size(); ++k) {
+    findShares((*disks_)[k]);
+    const auto answer = [&](const DiskShare& share) -> Eigen::Matrix<double, 2, 6> {
+      return G.disks[k].own * share.disk + G.disks[k].governor * share.governor;
+    };
+    for (std::size_t i = 0; i < shares_.size(); ++i) {
+      const DiskShare& a = shares_[i];
+      const Eigen::Matrix<double, 2, 6> Ga = answer(a);
+      factor_.addDiagonal(a.body, a.disk.transpose() * Ga);
+      for (std::size_t j = 0; j < i; ++j) {
+        const DiskShare& b = shares_[j];
+        factor_.addOffDiagonal(edge++, a.disk.transpose() * answer(b), b.disk.transpose() * Ga);
+      }
+    }
+  }
+}
+
+/// Returns the edge after those of the parts.
+int BodyMotion::addParts(const Stiffness& G, int edge) {
   const auto contactsEnd = static_cast<int>(3 * space_->contacts.size());
   const auto stiff = [&](int at, const BodySpace::Rows& J) -> BodySpace::Rows {
     if (at < contactsEnd) return G.contacts[at / 3] * J;
@@ -110,9 +179,11 @@ void BodyMotion::addParts(const Stiffness& G, int edge) {
     factor_.addOffDiagonal(edge++, Ja.transpose() * stiff(at, Jb), Jb.transpose() * stiff(at, Ja));
   };
   forPairsWithParts(*space_, add);
+  return edge;
 }
 
 void FactoredMotion::setProblem(const Problem& problem) {
+  disks_ = &problem.disks;
   const MatrixXd W = problem.W.dense();
   J_ = pivotedCholesky(0.5 * (W + W.transpose()));
 }
@@ -123,6 +194,14 @@ bool FactoredMotion::factorise(const Stiffness& G) {
   for (int i = 0; i < n; ++i)
     GJ_.middleRows<3>(3 * i).noalias() = G.contacts[i] * J_.middleRows<3>(3 * i);
   for (int i = 3 * n; i < J_.rows(); ++i) GJ_.row(i) = G.rows[i - 3 * n] * J_.row(i);
+  for (std::size_t k = 0; k < disks_->size(); ++k) {
+    const Disk& disk = (*disks_)[k];
+    const int governing = disk.governor < 3 * n ? 3 : 1, answering = disk.unknowns;
+    GJ_.middleRows(disk.first, answering) =
+        G.disks[k].own.topLeftCorner(answering, answering) * J_.middleRows(disk.first, answering) +
+        G.disks[k].governor.topLeftCorner(answering, governing) *
+            J_.middleRows(disk.governor, governing);
+  }
   K_.noalias() = J_.transpose() * GJ_;
   K_.diagonal().array() += 1;
   lu_.compute(K_);

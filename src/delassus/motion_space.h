@@ -9,12 +9,29 @@
 namespace delassus {
 
 /// Derivative −dr/du of the reactions for one region: 3x3 per contact, a number per row. Zero where open or bounded.
+///
+/// A disk answers to its own rows, which are zero among `rows`, and through its radius to those of its governor.
 struct Stiffness {
+  struct OfDisk {
+    Mat2 own = Mat2::Zero();
+    Mat23 governor = Mat23::Zero();  ///< its first column alone if the governor is a row
+
+    bool operator==(const OfDisk& other) const {
+      return own == other.own && governor == other.governor;
+    }
+  };
   std::vector<Mat3> contacts;
   VectorXd rows;
+  std::vector<OfDisk> disks;
+
+  /// For this problem, all zero.
+  void reset(const Problem& problem);
+  /// −dr_n/du of the governor of a disk.
+  Eigen::RowVector3d ofNormal(const Disk& disk) const;
 
   bool operator==(const Stiffness& other) const {
-    return contacts == other.contacts && rows.size() == other.rows.size() && rows == other.rows;
+    return contacts == other.contacts && rows.size() == other.rows.size() && rows == other.rows &&
+           disks == other.disks;
   }
 };
 
@@ -24,6 +41,7 @@ struct Stiffness {
 /// Bodies of a world: six columns a body, K is sparse in 6x6 blocks over the body graph.
 class BodyMotion {
  public:
+  /// Keeps pointers to the problem, which must outlive the use.
   void setProblem(const Problem& problem);
 
   void impulse(const VectorXd& r, VectorXd& y) const { space_->impulse(r, y); }
@@ -33,9 +51,20 @@ class BodyMotion {
   std::size_t bytes() const { return factor_.bytes(); }
 
  private:
-  void addParts(const Stiffness& G, int firstEdge);
+  /// What a disk and its governor do to one body.
+  struct DiskShare {
+    int body;
+    Eigen::Matrix<double, 2, 6> disk;
+    Mat36 governor;  ///< its first row alone if the governor is a row
+  };
+
+  int addParts(const Stiffness& G, int firstEdge);
+  void addDisks(const Stiffness& G, int firstEdge);
+  void findShares(const Disk& disk);
 
   const BodySpace* space_ = nullptr;
+  const std::vector<Disk>* disks_ = nullptr;
+  std::vector<DiskShare> shares_;  ///< of one disk
   std::vector<BlockFactor::Edge> edges_;
   BlockFactor factor_;
 };
@@ -53,6 +82,7 @@ class FactoredMotion {
   std::size_t bytes() const { return sizeof(double) * (J_.size() + GJ_.size() + 2 * K_.size()); }
 
  private:
+  const std::vector<Disk>* disks_ = nullptr;
   MatrixXd J_, GJ_, K_;
   Eigen::PartialPivLU<MatrixXd> lu_;
 };

@@ -1,5 +1,6 @@
 #include "delassus/problem.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -44,6 +45,15 @@ bool isFit(const Problem& problem, int part, int first, int unknowns) {
                                  : inEntries(problem.W.entries(), first, unknowns);
 }
 
+/// Whether a law can be stated for a disk, and whether the next unknown that it leaves is `next`.
+bool isFit(const Problem& problem, const Disk& disk, int next) {
+  const int contactsEnd = 3 * problem.contacts();
+  return disk.radius > 0 && disk.radius <= largest && disk.governor >= 0 &&
+         disk.governor < problem.disksBegin() &&
+         (disk.governor >= contactsEnd || disk.governor % 3 == 0) && disk.first >= contactsEnd &&
+         (disk.unknowns == 1 || disk.unknowns == 2) && disk.first + disk.unknowns == next;
+}
+
 }  // namespace
 
 std::vector<int> unfitParts(const Problem& problem) {
@@ -54,6 +64,13 @@ std::vector<int> unfitParts(const Problem& problem) {
     const int first = contact ? 3 * part : 2 * contacts + part;
     if (!isFit(problem, part, first, contact ? 3 : 1)) unfit.push_back(first);
   }
+  for (std::size_t k = 0; k < problem.disks.size(); ++k) {
+    const bool last = k + 1 == problem.disks.size();
+    if (!isFit(problem, problem.disks[k], last ? problem.size() : problem.disks[k + 1].first))
+      unfit.push_back(problem.disks[k].first);
+  }
+  std::sort(unfit.begin(), unfit.end());
+  unfit.erase(std::unique(unfit.begin(), unfit.end()), unfit.end());
   return unfit;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "delassus/delassus_matrix.h"
+#include "delassus/disk.h"
 
 namespace delassus {
 
@@ -12,6 +13,7 @@ namespace delassus {
 ///     u = W r + q
 ///     contacts:  K_μ ∋ r ⟂ u + μ‖u_t‖ n ∈ K_μ*          (Signorini and Coulomb; De Saxcé's form)
 ///     rows:      lower ≤ r ≤ upper, u ≥ 0 at lower, u ≤ 0 at upper, u = 0 in between
+///     disks:     ‖r_d‖ ≤ κ r_n, r_d opposite to u_d and on the rim where u_d ≠ 0   (rows too; disk.h)
 ///
 /// A contact without friction is a row with bounds [0, ∞). Impulses N·s, velocities m/s.
 struct Problem {
@@ -19,16 +21,19 @@ struct Problem {
   DelassusMatrix W;
   VectorXd q;             ///< relative velocity without reactions, size 3 n + m
   VectorXd friction;      ///< μ, size n
-  VectorXd lower, upper;  ///< bounds of the rows, size m
+  VectorXd lower, upper;  ///< bounds of the rows, size m; infinite for those of disks
+  std::vector<Disk> disks;  ///< their rows are the last, in this order, without gaps
   double roundOff = 0;    ///< error of q from velocities that cancel in it, m/s
 
   int contacts() const { return static_cast<int>(friction.size()); }
   int rows() const { return static_cast<int>(lower.size()); }
   int size() const { return 3 * contacts() + rows(); }
+  int disksBegin() const { return disks.empty() ? size() : disks.front().first; }
 };
 
-/// First unknowns of the contacts and rows that no law can be stated for: numbers in their part of q, μ or W, or bounds,
-/// that are none or so large (1e100) that squares overflow, μ < 0, lower > upper. Ascending.
+/// First unknowns of the contacts, rows and disks that no law can be stated for: numbers in their part of q, μ, κ or W, or
+/// bounds, that are none or so large (1e100) that squares overflow, μ < 0, lower > upper, κ ≤ 0, r_n not before the disks.
+/// Ascending.
 std::vector<int> unfitParts(const Problem& problem);
 
 }  // namespace delassus

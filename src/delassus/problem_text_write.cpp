@@ -147,6 +147,8 @@ std::string problemText(const Problem& problem) {
          "W, q, friction and bounds speak of the same unknowns");
   if (problem.contacts() > 0 && problem.rows() > 0)
     throw std::invalid_argument("a problem with both contacts and rows has no text format");
+  if (!problem.disks.empty())
+    throw std::invalid_argument("a problem with rolling or spinning friction has no text format");
   requireFinite(problem.q, "q");
   requireFinite(problem.friction, "the friction");
   if ((problem.friction.array() < 0).any())

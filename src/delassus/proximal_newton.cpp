@@ -16,6 +16,10 @@ void ProximalNewton<Motion>::setProblem(const Problem& problem, const NaturalMap
   const int n = problem.contacts();
   scale_ = map.diagonal();
   for (int i = 0; i < n; ++i) scale_.segment<3>(3 * i).setConstant(scale_.segment<3>(3 * i).mean());
+  for (const Disk& disk : problem.disks) {
+    auto own = scale_.segment(disk.first, disk.unknowns);
+    own.setConstant(own.mean());
+  }
   // A row that moves nothing (W_ii = 0) can do nothing: any finite weight leaves it harmless.
   const double largest = std::max(scale_.maxCoeff(), 1e-300);
   scale_ = scale_.cwiseMax(1e-14 * largest);
@@ -23,8 +27,7 @@ void ProximalNewton<Motion>::setProblem(const Problem& problem, const NaturalMap
     compliance_ = problem.W.bodySpace().compliance;
   else
     compliance_.setZero(problem.size());
-  G_.contacts.resize(n);
-  G_.rows.resize(problem.rows());
+  G_.reset(problem);
   forgetFactor();
 }
 
@@ -77,6 +80,29 @@ void ProximalNewton<Motion>::respond(const Problem& problem, const VectorXd& u, 
     r_[at] = std::clamp(z, problem.lower[i], problem.upper[i]);
     if (G) G->rows[i] = z > problem.lower[i] && z < problem.upper[i] ? l_[at] : 0;
   }
+  for (std::size_t k = 0; k < problem.disks.size(); ++k) {
+    const Disk& disk = problem.disks[k];
+    const Vec2 z = disk.of(center_) - l_[disk.first] * disk.of(u);
+    const double length = z.norm(), radius = disk.radiusAt(r_);
+    const Mode mode = !(radius > 0) ? Mode::Open : length <= radius ? Mode::Stick : Mode::Slide;
+    disk.put(projectOnDisk(z, radius), r_);
+    if (G) answerOfDisk(disk, static_cast<int>(k), mode, z, radius * l_[disk.first] / length, *G);
+  }
+}
+
+/// −dr/du of a disk: of one that slides along `direction`, its own part is across, where it may turn, and its governor moves
+/// the rim along.
+template <class Motion>
+void ProximalNewton<Motion>::answerOfDisk(const Disk& disk, int k, Mode mode, const Vec2& direction,
+                                          double turn, Stiffness& G) const {
+  Stiffness::OfDisk& answer = G.disks[k];
+  answer = {};
+  G.rows.segment(disk.first - 3 * static_cast<int>(G.contacts.size()), disk.unknowns).setZero();
+  if (mode == Mode::Stick) answer.own.diagonal().setConstant(l_[disk.first]);
+  if (mode != Mode::Slide) return;
+  const Vec2 along = direction.normalized();
+  answer.own = turn * (Mat2::Identity() - along * along.transpose());
+  answer.governor = disk.radius * along * G.ofNormal(disk);
 }
 
 template <class Motion>
@@ -122,6 +148,18 @@ void ProximalNewton<Motion>::respondInRegion(const Problem& problem, const Solut
              : state == RowState::AtLower ? problem.lower[i]
                                           : problem.upper[i];
     G_.rows[i] = free ? l_[at] : 0;
+  }
+  for (std::size_t k = 0; k < problem.disks.size(); ++k) {
+    const Disk& disk = problem.disks[k];
+    const Mode mode = from.activeSet.disks[k];
+    const Vec2 g = disk.of(from.r), u = disk.of(u_);
+    const double l = l_[disk.first], length = g.norm();
+    // Turns as a contact does.
+    const double turn = length > 0 ? length / (length / l + disk.of(from.u).norm()) : 0;
+    answerOfDisk(disk, static_cast<int>(k), mode, g, turn, G_);
+    const Vec2 held = disk.of(center_) - l * u;
+    const Vec2 rim = disk.radius * r_[disk.governor] * g.normalized() - G_.disks[k].own * u;
+    disk.put(mode == Mode::Stick ? held : mode == Mode::Slide ? rim : Vec2(Vec2::Zero()), r_);
   }
 }
 

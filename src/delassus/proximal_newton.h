@@ -15,7 +15,8 @@ enum class Outcome : unsigned char {
 /// The walk from region to region: a proximal Newton method in a motion space (algorithms §6.10, written in increments).
 ///
 /// Around reactions r_k the law is answered by z = r_k − l (u_k + J̃ δ) with l = 1/(compliance + A), A = α W_aa, and
-/// r = P(z), P the projection of z_n on [0, ∞) and then of z_t on the disk of radius μ r_n (for rows: on the bounds).
+/// r = P(z), P the projection of z_n on [0, ∞) and then of z_t on the disk of radius μ r_n (for rows: on the bounds; for
+/// disks, with the r_n found so, on that of radius κ r_n).
 /// Each inner Newton step solves δ = J̃ᵀ (r − r_k) in one region; each outer step takes r_k ← r. A fixed point is an exact
 /// solution of Coulomb's law for any α, and the regularisation leaves no trace in it.
 template <class Motion>
@@ -55,6 +56,8 @@ class ProximalNewton {
   void respond(const Problem& problem, const VectorXd& u, Stiffness* G);
   /// The same in one given region, that of `from`: an affine answer, right if the region is.
   void respondInRegion(const Problem& problem, const Solution& from);
+  void answerOfDisk(const Disk& disk, int k, Mode mode, const Vec2& direction, double turn,
+                    Stiffness& G) const;
   /// Factors the Newton matrix of G_, unless that very region is factored already.
   bool factorise(Solution& count);
   Inner solveProximal(const Problem& problem, int& budget, Solution& count, const Solution* region);

@@ -4,6 +4,7 @@
 
 #include "delassus/active_set.h"
 #include "delassus/cone.h"
+#include "delassus/disk.h"
 
 namespace delassus {
 
@@ -22,6 +23,13 @@ inline Mode modeOf(const Vec3& r, const Vec3& u, double friction, double weight)
 inline RowState stateOf(double r, double u, double lower, double upper, double weight) {
   const double z = r - (weight > 0 ? u / weight : 0);
   return z <= lower ? RowState::AtLower : z >= upper ? RowState::AtUpper : RowState::Free;
+}
+
+/// The same of a disk that has this radius now.
+inline Mode diskModeOf(const Vec2& r, const Vec2& u, double radius, double weight) {
+  if (!(radius > 0)) return Mode::Open;
+  const Vec2 z = r - (weight > 0 ? 1 / weight : 0) * u;
+  return std::hypot(z[0], z[1]) < radius ? Mode::Stick : Mode::Slide;
 }
 
 }  // namespace delassus

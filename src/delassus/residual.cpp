@@ -7,28 +7,31 @@
 #include <limits>
 
 #include "delassus/cone.h"
+#include "delassus/disk.h"
 
 namespace delassus {
 namespace {
 
 /// ‖W‖₂ = √ λ_max(Wᵀ W), also for blocks that are not symmetric. Scaled first, for squares of tiny masses may vanish.
-double spectralNorm(const Mat3& W) {
+template <class Block>
+double spectralNorm(const Block& W) {
   const double scale = W.cwiseAbs().maxCoeff();
   if (!(scale > 0)) return scale;
-  const Mat3 S = W / scale;
-  Eigen::SelfAdjointEigenSolver<Mat3> eigen;
+  const Block S = W / scale;
+  Eigen::SelfAdjointEigenSolver<Block> eigen;
   if (S == S.transpose()) {
     eigen.computeDirect(S, Eigen::EigenvaluesOnly);
     return scale * eigen.eigenvalues().cwiseAbs().maxCoeff();
   }
   eigen.computeDirect(S.transpose() * S, Eigen::EigenvaluesOnly);
-  return scale * std::sqrt(std::max(0.0, eigen.eigenvalues()[2]));
+  return scale * std::sqrt(std::max(0.0, eigen.eigenvalues().maxCoeff()));
 }
 
 /// Nothing compared with nothing is nothing; something compared with nothing is infinite.
 double ratio(double part, double whole) { return part == 0 ? 0 : part / whole; }
 
-/// Sizes of the diagonal blocks of W, 1/kg, one a contact or row: positive, so that 1/size is a step.
+/// Sizes of the diagonal blocks of W, 1/kg, one a contact or row (both rows of a disk have that of their block): positive,
+/// so that 1/size is a step.
 ///
 /// A block that vanishes gives no step. It takes the size of the largest block, which at least has the right unit, or
 /// 1 if all vanish: whatever the step, the residual is zero at the same reactions.
@@ -39,6 +42,10 @@ void blockSizes(const Problem& problem, const VectorXd& diagonal, ContactSize co
   sizes.resize(n + m);
   for (int a = 0; a < n; ++a) sizes[a] = contactSize(problem.W.contactBlock(3 * a));
   sizes.tail(m) = diagonal.tail(m).cwiseAbs();
+  for (const Disk& disk : problem.disks)
+    if (disk.unknowns == 2)
+      sizes.segment<2>(disk.first - 2 * n)
+          .setConstant(spectralNorm(problem.W.pairBlock(disk.first)));
 
   const double largest = sizes.size() > 0 ? sizes.maxCoeff() : 0;
   const double instead = largest > 0 ? largest : 1;
@@ -46,23 +53,31 @@ void blockSizes(const Problem& problem, const VectorXd& diagonal, ContactSize co
     if (size < std::numeric_limits<double>::min()) size = instead;
 }
 
-/// Calls `visit(k, first, ‖F‖)` with F = r − P(r − s v), s = step(k), for each contact and then each row k, whose
-/// unknowns start at `first`.
+/// Calls `visit(k, first, unknowns, ‖F‖)` with F = r − P(r − s v), s = step(k), for each contact and then each row k, or
+/// disk whose first row is k, with so many unknowns from `first`.
 template <class Step, class Visit>
 void visitNaturalMap(const Problem& problem, const VectorXd& r, const VectorXd& u, Step step,
                      Visit visit) {
-  const int n = problem.contacts(), m = problem.rows();
+  const int n = problem.contacts();
   for (int a = 0; a < n; ++a) {
     const Vec3 ra = r.segment<3>(3 * a);
     const double mu = problem.friction[a];
     const Vec3 v = correctedVelocity(u.segment<3>(3 * a), mu);
-    visit(a, 3 * a, (ra - projectOnCone(ra - step(a) * v, mu)).norm());
+    visit(a, 3 * a, 3, (ra - projectOnCone(ra - step(a) * v, mu)).norm());
   }
-  for (int i = 0; i < m; ++i) {
+  const int plainRows = problem.disksBegin() - 3 * n;
+  for (int i = 0; i < plainRows; ++i) {
     const int at = 3 * n + i;
     const double s = step(n + i);
     const double x = r[at] - s * u[at];
-    visit(n + i, at, std::abs(r[at] - std::min(std::max(x, problem.lower[i]), problem.upper[i])));
+    visit(n + i, at, 1,
+          std::abs(r[at] - std::min(std::max(x, problem.lower[i]), problem.upper[i])));
+  }
+  for (const Disk& disk : problem.disks) {
+    const int k = disk.first - 2 * n;
+    const Vec2 x = disk.of(r) - step(k) * disk.of(u);
+    visit(k, disk.first, disk.unknowns,
+          (disk.of(r) - projectOnDisk(x, disk.radiusAt(r))).norm());
   }
 }
 
@@ -71,7 +86,7 @@ void visitNaturalMap(const Problem& problem, const VectorXd& r, const VectorXd& 
 void NaturalMap::setProblem(const Problem& problem) {
   problem_ = &problem;
   problem.W.diagonal(diagonal_);
-  blockSizes(problem, diagonal_, spectralNorm, sizes_);
+  blockSizes(problem, diagonal_, spectralNorm<Mat3>, sizes_);
 }
 
 double NaturalMap::roundOff(const VectorXd& r) const {
@@ -88,7 +103,7 @@ NaturalResidual NaturalMap::residual(const VectorXd& r, const VectorXd& u) const
   NaturalResidual residual;
   double velocity2 = 0, energy = 0, freeEnergy = 0;
   const auto step = [&](int k) { return 1 / size[k]; };
-  visitNaturalMap(problem, r, u, step, [&](int k, int first, double F) {
+  visitNaturalMap(problem, r, u, step, [&](int k, int first, int unknowns, double F) {
     const double velocity = F * size[k];
     // A NaN is the worst of all: it must not pass for a small residual.
     if (residual.worst < 0 || velocity > residual.max || std::isnan(velocity)) {
@@ -97,7 +112,6 @@ NaturalResidual NaturalMap::residual(const VectorXd& r, const VectorXd& u) const
     }
     velocity2 += velocity * velocity;
     energy += F * velocity;
-    const int unknowns = k < problem.contacts() ? 3 : 1;
     freeEnergy += problem.q.segment(first, unknowns).squaredNorm() / size[k];
   });
   if (size.size() > 0) residual.rms = std::sqrt(velocity2 / static_cast<double>(size.size()));
@@ -126,10 +140,10 @@ FclibMeasures fclibMeasures(const Problem& problem, const VectorXd& r) {
 
   double unscaled2 = 0, velocity2 = 0;
   visitNaturalMap(
-      problem, r, u, [](int) { return 1.0; }, [&](int, int, double F) { unscaled2 += F * F; });
+      problem, r, u, [](int) { return 1.0; }, [&](int, int, int, double F) { unscaled2 += F * F; });
   visitNaturalMap(
       problem, r, u, [&](int k) { return 1 / size[k]; },
-      [&](int k, int, double F) { velocity2 += F * size[k] * F * size[k]; });
+      [&](int k, int, int, double F) { velocity2 += F * size[k] * F * size[k]; });
 
   const double unscaled = std::sqrt(unscaled2), q = problem.q.norm();
   FclibMeasures measures;

@@ -4,11 +4,12 @@
 
 namespace delassus {
 
-/// How far reactions are from the law, per contact or row and together (algorithms §9.1):
+/// How far reactions are from the law, per contact, row or disk and together (algorithms §9.1):
 ///
-///     F = r − P(r − ρ v),  ρ = 1/‖W_aa‖,  v = u + μ‖u_t‖ n for contacts, u for rows; P projects on the cone or the bounds
+///     F = r − P(r − ρ v),  ρ = 1/‖W_aa‖,  v = u + μ‖u_t‖ n for contacts, u for rows and disks; P projects on the cone, the
+///     bounds or the disk of radius κ r_n
 struct NaturalResidual {
-  double max = 0;     ///< largest ‖F‖/ρ, m/s
+  double max = 0;     ///< largest ‖F‖/ρ, m/s (rad/s where it is an angle)
   double rms = 0;     ///< root mean square of ‖F‖/ρ over contacts and rows, m/s
   double energy = 0;  ///< √( Σ ‖F‖²/ρ  /  Σ ρ‖q‖² ), dimensionless
   int worst = -1;     ///< first unknown of the contact or row with the largest ‖F‖/ρ

@@ -35,7 +35,7 @@ struct Solution {
   Status status = Status::Solved;
   Tier tier = Tier::Free;
   double startResidual = 0;  ///< natural residual of the guess, m/s; infinite without one
-  double residual = 0;       ///< natural residual, largest over contacts and rows, m/s
+  double residual = 0;       ///< natural residual, largest over contacts, rows and disks, m/s
   double residualRms = 0;    ///< its root mean square, m/s
   int regions = 0;           ///< regions visited
   int factorisations = 0;

@@ -18,6 +18,7 @@ Solution solve(const Problem& problem, const Options& options) {
   whole.u = whole.r;
   whole.activeSet.contacts.resize(problem.contacts());
   whole.activeSet.rows.resize(problem.rows());
+  whole.activeSet.disks.resize(problem.disks.size());
   for (const ProblemPart& part : splitProblem(problem)) {
     const Solution s = solver.solve(part.problem);
     const int n = part.problem.contacts();
@@ -29,6 +30,10 @@ Solution solve(const Problem& problem, const Options& options) {
       whole.activeSet.contacts[part.unknowns[3 * i] / 3] = s.activeSet.contacts[i];
     for (int i = 0; i < part.problem.rows(); ++i)
       whole.activeSet.rows[part.unknowns[3 * n + i] - 3 * problem.contacts()] = s.activeSet.rows[i];
+    std::size_t disk = 0;  // of the part; the whole has them in the same order
+    for (std::size_t k = 0; k < problem.disks.size() && disk < s.activeSet.disks.size(); ++k)
+      if (problem.disks[k].first == part.unknowns[part.problem.disks[disk].first])
+        whole.activeSet.disks[k] = s.activeSet.disks[disk++];
     whole.status = std::max(whole.status, s.status);
     whole.residual = std::max(whole.residual, s.residual);
     const int size = n + part.problem.rows();

@@ -31,6 +31,10 @@ void readActiveSet(const Problem& problem, const VectorXd& diagonal, const Vecto
     const int at = 3 * n + i;
     set.rows[i] = stateOf(r[at], u[at], problem.lower[i], problem.upper[i], diagonal[at]);
   }
+  set.disks.clear();
+  for (const Disk& disk : problem.disks)
+    set.disks.push_back(diskModeOf(disk.of(r), disk.of(u), disk.radiusAt(r),
+                                   diagonal.segment(disk.first, disk.unknowns).mean()));
 }
 
 /// The paper's forced motion: all that approach are held, whatever the sign of their reactions will be.
@@ -47,6 +51,7 @@ void forceActiveSet(const Problem& problem, ActiveSet& set) {
                        : q < -touching && std::isfinite(problem.upper[i]) ? RowState::AtUpper
                                                                           : RowState::Free);
   }
+  set.disks.assign(problem.disks.size(), Mode::Stick);
 }
 
 /// A contact or a row that is alone has a formula for its reaction. False if there is more.
@@ -67,13 +72,15 @@ bool hasOneRegion(const Problem& problem) {
          problem.upper.array().isInf().all();
 }
 
-/// Moves reactions into the cones and bounds.
+/// Moves reactions into the cones, bounds and disks.
 void makeFeasible(const Problem& problem, VectorXd& r) {
   const int n = problem.contacts();
   for (int i = 0; i < n; ++i)
     r.segment<3>(3 * i) = projectOnCone(r.segment<3>(3 * i), problem.friction[i]);
   for (int i = 0; i < problem.rows(); ++i)
     r[3 * n + i] = std::clamp(r[3 * n + i], problem.lower[i], problem.upper[i]);
+  for (const Disk& disk : problem.disks)
+    disk.put(projectOnDisk(disk.of(r), disk.radiusAt(r)), r);
 }
 
 constexpr double unknownRegion = 1e-1;  ///< proximal weight
@@ -346,6 +353,7 @@ void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best
     best.status = Status::NonFinite;
     best.activeSet.contacts.assign(problem.contacts(), Mode::Open);
     best.activeSet.rows.assign(problem.rows(), RowState::Free);
+    best.activeSet.disks.assign(problem.disks.size(), Mode::Open);
     return;
   }
 
@@ -377,7 +385,8 @@ void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best
     w.consider(problem, w.trial, best);
   }
   Outcome outcome = Outcome::Lost;
-  if (best.residual > tolerance && problem.contacts() == 0 && !problem.W.inBodySpace()) {
+  if (best.residual > tolerance && problem.contacts() == 0 && problem.disks.empty() &&
+      !problem.W.inBodySpace()) {
     best.tier = Tier::Pivoting;
     outcome = w.pivotRows(problem, options_, tolerance, best);
   }

@@ -15,6 +15,8 @@ std::vector<ProblemPart> splitProblem(const Problem& problem) {
 
   Links links(size);
   for (int i = 0; i < size; ++i) links.join(i, leader(i));
+  for (const Disk& disk : problem.disks)
+    for (int i = 0; i < disk.unknowns; ++i) links.join(disk.first + i, leader(disk.governor));
   for (int i = 0; i < size; ++i)
     for (DelassusMatrix::Sparse::InnerIterator it(W, i); it; ++it)
       if (it.value() != 0) links.join(leader(i), leader(static_cast<int>(it.col())));
@@ -31,6 +33,9 @@ std::vector<ProblemPart> splitProblem(const Problem& problem) {
     place[i] = static_cast<int>(parts[partOf[i]].unknowns.size());
     parts[partOf[i]].unknowns.push_back(i);
   }
+  for (const Disk& disk : problem.disks)
+    parts[partOf[disk.first]].problem.disks.push_back(
+        {place[disk.first], disk.unknowns, place[disk.governor], disk.radius});
 
   for (ProblemPart& part : parts) {
     const int count = static_cast<int>(part.unknowns.size());

@@ -12,8 +12,8 @@ struct ProblemPart {
   std::vector<int> unknowns;  ///< of the whole problem, in the order of the part's
 };
 
-/// Splits a problem with explicit W into its connected components (an entry W_ij or W_ji ≠ 0 connects), ordered by
-/// their first unknown. A problem in body space is an island already and is never split.
+/// Splits a problem with explicit W into its connected components (an entry W_ij or W_ji ≠ 0 connects, and so does a disk
+/// its governor), ordered by their first unknown. A problem in body space is an island already and is never split.
 std::vector<ProblemPart> splitProblem(const Problem& problem);
 
 }  // namespace delassus

@@ -18,6 +18,22 @@ void Sweeps::setProblem(const Problem& problem) {
   blocks_.resize(problem.contacts());
   for (int i = 0; i < problem.contacts(); ++i) blocks_[i] = problem.W.contactBlock(3 * i);
   problem.W.diagonal(diagonal_);
+  diskBlocks_.resize(problem.disks.size());
+  for (std::size_t k = 0; k < problem.disks.size(); ++k) {
+    const Disk& disk = problem.disks[k];
+    diskBlocks_[k] = disk.unknowns == 2 ? problem.W.pairBlock(disk.first)
+                                        : Mat2(diagonal_[disk.first] * Mat2::Identity());
+  }
+}
+
+Vec2 Sweeps::nextOnDisk(const Problem& problem, int k, const VectorXd& r, const Vec2& u) const {
+  const Disk& disk = problem.disks[k];
+  // A contact of friction 1 whose normal reaction is known to be the radius: W_nn = 1, q_n = −radius.
+  Mat3 W = Mat3::Identity();
+  W.bottomRightCorner<2, 2>() = diskBlocks_[k];
+  Vec3 q(-disk.radiusAt(r), 0, 0);
+  q.tail<2>() = u - diskBlocks_[k] * disk.of(r);
+  return solveOneContact(W, q, 1).tail<2>();
 }
 
 void Sweeps::sweep(const Problem& problem, int count, VectorXd& r) {
@@ -67,21 +83,39 @@ void Sweeps::sweepBodies(const Problem& problem, VectorXd& r) {
       y_.segment<6>(6 * p.body).noalias() += p.J.transpose() * dr;
     r.segment<3>(at) = next;
   }
-  for (std::size_t i = 0; i < space.rows.size(); ++i, ++at) {
-    if (!(diagonal_[at] > 0)) continue;
-    const auto& c = space.rows[i];
-    const int row = static_cast<int>(i);
-    double u = problem.q[at] + space.compliance[at] * r[at];
+  const int firstRow = at;
+  const auto velocityOf = [&](int unknown) {
+    const auto& c = space.rows[unknown - firstRow];
+    double u = problem.q[unknown] + space.compliance[unknown] * r[unknown];
     if (c.a >= 0) u += c.Ja.dot(y_.segment<6>(6 * c.a));
     if (c.b >= 0) u += c.Jb.dot(y_.segment<6>(6 * c.b));
-    const BodySpace::PartRange parts = space.partsOf(at);
-    for (const BodySpace::Part& p : parts) u += p.J.row(0).dot(y_.segment<6>(6 * p.body));
-    const double next = boundedRow(r[at], u, diagonal_[at], problem.lower[row], problem.upper[row]);
-    const double dr = next - r[at];
+    for (const BodySpace::Part& p : space.partsOf(unknown))
+      u += p.J.row(0).dot(y_.segment<6>(6 * p.body));
+    return u;
+  };
+  const auto react = [&](int unknown, double next) {
+    const auto& c = space.rows[unknown - firstRow];
+    const double dr = next - r[unknown];
     if (c.a >= 0) y_.segment<6>(6 * c.a) += c.Ja.transpose() * dr;
     if (c.b >= 0) y_.segment<6>(6 * c.b) += c.Jb.transpose() * dr;
-    for (const BodySpace::Part& p : parts) y_.segment<6>(6 * p.body) += p.J.row(0).transpose() * dr;
-    r[at] = next;
+    for (const BodySpace::Part& p : space.partsOf(unknown))
+      y_.segment<6>(6 * p.body) += p.J.row(0).transpose() * dr;
+    r[unknown] = next;
+  };
+  for (; at < problem.disksBegin(); ++at) {
+    if (!(diagonal_[at] > 0)) continue;
+    const int row = at - firstRow;
+    react(at, boundedRow(r[at], velocityOf(at), diagonal_[at], problem.lower[row],
+                         problem.upper[row]));
+  }
+  for (std::size_t k = 0; k < problem.disks.size(); ++k) {
+    const Disk& disk = problem.disks[k];
+    if (!(diskBlocks_[k].trace() > 0)) continue;
+    const bool pair = disk.unknowns == 2;
+    const Vec2 u(velocityOf(disk.first), pair ? velocityOf(disk.first + 1) : 0);
+    const Vec2 next = nextOnDisk(problem, static_cast<int>(k), r, u);
+    react(disk.first, next[0]);
+    if (pair) react(disk.first + 1, next[1]);
   }
 }
 
@@ -99,13 +133,22 @@ void Sweeps::sweepEntries(const Problem& problem, VectorXd& r) {
         solveOneContact(blocks_[i], u - blocks_[i] * r.segment<3>(at), problem.friction[i]);
     r.segment<3>(at) = next;
   }
-  for (int at = 3 * n; at < problem.size(); ++at) {
+  const auto velocityOf = [&](int unknown) {
+    double u = problem.q[unknown];
+    for (DelassusMatrix::Sparse::InnerIterator it(W, unknown); it; ++it)
+      u += it.value() * r[it.col()];
+    return u;
+  };
+  for (int at = 3 * n; at < problem.disksBegin(); ++at) {
     if (!(diagonal_[at] > 0)) continue;
-    double u = problem.q[at];
-    for (DelassusMatrix::Sparse::InnerIterator it(W, at); it; ++it) u += it.value() * r[it.col()];
-    const double next =
-        boundedRow(r[at], u, diagonal_[at], problem.lower[at - 3 * n], problem.upper[at - 3 * n]);
-    r[at] = next;
+    r[at] = boundedRow(r[at], velocityOf(at), diagonal_[at], problem.lower[at - 3 * n],
+                       problem.upper[at - 3 * n]);
+  }
+  for (std::size_t k = 0; k < problem.disks.size(); ++k) {
+    const Disk& disk = problem.disks[k];
+    if (!(diskBlocks_[k].trace() > 0)) continue;
+    const Vec2 u(velocityOf(disk.first), disk.unknowns == 2 ? velocityOf(disk.first + 1) : 0);
+    disk.put(nextOnDisk(problem, static_cast<int>(k), r, u), r);
   }
 }
 

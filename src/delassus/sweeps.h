@@ -6,7 +6,7 @@
 
 namespace delassus {
 
-/// Block Gauss-Seidel: each contact in turn is solved exactly with the others held (algorithms §6.3).
+/// Block Gauss-Seidel: each contact, row and disk in turn is solved exactly with the others held (algorithms §6.3).
 class Sweeps {
  public:
   void setProblem(const Problem& problem);
@@ -19,8 +19,11 @@ class Sweeps {
   void sweepOnce(const Problem& problem, VectorXd& r);
   void sweepBodies(const Problem& problem, VectorXd& r);
   void sweepEntries(const Problem& problem, VectorXd& r);
+  /// The reaction of disk `k` with the others held: u is what it sees with r.
+  Vec2 nextOnDisk(const Problem& problem, int k, const VectorXd& r, const Vec2& u) const;
 
   std::vector<Mat3> blocks_;
+  std::vector<Mat2> diskBlocks_;
   VectorXd diagonal_;
   VectorXd y_;
   VectorXd before_, change_, direction_;

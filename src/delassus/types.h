@@ -8,7 +8,9 @@ namespace delassus {
 using Vec1 = Eigen::Matrix<double, 1, 1>;
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
+using Mat2 = Eigen::Matrix2d;
 using Mat3 = Eigen::Matrix3d;
+using Mat23 = Eigen::Matrix<double, 2, 3>;
 using Vec6 = Eigen::Matrix<double, 6, 1>;  ///< linear part first, then angular
 using Row6 = Eigen::Matrix<double, 1, 6>;
 using Mat36 = Eigen::Matrix<double, 3, 6>;

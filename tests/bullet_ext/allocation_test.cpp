@@ -136,6 +136,19 @@ TEST(Allocation, AWarmStepTakesNoMemory) {
   EXPECT_EQ(allocationsOf(optionsOfPrecision(), buildTower, shake), 0);
   EXPECT_GT(walked, 80);
 
+  const auto buildRolling = [](BulletWorld& world) {
+    buildTower(world);
+    btRigidBody& ball = world.addSphere(btScalar(0.5), {3, btScalar(0.5), 0});
+    ball.setRollingFriction(btScalar(0.1));
+    ball.setSpinningFriction(btScalar(0.1));
+  };
+  const auto shakeBall = [&](BulletWorld& world, int step) {
+    btRigidBody::upcast(world->getCollisionObjectArray()[5])
+        ->applyTorque({btScalar(step % 2 ? 3 : -3), 2, 0});
+  };
+  EXPECT_EQ(allocationsOf(optionsOfPrecision(), buildRolling, rest), 0);
+  EXPECT_EQ(allocationsOf(optionsOfPrecision(), buildRolling, shakeBall), 0);
+
   Options options = optionsOfPrecision();
   options.economies.storage = false;
   EXPECT_GT(allocationsOf(options, buildTower, rest), 0);

@@ -188,6 +188,44 @@ TEST(Economies, ASingleContactTakesAFormula) {
   EXPECT_EQ(walks, formulas);
 }
 
+TEST(Economies, NoRowsWithoutRollingAndSpinningFriction) {
+  for (const bool rolls : {false, true})
+    for (const bool spins : {false, true}) {
+      BulletWorld world(solverWithout(nullptr));
+      world.addGround();
+      btRigidBody& ball = world.addSphere(btScalar(0.5), {0, btScalar(0.5), 0});
+      if (rolls) ball.setRollingFriction(btScalar(0.1));
+      if (spins) ball.setSpinningFriction(btScalar(0.1));
+      world.addCube({5, btScalar(0.5), 0});
+      world.advance();
+      const Plan& plan = world.report().plan;
+      EXPECT_EQ(plan.rolling, int(rolls));
+      EXPECT_EQ(plan.spinning, int(spins));
+      EXPECT_EQ(plan.rows + world.report().rows, 0);
+      EXPECT_EQ(plan.unknowns, 3 * 5 + 2 * rolls + spins);
+      EXPECT_EQ(world.report().closedForms, rolls || spins ? 0 : 1)
+          << "no formula for a contact that resists turning";
+    }
+}
+
+// The reactions of a ball that rolls out are the same in each step: the memory knows them.
+TEST(Economies, WhatRollsOutIsOnlyChecked) {
+  BulletWorld world(solverWithout(nullptr));
+  world.addGround();
+  btRigidBody& ball = world.addSphere(btScalar(0.5), {0, btScalar(0.5), 0});
+  ball.setRollingFriction(btScalar(0.01));
+  ball.setSpinningFriction(btScalar(0.01));
+  ball.setLinearVelocity({2, 0, 0});
+  ball.setAngularVelocity({0, 1, -4});
+  int kept = 0;
+  for (int i = 0; i < 40; ++i) {
+    world.advance();
+    if (i > 2) kept += world.report().keptIslands;
+  }
+  EXPECT_GT(ball.getLinearVelocity().x(), 1);
+  EXPECT_GE(kept, 30);
+}
+
 TEST(Economies, NoEventsUnheard) {
   int changes = 0;
   const Build drop = [](BulletWorld& world) {

@@ -190,6 +190,40 @@ TEST(MultiBodyParity, FrictionOfATreeIsThatOfARigidBody) {
   EXPECT_LE(tree.getBaseVel().length(), 0.01);
 }
 
+TEST(MultiBodyParity, RollingFrictionOfATreeIsThatOfARigidBody) {
+  const btScalar radius = btScalar(0.25), inertia = btScalar(0.4) * 2 * radius * radius;
+  const btVector3 start(0, radius, 0), velocity(1, 0, btScalar(0.5)),
+      rotation = btVector3(0, 1 / radius, 0).cross(velocity) + btVector3(0, 2, 0);
+  DelassusMultiBodyWorld articulated;
+  articulated.addGround();
+  btMultiBody& tree =
+      articulated.addTree(0, 2, btVector3(inertia, inertia, inertia), false, start);
+  articulated.addCollider(tree, -1, std::make_unique<btSphereShape>(radius), btScalar(0.5));
+  articulated.finish(tree);
+  tree.setBaseVel(velocity);
+  tree.setBaseOmega(rotation);
+
+  DelassusWorld rigid;
+  rigid.addGround();
+  btRigidBody& ball = rigid.addSphere(radius, start, 2);
+  ball.setLinearVelocity(velocity);
+  ball.setAngularVelocity(rotation);
+  for (btCollisionObject* object : {static_cast<btCollisionObject*>(tree.getBaseCollider()),
+                                    static_cast<btCollisionObject*>(&ball)}) {
+    object->setRollingFriction(btScalar(0.02));
+    object->setSpinningFriction(btScalar(0.005));
+  }
+  for (int step = 0; step < 60; ++step) {
+    articulated.advance();
+    rigid.advance();
+    EXPECT_LE((tree.getBaseVel() - ball.getLinearVelocity()).length(), tolerance(1e-6, 1e-3))
+        << step;
+    EXPECT_LE((tree.getBaseOmega() - ball.getAngularVelocity()).length(), tolerance(1e-5, 1e-2))
+        << step;
+  }
+  EXPECT_LE(tree.getBaseVel().length(), 0.8);
+}
+
 TEST(MultiBodyParity, BrokenTreeIsLeftOutAndTold) {
   DelassusMultiBodyWorld world;
   world.addGround();

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "tests/support/random_piles.h"
+#include "tests/support/turning_piles.h"
 
 namespace delassus {
 namespace {
@@ -83,6 +84,30 @@ TEST(InteriorPoint, BringsMovingPilesNearTheLaw) {
   EXPECT_GE(near, 90);
 }
 
+// The same with rolling and spinning friction.
+TEST(InteriorPoint, BringsTurningHeapsNearTheLaw) {
+  Random random(59);
+  int near = 0, atRest = 0;
+  constexpr int samples = 60;
+  for (int k = 0; k < samples; ++k) {
+    Pile heap = makeHeap(1 + k % 8, 0.5, random);
+    resistTurning(heap, 0.1, random);
+    const Problem moving = PileIsland(heap).problem;
+    const Attempt cold = run<BodyMotion>(moving);
+    if (cold.solution.residual < 1e-2 * moving.q.cwiseAbs().maxCoeff()) ++near;
+
+    Pile tower = makeTower(randomMasses(1 + k % 4, 3, random), 0.5, 0, random);
+    resistTurning(tower, 0.1, random);
+    const PileIsland island(tower);
+    const Attempt still = run<BodyMotion>(island.problem);
+    if (!still.reached) continue;
+    ++atRest;
+    expectSolved(island.problem, still);
+  }
+  EXPECT_GE(near, 50);
+  EXPECT_GE(atRest, 55);
+}
+
 // W = I: r = −q_n (1, −μ d), d the direction of the slip.
 TEST(InteriorPoint, ASlidingParticleInClosedForm) {
   for (const double mu : {0.1, 0.5, 2.0}) {
@@ -127,6 +152,21 @@ TEST(InteriorPoint, RowsOfEveryKind) {
     const Attempt cold = run<FactoredMotion>(problem);
     EXPECT_TRUE(cold.reached) << "sample " << k;
     expectSolved(problem, cold);
+  }
+}
+
+// W = I, one number each: the rim at −κ r_n, or less where that is enough to stop.
+TEST(InteriorPoint, ASpinningParticleInClosedForm) {
+  for (const double spin : {0.1, 0.4, 3.0}) {
+    Problem problem;
+    problem.W = DelassusMatrix(DelassusMatrix::Sparse(MatrixXd::Identity(2, 2).sparseView()));
+    problem.q = Vec2(-2, spin);
+    problem.lower = Vec2(0, -infinity);
+    problem.upper = Vec2(infinity, infinity);
+    problem.disks = {{1, 1, 0, 0.1}};
+    const Attempt cold = run<FactoredMotion>(problem);
+    EXPECT_TRUE(cold.reached) << spin;
+    EXPECT_NEAR(cold.solution.r[1], -std::min(spin, 0.2), 1e-6) << spin;
   }
 }
 

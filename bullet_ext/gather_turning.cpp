@@ -1,0 +1,51 @@
+#include <algorithm>
+
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
+#include "bullet_ext/contact_frame.h"
+#include "bullet_ext/gather.h"
+#include "delassus/turning_friction.h"
+
+namespace delassus::bullet {
+namespace {
+
+// Users write "infinite".
+constexpr double largestCoefficient = 1e3;
+
+// As in Bullet: a body that resists this little about an axis does not resist.
+constexpr double leastLength = 1e-3;
+
+double coefficient(btScalar value) { return std::clamp<double>(value, 0, largestCoefficient); }
+
+/// Whether there is a rotation to resist.
+bool turns(const Group& group, int body) {
+  return group.movable(body) && group.bodies[body].inverseInertia.any();
+}
+
+TurningFriction turningFrictionOf(const PointSource& source) {
+  const btPersistentManifold& manifold = *source.manifold;
+  const btManifoldPoint& point = manifold.getContactPoint(source.point);
+  TurningFriction friction;
+  friction.spinning = coefficient(point.m_combinedSpinningFriction);
+  friction.rolling = coefficient(point.m_combinedRollingFriction);
+  if (friction.rolling > 0) {
+    friction.axes =
+        rollingAxes(point, rollingAnisotropyOf(*manifold.getBody0(), *manifold.getBody1()));
+    if (friction.axes.norm() < leastLength) friction.rolling = 0;
+  }
+  return friction;
+}
+
+}  // namespace
+
+void gatherTurningFriction(Group& group) {
+  if (group.turning == 0) return;
+  const std::size_t others = group.rows.size();
+  for (std::size_t i = 0; i < group.contacts.size(); ++i) {
+    const Contact& contact = group.contacts[i];
+    if (turns(group, contact.a) || turns(group, contact.b))
+      addRows(turningFrictionOf(group.contactSources[i]), contact, static_cast<int>(i), group.rows);
+  }
+  group.turningRows = static_cast<int>(group.rows.size() - others);
+}
+
+}  // namespace delassus::bullet

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "delassus/types.h"
+
+namespace delassus {
+
+/// Friction whose largest size another reaction sets: of rolling (two rows, about the tangents of a contact) or of spinning
+/// (one row, about its normal).
+///
+///     ‖r_d‖ ≤ κ r_n,   and where u_d ≠ 0:  r_d = −κ r_n u_d/‖u_d‖       (maximum dissipation)
+///
+/// That is Coulomb's law with an unknown of its own. Disks come last among the unknowns, so that whoever goes through them
+/// in order knows r_n. In Bullet's contacts u_d is in rad/s, r_d in N·m·s, and κ in m.
+struct Disk {
+  int first;      ///< its first unknown, a row
+  int unknowns;   ///< 1, or 2 that follow each other
+  int governor;   ///< the unknown r_n: of a contact with friction or a row
+  double radius;  ///< κ > 0
+
+  bool operator==(const Disk& other) const {
+    return first == other.first && unknowns == other.unknowns && governor == other.governor &&
+           radius == other.radius;
+  }
+
+  /// Its part of a vector of unknowns; 0 in the place of a second one that is not there.
+  Vec2 of(const VectorXd& x) const { return {x[first], unknowns == 2 ? x[first + 1] : 0}; }
+  void put(const Vec2& part, VectorXd& x) const { x.segment(first, unknowns) = part.head(unknowns); }
+  /// Its radius now, N·m·s.
+  double radiusAt(const VectorXd& r) const { return radius * std::max(r[governor], 0.0); }
+};
+
+/// Euclidean projection on the disk of this radius about 0.
+inline Vec2 projectOnDisk(const Vec2& x, double radius) {
+  const double length = std::hypot(x[0], x[1]);
+  return length <= radius ? x : Vec2(x * (radius / length));
+}
+
+}  // namespace delassus

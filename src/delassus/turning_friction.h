@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "delassus/contact.h"
+#include "delassus/row.h"
+
+namespace delassus {
+
+/// Friction against the relative rotation ω = ω_a − ω_b of two bodies in contact, r_n the normal reaction of contact `index`:
+///
+///     spinning:  |τ_n| ≤ κ_s r_n              opposite to n·ω
+///     rolling:   ‖(τ_1, τ_2)‖ ≤ κ_r r_n       opposite to (a_1·ω, a_2·ω)
+///
+/// about the normal and about two `axes`: unit vectors in the tangent plane, or shorter ones where the body resists less.
+struct TurningFriction {
+  double spinning = 0, rolling = 0;  ///< κ_s and κ_r, m
+  Eigen::Matrix<double, 3, 2> axes;
+};
+
+/// Appends the rows, of which there are none where the coefficient is not positive.
+inline void addRows(const TurningFriction& friction, const Contact& contact, int index,
+                    std::vector<Row>& rows) {
+  const auto add = [&](const Vec3& axis, double bound, bool paired) {
+    Row row;
+    row.a = contact.a;
+    row.b = contact.b;
+    row.jacobianA.tail<3>() = axis.transpose();
+    row.jacobianB.tail<3>() = -axis.transpose();
+    row.lower = -bound;
+    row.upper = bound;
+    row.governor = index;
+    row.paired = paired;
+    rows.push_back(row);
+  };
+  if (friction.spinning > 0) add(contact.frame.col(0), friction.spinning, false);
+  if (friction.rolling > 0) {
+    add(friction.axes.col(0), friction.rolling, true);
+    add(friction.axes.col(1), friction.rolling, false);
+  }
+}
+
+}  // namespace delassus

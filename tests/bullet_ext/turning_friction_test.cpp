@@ -1,0 +1,297 @@
+/// Rolling and spinning friction (Bullet's contract, friction): |τ_n| ≤ κ_s r_n, ‖τ_t‖ ≤ κ_r r_n.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+
+#include "tests/support/bullet_world.h"
+
+namespace delassus::testing {
+namespace {
+
+using Vector2 = Eigen::Vector2d;
+using Matrix2 = Eigen::Matrix2d;
+
+constexpr double g = BulletWorld::gravity;
+constexpr double h = BulletWorld::step;
+constexpr double radius = 0.25;
+
+btVector3 vector(double x, double y, double z) { return {btScalar(x), btScalar(y), btScalar(z)}; }
+
+btRigidBody& addBall(BulletWorld& world, double mass = 1, double x = 0) {
+  return world.addSphere(btScalar(radius), vector(x, radius, 0), btScalar(mass));
+}
+
+/// Rolls without slip on y = 0.
+void roll(btRigidBody& ball, const Vector2& velocity) {
+  ball.setLinearVelocity(vector(velocity[0], 0, velocity[1]));
+  ball.setAngularVelocity(vector(velocity[1], 0, -velocity[0]) / btScalar(radius));
+}
+
+double speedOf(const btRigidBody& body) { return body.getLinearVelocity().length(); }
+
+/// What rolling friction takes from a ball in one step, m/s: (I + m R²) Δω = κ m g h with I = 2/5 m R².
+double rollingLoss(double kappa) { return 5.0 / 7 * kappa * g / radius * h; }
+
+TEST(Parity, Row24RollingBallStopsAtItsDistance) {
+  constexpr double kappa = 0.01;
+  for (double mass : {0.1, 1.0, 1000.0}) {  // stock lets the heavy one roll on
+    SCOPED_TRACE(mass);
+    DelassusWorld world;
+    world.addGround();
+    btRigidBody& ball = addBall(world, mass);
+    ball.setRollingFriction(btScalar(kappa));
+    double speed = 40.5 * rollingLoss(kappa), x = 0;
+    roll(ball, {speed, 0});
+    for (int i = 0; i < 40; ++i) {
+      world.advance();
+      speed -= rollingLoss(kappa);
+      x += h * speed;
+      ASSERT_NEAR(speedOf(ball), speed, tolerance(1e-8, 1e-4)) << i;
+    }
+    world.advance(20);
+    EXPECT_LT(speedOf(ball), tolerance(1e-9, 1e-5));
+    EXPECT_NEAR(ball.getWorldTransform().getOrigin().x(), x, tolerance(1e-8, 1e-3));
+  }
+}
+
+TEST(Parity, Row24RollingFrictionIsTheSameInAllDirections) {
+  constexpr double kappa = 0.02;
+  for (double heading : {0.0, 0.5, 0.7853981633974483, 2.0}) {
+    DelassusWorld world;
+    world.addGround();
+    btRigidBody& ball = addBall(world);
+    ball.setRollingFriction(btScalar(kappa));
+    const Vector2 along(std::cos(heading), std::sin(heading));
+    roll(ball, along);
+    world.advance(10);
+    const Vector2 velocity(ball.getLinearVelocity().x(), ball.getLinearVelocity().z());
+    EXPECT_LT((velocity - (1 - 10 * rollingLoss(kappa)) * along).norm(), tolerance(1e-8, 1e-5));
+  }
+}
+
+TEST(Parity, Row24IsThatOfStockOnItsAxesBelowItsCap) {
+  const auto build = [](BulletWorld& world) -> btRigidBody& {
+    world.addGround();
+    btRigidBody& ball = addBall(world);
+    ball.setRollingFriction(btScalar(0.01));
+    ball.setSpinningFriction(btScalar(0.004));
+    roll(ball, {btScalar(1), 0});
+    ball.setAngularVelocity(ball.getAngularVelocity() + btVector3(0, 3, 0));
+    return ball;
+  };
+  DelassusWorld ours;
+  StockWorld stock;
+  btRigidBody &ball = build(ours), &stockBall = build(stock);
+  for (int i = 0; i < 60; ++i) {
+    ours.advance();
+    stock.advance();
+    EXPECT_LT((ball.getLinearVelocity() - stockBall.getLinearVelocity()).length(),
+              tolerance(1e-7, 1e-4))
+        << i;
+    EXPECT_LT((ball.getAngularVelocity() - stockBall.getAngularVelocity()).length(),
+              tolerance(1e-6, 1e-3))
+        << i;
+  }
+}
+
+TEST(Parity, Row24BallRestsOnASlopeUpToItsAngle) {
+  constexpr double kappa = 0.02;
+  const double limit = std::atan(kappa / radius);
+  for (double part : {0.9, 1.1}) {
+    const double slope = part * limit;
+    DelassusWorld world;
+    const btQuaternion tilt(btVector3(0, 0, 1), btScalar(-slope));
+    const btVector3 up = quatRotate(tilt, btVector3(0, 1, 0));
+    world
+        .addBody(std::make_unique<btBoxShape>(btVector3(100, 1, 100)), btTransform(tilt, -up), 0)
+        .setFriction(1);
+    btRigidBody& ball = world.addSphere(btScalar(radius), up * btScalar(radius));
+    ball.setRollingFriction(btScalar(kappa));
+    const btVector3 start = ball.getWorldTransform().getOrigin();
+    const int steps = part < 1 ? 600 : 60;
+    world.advance(steps);
+    if (part < 1) {
+      EXPECT_LT((ball.getWorldTransform().getOrigin() - start).length(), tolerance(1e-9, 1e-5));
+      EXPECT_EQ(world.report().keptIslands, 1) << "and it is only checked";
+    } else {
+      const double a = 5.0 / 7 * g * (std::sin(slope) - kappa / radius * std::cos(slope));
+      EXPECT_NEAR(speedOf(ball), a * steps * h, tolerance(1e-7, 1e-3));
+    }
+  }
+}
+
+TEST(Parity, Row24SpinningAloneStopsATop) {
+  constexpr double kappa = 0.005, loss = kappa * g / (0.4 * radius * radius) * h;
+  DelassusWorld world;
+  world.addGround();
+  btRigidBody& ball = addBall(world);
+  ball.setSpinningFriction(btScalar(kappa));
+  double rate = 20.5 * loss;
+  ball.setAngularVelocity(vector(0, rate, 0));
+  for (int i = 0; i < 20; ++i) {
+    world.advance();
+    rate -= loss;
+    ASSERT_NEAR(ball.getAngularVelocity().y(), rate, tolerance(1e-8, 1e-3)) << i;
+  }
+  world.advance(2);
+  EXPECT_LT(ball.getAngularVelocity().length(), tolerance(1e-9, 1e-5));
+  EXPECT_EQ(world.report().plan.spinning, 1);
+  EXPECT_EQ(world.report().plan.rolling, 0);
+}
+
+TEST(Parity, Row24FourPointsOfASmoothBoxResistTogether) {
+  constexpr double kappa = 0.01, mass = 2, inertia = mass / 6;
+  DelassusWorld world;
+  world.addGround();
+  btRigidBody& box = world.addCube(vector(0, 0.5, 0), btScalar(mass));
+  box.setFriction(0);
+  box.setSpinningFriction(btScalar(kappa));
+  box.setAngularVelocity({0, 2, 0});
+  for (int i = 1; i <= 10; ++i) {
+    world.advance();
+    EXPECT_NEAR(box.getAngularVelocity().y(), 2 - i * kappa * mass * g / inertia * h,
+                tolerance(1e-7, 1e-3));
+  }
+}
+
+TEST(Parity, Row24TorqueBelowSpinningFrictionTurnsNothing) {
+  constexpr double kappa = 0.01;
+  DelassusWorld world;
+  world.addGround();
+  btRigidBody& ball = addBall(world);
+  ball.setSpinningFriction(btScalar(kappa));
+  for (int i = 0; i < 60; ++i) {
+    ball.applyTorque(vector(0, 0.9 * kappa * g, 0));
+    world.advance();
+  }
+  EXPECT_LT(ball.getAngularVelocity().length(), tolerance(1e-8, 1e-5));
+}
+
+TEST(Parity, Row24TwoBallsTurnEachOtherAlike) {
+  // In the air, pressed together: what spinning friction takes from one it gives to the other.
+  DelassusWorld world;
+  world->setGravity({0, 0, 0});
+  btRigidBody& left = world.addSphere(btScalar(radius), vector(-radius, 0, 0));
+  btRigidBody& right = world.addSphere(btScalar(radius), vector(radius, 0, 0), 3);
+  for (btRigidBody* ball : {&left, &right}) ball->setSpinningFriction(btScalar(0.02));
+  left.setAngularVelocity({4, 0, 0});
+  const double inertia = 0.4 * radius * radius;
+  for (int i = 0; i < 30; ++i) {
+    left.applyCentralForce({5, 0, 0});
+    right.applyCentralForce({-5, 0, 0});
+    world.advance();
+    EXPECT_NEAR(left.getAngularVelocity().x() + 3 * right.getAngularVelocity().x(), 4,
+                tolerance(1e-9, 1e-5));
+  }
+  // κ_s = 2 · 0.02 · 0.5, r_n/h = 5 N (to their mass: 5 N on each of both).
+  const double kappa = 0.02, force = 5;
+  EXPECT_NEAR(left.getAngularVelocity().x(), 4 - kappa * force / inertia * 30 * h,
+              tolerance(1e-7, 1e-3));
+}
+
+TEST(Parity, Row24LockedBodiesHaveNoRows) {
+  DelassusWorld world;
+  world.addGround();
+  btRigidBody& ball = addBall(world);
+  ball.setRollingFriction(btScalar(0.1));
+  ball.setSpinningFriction(btScalar(0.1));
+  ball.setAngularFactor(0);
+  world.advance();
+  EXPECT_EQ(world.report().plan.unknowns, 3);
+}
+
+TEST(Parity, Row24ACoefficientThatIsNoNumberLeavesThePointOut) {
+  DelassusWorld world;
+  world.addGround();
+  btRigidBody& ball = addBall(world);
+  ball.setSpinningFriction(std::numeric_limits<btScalar>::quiet_NaN());
+  world.advance();
+  ASSERT_FALSE(world.report().messages.empty());
+  EXPECT_NE(world.report().messages[0].find("spinning friction is not finite"), std::string::npos);
+}
+
+/// diag(fx, fz) in axes turned by `yaw` about y, on the (x, z) plane.
+Matrix2 stretch(double fx, double fz, double yaw) {
+  Matrix2 R;
+  R << std::cos(yaw), std::sin(yaw), -std::sin(yaw), std::cos(yaw);
+  return R * Vector2(fx, fz).asDiagonal() * R.transpose();
+}
+
+TEST(Parity, Row25AnisotropicRollingFrictionIsAnEllipse) {
+  // ω' = ω − κ m g h / (I + m R²) D Dᵀω'/|Dᵀω'|, maximum dissipation on { κ r_n D s : |s| ≤ 1 }.
+  constexpr double kappa = 0.02;
+  for (double yaw : {0.0, 0.4})
+    for (double heading : {0.0, 0.3, 1.2}) {
+      DelassusWorld world;
+      world.addGround();
+      const btTransform pose(btQuaternion(btVector3(0, 1, 0), btScalar(yaw)),
+                             vector(0, radius, 0));
+      btRigidBody& ball =
+          world.addBody(std::make_unique<btSphereShape>(btScalar(radius)), pose, 1);
+      ball.setRollingFriction(btScalar(kappa));
+      ball.setAnisotropicFriction(vector(1, 1, 0.25),
+                                  btCollisionObject::CF_ANISOTROPIC_ROLLING_FRICTION);
+      roll(ball, {std::cos(heading), std::sin(heading)});
+      const auto turn = [&] {
+        return Vector2(ball.getAngularVelocity().x(), ball.getAngularVelocity().z());
+      };
+      const Vector2 before = turn();
+      world.advance();
+      const Matrix2 D = stretch(1, 0.25, yaw);
+      const Vector2 lost = rollingLoss(kappa) / radius * D * (D.transpose() * turn()).normalized();
+      EXPECT_LT((turn() - (before - lost)).norm(), tolerance(1e-7, 1e-4)) << yaw << " " << heading;
+    }
+}
+
+TEST(Parity, Row25IsThatOfStockOnTheAxes) {
+  for (int axis : {0, 2}) {
+    const auto build = [axis](BulletWorld& world) -> btRigidBody& {
+      world.addGround();
+      btRigidBody& ball = addBall(world);
+      ball.setRollingFriction(btScalar(0.02));
+      ball.setAnisotropicFriction(vector(0.3, 1, 0.8),
+                                  btCollisionObject::CF_ANISOTROPIC_ROLLING_FRICTION);
+      roll(ball, axis == 0 ? Vector2(1, 0) : Vector2(0, 1));
+      return ball;
+    };
+    DelassusWorld ours;
+    StockWorld stock;
+    btRigidBody &ball = build(ours), &stockBall = build(stock);
+    ours.advance(30);
+    stock.advance(30);
+    EXPECT_LT(speedOf(ball), 0.9);
+    EXPECT_LT((ball.getLinearVelocity() - stockBall.getLinearVelocity()).length(),
+              tolerance(1e-7, 1e-4));
+  }
+}
+
+TEST(Parity, Row25CapsuleAndCylinderRollAgainstTheirOwnAxis) {
+  // Two points or four share the load; (I + m R²) Δω = κ m g h with the inertia that Bullet gives the shape.
+  constexpr double kappa = 0.01;
+  for (const bool capsule : {true, false}) {
+    DelassusWorld world;
+    world.addGround();
+    std::unique_ptr<btCollisionShape> shape;
+    if (capsule)
+      shape = std::make_unique<btCapsuleShapeZ>(btScalar(radius), btScalar(1));
+    else
+      shape = std::make_unique<btCylinderShapeZ>(vector(radius, radius, 0.5));
+    const btVector3 direction = shape->getAnisotropicRollingFrictionDirection();
+    EXPECT_EQ(direction, btVector3(0, 0, 1));
+    btRigidBody& body =
+        world.addBody(std::move(shape), BulletWorld::at(vector(0, radius, 0)), 1);
+    body.setRollingFriction(btScalar(kappa));
+    body.setAnisotropicFriction(direction, btCollisionObject::CF_ANISOTROPIC_ROLLING_FRICTION);
+    roll(body, {1, 0});
+    world.advance(20);
+    const double inertia = 1 / body.getInvInertiaDiagLocal().z();
+    const double loss = kappa * g * h / (inertia + radius * radius) * radius;
+    EXPECT_NEAR(body.getLinearVelocity().x(), 1 - 20 * loss, tolerance(1e-5, 1e-3)) << capsule;
+  }
+}
+
+}  // namespace
+}  // namespace delassus::testing
