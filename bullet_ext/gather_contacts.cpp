@@ -140,9 +140,6 @@ const char* faultOf(const btManifoldPoint& point, const Contact& c, double push)
   if (!c.armA.allFinite() || !c.armB.allFinite()) return "its position is not finite";
   if (!std::isfinite(c.friction)) return "its friction is not finite";
   if (!c.frame.allFinite()) return "its friction directions are not finite";
-  if (!std::isfinite(point.m_combinedRollingFriction)) return "its rolling friction is not finite";
-  if (!std::isfinite(point.m_combinedSpinningFriction))
-    return "its spinning friction is not finite";
   if (!std::isfinite(point.m_combinedRestitution)) return "its restitution is not finite";
   if (!c.target.tail<2>().allFinite()) return "its wanted sliding velocity is not finite";
   if (!std::isfinite(c.target[0]) || !std::isfinite(c.compliance) ||
@@ -157,9 +154,7 @@ bool sound(const btManifoldPoint& point, const Contact& c, double push) {
   const double size = c.armA.cwiseAbs().sum() + c.armB.cwiseAbs().sum() + c.frame.cwiseAbs().sum() +
                       c.target.cwiseAbs().sum() + c.friction + c.compliance +
                       c.slipCompliance.cwiseAbs().sum() + push + std::abs(point.getDistance()) +
-                      std::abs(point.m_combinedRestitution) +
-                      std::abs(point.m_combinedRollingFriction) +
-                      std::abs(point.m_combinedSpinningFriction);
+                      std::abs(point.m_combinedRestitution);
   return std::abs(lengthError) <= unitTolerance && size <= largestNumber && !isInverted(point);
 }
 

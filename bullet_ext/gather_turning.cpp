@@ -14,7 +14,9 @@ constexpr double largestCoefficient = 1e3;
 // As in Bullet: a body that resists this little about an axis does not resist.
 constexpr double leastLength = 1e-3;
 
-double coefficient(btScalar value) { return std::clamp<double>(value, 0, largestCoefficient); }
+double coefficient(btScalar value) {
+  return value > 0 ? std::min<double>(value, largestCoefficient) : 0;
+}
 
 /// Whether there is a rotation to resist.
 bool turns(const Group& group, int body) {

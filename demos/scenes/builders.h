@@ -67,6 +67,15 @@ double frictionAngle(double mu = usualFriction);
 std::unique_ptr<World> buildBoxHeadings(int count, double speed);
 constexpr double headingsRadius = 4;
 
+/// A ball of radius 0.5 m whose rolling friction is κ times its load.
+struct RollingBall {
+  double kappa = 0;  ///< m
+  double mass = 1;
+};
+/// One ball a lane, rolling towards +x from x = 0 without slip. It runs v² / (10/7 κ g / R) far.
+std::unique_ptr<World> buildRollingBalls(const std::vector<RollingBall>& balls, double speed);
+constexpr double rollingRadius = 0.5;
+
 // --- Boxes ------------------------------------------------------------------------------------------------------
 
 /// `side` x `side` unit boxes on the ground, `spacing` apart.

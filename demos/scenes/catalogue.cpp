@@ -82,6 +82,15 @@ void addFrictionScenes(std::vector<SceneDescription>& scenes) {
                     seenFrom(0, 16, 14, 0),
                     "all stop on one circle, v^2/(2 mu g) further out: friction is a round cone",
                     [] { return buildBoxHeadings(12, 4); }});
+  scenes.push_back(
+      {"rolling_balls",
+       "five balls with rolling friction of 0.2 to 0.04 m; the last weighs 100 kg",
+       6,
+       {btVector3(4, 7, 14), btVector3(4, 0, 0), 40},
+       "each rolls out after v^2 R/(10/7 kappa g), whatever its mass, and stays",
+       [] {
+         return buildRollingBalls({{0.2, 1}, {0.1, 1}, {0.06, 1}, {0.04, 1}, {0.04, 100}}, 3);
+       }});
 }
 
 void addBoxScenes(std::vector<SceneDescription>& scenes) {

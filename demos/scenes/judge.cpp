@@ -58,6 +58,7 @@ void JudgedSolver::afterGroup(const GroupArguments& arguments) {
     for (const int i : island.frictional) r.segment<3>(std::exchange(next, next + 3)) = written(i);
     for (const int i : island.frictionless) r[next++] = written(i)[0];
     for (const int i : island.rows) r[next++] = rows[i];
+    if (!problem.disks.empty()) addTurning(island, problem, r);
 
     const NaturalResidual residual = naturalResidual(problem, r);
     const long count = problem.contacts() + problem.rows();
@@ -65,6 +66,24 @@ void JudgedSolver::afterGroup(const GroupArguments& arguments) {
     verdict_.sumOfSquares += residual.rms * residual.rms * double(count);
     verdict_.count += count;
   }
+}
+
+/// The reactions of the disks, of least norm, that bring the rotations from what the reactions `r` of the others leave to
+/// what the bodies have now.
+void JudgedSolver::addTurning(const Island& island, const Problem& problem, VectorXd& r) const {
+  std::vector<Body> after = group_.bodies;
+  for (const int i : island.bodies) {
+    const btRigidBody& rigid = *group_.bodySources[i].rigid;
+    after[i].velocity = toCore(rigid.getLinearVelocity(), rigid.getAngularVelocity());
+  }
+  const int begin = problem.disksBegin(), count = problem.size() - begin;
+  const VectorXd missing =
+      (assemble(after, group_.contacts, group_.rows, island).q - problem.q - problem.W * r)
+          .tail(count);
+  r.tail(count) = problem.W.dense()
+                      .bottomRightCorner(count, count)
+                      .completeOrthogonalDecomposition()
+                      .solve(missing);
 }
 
 void JudgedSolver::lendFeedback(const GroupArguments& arguments) {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "bullet_ext/gather.h"
-#include "delassus/problem.h"
+#include "delassus/island.h"
 #include "demos/scenes/solver_decorator.h"
 
 namespace demos {
@@ -21,7 +21,8 @@ struct Verdict {
 ///
 /// Before a group is solved, the problem (W, q, friction, bounds) is gathered from the same arguments that the solver gets;
 /// after it, the reactions that the solver wrote into Bullet's contact points and joint feedback are put into that problem.
-/// A joint's feedback is all rows together; they are told apart by least squares, exact where the rows are independent.
+/// A joint's feedback is all rows together; they are told apart by least squares, exact where the rows are independent. What
+/// rolling and spinning friction did is written nowhere: it is what the others leave unexplained of the rotations.
 class JudgedSolver : public SolverDecorator {
  public:
   /// `cfm` is the global CFM of the scene: what a solver adds to it for its own sake counts as its error.
@@ -37,6 +38,8 @@ class JudgedSolver : public SolverDecorator {
  private:
   void lendFeedback(const GroupArguments& arguments);
   std::vector<double> rowReactions(double timeStep) const;
+  void addTurning(const delassus::Island& island, const delassus::Problem& problem,
+                  Eigen::VectorXd& r) const;
   void takeFeedbackBack();
 
   btScalar cfm_;

@@ -158,6 +158,31 @@ TEST(MultiBodyJoints, FeedbackOfALeverOnAStop) {
               weight * tolerance(1e-6, 1e-4));
 }
 
+// A ball on a spindle that slides in a guide: it stands on the ground with all their weight.
+TEST(MultiBodyJoints, SpinningFrictionOfALinkIsFelt) {
+  constexpr double kappa = 0.02, inertia = 0.05, weight = 3 * g;
+  const btScalar radius = btScalar(0.2);
+  const btVector3 up(0, 1, 0), none(0, 0, 0), inertias(inertia, inertia, inertia);
+  DelassusMultiBodyWorld world;
+  world.addGround();
+  btMultiBody& tree = world.addTree(2, 1, inertias, true, {0, radius, 0});
+  tree.setupPrismatic(0, 1, inertias, -1, btQuaternion::getIdentity(), up, none, none, true);
+  tree.setupRevolute(1, 2, inertias, 0, btQuaternion::getIdentity(), up, none, none, true);
+  world.addCollider(tree, 1, std::make_unique<btSphereShape>(radius))
+      .setSpinningFriction(btScalar(kappa));
+  world.finish(tree);
+  tree.setJointVel(1, 20);
+  for (int step = 1; step <= 10; ++step) {
+    world.advance();
+    EXPECT_NEAR(tree.getJointVel(1), 20 - step * kappa * weight / inertia * h,
+                tolerance(1e-8, 1e-4));
+    EXPECT_NEAR(tree.getLink(1).m_appliedConstraintTorque.y(), -kappa * weight,
+                tolerance(1e-8, 1e-4));
+  }
+  EXPECT_EQ(world.report().plan.spinning, 1);
+  EXPECT_EQ(world.report().rows, 0);
+}
+
 TEST(MultiBodyJoints, MotorAtItsLimitPushesWithAllItHas) {
   DelassusMultiBodyWorld world;
   world->setGravity(btVector3(0, 0, 0));

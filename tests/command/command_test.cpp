@@ -141,6 +141,12 @@ TEST_F(Command, explainsWhatAStepIsMadeOf) {
   EXPECT_NEAR(islands, 1, 1e-12);
   EXPECT_GT(explained["microseconds"]["gather"], 0);
   EXPECT_EQ(explained["microseconds"]["push"], 0);
+  // Two unknowns more for each ball that resists rolling.
+  const json rolling =
+      json::parse(call("run rolling_balls --seconds 0.02 --explain --json").out).at("explain");
+  EXPECT_EQ(rolling["asked_for"]["rolling"], 5);
+  EXPECT_EQ(rolling["asked_for"]["spinning"], 0);
+  EXPECT_EQ(rolling["asked_for"]["unknowns"], 25);
   // Bullet's own solvers tell nothing of the kind.
   ASSERT_TRUE(std::getline(out, line));
   EXPECT_FALSE(json::parse(line).contains("explain"));
@@ -275,6 +281,9 @@ TEST_F(Command, dumpsAnIslandAFile) {
     EXPECT_TRUE(std::filesystem::exists(file("box-" + std::to_string(i) + ".fc3d"))) << i;
   EXPECT_EQ(call("dump bead_under_plane --at 0.9 --out " + file("none")).status, 1)
       << "no contact, nothing to write";
+  const Outcome rolling = call("dump rolling_balls --at 0 --out " + file("ball.fc3d"));
+  EXPECT_EQ(rolling.status, 1);
+  EXPECT_NE(rolling.err.find("island 4 has rolling or spinning friction"), std::string::npos);
 }
 
 }  // namespace

@@ -8,13 +8,14 @@
 #include "delassus/residual.h"
 #include "delassus/solver.h"
 #include "tests/support/random_piles.h"
+#include "tests/support/turning_piles.h"
 
 namespace delassus {
 namespace {
 
 using namespace delassus::testing;
 
-/// Towers whose contacts are of all kinds: with and without friction, soft, with joints on top.
+/// Towers whose contacts are of all kinds: with and without friction, soft, some against turning, with joints on top.
 Pile mixedTower(int height, Random& random) {
   Pile pile = makeTower(randomMasses(height, 10, random), 0.7, 0.02, random);
   mixFriction(pile, 1, random);
@@ -30,6 +31,7 @@ Pile mixedTower(int height, Random& random) {
   row.upper = uniform(random, 0, 0.1);
   row.compliance = uniform(random, 0, 0.01);
   pile.rows.push_back(row);
+  resistTurning(pile, 0.1, random);
   return pile;
 }
 

@@ -97,5 +97,24 @@ TEST(BoxHeadings, stopOnOneCircle) {
   }
 }
 
+// The same with rolling friction: 5/7 κ g/R in the place of μ g, and no part for the mass.
+TEST(RollingBalls, rollOutAfterTheirDistance) {
+  constexpr double speed = 3;
+  const std::vector<RollingBall> balls{{0.2, 1}, {0.1, 1}, {0.06, 1}, {0.06, 100}};
+  OnRegions run(buildRollingBalls(balls, speed));
+  run.world->run(4, hz);
+  std::vector<btScalar> stopped;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const double loss = 5.0 / 7 * balls[i].kappa * 9.81 / rollingRadius;
+    const double expected = speed * speed / (2 * loss) - speed / hz / 2;
+    stopped.push_back(run.body(int(i)).getWorldTransform().getOrigin().x());
+    EXPECT_NEAR(stopped.back(), expected, 2e-3) << balls[i].kappa;
+  }
+  run.world->run(1, hz);
+  for (std::size_t i = 0; i < balls.size(); ++i)
+    EXPECT_NEAR(run.body(int(i)).getWorldTransform().getOrigin().x(), stopped[i],
+                byPrecision(1e-9, 1e-5));
+}
+
 }  // namespace
 }  // namespace demos

@@ -1,0 +1,120 @@
+/// The law of a disk on problems small enough to be done by hand.
+#include "delassus/disk.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "delassus/certificate.h"
+#include "delassus/problem_text.h"
+#include "delassus/residual.h"
+#include "delassus/solver.h"
+
+namespace delassus {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Two frictionless contacts, then a disk of two numbers for the first and one of one number for the second. W is diagonal.
+Problem twoDisks(const VectorXd& q, const VectorXd& W = VectorXd::Ones(5)) {
+  Problem problem;
+  problem.W = DelassusMatrix(DelassusMatrix::Sparse(MatrixXd(W.asDiagonal()).sparseView()));
+  problem.q = q;
+  problem.lower = VectorXd::Constant(5, -infinity);
+  problem.upper = VectorXd::Constant(5, infinity);
+  problem.lower.head<2>().setZero();
+  problem.disks = {{2, 2, 0, 0.1}, {4, 1, 1, 0.5}};
+  return problem;
+}
+
+VectorXd numbers(double a, double b, double c, double d, double e) {
+  VectorXd x(5);
+  x << a, b, c, d, e;
+  return x;
+}
+
+TEST(Disk, SlidesOnItsRimSticksInsideAndIsOpenAsAPoint) {
+  struct Case {
+    VectorXd q, r;
+    Mode first, second;
+  };
+  for (const Case& c :
+       {Case{numbers(-10, -2, 3, 4, 0.6), numbers(10, 2, -0.6, -0.8, -0.6), Mode::Slide,
+             Mode::Stick},
+        Case{numbers(-100, -2, 3, 4, -3), numbers(100, 2, -3, -4, 1), Mode::Stick, Mode::Slide},
+        Case{numbers(1, -2, 3, 4, -3), numbers(0, 2, 0, 0, 1), Mode::Open, Mode::Slide},
+        Case{numbers(1, 1, 3, 4, -3), numbers(0, 0, 0, 0, 0), Mode::Open, Mode::Open}}) {
+    const Problem problem = twoDisks(c.q);
+    const Solution whole = Solver().solve(problem), apart = solve(problem);
+    for (const Solution& s : {whole, apart}) {
+      EXPECT_EQ(s.status, Status::Solved);
+      EXPECT_LT((s.r - c.r).norm(), 1e-7) << s.r.transpose();
+      EXPECT_THAT(s.activeSet.disks, ElementsAre(c.first, c.second));
+    }
+  }
+}
+
+// Unequal W: the slip is not opposite to q, but it is to the reaction.
+TEST(Disk, TurnsItsReactionAgainstTheSlipThatIsLeft) {
+  const Problem problem = twoDisks(numbers(-10, -2, 3, 4, 0), numbers(1, 1, 1, 5, 1));
+  const Solution s = Solver().solve(problem);
+  const Vec2 r = problem.disks[0].of(s.r), u = problem.disks[0].of(s.u);
+  EXPECT_NEAR(r.norm(), 1, 1e-7);
+  EXPECT_NEAR(r.dot(u), -u.norm(), 1e-7);
+  EXPECT_GT(std::abs(r[0] * 4 - r[1] * 3), 0.1);
+}
+
+TEST(Disk, ResidualIsTheDistanceFromTheProjection) {
+  const Problem problem = twoDisks(numbers(-10, -2, 3, 4, 0.6), numbers(1, 1, 2, 2, 4));
+  // r_n exact; the disk of radius 1 asked for (−0.6, −0.8) r, the other for −0.15.
+  const auto residual = [&](double a, double b, double c) {
+    return naturalResidual(problem, numbers(10, 2, a, b, c));
+  };
+  EXPECT_NEAR(residual(-0.6, -0.8, -0.15).max, 0, 1e-14);
+  EXPECT_NEAR(residual(-0.6, -0.8, -0.1).max, 4 * 0.05, 1e-14);
+  EXPECT_EQ(residual(-0.6, -0.8, -0.1).worst, 4);
+  // Twice too much: back to the rim, in units of velocity.
+  EXPECT_NEAR(residual(-1.2, -1.6, -0.15).max, 2 * 1, 1e-14);
+  EXPECT_EQ(residual(-1.2, -1.6, -0.15).worst, 2);
+  // Squares over all rows.
+  EXPECT_NEAR(residual(-1.2, -1.6, -0.15).rms, 2 / std::sqrt(5), 1e-14);
+}
+
+TEST(Disk, DissipatesItsReactionTimesTheSlip) {
+  const Problem problem = twoDisks(numbers(-10, -2, 3, 4, -3));
+  const Solution s = Solver().solve(problem);
+  const EnergyBalance energy = energyBalance(problem, VectorXd::Zero(5), s.r);
+  EXPECT_NEAR(energy.friction, -1 * (5 - 1) - 1 * (3 - 1), 1e-6);
+  EXPECT_NEAR(energy.complementarity, 0, 1e-6);
+  EXPECT_EQ(motionBound(problem, s.r, s.u).squared, infinity) << "no bound: not associated";
+}
+
+TEST(Disk, ThatNoLawCanBeStatedForIsNamed) {
+  const VectorXd q = numbers(-10, -2, 3, 4, 0.6);
+  ASSERT_THAT(unfitParts(twoDisks(q)), IsEmpty());
+  for (const Disk& bad : {Disk{4, 1, 1, 0}, Disk{4, 1, 1, -1}, Disk{4, 1, 1, std::nan("")},
+                          Disk{4, 1, 1, infinity}, Disk{4, 1, 3, 0.5}, Disk{4, 2, 1, 0.5},
+                          Disk{4, 1, -1, 0.5}}) {
+    Problem problem = twoDisks(q);
+    problem.disks[1] = bad;
+    EXPECT_THAT(unfitParts(problem), ElementsAre(4));
+    EXPECT_EQ(Solver().solve(problem).status, Status::NonFinite);
+  }
+  Problem gap = twoDisks(q);
+  gap.disks[0].unknowns = 1;
+  EXPECT_THAT(unfitParts(gap), ElementsAre(2));
+}
+
+TEST(Disk, HasNoTextFormat) {
+  std::ostringstream text;
+  EXPECT_THROW(writeProblem(text, twoDisks(numbers(-1, -1, 0, 0, 0))), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace delassus
