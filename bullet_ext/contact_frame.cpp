@@ -55,8 +55,7 @@ Anisotropy anisotropyOf(const btCollisionObject& a, const btCollisionObject& b, 
 }
 
 /// T D.
-Tangents tangentsOf(const btManifoldPoint& point, const Vec3& n,
-                    const Anisotropy& anisotropy) {
+Tangents tangentsOf(const btManifoldPoint& point, const Vec3& n, const Anisotropy& anisotropy) {
   Tangents T;
   T.col(0) = planeSpace(point.m_normalWorldOnB, n);
   T.col(1) = n.cross(T.col(0));

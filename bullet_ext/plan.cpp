@@ -11,8 +11,8 @@ namespace delassus {
 void Plan::add(const Plan& group) {
   for (const auto count :
        {&Plan::frictional, &Plan::frictionless, &Plan::bouncing, &Plan::soft, &Plan::deep,
-        &Plan::rolling, &Plan::spinning, &Plan::joints, &Plan::rows, &Plan::boundedRows, &Plan::softRows, &Plan::obsolete,
-        &Plan::islands, &Plan::unknowns, &Plan::pushContacts})
+        &Plan::rolling, &Plan::spinning, &Plan::joints, &Plan::rows, &Plan::boundedRows,
+        &Plan::softRows, &Plan::obsolete, &Plan::islands, &Plan::unknowns, &Plan::pushContacts})
     this->*count += group.*count;
   largestIsland = std::max(largestIsland, group.largestIsland);
   heard |= group.heard;
@@ -32,7 +32,8 @@ Plan makePlan(const Group& group, bool heard, const Economies& economies, Assemb
   }
   plan.joints = static_cast<int>(group.joints.size());
   plan.rows = static_cast<int>(group.rows.size()) - group.turningRows;
-  for (const Row& row : group.rows) plan.rolling += row.paired;
+  for (std::size_t i = plan.rows; i < group.rows.size(); ++i)
+    plan.rolling += group.rows[i].paired;
   plan.spinning = group.turningRows - 2 * plan.rolling;
   for (int i = 0; i < plan.rows; ++i) {
     const Row& row = group.rows[i];

@@ -31,7 +31,7 @@ struct Plan {
   bool heard = false;     ///< somebody listens to contact events
 
   // What is made for it.
-  int unknowns = 0;      ///< three a contact with friction, one without; one a row; two for rolling, one for spinning
+  int unknowns = 0;      ///< of contacts (three or one), rows, rolling (two) and spinning (one)
   int pushContacts = 0;  ///< contacts of the push problem; 0: there is none
   bool events = false;   ///< contact events are made
 

@@ -64,8 +64,7 @@ EnergyBalance energyBalance(const Problem& problem, const VectorXd& target, cons
   balance.targets = r.dot(target);
   for (int a = 0; a < problem.contacts(); ++a)
     balance.friction -= problem.friction[a] * r[3 * a] * std::hypot(u[3 * a + 1], u[3 * a + 2]);
-  for (const Disk& disk : problem.disks)
-    balance.friction -= disk.radiusAt(r) * disk.of(u).norm();
+  for (const Disk& disk : problem.disks) balance.friction -= disk.radiusAt(r) * disk.of(u).norm();
   balance.complementarity = r.dot(u) - balance.friction;
   balance.compliance = -soft;
   balance.impact = -jump;

@@ -38,8 +38,8 @@ MotionBound motionBound(const Problem& problem, const VectorXd& r, const VectorX
 ///
 /// `change` is computed from the free velocity, the right side from u, so that comparing them tests u = W r + q.
 struct EnergyBalance {
-  double change = 0;    ///< E(v) − E(v_f) = r·(q + target) + ½ |v − v_f|²_M
-  double targets = 0;   ///< r·target: fed in by restitution, push-out, belts and motors
+  double change = 0;   ///< E(v) − E(v_f) = r·(q + target) + ½ |v − v_f|²_M
+  double targets = 0;  ///< r·target: fed in by restitution, push-out, belts and motors
   double friction = 0;  ///< −Σ μ r_n |u_t| − Σ κ r_n |u_d|: lost by sliding, rolling and spinning
   double complementarity =
       0;  ///< r·u − friction: 0 for contacts and limits that obey their law, ≤ 0 for motors

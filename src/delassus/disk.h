@@ -27,7 +27,9 @@ struct Disk {
 
   /// Its part of a vector of unknowns; 0 in the place of a second one that is not there.
   Vec2 of(const VectorXd& x) const { return {x[first], unknowns == 2 ? x[first + 1] : 0}; }
-  void put(const Vec2& part, VectorXd& x) const { x.segment(first, unknowns) = part.head(unknowns); }
+  void put(const Vec2& part, VectorXd& x) const {
+    x.segment(first, unknowns) = part.head(unknowns);
+  }
   /// Its radius now, N·m·s.
   double radiusAt(const VectorXd& r) const { return radius * std::max(r[governor], 0.0); }
 };

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double longestStepOf(double x, double d) { return d < 0 ? -x / d : infinity; }
+double longestStep(double x, double d) { return d < 0 ? -x / d : infinity; }
 
 }  // namespace
 
@@ -225,8 +225,7 @@ bool InteriorPoint<Motion>::step(Motion& motion, const Problem& problem, double 
     Vec3 governing(0, 0, 0);  // du of its governor
     const int unknowns = disk.governor < 3 * n ? 3 : 1;
     governing.head(unknowns) = du_.segment(disk.governor, unknowns);
-    const Vec2 dr =
-        disk.of(b_) - G_.disks[k].own * disk.of(du_) - G_.disks[k].governor * governing;
+    const Vec2 dr = disk.of(b_) - G_.disks[k].own * disk.of(du_) - G_.disks[k].governor * governing;
     disk.put(dr, b_);
     disks_[k].follow({disk.radius * b_[disk.governor], dr[0], dr[1]});
   }
@@ -244,7 +243,7 @@ double InteriorPoint<Motion>::longestStep() const {
   for (const auto* sides : {&lower_, &upper_})
     for (const Side& s : *sides)
       if (s.bounded)
-        t = std::min({t, longestStepOf(s.x, s.dx), longestStepOf(s.y, s.dy)});
+        t = std::min({t, delassus::longestStep(s.x, s.dx), delassus::longestStep(s.y, s.dy)});
   return t;
 }
 

@@ -19,11 +19,11 @@ namespace delassus {
 struct Problem {
   std::string name;
   DelassusMatrix W;
-  VectorXd q;             ///< relative velocity without reactions, size 3 n + m
-  VectorXd friction;      ///< μ, size n
-  VectorXd lower, upper;  ///< bounds of the rows, size m; infinite for those of disks
+  VectorXd q;               ///< relative velocity without reactions, size 3 n + m
+  VectorXd friction;        ///< μ, size n
+  VectorXd lower, upper;    ///< bounds of the rows, size m; infinite for those of disks
   std::vector<Disk> disks;  ///< their rows are the last, in this order, without gaps
-  double roundOff = 0;    ///< error of q from velocities that cancel in it, m/s
+  double roundOff = 0;      ///< error of q from velocities that cancel in it, m/s
 
   int contacts() const { return static_cast<int>(friction.size()); }
   int rows() const { return static_cast<int>(lower.size()); }

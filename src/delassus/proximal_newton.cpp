@@ -286,9 +286,14 @@ void ProximalNewton<Motion>::compromise(const Problem& problem, Solution& best) 
   const VectorXd d = r_ - center_;
   const VectorXd open = scale_.cwiseProduct(d);
   best.r = center_ - d * (open.dot(center_) / open.dot(d));
-  // Where a bound needs a share of d, the reactions stay as large as they have grown.
+  // Where a bound or a disk needs a share of d, the reactions stay as large as they have grown.
   const auto rows = best.r.tail(problem.rows()).array();
-  if ((rows < problem.lower.array()).any() || (rows > problem.upper.array()).any()) best.r = r_;
+  const auto narrow = [&](const Disk& disk) {
+    return disk.of(best.r).norm() > (1 + 1e-9) * disk.radiusAt(best.r);
+  };
+  if ((rows < problem.lower.array()).any() || (rows > problem.upper.array()).any() ||
+      std::any_of(problem.disks.begin(), problem.disks.end(), narrow))
+    best.r = r_;
   best.u = problem.W * best.r + problem.q;
   best.residual = map_->residual(best.r, best.u).max;
   // Compared in √J: the units of a row must not decide whether it is named.

@@ -76,8 +76,7 @@ void visitNaturalMap(const Problem& problem, const VectorXd& r, const VectorXd& 
   for (const Disk& disk : problem.disks) {
     const int k = disk.first - 2 * n;
     const Vec2 x = disk.of(r) - step(k) * disk.of(u);
-    visit(k, disk.first, disk.unknowns,
-          (disk.of(r) - projectOnDisk(x, disk.radiusAt(r))).norm());
+    visit(k, disk.first, disk.unknowns, (disk.of(r) - projectOnDisk(x, disk.radiusAt(r))).norm());
   }
 }
 

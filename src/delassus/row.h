@@ -21,7 +21,7 @@ struct Row {
   double lower = -std::numeric_limits<double>::infinity();  ///< N·s
   double upper = std::numeric_limits<double>::infinity();   ///< N·s
   double compliance = 0;                                    ///< added to the diagonal of W
-  int governor = -1;    ///< a contact, or none
+  int governor = -1;                                        ///< a contact, or none
   bool paired = false;  ///< with the next row, which has the same bodies, governor and bound
 };
 

@@ -79,8 +79,7 @@ void makeFeasible(const Problem& problem, VectorXd& r) {
     r.segment<3>(3 * i) = projectOnCone(r.segment<3>(3 * i), problem.friction[i]);
   for (int i = 0; i < problem.rows(); ++i)
     r[3 * n + i] = std::clamp(r[3 * n + i], problem.lower[i], problem.upper[i]);
-  for (const Disk& disk : problem.disks)
-    disk.put(projectOnDisk(disk.of(r), disk.radiusAt(r)), r);
+  for (const Disk& disk : problem.disks) disk.put(projectOnDisk(disk.of(r), disk.radiusAt(r)), r);
 }
 
 constexpr double unknownRegion = 1e-1;  ///< proximal weight

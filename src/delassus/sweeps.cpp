@@ -105,8 +105,8 @@ void Sweeps::sweepBodies(const Problem& problem, VectorXd& r) {
   for (; at < problem.disksBegin(); ++at) {
     if (!(diagonal_[at] > 0)) continue;
     const int row = at - firstRow;
-    react(at, boundedRow(r[at], velocityOf(at), diagonal_[at], problem.lower[row],
-                         problem.upper[row]));
+    react(at,
+          boundedRow(r[at], velocityOf(at), diagonal_[at], problem.lower[row], problem.upper[row]));
   }
   for (std::size_t k = 0; k < problem.disks.size(); ++k) {
     const Disk& disk = problem.disks[k];

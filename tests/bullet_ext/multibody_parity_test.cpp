@@ -196,8 +196,7 @@ TEST(MultiBodyParity, RollingFrictionOfATreeIsThatOfARigidBody) {
       rotation = btVector3(0, 1 / radius, 0).cross(velocity) + btVector3(0, 2, 0);
   DelassusMultiBodyWorld articulated;
   articulated.addGround();
-  btMultiBody& tree =
-      articulated.addTree(0, 2, btVector3(inertia, inertia, inertia), false, start);
+  btMultiBody& tree = articulated.addTree(0, 2, btVector3(inertia, inertia, inertia), false, start);
   articulated.addCollider(tree, -1, std::make_unique<btSphereShape>(radius), btScalar(0.5));
   articulated.finish(tree);
   tree.setBaseVel(velocity);

@@ -107,8 +107,7 @@ TEST(Parity, Row24BallRestsOnASlopeUpToItsAngle) {
     DelassusWorld world;
     const btQuaternion tilt(btVector3(0, 0, 1), btScalar(-slope));
     const btVector3 up = quatRotate(tilt, btVector3(0, 1, 0));
-    world
-        .addBody(std::make_unique<btBoxShape>(btVector3(100, 1, 100)), btTransform(tilt, -up), 0)
+    world.addBody(std::make_unique<btBoxShape>(btVector3(100, 1, 100)), btTransform(tilt, -up), 0)
         .setFriction(1);
     btRigidBody& ball = world.addSphere(btScalar(radius), up * btScalar(radius));
     ball.setRollingFriction(btScalar(kappa));
@@ -245,10 +244,8 @@ TEST(Parity, Row25AnisotropicRollingFrictionIsAnEllipse) {
     for (double heading : {0.0, 0.3, 1.2}) {
       DelassusWorld world;
       world.addGround();
-      const btTransform pose(btQuaternion(btVector3(0, 1, 0), btScalar(yaw)),
-                             vector(0, radius, 0));
-      btRigidBody& ball =
-          world.addBody(std::make_unique<btSphereShape>(btScalar(radius)), pose, 1);
+      const btTransform pose(btQuaternion(btVector3(0, 1, 0), btScalar(yaw)), vector(0, radius, 0));
+      btRigidBody& ball = world.addBody(std::make_unique<btSphereShape>(btScalar(radius)), pose, 1);
       ball.setRollingFriction(btScalar(kappa));
       ball.setAnisotropicFriction(vector(1, 1, 0.25),
                                   btCollisionObject::CF_ANISOTROPIC_ROLLING_FRICTION);
@@ -301,8 +298,7 @@ TEST(Parity, Row25CapsuleAndCylinderRollAgainstTheirOwnAxis) {
       shape = std::make_unique<btCylinderShapeZ>(vector(radius, radius, 0.5));
     const btVector3 direction = shape->getAnisotropicRollingFrictionDirection();
     EXPECT_EQ(direction, btVector3(0, 0, 1));
-    btRigidBody& body =
-        world.addBody(std::move(shape), BulletWorld::at(vector(0, radius, 0)), 1);
+    btRigidBody& body = world.addBody(std::move(shape), BulletWorld::at(vector(0, radius, 0)), 1);
     body.setRollingFriction(btScalar(kappa));
     body.setAnisotropicFriction(direction, btCollisionObject::CF_ANISOTROPIC_ROLLING_FRICTION);
     roll(body, {1, 0});

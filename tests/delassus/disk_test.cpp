@@ -98,9 +98,9 @@ TEST(Disk, DissipatesItsReactionTimesTheSlip) {
 TEST(Disk, ThatNoLawCanBeStatedForIsNamed) {
   const VectorXd q = numbers(-10, -2, 3, 4, 0.6);
   ASSERT_THAT(unfitParts(twoDisks(q)), IsEmpty());
-  for (const Disk& bad : {Disk{4, 1, 1, 0}, Disk{4, 1, 1, -1}, Disk{4, 1, 1, std::nan("")},
-                          Disk{4, 1, 1, infinity}, Disk{4, 1, 3, 0.5}, Disk{4, 2, 1, 0.5},
-                          Disk{4, 1, -1, 0.5}}) {
+  for (const Disk& bad :
+       {Disk{4, 1, 1, 0}, Disk{4, 1, 1, -1}, Disk{4, 1, 1, std::nan("")}, Disk{4, 1, 1, infinity},
+        Disk{4, 1, 3, 0.5}, Disk{4, 2, 1, 0.5}, Disk{4, 1, -1, 0.5}}) {
     Problem problem = twoDisks(q);
     problem.disks[1] = bad;
     EXPECT_THAT(unfitParts(problem), ElementsAre(4));

@@ -104,8 +104,8 @@ TEST(TurningFriction, BallOnASteepInclineSlidesAndRolls) {
   for (int i = 0; i < steps; ++i) ball.step();
   const double t = steps * h;
   EXPECT_NEAR(ball.velocity()[0], g * t * (std::sin(slope) - mu * std::cos(slope)), 1e-8);
-  EXPECT_NEAR(ball.rotation()[1],
-              mass * g * std::cos(slope) * (mu * radius - kappa) / inertia * t, 1e-8);
+  EXPECT_NEAR(ball.rotation()[1], mass * g * std::cos(slope) * (mu * radius - kappa) / inertia * t,
+              1e-8);
 }
 
 TEST(TurningFriction, SpinningAloneStopsTheTop) {
@@ -141,6 +141,28 @@ TEST(TurningFriction, ResistsATorqueUpToItsBound) {
     ball.step();
     EXPECT_NEAR(ball.rotation()[2], std::max(0.0, part - 1) * bound * h / inertia, 1e-9);
   }
+}
+
+// Between two walls that close in, of which one resists spinning: no motion meets both, and no spin withstands that grip.
+TEST(TurningFriction, ASqueezedBallStopsSpinning) {
+  Body ball;
+  ball.inverseMass.setConstant(1 / mass);
+  ball.inverseInertia = Mat3::Identity() / inertia;
+  ball.velocity << 0, 0, 0, 0, 0, 3;
+  std::vector<Contact> contacts{
+      makeRestingPoint(0, fixedWorld, {0, 0, -radius}, Vec3::Zero(), 0),
+      makeRestingPoint(0, fixedWorld, {0, 0, radius}, Vec3::Zero(), 0)};
+  contacts[1].frame.col(0) *= -1;
+  for (Contact& c : contacts) c.target[0] = 1;
+  std::vector<Row> rows;
+  addRows(aboutTangents(contacts[0], 0.01, 0), contacts[0], 0, rows);
+  const Island island = splitIslands({ball}, contacts, rows).at(0);
+  const Problem problem = assemble({ball}, contacts, rows, island);
+  const Solution s = solve(problem);
+  EXPECT_EQ(s.status, Status::Incompatible);
+  EXPECT_EQ(s.blamed, (std::vector<int>{0, 1}));
+  EXPECT_NEAR(s.u[2], 0, 1e-6);
+  EXPECT_LE(std::abs(s.r[2]), 0.01 * s.r[0] * (1 + 1e-8));
 }
 
 TEST(TurningFriction, BallInTheAirTurnsFreely) {

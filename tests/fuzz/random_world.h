@@ -25,6 +25,7 @@ class RandomWorld {
     if (chance(random, 0.8)) world_.addGround();
     traits_.bounces = chance(random, 0.2);
     traits_.lockedAxes = chance(random, 0.2);
+    turning_ = chance(random, 0.3);
     const double decadesOfMass = chance(random, 0.5) ? 6 : 1;
     const int count = pick(random, 1, 12);
     for (int i = 0; i < count; ++i) addBody(decadesOfMass);
@@ -44,7 +45,7 @@ class RandomWorld {
                             -SIMD_INFINITY, -1};
     const btScalar x = bad[pick(random_, 0, 4)];
     btRigidBody& body = *bodies_[pick(random_, 0, int(bodies_.size()) - 1)];
-    switch (pick(random_, 0, 6)) {
+    switch (pick(random_, 0, 8)) {
       case 0:
         body.setLinearVelocity({x, 0, 0});
         break;
@@ -66,6 +67,12 @@ class RandomWorld {
         break;
       case 6:
         body.setRestitution(x);
+        break;
+      case 7:
+        body.setRollingFriction(x);
+        break;
+      case 8:
+        body.setSpinningFriction(x);
         break;
     }
   }
@@ -135,6 +142,12 @@ class RandomWorld {
     if (chance(random_, 0.2)) body.setFlags(pick(random_, 0, 15));
     if (chance(random_, 0.1)) body.setDamping(some(0, 1), some(0, 1));
     if (chance(random_, 0.1)) body.forceActivationState(pick(random_, 1, 5));
+    if (!turning_) return;
+    if (chance(random_, 0.5)) body.setRollingFriction(btScalar(decades(random_, -4, 1)));
+    if (chance(random_, 0.5)) body.setSpinningFriction(btScalar(decades(random_, -4, 1)));
+    if (chance(random_, 0.3))
+      body.setAnisotropicFriction({some(0, 1), some(0, 1), some(0, 1)},
+                                  btCollisionObject::CF_ANISOTROPIC_ROLLING_FRICTION);
   }
 
   void addJoint() {
@@ -184,6 +197,7 @@ class RandomWorld {
   Random& random_;
   DelassusWorld world_;
   WorldTraits traits_;
+  bool turning_ = false;  ///< bodies resist rolling and spinning
   btScalar timeStep_ = BulletWorld::step;
   std::vector<btRigidBody*> bodies_;
 };

@@ -90,11 +90,11 @@ TEST_P(PassiveScene, gainsNoEnergy) {
 INSTANTIATE_TEST_SUITE_P(catalogue, PassiveScene,
                          testing::Values("bead_under_plane", "bead_in_angle", "bead_in_angle_wide",
                                          "bead_in_trihedron", "ball_off_ball", "sliding_ladder",
-                                         "incline", "box_headings", "rolling_balls",
-                                         "one_box", "islands_100",
-                                         "stack_10", "stack_40", "pyramid_20", "wall_20x10",
-                                         "heavy_ball_chain", "stack_10_heavy_top", "pyramid_10",
-                                         "arch", "arch_thin", "card_house", "domino_run"),
+                                         "incline", "box_headings", "rolling_balls", "one_box",
+                                         "islands_100", "stack_10", "stack_40", "pyramid_20",
+                                         "wall_20x10", "heavy_ball_chain", "stack_10_heavy_top",
+                                         "pyramid_10", "arch", "arch_thin", "card_house",
+                                         "domino_run"),
                          byName);
 
 class EveryWorld : public testing::TestWithParam<std::string> {

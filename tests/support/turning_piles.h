@@ -40,8 +40,7 @@ inline Pile makeHeap(int balls, double friction, Random& random) {
     centres.push_back({uniform(random, 0, 2), uniform(random, 0, 2), uniform(random, 0.4, 1.6)});
   }
   for (int a = 0; a < balls; ++a) {
-    pile.contacts.push_back(
-        makeRestingPoint(a, fixedWorld, {0, 0, -0.5}, Vec3::Zero(), friction));
+    pile.contacts.push_back(makeRestingPoint(a, fixedWorld, {0, 0, -0.5}, Vec3::Zero(), friction));
     for (int b = 0; b < a; ++b) {
       if ((centres[a] - centres[b]).norm() > 1.2) continue;
       const Vec3 n = (centres[a] - centres[b]).normalized(), t = n.unitOrthogonal();
