@@ -160,8 +160,9 @@ TEST(MultiBodyJoints, FeedbackOfALeverOnAStop) {
 
 // A ball on a spindle that slides in a guide: it stands on the ground with all their weight.
 TEST(MultiBodyJoints, SpinningFrictionOfALinkIsFelt) {
-  constexpr double kappa = 0.02, inertia = 0.05, weight = 3 * g;
-  const btScalar radius = btScalar(0.2);
+  constexpr double kappa = 0.02;
+  const double weight = 3 * g;
+  const btScalar radius = btScalar(0.2), inertia = btScalar(0.05);
   const btVector3 up(0, 1, 0), none(0, 0, 0), inertias(inertia, inertia, inertia);
   DelassusMultiBodyWorld world;
   world.addGround();
