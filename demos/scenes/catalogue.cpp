@@ -86,7 +86,7 @@ void addFrictionScenes(std::vector<SceneDescription>& scenes) {
       {"rolling_balls",
        "five balls with rolling friction of 0.2 to 0.04 m; the last weighs 100 kg",
        6,
-       {btVector3(4, 7, 14), btVector3(4, 0, 0), 40},
+       {btVector3(4, 7, 14), btVector3(4, 0, -1), 40},
        "each rolls out after v^2 R/(10/7 kappa g), whatever its mass, and stays",
        [] {
          return buildRollingBalls({{0.2, 1}, {0.1, 1}, {0.06, 1}, {0.04, 1}, {0.04, 100}}, 3);
