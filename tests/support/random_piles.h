@@ -99,7 +99,7 @@ inline Solution startFrom(const Problem& problem, const NaturalMap& map, const V
   return start;
 }
 
-/// Largest distance of a reaction to its cone or bounds, N·s.
+/// Largest distance of a reaction to its cone, bounds or disk, N·s (N·m·s).
 inline double infeasibility(const Problem& problem, const VectorXd& r) {
   double worst = 0;
   for (int i = 0; i < problem.contacts(); ++i) {
@@ -110,6 +110,8 @@ inline double infeasibility(const Problem& problem, const VectorXd& r) {
     const double ri = r[3 * problem.contacts() + i];
     worst = std::max({worst, problem.lower[i] - ri, ri - problem.upper[i]});
   }
+  for (const Disk& disk : problem.disks)
+    worst = std::max(worst, disk.of(r).norm() - disk.radiusAt(r));
   return worst;
 }
 
