@@ -265,15 +265,17 @@ Outcome ProximalNewton<Motion>::walkFromRegion(const Problem& problem, double to
 
 /// Incompatible demands let the reactions grow without end, by the same d each time, along which no body moves: J̃ᵀ d = 0.
 /// The motion is then the compromise, nearest to the demands in least squares, weighted by the W_aa. Contacts with friction
-/// have no part in it: what is squeezed may slip out, u_n = −μ |u_t| being no demand at all.
+/// and disks have no part in it: what is squeezed may slip out, u_n = −μ |u_t| being no demand at all.
 template <class Motion>
 bool ProximalNewton<Motion>::growsInVain(const Problem& problem, double tolerance,
                                          double residual) const {
   const VectorXd d = r_ - center_;
-  const int frictional = 3 * problem.contacts();
-  const VectorXd open = d.cwiseQuotient(l_);
-  if (open.size() == frictional || open.cwiseAbs().maxCoeff() < 0.1 * residual) return false;
-  if (frictional > 0 && open.head(frictional).cwiseAbs().maxCoeff() > 1e-6 * residual) return false;
+  const int frictional = 3 * problem.contacts(), plainRows = problem.disksBegin() - frictional;
+  VectorXd open = d.cwiseQuotient(l_);
+  auto demands = open.segment(frictional, plainRows);
+  if (plainRows == 0 || demands.cwiseAbs().maxCoeff() < 0.1 * residual) return false;
+  demands.setZero();
+  if (open.cwiseAbs().maxCoeff() > 1e-6 * residual) return false;
   VectorXd y, moved;
   motion_.impulse(d, y);
   motion_.relativeVelocity(y, moved);
