@@ -32,8 +32,7 @@ Plan makePlan(const Group& group, bool heard, const Economies& economies, Assemb
   }
   plan.joints = static_cast<int>(group.joints.size());
   plan.rows = static_cast<int>(group.rows.size()) - group.turningRows;
-  for (std::size_t i = plan.rows; i < group.rows.size(); ++i)
-    plan.rolling += group.rows[i].paired;
+  for (std::size_t i = plan.rows; i < group.rows.size(); ++i) plan.rolling += group.rows[i].paired;
   plan.spinning = group.turningRows - 2 * plan.rolling;
   for (int i = 0; i < plan.rows; ++i) {
     const Row& row = group.rows[i];
