@@ -3,14 +3,16 @@
 
 #include "demos/command.h"
 #include "demos/report/part.h"
+#include "demos/report/stability/map.h"
 
 namespace demos {
 
 namespace {
 
 int writeReport(const report::ReportArguments& arguments) {
-  const bool complete = report::makeReport(arguments);
-  std::printf("%s/report.md\n", arguments.out.c_str());
+  const bool complete =
+      arguments.stability ? report::stability::makeMap(arguments) : report::makeReport(arguments);
+  std::printf("%s/%s.md\n", arguments.out.c_str(), arguments.stability ? "stability" : "report");
   if (complete) return exitDone;
   std::fprintf(stderr, "delassus: interrupted; '%s --resume' goes on\n",
                arguments.command().c_str());
@@ -34,12 +36,20 @@ void addReportCommand(CLI::App& app, Action& chosen) {
   command
       ->add_option("--parts", arguments->parts,
                    "which of same_problem, persisting, own_trajectory, time_step, scaling, "
-                   "ablation")
+                   "ablation; with --stability: masses, units, stiffness, friction, redundancy, "
+                   "angles, speeds, long_runs")
       ->delimiter(',')
       ->type_name("NAME,...");
   command->add_option("--out", arguments->out, "folder for what is made")
       ->type_name("DIR")
       ->capture_default_str();
+  CLI::Option* stability = command->add_flag(
+      "--stability", arguments->stability,
+      "instead, the map of what holds up to which hardness, in both precisions: 15 minutes");
+  command
+      ->add_flag("--one-precision", arguments->onePrecision,
+                 "of the map: only measure, and only in the precision of this executable")
+      ->needs(stability);
   command->add_flag("--quick", arguments->quick, "fewer scenes and settings: under three minutes");
   command->add_flag("--resume", arguments->resume, "go on with a report that was interrupted");
   command->callback(

@@ -39,6 +39,24 @@ struct CommandResult {
 };
 CommandResult callCommand(const std::vector<std::string>& command);
 
+/// A command that runs beside this process; both its outputs are thrown away.
+class CommandBeside {
+ public:
+  explicit CommandBeside(const std::vector<std::string>& command);
+  /// Asks it politely to end, and waits until it has.
+  ~CommandBeside();
+  CommandBeside(const CommandBeside&) = delete;
+  CommandBeside& operator=(const CommandBeside&) = delete;
+
+  /// True when it has ended.
+  bool ended();
+  /// Waits for its end, or until the user asks this process to stop.
+  void wait();
+
+ private:
+  int process_;
+};
+
 /// The user pressed Ctrl-C: what is finished is kept.
 class Interrupted : public std::runtime_error {
  public:

@@ -304,7 +304,12 @@ std::string gnuplotScript(const Figure& figure, const std::string& name) {
 
 std::string draw(const Figure& figure, const std::filesystem::path& folder,
                  const std::string& name) {
-  writeFile(folder / (name + ".gp"), gnuplotScript(figure, name));
+  return drawScript(gnuplotScript(figure, name), folder, name);
+}
+
+std::string drawScript(const std::string& script, const std::filesystem::path& folder,
+                       const std::string& name) {
+  writeFile(folder / (name + ".gp"), script);
   const CommandResult drawn =
       callCommand({"env", "--chdir=" + folder.string(), "gnuplot", name + ".gp"});
   if (drawn.status == 127)

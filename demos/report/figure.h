@@ -41,6 +41,10 @@ struct Figure {
 std::string draw(const Figure& figure, const std::filesystem::path& folder,
                  const std::string& name);
 
+/// The same for a script that is already written.
+std::string drawScript(const std::string& script, const std::filesystem::path& folder,
+                       const std::string& name);
+
 /// Columns for that many small panels: about square, at most four.
 int panelColumns(std::size_t panels);
 

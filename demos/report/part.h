@@ -37,6 +37,14 @@ Part timeStepPart(const Plan& plan);
 Part scalingPart(const Plan& plan);
 Part ablationPart(const Plan& plan);
 
+/// Notes in the folder what command its data are made by: what is to go on must be the same. Empties the parts' folders
+/// unless it is to go on.
+void stamp(const std::filesystem::path& folder, const std::string& command, bool resume,
+           const std::vector<Part>& parts);
+
+/// Measures what is missing. Returns the number of units that are still missing, if the user stopped it.
+int measure(const std::vector<Part>& parts, const std::filesystem::path& folder);
+
 /// Measures what is missing, or everything anew, and writes the page. Returns false if it was interrupted.
 bool makeReport(const ReportArguments& arguments);
 

@@ -1,9 +1,6 @@
 #include <algorithm>
-#include <cstdio>
 #include <stdexcept>
 
-#include "demos/progress_bar.h"
-#include "demos/report/child.h"
 #include "demos/report/machine.h"
 #include "demos/report/part.h"
 
@@ -12,8 +9,6 @@ namespace demos::report {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* stampName = "command.txt";
 
 std::vector<Part> partsOf(const Plan& plan, const std::vector<std::string>& names) {
   std::vector<Part> all{sameProblemPart(plan), persistingPart(plan), ownTrajectoryPart(plan),
@@ -30,47 +25,6 @@ std::vector<Part> partsOf(const Plan& plan, const std::vector<std::string>& name
     chosen.push_back(*found);
   }
   return chosen;
-}
-
-/// What the data in the folder were made by: what is to go on must be the same report.
-void stamp(const ReportArguments& arguments, const std::vector<Part>& parts) {
-  const fs::path folder = arguments.out, file = folder / stampName;
-  ReportArguments anywhere = arguments;
-  anywhere.out = ".";
-  const std::string text = anywhere.command() + '\n';
-  if (arguments.resume && fs::exists(file) && readFile(file) != text) {
-    std::string made = readFile(file);
-    made.pop_back();
-    throw std::runtime_error("'" + arguments.out + "' was begun by '" + made +
-                             "': only the same report can go on");
-  }
-  // Measures of an earlier report must not pass for those of this one.
-  if (!arguments.resume && fs::exists(file))
-    for (const Part& part : parts) fs::remove_all(folder / part.name);
-  for (const Part& part : parts) fs::create_directories(folder / part.name);
-  writeFile(file, text);
-}
-
-/// Measures what is missing. Returns the number of units that are still missing, if the user stopped it.
-int measure(const std::vector<Part>& parts, const fs::path& folder) {
-  const InterruptWatch watch;
-  int total = 0, done = 0;
-  for (const Part& part : parts) total += int(part.units.size());
-  for (const Part& part : parts)
-    for (const Unit& unit : part.units) {
-      const fs::path file = folder / part.name / (unit.file + ".csv");
-      if (!fs::exists(file)) {
-        ProgressBar bar(std::to_string(done + 1) + "/" + std::to_string(total) + " " + part.name +
-                        " " + unit.file);
-        try {
-          unit.measure([&bar](double fraction) { bar.show(fraction); }).write(file);
-        } catch (const Interrupted&) {
-          return total - done;
-        }
-      }
-      ++done;
-    }
-  return 0;
 }
 
 void writePage(const ReportArguments& arguments, const std::vector<Part>& parts, int missing) {
@@ -93,7 +47,7 @@ void writePage(const ReportArguments& arguments, const std::vector<Part>& parts,
 bool makeReport(const ReportArguments& arguments) {
   const Plan plan = makePlan(arguments);
   const std::vector<Part> parts = partsOf(plan, arguments.parts);
-  stamp(arguments, parts);
+  stamp(arguments.out, arguments.commandAnywhere(), arguments.resume, parts);
   const int missing = measure(parts, arguments.out);
   writePage(arguments, parts, missing);
   return missing == 0;

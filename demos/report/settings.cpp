@@ -47,11 +47,18 @@ Names sceneNames(bool quick) {
 
 std::string ReportArguments::command() const {
   std::string text = "delassus report";
+  if (stability) text += " --stability";
   if (quick) text += " --quick";
   if (!scenes.empty()) text += " --scenes " + joined(scenes);
   if (!solvers.empty()) text += " --solvers " + joined(solvers);
   if (!parts.empty()) text += " --parts " + joined(parts);
   return text + " --out " + out;
+}
+
+std::string ReportArguments::commandAnywhere() const {
+  ReportArguments anywhere = *this;
+  anywhere.out = ".";
+  return anywhere.command();
 }
 
 Plan makePlan(const ReportArguments& arguments) {

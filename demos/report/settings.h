@@ -15,9 +15,13 @@ struct ReportArguments {
   std::string out = "report";
   bool quick = false;
   bool resume = false;
+  bool stability = false;     ///< the stability map in place of the report
+  bool onePrecision = false;  ///< of the map: without the other executable
 
   /// The command that makes the same report.
   std::string command() const;
+  /// The same, whatever the folder.
+  std::string commandAnywhere() const;
 };
 
 /// What the report does about it. Full takes under 40 minutes on two slow cores, quick under 3.

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <cmath>
+
+#include "demos/report/stability/sweep.h"
+#include "demos/scenes/builders.h"
+
+namespace demos::report::stability {
+
+namespace {
+
+const std::vector<double> angleValues{0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
+
+/// A ball of 1 kg and radius 0.5 m that touches two planes.
+Trial between(const btVector3& normal1, const btVector3& normal2, const btVector3& force,
+              double mu = 0) {
+  std::unique_ptr<World> world = buildBead({normal1, normal2}, force);
+  if (mu > 0)
+    for (int i = 0; i < world->dynamics().getNumCollisionObjects(); ++i)
+      world->dynamics().getCollisionObjectArray()[i]->setFriction(surfaceFriction(mu));
+  Trial trial{std::move(world), 120, 1.0 / 60, {}};
+  trial.error = driftFrom(*trial.world);
+  return trial;
+}
+
+Sweep nearlyOpposite() {
+  Sweep sweep;
+  sweep.name = "opposite";
+  sweep.title = "frictionless ball of 1 kg pressed into a wedge: normals nearly opposite";
+  sweep.axis = "half angle of the wedge, rad";
+  sweep.law = "it drifts less than 1 mm in 2 s";
+  sweep.allowed = 1e-3;
+  sweep.values = angleValues;
+  sweep.build = [](double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return between(vec3(c, s, 0), vec3(-c, s, 0), vec3(0, -beadForce, 0));
+  };
+  return sweep;
+}
+
+Sweep nearlyParallel() {
+  Sweep sweep;
+  sweep.name = "parallel";
+  sweep.title =
+      "frictionless ball on two planes nearly the same, pushed aside by less than they lean";
+  sweep.axis = "lean of either plane, rad";
+  sweep.law = "it drifts less than 1 mm in 2 s";
+  sweep.allowed = 1e-3;
+  sweep.values = angleValues;
+  sweep.build = [](double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return between(vec3(s, c, 0), vec3(-s, c, 0),
+                   vec3(0.5 * beadForce * std::tan(angle), -beadForce, 0));
+  };
+  sweep.remark = "Below 1e-5 rad a ball that slips freely would not go 1 mm either.";
+  return sweep;
+}
+
+Sweep roughWedge() {
+  Sweep sweep;
+  sweep.name = "rough_wedge";
+  sweep.title =
+      "the ball in a wedge of half angle 0.1 rad, friction 0.5, pressed harder and harder";
+  sweep.axis = "press, N";
+  sweep.law = "it drifts less than 1 mm in 2 s";
+  sweep.allowed = 1e-3;
+  sweep.values = decades(0, 12);
+  sweep.build = [](double press) {
+    const double c = std::cos(0.1), s = std::sin(0.1);
+    return between(vec3(c, s, 0), vec3(-c, s, 0), vec3(0, -press, 0), 0.5);
+  };
+  return sweep;
+}
+
+/// Three planes about the vertical: W goes to rank one as they flatten, to rank two as they close.
+Sweep trihedron() {
+  Sweep sweep;
+  sweep.name = "trihedron";
+  sweep.title = "frictionless ball in a corner of three planes that close to a shaft";
+  sweep.axis = "vertical part of the normals";
+  sweep.law = "it drifts less than 1 mm in 2 s";
+  sweep.allowed = 1e-3;
+  sweep.values = angleValues;
+  sweep.build = [](double height) {
+    Trial trial{buildBeadInTrihedron(height, vec3(0, -1, 0)), 120, 1.0 / 60, {}};
+    trial.error = driftFrom(*trial.world);
+    return trial;
+  };
+  return sweep;
+}
+
+}  // namespace
+
+SweepGroup angleSweeps() {
+  return {"angles",
+          "Angles between planes",
+          {nearlyOpposite(), nearlyParallel(), trihedron(), roughWedge()}};
+}
+
+}  // namespace demos::report::stability

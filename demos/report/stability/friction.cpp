@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <cmath>
+
+#include "demos/report/stability/arch_limit.h"
+#include "demos/report/stability/sweep.h"
+#include "demos/scenes/builders.h"
+#include "demos/scenes/measures.h"
+
+namespace demos::report::stability {
+
+namespace {
+
+constexpr double gravity = 9.81;
+/// Pressed into the ground by this much: Bullet reports boxes only when they touch, m.
+constexpr double bite = 1e-6;
+
+/// Where a body lies that slid from 0 at `speed`: steps lose μ g h each until it stands.
+double slidingWay(double speed, double mu, double time, double timeStep) {
+  double way = 0;
+  const long steps = std::lround(time / timeStep);
+  for (long i = 0; i < steps && speed > 0; ++i) {
+    speed = std::max(0.0, speed - mu * gravity * timeStep);
+    way += speed * timeStep;
+  }
+  return way;
+}
+
+Sweep slidingPlate() {
+  Sweep sweep;
+  sweep.name = "sliding";
+  sweep.title = "flat plate sliding askew on the ground at 4 m/s";
+  sweep.axis = "coefficient of friction";
+  sweep.law = "its way is that of Coulomb's law, step by step, to 1 cm";
+  sweep.allowed = 0.01;
+  sweep.values = {0, 1e-6, 1e-3, 0.01, 0.1, 0.5, 1, 2, 5, 10};
+  sweep.build = [](double mu) {
+    constexpr double speed = 4, heading = 0.5, timeStep = 1.0 / 60;
+    auto world = std::make_unique<World>();
+    addGround(*world, mu);
+    btRigidBody& plate = addBox(*world, vec3(1, 0.02, 1), 1, at(0, 0.02 - bite, 0), mu);
+    plate.setLinearVelocity(vec3(speed * std::cos(heading), 0, speed * std::sin(heading)));
+    Trial trial{std::move(world), 180, timeStep, {}};
+    trial.error = [&plate, mu](double time) {
+      const double way = slidingWay(speed, mu, time, timeStep);
+      const btVector3& p = plate.getWorldTransform().getOrigin();
+      return std::hypot(double(p.x()) - way * std::cos(heading),
+                        double(p.z()) - way * std::sin(heading));
+    };
+    return trial;
+  };
+  return sweep;
+}
+
+Sweep incline() {
+  Sweep sweep;
+  sweep.name = "incline";
+  sweep.title = "self-locking: box on a slope just below the friction angle";
+  sweep.axis = "friction angle minus slope, share of it";
+  sweep.law = "it creeps less than 1 mm in 5 s";
+  sweep.allowed = 1e-3;
+  sweep.values = {0.5, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
+  sweep.build = [](double margin) {
+    const double angle = (1 - margin) * frictionAngle();
+    Trial trial{buildInclines({{angle, 0}}), 300, 1.0 / 60, {}};
+    btRigidBody& box = *trial.world->movableBodies()[0];
+    box.translate(vec3(-bite * std::sin(angle), -bite * std::cos(angle), 0));
+    trial.error = driftFrom(*trial.world);
+    return trial;
+  };
+  return sweep;
+}
+
+/// Painlevé's: a rod pushed along, its tip ahead of it. With tan(tilt) = 2 and μ > 4/3 the tip's pushing back turns it deeper
+/// into the ground: no finite force is right.
+Sweep painleve() {
+  Sweep sweep;
+  sweep.name = "painleve";
+  sweep.title = "Painlevé's rod, its tip ahead, pushed along at 3 m/s";
+  sweep.axis = "coefficient of friction";
+  sweep.law = "no more than 1 % of its energy is gained";
+  sweep.allowed = 0.01;
+  sweep.values = {0.1, 0.5, 1, 1.2, 1.3, 1.4, 1.6, 2, 4, 10};
+  sweep.build = [](double mu) {
+    constexpr double halfLength = 1, radius = 0.05, speed = 3;
+    const double tilt = std::atan(2.0);
+    auto world = std::make_unique<World>();
+    world->add(0, world->plane(vec3(0, 1, 0), 0), at(0, 0, 0), {surfaceFriction(mu), 0});
+    auto& capsule =
+        world->own(std::make_unique<btCapsuleShapeX>(btScalar(radius), btScalar(2 * halfLength)));
+    // The tip is at the right, below, and goes to the right.
+    btRigidBody& rod = world->add(
+        1, capsule, btTransform(aboutZ(-tilt), vec3(0, radius + halfLength * std::sin(tilt), 0)),
+        {surfaceFriction(mu), 0});
+    rod.setLinearVelocity(vec3(speed, 0, 0));
+    rod.setLinearFactor(btVector3(1, 1, 0));
+    rod.setAngularFactor(btVector3(0, 0, 1));
+    Trial trial{std::move(world), 120, 1.0 / 60, {}};
+    trial.error =
+        energyGainedFrom(*trial.world, kineticEnergy(*trial.world) + potentialEnergy(*trial.world));
+    return trial;
+  };
+  sweep.limit = 4.0 / 3;
+  sweep.remark =
+      "Beyond the line (4/3) rigid bodies with Coulomb's law have no finite force; steps of "
+      "impulses have an answer all the same.";
+  return sweep;
+}
+
+Sweep archAtItsLimit() {
+  Sweep sweep;
+  sweep.name = "arch_6";
+  sweep.title = "semicircular arch of six voussoirs";
+  sweep.axis = "thickness over the least that stands, minus 1";
+  sweep.law = "no voussoir drifts more than 2 cm in 2 s";
+  sweep.allowed = 0.02;
+  sweep.values = {1, 0.3, 0.1, 0.03, 1e-2, 3e-3, 1e-3, 1e-4, 1e-5};
+  sweep.build = [](double margin) {
+    constexpr int voussoirs = 6;
+    Trial trial{buildArch(voussoirs, (1 + margin) * leastArchThickness(voussoirs, archRadius)),
+                120,
+                1.0 / 60,
+                {}};
+    trial.error = driftFrom(*trial.world);
+    return trial;
+  };
+  sweep.remark =
+      "The least thickness is that of statics: a line of thrust that touches both edges.";
+  return sweep;
+}
+
+Sweep tower() {
+  Sweep sweep;
+  sweep.name = "tower";
+  sweep.title = "tower of boxes of 1 kg";
+  sweep.axis = "boxes";
+  sweep.law = "no box drifts more than 1 cm";
+  sweep.allowed = 0.01;
+  sweep.values = {5, 10, 20, 40, 80, 120, 160, 200};
+  sweep.build = [](double count) {
+    Trial trial{buildStack(int(count), 1), 120, 1.0 / 60, {}};
+    trial.error = driftFrom(*trial.world);
+    return trial;
+  };
+  return sweep;
+}
+
+Sweep shakenCards() {
+  Sweep sweep;
+  sweep.name = "card_house";
+  sweep.title = "house of cards of three storeys, shaken sideways at 3 Hz";
+  sweep.axis = "acceleration over gravity";
+  sweep.law = "no card drifts more than 1 cm";
+  sweep.allowed = 0.01;
+  sweep.values = {0, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1};
+  sweep.build = [](double share) {
+    Trial trial{buildCardHouse(3), 180, 1.0 / 60, {}};
+    btDiscreteDynamicsWorld& dynamics = trial.world->dynamics();
+    trial.world->setScript([&dynamics, share](double time) {
+      const double sideways = share * gravity * std::sin(2 * M_PI * 3 * time);
+      dynamics.setGravity(vec3(sideways, -gravity, 0));
+    });
+    trial.error = driftFrom(*trial.world);
+    return trial;
+  };
+  return sweep;
+}
+
+}  // namespace
+
+SweepGroup frictionSweeps() {
+  return {"friction",
+          "Friction",
+          {slidingPlate(), incline(), painleve(), archAtItsLimit(), tower(), shakenCards()}};
+}
+
+}  // namespace demos::report::stability

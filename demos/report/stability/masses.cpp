@@ -1,0 +1,133 @@
+#include <cmath>
+
+#include "demos/report/stability/hung_chain.h"
+#include "demos/report/stability/sweep.h"
+#include "demos/scenes/builders.h"
+#include "demos/scenes/measures.h"
+
+namespace demos::report::stability {
+
+namespace {
+
+const btVector3 unitBox = vec3(unitHalf, unitHalf, unitHalf);
+
+Sweep heavyTop(int boxes, int steps) {
+  const std::string count = std::to_string(boxes);
+  Sweep sweep;
+  sweep.name = "stack_" + count;
+  sweep.title = "stack of " + count + " boxes of 1 kg, the top heavier";
+  sweep.axis = "mass of the top over that of the others";
+  sweep.law = "no box drifts more than 1 cm";
+  sweep.allowed = 0.01;
+  sweep.values = decades(0, 9);
+  sweep.build = [boxes, steps](double ratio) {
+    Trial trial{buildStack(boxes, ratio), steps, 1.0 / 60, {}};
+    trial.error = driftFrom(*trial.world);
+    return trial;
+  };
+  return sweep;
+}
+
+Sweep chain(int links) {
+  constexpr double rate = 240, seconds = 2;
+  const std::string count = std::to_string(links);
+  Sweep sweep;
+  sweep.name = "chain_" + count;
+  sweep.title = "ball on " + count + " links of 1 kg, let go from 30 degrees, 240 steps a second";
+  sweep.axis = "mass of the ball over that of a link";
+  sweep.law =
+      "joints open less than 5 % of a link, and no more than 5 % of the swing's energy is gained";
+  sweep.allowed = 0.05;
+  sweep.values = decades(0, 9);
+  sweep.limit = heaviestBall(links, 1 / rate);
+  sweep.build = [links](double ratio) {
+    Trial trial{buildHungChain(links, ratio), int(rate * seconds), 1 / rate, {}};
+    trial.error = hungChainError(*trial.world, links, ratio);
+    return trial;
+  };
+  return sweep;
+}
+
+Sweep chainRates() {
+  constexpr int links = 20;
+  constexpr double ball = 1e4, seconds = 1;
+  Sweep sweep;
+  sweep.name = "chain_rate";
+  sweep.title = "the same chain of 20 with a ball of 1e4 kg, more and more steps a second";
+  sweep.axis = "steps a second";
+  sweep.law = "as above";
+  sweep.allowed = 0.05;
+  sweep.values = {60, 120, 240, 480, 960, 1920, 3840, 7680};
+  sweep.limit = leastRate(links, ball);
+  sweep.build = [](double rate) {
+    Trial trial{buildHungChain(links, ball), int(rate * seconds), 1 / rate, {}};
+    trial.error = hungChainError(*trial.world, links, ball);
+    return trial;
+  };
+  sweep.remark =
+      "The remedy for a taut chain is smaller steps, `stepSimulation(dt, maxSubSteps, 1 / rate)`; "
+      "it costs in proportion.";
+  return sweep;
+}
+
+Sweep press() {
+  Sweep sweep;
+  sweep.name = "press";
+  sweep.title = "27 boxes of 1 kg, 3 x 3 x 3, under a plate";
+  sweep.axis = "mass of the plate over that of a box";
+  sweep.law = "nothing drifts more than 1 cm";
+  sweep.allowed = 0.01;
+  sweep.values = decades(0, 9);
+  sweep.build = [](double mass) {
+    constexpr double spacing = 1.02;
+    auto world = std::make_unique<World>();
+    addGround(*world);
+    for (int y = 0; y < 3; ++y)
+      for (int x = -1; x <= 1; ++x)
+        for (int z = -1; z <= 1; ++z)
+          addBox(*world, unitBox, 1, at(spacing * x, unitHalf + y, spacing * z));
+    addBox(*world, vec3(2, 0.25, 2), btScalar(mass), at(0, 3.25, 0));
+    Trial trial{std::move(world), 120, 1.0 / 60, {}};
+    trial.error = driftFrom(*trial.world);
+    return trial;
+  };
+  return sweep;
+}
+
+/// Spun about the vertical on the ground, with moments of inertia that no box has.
+Sweep anisotropy() {
+  Sweep sweep;
+  sweep.name = "inertia";
+  sweep.title = "tilted box spinning at 6 rad/s on the ground, one moment of inertia smaller";
+  sweep.axis = "largest over smallest moment of inertia";
+  sweep.law = "no more than 1 % of its energy is gained";
+  sweep.allowed = 0.01;
+  sweep.values = decades(0, 6);
+  sweep.build = [](double ratio) {
+    auto world = std::make_unique<World>();
+    addGround(*world);
+    // On one edge, so that it falls over while it spins.
+    const double tilt = 0.3;
+    const double height = unitHalf * (std::sin(tilt) + std::cos(tilt));
+    btRigidBody& body = addBox(*world, unitBox, 1, btTransform(aboutZ(tilt), vec3(0, height, 0)));
+    body.setMassProps(1, vec3(1.0 / 6, 1.0 / 6, 1.0 / 6 / ratio));
+    body.updateInertiaTensor();
+    body.setAngularVelocity(vec3(0, 6, 0));
+    Trial trial{std::move(world), 180, 1.0 / 60, {}};
+    trial.error =
+        energyGainedFrom(*trial.world, kineticEnergy(*trial.world) + potentialEnergy(*trial.world));
+    return trial;
+  };
+  return sweep;
+}
+
+}  // namespace
+
+SweepGroup massSweeps() {
+  return {"masses",
+          "Mass ratio",
+          {heavyTop(10, 300), heavyTop(40, 120), chain(20), chain(100), chainRates(), press(),
+           anisotropy()}};
+}
+
+}  // namespace demos::report::stability

@@ -1,0 +1,213 @@
+#include "demos/report/stability/page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "demos/report/csv.h"
+#include "demos/report/machine.h"
+#include "demos/report/markdown.h"
+#include "demos/report/stability/strips.h"
+#include "demos/table.h"
+
+namespace demos::report::stability {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What one solver in one precision did in a sweep.
+struct Track {
+  std::string method, precision;
+  std::vector<double> values;
+  std::vector<Verdict> verdicts;
+  std::vector<std::map<std::string, double>> numbers;  ///< a map for each value
+};
+
+const std::vector<std::string> shown{"steps",        "steps_wanted", "worst_error", "residual_max",
+                                     "motion_error", "energy_gain",  "ms",          "out_of_budget",
+                                     "incompatible", "non_finite",   "left_out",    "fallbacks"};
+
+std::vector<Track> readTracks(const fs::path& out, const SweepGroup& group, const Sweep& sweep,
+                              const MapPlan& plan) {
+  std::vector<Track> tracks;
+  for (const Method& method : plan.methods)
+    for (const char* precision : precisions) {
+      const fs::path file = out / "stability" / precision / group.name / (sweep.name + ".csv");
+      if (!fs::exists(file)) continue;
+      const CsvTable table = CsvTable::read(file);
+      Track track{method.name, precision, {}, {}, {}};
+      for (int row = 0; row < table.rows(); ++row) {
+        if (table.text(row, "method") != method.name) continue;
+        track.values.push_back(table.number(row, "value"));
+        track.verdicts.push_back(verdictOf(table.text(row, "verdict")));
+        track.numbers.emplace_back();
+        for (const std::string& name : shown) track.numbers.back()[name] = table.number(row, name);
+      }
+      if (!track.values.empty()) tracks.push_back(track);
+    }
+  return tracks;
+}
+
+/// "a → b", or one of them where they read the same.
+std::string fromTo(const Track& track, const std::string& column) {
+  const auto word = [&](std::size_t i) {
+    const double value = track.numbers[i].at(column);
+    return std::isfinite(value) ? shortNumber(value, 2) : std::string("–");
+  };
+  const std::string first = word(0), last = word(track.numbers.size() - 1);
+  return first == last ? first : first + " → " + last;
+}
+
+/// What was reported where a track holds no more, or last of all where it holds throughout.
+std::string saidPastLimit(const Track& track) {
+  std::size_t at = track.verdicts.size();
+  for (std::size_t i = 0; i < track.verdicts.size() && at == track.verdicts.size(); ++i)
+    if (!holds(track.verdicts[i])) at = i;
+  if (at == track.verdicts.size()) return "";
+  const auto& numbers = track.numbers[at];
+  std::string said;
+  for (const auto& [column, words] :
+       std::vector<std::pair<std::string, std::string>>{{"out_of_budget", "out of budget"},
+                                                        {"incompatible", "incompatible"},
+                                                        {"non_finite", "not finite"},
+                                                        {"left_out", "left out"},
+                                                        {"fallbacks", "gave up"}}) {
+    if (!(numbers.at(column) > 0)) continue;
+    said += (said.empty() ? "" : ", ") + words + " in " + shortNumber(numbers.at(column), 6);
+  }
+  const std::string head = toString(track.verdicts[at]) + " at " + shortNumber(track.values[at], 2);
+  if (track.verdicts[at] == Verdict::TooSlow || track.verdicts[at] == Verdict::Crashes) return head;
+  return head + (said.empty() ? ": nothing reported" : ": " + said) + " of " +
+         shortNumber(numbers.at("steps"), 6) + " steps";
+}
+
+std::string detailOf(const std::vector<Track>& tracks) {
+  MarkdownTable table({"solver", "holds", "worst error", "residual m/s", "motion error",
+                       "energy gained J", "ms a step", "first failure"});
+  for (const Track& track : tracks)
+    table.add({code(track.method) + " " + track.precision, rangeOf(track.values, track.verdicts),
+               fromTo(track, "worst_error"), fromTo(track, "residual_max"),
+               fromTo(track, "motion_error"), fromTo(track, "energy_gain"), fromTo(track, "ms"),
+               saidPastLimit(track)});
+  return table.text();
+}
+
+StripPanel panelOf(const Sweep& sweep, const std::vector<Track>& tracks) {
+  StripPanel panel;
+  panel.title = sweep.title;
+  panel.axis = sweep.axis;
+  panel.limit = sweep.limit;
+  for (const Track& track : tracks) {
+    if (track.values.size() > panel.values.size()) panel.values = track.values;
+    panel.strips.push_back({track.method + " " + track.precision, track.verdicts});
+  }
+  return panel;
+}
+
+/// A row for each sweep, a column for each solver and precision.
+class Overview {
+ public:
+  explicit Overview(const MapPlan& plan) {
+    for (const Method& method : plan.methods)
+      for (const char* precision : precisions) columns_.push_back({method.name, precision});
+    std::vector<std::string> heading{"what is made harder"};
+    for (const auto& [method, precision] : columns_)
+      heading.push_back(code(method) + " " + precision);
+    table_ = MarkdownTable(heading);
+  }
+
+  void add(const Sweep& sweep, const std::vector<Track>& tracks) {
+    std::vector<std::string> row{sweep.title + ": *" + sweep.axis + "*, " +
+                                 shortNumber(tracks[0].values.front(), 2) + " to " +
+                                 shortNumber(tracks[0].values.back(), 2)};
+    for (const auto& [method, precision] : columns_) {
+      std::string cell;
+      for (const Track& track : tracks)
+        if (track.method == method && track.precision == precision)
+          cell = rangeOf(track.values, track.verdicts);
+      row.push_back(method == "delassus" ? "**" + cell + "**" : cell);
+    }
+    table_.add(row);
+  }
+  std::string text() const { return table_.text(); }
+
+ private:
+  std::vector<std::pair<std::string, std::string>> columns_;
+  MarkdownTable table_{{}};
+};
+
+constexpr const char* legend =
+    "Each sweep makes one thing harder and leaves all else. A cell of the pictures is one run:\n\n"
+    "- **holds**: the law of the sweep is kept, nothing was reported;\n"
+    "- **holds, and says so** (o): the law is kept, and steps that ended above the tolerance were "
+    "reported\n  (out of budget, incompatible demands; a stock MLCP solver: given up);\n"
+    "- **fails, and says so** (!): the law is broken, and steps were reported;\n"
+    "- **fails** (x): the law is broken and nobody said a word. Stock's sweeps report nothing "
+    "ever. "
+    "Where ours is\n  red, the law of the step was kept and something else broke the motion: the "
+    "time "
+    "stepping, the narrow phase\n  or the rounding of poses; its residual stands beside it;\n"
+    "- **too slow** (t): it held until its time was up; **crashes** (#).\n\n"
+    "A dashed line is where the time stepping itself ends, whatever the solver. Tables give, from "
+    "the "
+    "first to the last\nvalue: the worst error, the largest natural residual of any step, the "
+    "error of "
+    "the motion of the first step\n(|v − v*|/|v_f − v*| in the metric of the masses, v* solved "
+    "twice to "
+    "1e-12), the energy gained, the median time of\n`solveGroup`. Times were taken with both cores "
+    "busy. What is lost is not followed to the end.\n\n";
+
+}  // namespace
+
+std::string rangeOf(const std::vector<double>& values, const std::vector<Verdict>& verdicts) {
+  std::size_t from = 0, length = 0;
+  for (std::size_t i = 0, run = 0; i < verdicts.size(); ++i) {
+    run = holds(verdicts[i]) ? run + 1 : 0;
+    if (run > length) {
+      length = run;
+      from = i + 1 - run;
+    }
+  }
+  if (length == 0) return "none";
+  if (length == values.size()) return "all";
+  const std::string first = shortNumber(values[from], 2),
+                    last = shortNumber(values[from + length - 1], 2);
+  if (length == 1) return "only " + first;
+  if (from == 0) return "to " + last;
+  if (from + length == values.size()) return "from " + first;
+  return first + " to " + last;
+}
+
+void writeMapPage(const fs::path& out, const std::string& command,
+                  const std::vector<SweepGroup>& groups, const MapPlan& plan, int missing) {
+  Overview overview(plan);
+  std::string body, trouble;
+  for (const SweepGroup& group : groups) {
+    std::vector<StripPanel> panels;
+    std::string details;
+    for (const Sweep& sweep : group.sweeps) {
+      const std::vector<Track> tracks = readTracks(out, group, sweep, plan);
+      if (tracks.empty()) continue;
+      overview.add(sweep, tracks);
+      panels.push_back(panelOf(sweep, tracks));
+      details += "### " + sweep.title + "\n\nHarder: " + sweep.axis + ". Law: " + sweep.law + ".";
+      details += (sweep.remark.empty() ? "" : " " + sweep.remark) + "\n\n" + detailOf(tracks);
+    }
+    if (panels.empty()) continue;
+    const std::string fault = drawStrips(group.title, panels, out / "stability", group.name);
+    if (!fault.empty()) trouble = fault + "\n\n";
+    body += "## " + group.title + "\n\n" +
+            picture("stability", group.name, group.title + ": what holds up to where") + details;
+  }
+  std::string page = "# Stiff and extreme: what holds up to where\n\n    " + command + "\n\n" +
+                     describeMachine() + '\n' + legend;
+  if (missing > 0)
+    page += "**Not complete**: " + std::to_string(missing) +
+            " sweeps are missing; the same command with `--resume` goes on.\n\n";
+  writeFile(out / "stability.md",
+            page + "## At a glance\n\nThe longest run of values over which the law holds.\n\n" +
+                overview.text() + trouble + body);
+}
+
+}  // namespace demos::report::stability

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "demos/report/stability/trial.h"
+
+namespace demos::report::stability {
+
+/// One row of cells: a solver in one precision, over all values of a sweep.
+struct Strip {
+  std::string label;
+  std::vector<Verdict> cells;
+};
+
+/// One sweep as strips over each other; all have a cell for each value.
+struct StripPanel {
+  std::string title, axis;
+  std::vector<double> values;  ///< from left to right
+  std::vector<Strip> strips;
+  double limit = 0;  ///< a line between the values around it; 0: none
+};
+
+/// Writes `name`.gp into the folder and has gnuplot draw `name`.svg and `name`.png from it, two panels beside each other under a
+/// legend. What is wrong, if anything, is returned as one line.
+std::string drawStrips(const std::string& title, const std::vector<StripPanel>& panels,
+                       const std::filesystem::path& folder, const std::string& name);
+
+/// The script alone.
+std::string stripsScript(const std::string& title, const std::vector<StripPanel>& panels,
+                         const std::string& name);
+
+/// Where between the middles of the cells, counted from 0, `limit` lies; values rise or fall.
+double placeAmong(const std::vector<double>& values, double limit);
+
+}  // namespace demos::report::stability

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "demos/scenes/world.h"
+
+namespace demos::report::stability {
+
+/// One world at one hardness.
+struct Trial {
+  std::unique_ptr<World> world;
+  int steps = 300;
+  double timeStep = 1.0 / 60;  ///< s
+  /// How wrong the world is now, in the unit of the law of its sweep; asked after each step, with the time since the start.
+  std::function<double(double time)> error;
+};
+
+/// One thing made harder and harder, all else as it was.
+struct Sweep {
+  std::string name;   ///< its file
+  std::string title;  ///< what stands or moves
+  std::string axis;   ///< what is made harder, and its unit
+  std::string law;    ///< what counts as holding, in words
+  double allowed;     ///< the error up to which it holds
+  std::vector<double> values;
+  std::function<Trial(double value)> build;
+  /// Where the time stepping itself ends, whatever the solver; 0: nowhere.
+  double limit = 0;
+  std::string remark;  ///< for the page, may be empty
+  /// No more steps are taken than in so many times the usual seconds of a trial.
+  double patience = 1;
+};
+
+/// Sweeps of one kind: a figure and a section of the page.
+struct SweepGroup {
+  std::string name, title;
+  std::vector<Sweep> sweeps;
+};
+
+SweepGroup massSweeps();
+SweepGroup unitSweeps();
+SweepGroup stiffnessSweeps();
+SweepGroup frictionSweeps();
+SweepGroup redundancySweeps();
+SweepGroup angleSweeps();
+SweepGroup speedSweeps();
+SweepGroup longRunSweeps();
+
+/// All of them, in the order of the page.
+std::vector<SweepGroup> allSweeps();
+
+/// 10^from, 10^(from + every), … 10^to.
+std::vector<double> decades(int from, int to, int every = 1);
+
+// --- Errors ------------------------------------------------------------------------------------------------------
+// Each may be asked as long as the world lives.
+
+/// Largest distance of a body from where it is now, m, over `unit`.
+std::function<double(double)> driftFrom(const World& world, double unit = 1);
+/// Energy gained since now, J, over `unit`.
+std::function<double(double)> energyGainedFrom(const World& world, double unit);
+/// How far joints are pulled apart, m, over `unit`.
+std::function<double(double)> jointsOf(const World& world, double unit = 1);
+/// The larger one of two errors.
+std::function<double(double)> worseOf(std::function<double(double)> a,
+                                      std::function<double(double)> b);
+
+}  // namespace demos::report::stability

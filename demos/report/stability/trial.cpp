@@ -1,0 +1,214 @@
+#include "demos/report/stability/trial.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "bullet_ext/btDelassusConstraintSolver.h"
+#include "demos/report/captured_step.h"
+#include "demos/report/child.h"
+#include "demos/report/step_problem.h"
+#include "demos/scenes/judge.h"
+#include "demos/scenes/measures.h"
+#include "demos/scenes/timed_solver.h"
+
+namespace demos::report::stability {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What a trial tells, in the order of its numbers.
+const std::vector<std::string> measured{
+    "steps",  "worst_error",   "residual_max", "motion_error", "energy_gain", "ms",
+    "solved", "out_of_budget", "incompatible", "non_finite",   "left_out",    "fallbacks"};
+enum Column {
+  Steps,
+  WorstError,
+  Residual,
+  MotionError,
+  EnergyGain,
+  Ms,
+  Solved,
+  OutOfBudget,
+  Incompatible,
+  NonFinite,
+  LeftOut,
+  Fallbacks
+};
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// The motion that takes place in the first step of a trial, found in a process apart; unknown if that fails.
+Certified certifyFirstStep(const Sweep& sweep, double value, double secondsLimit) {
+  const auto work = [&] {
+    Trial trial = sweep.build(value);
+    NamedSolver named("delassus");
+    const double cfm = trial.world->dynamics().getSolverInfo().m_globalCfm;
+    StepCapture capture(named.solver());
+    std::vector<double> numbers;
+    capture.beforeSolve = [&](const CapturedStep& step) {
+      const Certified truth = certify(StepProblem(step, cfm), secondsLimit);
+      if (!truth.known()) return;
+      numbers.push_back(truth.size);
+      for (const delassus::Vec6& velocity : truth.motion)
+        numbers.insert(numbers.end(), velocity.begin(), velocity.end());
+    };
+    trial.world->setSolver(capture);
+    trial.world->step(trial.timeStep);
+    trial.world->setSolver(named.solver());
+    return numbers;
+  };
+  const ApartResult apart = runApart(work, Limits{3 * secondsLimit + 2});
+  Certified truth;
+  truth.ending = apart.ending;
+  if (apart.numbers.empty()) return truth;
+  truth.size = apart.numbers[0];
+  for (std::size_t at = 1; at + 6 <= apart.numbers.size(); at += 6)
+    truth.motion.push_back(Eigen::Map<const delassus::Vec6>(&apart.numbers[at]));
+  return truth;
+}
+
+/// |v − v*|_M / |v_f − v*|_M of what `inner` makes of the first step.
+double firstStepError(Trial& trial, btConstraintSolver& inner, const Certified& truth, double cfm) {
+  double error = std::nan("");
+  std::optional<StepProblem> problem;
+  StepCapture capture(inner);
+  capture.beforeSolve = [&](const CapturedStep& step) { problem.emplace(step, cfm); };
+  capture.afterSolve = [&](const CapturedStep&) {
+    if (truth.known())
+      error = problem->distance(problem->currentMotion(), truth.motion) / truth.size;
+  };
+  trial.world->setSolver(capture);
+  trial.world->step(trial.timeStep);
+  trial.world->setSolver(inner);
+  return error;
+}
+
+/// The method alone with the world; work of the process apart.
+std::vector<double> live(const Sweep& sweep, double value, const Method& method,
+                         double secondsLimit, const Certified& truth) {
+  const Clock::time_point start = Clock::now();
+  Trial trial = sweep.build(value);
+  World& world = *trial.world;
+  NamedSolver named = method.build();
+  const btScalar cfm = world.dynamics().getSolverInfo().m_globalCfm;
+  named.configure(world.dynamics().getSolverInfo());
+  TimedSolver timed(named.solver());
+  JudgedSolver judged(timed, cfm);
+  const auto gained = energyGainedFrom(world, 1);
+
+  std::vector<double> numbers(measured.size(), 0), milliseconds;
+  const bool ours = named.delassus() != nullptr;
+  btConstraintSolver& solver = ours ? static_cast<btConstraintSolver&>(timed) : judged;
+  world.setSolver(solver);
+  for (int step = 0; step < trial.steps; ++step) {
+    if (step == 0)
+      numbers[MotionError] = firstStepError(trial, solver, truth, cfm);
+    else
+      world.step(trial.timeStep);
+    milliseconds.push_back(1e3 * timed.takeSeconds());
+
+    numbers[Steps] += 1;
+    const double error = trial.error((step + 1) * trial.timeStep);
+    // An error that is no number is as large as can be.
+    numbers[WorstError] = std::max(numbers[WorstError], std::isnan(error) ? INFINITY : error);
+    numbers[EnergyGain] = std::max(numbers[EnergyGain], gained(0));
+    if (ours) {
+      const delassus::StepReport& report = named.delassus()->report();
+      numbers[Residual] = std::max(numbers[Residual], report.residualMax);
+      // Steps, not islands: what share of the time something was reported.
+      const bool said = report.outOfBudget + report.incompatible + report.nonFinite > 0;
+      numbers[Solved] += !said;
+      numbers[OutOfBudget] += report.outOfBudget > 0;
+      numbers[Incompatible] += report.incompatible > 0;
+      numbers[NonFinite] += report.nonFinite > 0;
+      numbers[LeftOut] += report.leftOut > 0;
+    } else {
+      numbers[Residual] = std::max(numbers[Residual], judged.takeVerdict().max);
+    }
+    // What is lost does not come back, and may take very long.
+    if (!(numbers[WorstError] <= 10 * sweep.allowed) || secondsSince(start) > secondsLimit) break;
+  }
+  world.setSolver(named.solver());
+  numbers[Fallbacks] = named.fallbacks();
+  std::nth_element(milliseconds.begin(),
+                   milliseconds.begin() + std::ptrdiff_t(milliseconds.size() / 2),
+                   milliseconds.end());
+  numbers[Ms] = milliseconds[milliseconds.size() / 2];
+  return numbers;
+}
+
+Verdict judge(const Sweep& sweep, int stepsWanted, const ApartResult& run) {
+  if (run.ending != Ending::Done) return Verdict::Crashes;
+  const std::vector<double>& n = run.numbers;
+  const bool said = n[OutOfBudget] + n[Incompatible] + n[NonFinite] + n[LeftOut] + n[Fallbacks] > 0;
+  if (!(n[WorstError] <= sweep.allowed)) return said ? Verdict::FailsAndSays : Verdict::Fails;
+  if (n[Steps] < stepsWanted) return Verdict::TooSlow;
+  return said ? Verdict::HoldsAndSays : Verdict::Holds;
+}
+
+const std::vector<std::pair<Verdict, std::string>> verdictWords{
+    {Verdict::Holds, "holds"},
+    {Verdict::HoldsAndSays, "holds, and says so"},
+    {Verdict::FailsAndSays, "fails, and says so"},
+    {Verdict::Fails, "fails"},
+    {Verdict::TooSlow, "too slow"},
+    {Verdict::Crashes, "crashes"}};
+
+}  // namespace
+
+std::string toString(Verdict verdict) {
+  for (const auto& [known, word] : verdictWords)
+    if (known == verdict) return word;
+  return "";
+}
+
+Verdict verdictOf(const std::string& word) {
+  for (const auto& [verdict, known] : verdictWords)
+    if (known == word) return verdict;
+  throw std::runtime_error("there is no verdict '" + word + "'");
+}
+
+bool holds(Verdict verdict) {
+  return verdict == Verdict::Holds || verdict == Verdict::HoldsAndSays;
+}
+
+std::vector<double> valuesOf(const Sweep& sweep, const MapPlan& plan) {
+  if (!plan.quick) return sweep.values;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < sweep.values.size(); i += 3) values.push_back(sweep.values[i]);
+  return values;
+}
+
+CsvTable measureSweep(const Sweep& sweep, const MapPlan& plan, const Progress& progress) {
+  std::vector<std::string> columns{"value", "method", "verdict", "allowed", "steps_wanted"};
+  columns.insert(columns.end(), measured.begin(), measured.end());
+  CsvTable table(columns);
+  const std::vector<double> values = valuesOf(sweep, plan);
+  const double limit = plan.secondsLimit * (plan.quick ? 1 : sweep.patience);
+  double done = 0;
+  for (const double value : values) {
+    const Certified truth = certifyFirstStep(sweep, value, plan.certificateLimit);
+    const int stepsWanted = sweep.build(value).steps;
+    for (const Method& method : plan.methods) {
+      // A run ends itself at its limit; only one step that never ends is ended from outside.
+      ApartResult run =
+          runApart([&] { return live(sweep, value, method, limit, truth); }, Limits{3 * limit + 2});
+      const Verdict verdict = judge(sweep, stepsWanted, run);
+      run.numbers.resize(measured.size(), std::nan(""));
+      std::vector<std::string> row{csvNumber(value), method.name, toString(verdict),
+                                   csvNumber(sweep.allowed), std::to_string(stepsWanted)};
+      for (const double number : run.numbers) row.push_back(csvNumber(number));
+      table.add(row);
+      progress(++done / double(values.size() * plan.methods.size()));
+    }
+  }
+  return table;
+}
+
+}  // namespace demos::report::stability

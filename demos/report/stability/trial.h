@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+
+#include "demos/report/csv.h"
+#include "demos/report/methods.h"
+#include "demos/report/settings.h"
+#include "demos/report/stability/sweep.h"
+
+namespace demos::report::stability {
+
+/// How a solver fared in one trial.
+enum class Verdict {
+  Holds,         ///< the law holds, and the solver reported nothing
+  HoldsAndSays,  ///< the law holds; some steps ended above the tolerance, and that was reported
+  FailsAndSays,  ///< the law is broken, and some steps were reported
+  Fails,  ///< the law is broken in silence: by the solver, or by the time stepping and the narrow phase
+  TooSlow,  ///< held until its time was up
+  Crashes,  ///< or did not come back from one step
+};
+std::string toString(Verdict verdict);
+Verdict verdictOf(const std::string& word);
+bool holds(Verdict verdict);
+
+/// How much is done.
+struct MapPlan {
+  std::vector<Method> methods;
+  double secondsLimit;      ///< of a trial, wall clock, times the patience of its sweep
+  double certificateLimit;  ///< of one solve of the motion that takes place, s
+  bool quick = false;
+};
+
+/// All methods at all values of a sweep, each trial in a process of its own.
+CsvTable measureSweep(const Sweep& sweep, const MapPlan& plan, const Progress& progress);
+
+/// The values that are tried: all, or in a quick map every second one.
+std::vector<double> valuesOf(const Sweep& sweep, const MapPlan& plan);
+
+}  // namespace demos::report::stability
