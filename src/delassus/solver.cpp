@@ -112,6 +112,9 @@ struct Solver::Workspace {
   /// Measures it, and takes it as the best answer if its residual is smaller.
   void consider(const Problem& problem, Solution& candidate, Solution& best);
 
+  /// Puts the answer of a walk back into the cones and bounds that rounding, or a compromise, left.
+  void allow(const Problem& problem, Solution& best);
+
   /// `guess`: reactions to start from, or null.
   template <class Motion>
   Outcome search(Engines<Motion>& engines, const Problem& problem, const Options& options,
@@ -161,6 +164,11 @@ void Solver::Workspace::take(const Solution& candidate, Solution& best) {
   best.u = candidate.u;
   best.residual = candidate.residual;
   best.residualRms = candidate.residualRms;
+}
+
+void Solver::Workspace::allow(const Problem& problem, Solution& best) {
+  makeFeasible(problem, best.r);
+  measure(problem, best);
 }
 
 /// Rows alone are the paper's own ground: regions of any W, symmetric or not.
@@ -395,20 +403,23 @@ void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best
     outcome = problem.W.inBodySpace()
                   ? w.search(w.bodies, problem, options_, tolerance, start, best)
                   : w.search(w.factored, problem, options_, tolerance, start, best);
-    best.residualRms = w.map.residual(best.r, best.u).rms;
+    w.allow(problem, best);
   } else if (best.residual > aim && best.tier == Tier::Free) {
     best.tier = Tier::Walk;
     if (problem.W.inBodySpace())
       w.polish(w.bodies, problem, options_, aim, best);
     else
       w.polish(w.factored, problem, options_, aim, best);
-    best.residualRms = w.map.residual(best.r, best.u).rms;
+    w.allow(problem, best);
   }
 
+  // A compromise that misses no demand by more than the tolerance is none.
   const double attainable = std::max(tolerance, w.map.roundOff(best.r));
-  best.status = outcome == Outcome::Incompatible ? Status::Incompatible
-                : best.residual <= attainable    ? Status::Solved
-                                                 : Status::OutOfBudget;
+  best.status = best.residual <= tolerance         ? Status::Solved
+                : outcome == Outcome::Incompatible ? Status::Incompatible
+                : best.residual <= attainable      ? Status::Solved
+                                                   : Status::OutOfBudget;
+  if (best.status == Status::Solved) best.blamed.clear();
   if (best.status == Status::OutOfBudget) best.blamed = {w.map.residual(best.r, best.u).worst};
   readActiveSet(problem, w.map.diagonal(), best.r, best.u, best.activeSet);
 }
