@@ -138,6 +138,39 @@ TEST_F(Report, findsTheOrderOfTheIntegrator) {
   }
 }
 
+// Wedges down to where rounding ends them: both precisions, stock beside ours.
+TEST_F(Report, mapsWhatHoldsUpToWhere) {
+  ASSERT_EQ(report("--stability --parts angles"), 0) << read(said());
+  const auto rows = rowsOf(out() / "stability" / "double" / "angles" / "opposite.csv");
+  ASSERT_FALSE(rows.empty());
+  for (auto row : rows) {
+    const double angle = std::stod(row["value"]);
+    if (row["method"] == "delassus:1e-8" && angle > 1e-5) {
+      EXPECT_EQ(row["verdict"], "holds") << angle;
+      EXPECT_LT(std::stod(row["worst_error"]), std::stod(row["allowed"])) << angle;
+    } else if (row["method"] == "si:10" && angle < 1e-2) {
+      EXPECT_EQ(row["verdict"], "fails") << angle;
+    }
+  }
+  const std::string page = read(out() / "stability.md");
+  for (const char* words : {"delassus report --stability --quick", "At a glance",
+                            "half angle of the wedge", "delassus:1e-8", "si:10"})
+    EXPECT_NE(page.find(words), std::string::npos) << words;
+}
+
+TEST_F(Report, mapGoesOnWhereItWasInterrupted) {
+  const std::string what = "--stability --one-precision --parts angles";
+  ASSERT_EQ(report(what), 0) << read(said());
+  const fs::path folder = out() / "stability" / "double" / "angles";
+  const std::string kept = read(folder / "opposite.csv");
+  fs::remove(folder / "parallel.csv");
+  ASSERT_EQ(report(what + " --resume"), 0) << read(said());
+  EXPECT_EQ(read(folder / "opposite.csv"), kept);
+  EXPECT_TRUE(fs::exists(folder / "parallel.csv"));
+  EXPECT_EQ(report("--stability --parts nonsense"), 1);
+  EXPECT_NE(read(said()).find("long_runs"), std::string::npos) << read(said());
+}
+
 // One economy at a time: more work, the same motion.
 TEST_F(Report, tellsWhatEachEconomyIsWorth) {
   ASSERT_EQ(report("--scenes stack_10,ball_off_ball --parts ablation"), 0) << read(said());

@@ -34,6 +34,9 @@ Sweep nearlyOpposite() {
     const double c = std::cos(angle), s = std::sin(angle);
     return between(vec3(c, s, 0), vec3(-c, s, 0), vec3(0, -beadForce, 0));
   };
+  sweep.remark =
+      "At 1e-7 rad W has a condition of 1e14: the demands of the two planes cannot be told from "
+      "contradicting ones, and are reported as such.";
   return sweep;
 }
 
@@ -68,6 +71,10 @@ Sweep roughWedge() {
     const double c = std::cos(0.1), s = std::sin(0.1);
     return between(vec3(c, s, 0), vec3(-c, s, 0), vec3(0, -press, 0), 0.5);
   };
+  sweep.remark =
+      "The tolerance of `delassus` is relative, 1e-8 of the largest demand, which is press h/m: "
+      "1e9 N on "
+      "1 kg ask for 1.6e7 m/s, and cm/s are left.";
   return sweep;
 }
 

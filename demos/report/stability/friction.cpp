@@ -30,8 +30,10 @@ Sweep slidingPlate() {
   sweep.name = "sliding";
   sweep.title = "flat plate sliding askew on the ground at 4 m/s";
   sweep.axis = "coefficient of friction";
-  sweep.law = "its way is that of Coulomb's law, step by step, to 1 cm";
-  sweep.allowed = 0.01;
+  sweep.law =
+      "its way is that of Coulomb's law, step by step, to 1 cm or to what friction does in two "
+      "steps, 2 μ g h²";
+  sweep.allowed = 1;
   sweep.values = {0, 1e-6, 1e-3, 0.01, 0.1, 0.5, 1, 2, 5, 10};
   sweep.build = [](double mu) {
     constexpr double speed = 4, heading = 0.5, timeStep = 1.0 / 60;
@@ -42,9 +44,11 @@ Sweep slidingPlate() {
     Trial trial{std::move(world), 180, timeStep, {}};
     trial.error = [&plate, mu](double time) {
       const double way = slidingWay(speed, mu, time, timeStep);
+      const double tolerance = std::max(0.01, 2 * mu * gravity * timeStep * timeStep);
       const btVector3& p = plate.getWorldTransform().getOrigin();
       return std::hypot(double(p.x()) - way * std::cos(heading),
-                        double(p.z()) - way * std::sin(heading));
+                        double(p.z()) - way * std::sin(heading)) /
+             tolerance;
     };
     return trial;
   };
@@ -124,7 +128,9 @@ Sweep archAtItsLimit() {
     return trial;
   };
   sweep.remark =
-      "The least thickness is that of statics: a line of thrust that touches both edges.";
+      "The least thickness is that of statics: a line of thrust that touches both edges. Settling "
+      "opens the "
+      "joints by millimetres, which a margin of 1 % does not bear.";
   return sweep;
 }
 

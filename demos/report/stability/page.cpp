@@ -138,25 +138,23 @@ class Overview {
 };
 
 constexpr const char* legend =
-    "Each sweep makes one thing harder and leaves all else. A cell of the pictures is one run:\n\n"
-    "- **holds**: the law of the sweep is kept, nothing was reported;\n"
-    "- **holds, and says so** (o): the law is kept, and steps that ended above the tolerance were "
-    "reported\n  (out of budget, incompatible demands; a stock MLCP solver: given up);\n"
-    "- **fails, and says so** (!): the law is broken, and steps were reported;\n"
-    "- **fails** (x): the law is broken and nobody said a word. Stock's sweeps report nothing "
-    "ever. "
-    "Where ours is\n  red, the law of the step was kept and something else broke the motion: the "
-    "time "
-    "stepping, the narrow phase\n  or the rounding of poses; its residual stands beside it;\n"
-    "- **too slow** (t): it held until its time was up; **crashes** (#).\n\n"
-    "A dashed line is where the time stepping itself ends, whatever the solver. Tables give, from "
-    "the "
-    "first to the last\nvalue: the worst error, the largest natural residual of any step, the "
-    "error of "
-    "the motion of the first step\n(|v − v*|/|v_f − v*| in the metric of the masses, v* solved "
-    "twice to "
-    "1e-12), the energy gained, the median time of\n`solveGroup`. Times were taken with both cores "
-    "busy. What is lost is not followed to the end.\n\n";
+    R"(Each sweep makes one thing harder and leaves all else. A cell of the pictures is one run:
+
+- **holds**: the law of the sweep is kept, nothing was reported;
+- **holds and says so** (o): the law is kept; steps that ended above the tolerance were reported (out of budget,
+  incompatible demands; a stock MLCP solver: given up);
+- **fails and says so** (!): the law is broken, and steps were reported;
+- **fails** (x): the law is broken and nobody said a word. Stock's sweeps never report anything. Where ours is red, the
+  law of the step was kept to its tolerance and something else broke the motion: the time stepping, the narrow phase or
+  the rounding of poses. Its residual stands in the table, the cause above it;
+- **too slow** (t): it held until its time was up; **crashes** (#): or did not come back from one step.
+
+A dashed line is where the time stepping itself ends, whatever the solver. Tables give, from the first to the last
+value: the worst error, the largest natural residual of any step, the error of the motion of the first step
+(|v − v*|/|v_f − v*| in the metric of the masses, v* solved twice to 1e-12), the energy gained, the median time of
+`solveGroup`. Times were taken with both cores busy. What is lost is not followed to the end.
+
+)";
 
 }  // namespace
 
@@ -169,14 +167,17 @@ std::string rangeOf(const std::vector<double>& values, const std::vector<Verdict
       from = i + 1 - run;
     }
   }
-  if (length == 0) return "none";
+  if (length == 0) return verdicts.front() == Verdict::TooSlow ? "too slow to tell" : "none";
   if (length == values.size()) return "all";
+  const std::size_t next = from + length;
+  const std::string then =
+      next < verdicts.size() && verdicts[next] == Verdict::TooSlow ? ", then too slow" : "";
   const std::string first = shortNumber(values[from], 2),
                     last = shortNumber(values[from + length - 1], 2);
-  if (length == 1) return "only " + first;
-  if (from == 0) return "to " + last;
-  if (from + length == values.size()) return "from " + first;
-  return first + " to " + last;
+  if (length == 1) return "only " + first + then;
+  if (from == 0) return "to " + last + then;
+  if (next == values.size()) return "from " + first;
+  return first + " to " + last + then;
 }
 
 void writeMapPage(const fs::path& out, const std::string& command,

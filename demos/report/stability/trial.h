@@ -25,7 +25,7 @@ bool holds(Verdict verdict);
 /// How much is done.
 struct MapPlan {
   std::vector<Method> methods;
-  double secondsLimit;      ///< of a trial, wall clock, times the patience of its sweep
+  double secondsLimit;      ///< of a trial, of the processor, times the patience of its sweep
   double certificateLimit;  ///< of one solve of the motion that takes place, s
   bool quick = false;
 };

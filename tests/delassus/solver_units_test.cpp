@@ -1,0 +1,61 @@
+// Units change, regions do not: lengths times 2^a and masses times 2^b, the time as it was, give the same bits.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "delassus/solver.h"
+#include "tests/support/random_piles.h"
+
+namespace delassus::testing {
+namespace {
+
+Pile inOtherUnits(Pile pile, int lengths, int masses) {
+  const double m = std::ldexp(1, lengths), perKg = std::ldexp(1, -masses);
+  for (Body& body : pile.bodies) {
+    body.inverseMass *= perKg;
+    body.inverseInertia *= perKg / (m * m);
+    body.velocity.head<3>() *= m;
+  }
+  for (Contact& contact : pile.contacts) {
+    contact.armA *= m;
+    contact.armB *= m;
+    contact.target *= m;
+    contact.compliance *= perKg;
+    contact.slipCompliance *= perKg;
+  }
+  return pile;
+}
+
+/// Powers of four for masses: their roots are exact too.
+void expectSameBits(const Pile& pile, int lengths, int masses) {
+  const PileIsland own(pile), other(inOtherUnits(pile, lengths, masses));
+  const Solution a = solve(own.problem), b = solve(other.problem);
+  SCOPED_TRACE("lengths 2^" + std::to_string(lengths) + ", masses 2^" + std::to_string(masses));
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.regions, b.regions);
+  EXPECT_EQ(std::ldexp(a.residual, lengths), b.residual);
+  EXPECT_TRUE(VectorXd(a.r * std::ldexp(1, lengths + masses)) == b.r)
+      << (a.r * std::ldexp(1, lengths + masses) - b.r).cwiseAbs().maxCoeff();
+  EXPECT_EQ(a.activeSet.contacts, b.activeSet.contacts);
+}
+
+TEST(Units, towersAnswerInTheSameBits) {
+  Random random(1);
+  for (int round = 0; round < 10; ++round) {
+    Pile tower = makeTower(randomMasses(6, 1e3, random), 0.5, 0.3, random);
+    mixFriction(tower, 1, random);
+    for (const auto& [lengths, masses] : {std::pair(13, 0), {-13, 0}, {0, 20}, {0, -20}, {-7, 30}})
+      expectSameBits(tower, lengths, masses);
+  }
+}
+
+TEST(Units, pyramidsAnswerInTheSameBits) {
+  Random random(2);
+  for (int round = 0; round < 3; ++round)
+    for (const auto& [lengths, masses] : {std::pair(13, -20), {-13, 30}})
+      expectSameBits(makePyramid(3, 0.5, 0.2, 10, random), lengths, masses);
+}
+
+}  // namespace
+}  // namespace delassus::testing
