@@ -267,7 +267,8 @@ Outcome ProximalNewton<Motion>::walkFromRegion(const Problem& problem, double to
 /// The motion is then the compromise, nearest to the demands in least squares, weighted by the W_aa. Contacts with friction
 /// and disks have no part in it: what is squeezed may slip out, u_n = −μ |u_t| being no demand at all.
 template <class Motion>
-bool ProximalNewton<Motion>::growsInVain(const Problem& problem, double residual) const {
+bool ProximalNewton<Motion>::growsInVain(const Problem& problem, double tolerance,
+                                         double residual) const {
   const VectorXd d = r_ - center_;
   const int frictional = 3 * problem.contacts(), plainRows = problem.disksBegin() - frictional;
   VectorXd open = d.cwiseQuotient(l_);
@@ -278,7 +279,9 @@ bool ProximalNewton<Motion>::growsInVain(const Problem& problem, double residual
   VectorXd y, moved;
   motion_.impulse(d, y);
   motion_.relativeVelocity(y, moved);
-  return moved.cwiseAbs().maxCoeff() <= std::max(map_->roundOff(r_), 1e-6 * residual);
+  // Neither a tolerance beside which the residual is small nor the rounding of reactions that are large proves anything.
+  const double still = std::min(tolerance, map_->roundOff(r_));
+  return moved.cwiseAbs().maxCoeff() <= std::max(still, 1e-6 * residual);
 }
 
 /// Takes the part along d = r − center out of the reactions, and names those whose demands it was.
@@ -332,7 +335,8 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
     problem.W.multiply(r_, felt_, trialU_);
     trialU_ += problem.q;
     const double now = map_->residual(r_, trialU_).max;
-    if (now > std::max(0.5 * residual, tolerance) && alpha <= hardly && growsInVain(problem, now)) {
+    if (now > std::max(0.5 * residual, tolerance) && alpha <= hardly &&
+        growsInVain(problem, tolerance, now)) {
       compromise(problem, best);
       return Outcome::Incompatible;
     }

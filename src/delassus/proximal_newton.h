@@ -64,7 +64,7 @@ class ProximalNewton {
   /// From the reactions center_ with the natural residual `residual`.
   Outcome converge(const Problem& problem, double tolerance, double alpha, int regionBudget,
                    bool fromRegion, double residual, Solution& best);
-  bool growsInVain(const Problem& problem, double residual) const;
+  bool growsInVain(const Problem& problem, double tolerance, double residual) const;
   void compromise(const Problem& problem, Solution& best);
   void forgetFactor();
   const VectorXd& felt();

@@ -25,6 +25,15 @@ TEST(Stability, aTowerOfTwoHundredStandsSlow) {
   EXPECT_LT(driftIn(*run.world, 300, 1.0 / 60), byPrecision(1e-6, 1e-3));
 }
 
+// W has a condition of 1e12, and neither plane's demand contradicts the other's.
+TEST(Stability, aBallIsHeldInAWedgeOfAMicroradian) {
+  constexpr double angle = 1e-6;
+  const double c = std::cos(angle), s = std::sin(angle);
+  OnRegions run(buildBead({vec3(c, s, 0), vec3(-c, s, 0)}, vec3(0, -beadForce, 0)));
+  EXPECT_LT(driftIn(*run.world, 120, 1.0 / 60), 1e-4);
+  EXPECT_EQ(run.solver.report().solved, 1);
+}
+
 TEST(Stability, aStackStandsInStepsOfAMicrosecondSlow) {
   constexpr int steps = 1000;
   constexpr double timeStep = 1e-6, fall = 0.5 * 9.81 * steps * timeStep * steps * timeStep;

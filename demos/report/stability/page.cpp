@@ -76,7 +76,7 @@ std::string saidPastLimit(const Track& track) {
     if (!(numbers.at(column) > 0)) continue;
     said += (said.empty() ? "" : ", ") + words + " in " + shortNumber(numbers.at(column), 6);
   }
-  const std::string head = toString(track.verdicts[at]) + " at " + shortNumber(track.values[at], 2);
+  const std::string head = toString(track.verdicts[at]) + " at " + tic(track.values[at]);
   if (track.verdicts[at] == Verdict::TooSlow || track.verdicts[at] == Verdict::Crashes) return head;
   return head + (said.empty() ? ": nothing reported" : ": " + said) + " of " +
          shortNumber(numbers.at("steps"), 6) + " steps";
@@ -119,8 +119,8 @@ class Overview {
 
   void add(const Sweep& sweep, const std::vector<Track>& tracks) {
     std::vector<std::string> row{sweep.title + ": *" + sweep.axis + "*, " +
-                                 shortNumber(tracks[0].values.front(), 2) + " to " +
-                                 shortNumber(tracks[0].values.back(), 2)};
+                                 tic(tracks[0].values.front()) + " to " +
+                                 tic(tracks[0].values.back())};
     for (const auto& [method, precision] : columns_) {
       std::string cell;
       for (const Track& track : tracks)
@@ -147,7 +147,7 @@ constexpr const char* legend =
 - **fails** (x): the law is broken and nobody said a word. Stock's sweeps never report anything. Where ours is red, the
   law of the step was kept to its tolerance and something else broke the motion: the time stepping, the narrow phase or
   the rounding of poses. Its residual stands in the table, the cause above it;
-- **too slow** (t): it held until its time was up; **crashes** (#): or did not come back from one step.
+- **too slow** (t): it held until its time was up, or a step had no end; **crashes** (#): or asks for more than 6 GB.
 
 A dashed line is where the time stepping itself ends, whatever the solver. Tables give, from the first to the last
 value: the worst error, the largest natural residual of any step, the error of the motion of the first step
@@ -172,8 +172,7 @@ std::string rangeOf(const std::vector<double>& values, const std::vector<Verdict
   const std::size_t next = from + length;
   const std::string then =
       next < verdicts.size() && verdicts[next] == Verdict::TooSlow ? ", then too slow" : "";
-  const std::string first = shortNumber(values[from], 2),
-                    last = shortNumber(values[from + length - 1], 2);
+  const std::string first = tic(values[from]), last = tic(values[from + length - 1]);
   if (length == 1) return "only " + first + then;
   if (from == 0) return "to " + last + then;
   if (next == values.size()) return "from " + first;

@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "demos/report/figure.h"
-#include "demos/table.h"
 
 namespace demos::report::stability {
 
@@ -98,9 +97,10 @@ void addPanel(Script& script, const StripPanel& panel, double left, double top) 
     }
   }
   const double bottom = first + stripHeight * double(panel.strips.size());
-  for (std::size_t i = 0; i < panel.values.size(); ++i)
-    script.label(from + (double(i) + 0.5) * cell, bottom + 10, shortNumber(panel.values[i], 2),
-                 "center", "#333333", 10);
+  const std::size_t every = panel.values.size() > 13 ? 2 : 1;  // as many as find room
+  for (std::size_t i = 0; i < panel.values.size(); i += every)
+    script.label(from + (double(i) + 0.5) * cell, bottom + 10, tic(panel.values[i]), "center",
+                 "#333333", 10);
   script.label(from + 0.5 * cell * double(panel.values.size()), bottom + 28, panel.axis, "center",
                "#333333", 11);
   if (panel.limit > 0)
@@ -108,6 +108,23 @@ void addPanel(Script& script, const StripPanel& panel, double left, double top) 
 }
 
 }  // namespace
+
+std::string tic(double value) {
+  const double size = std::abs(value);
+  char word[32];
+  if (size >= 1e-4 && size < 1e5) {
+    std::snprintf(word, sizeof word, "%.3g", value);
+    if (size < 1000) return word;
+    std::snprintf(word, sizeof word, "%.0f", value);
+    return word;
+  }
+  std::snprintf(word, sizeof word, "%.2g", value);
+  // 1e-06 and 1e+06: the zeros and the plus say nothing.
+  std::string text = word;
+  const std::size_t at = text.find('e');
+  if (at == std::string::npos) return text;
+  return text.substr(0, at + 1) + std::to_string(std::stoi(text.substr(at + 1)));
+}
 
 double placeAmong(const std::vector<double>& values, double limit) {
   const auto scaled = [](double value) { return std::log10(std::max(value, 1e-300)); };

@@ -31,6 +31,9 @@ std::string drawStrips(const std::string& title, const std::vector<StripPanel>& 
 std::string stripsScript(const std::string& title, const std::vector<StripPanel>& panels,
                          const std::string& name);
 
+/// A value as tics and tables show it: 0.0001, 240, 1e6, 1e-9.
+std::string tic(double value);
+
 /// Where between the middles of the cells, counted from 0, `limit` lies; values rise or fall.
 double placeAmong(const std::vector<double>& values, double limit);
 

@@ -142,7 +142,8 @@ std::vector<double> live(const Sweep& sweep, double value, const Method& method,
 }
 
 Verdict judge(const Sweep& sweep, int stepsWanted, const ApartResult& run) {
-  if (run.ending != Ending::Done) return Verdict::Crashes;
+  if (run.ending == Ending::Crashed) return Verdict::Crashes;
+  if (run.ending == Ending::TimeLimit) return Verdict::TooSlow;
   const std::vector<double>& n = run.numbers;
   const bool said = n[OutOfBudget] + n[Incompatible] + n[NonFinite] + n[LeftOut] + n[Fallbacks] > 0;
   if (!(n[WorstError] <= sweep.allowed)) return said ? Verdict::FailsAndSays : Verdict::Fails;

@@ -15,8 +15,8 @@ enum class Verdict {
   HoldsAndSays,  ///< the law holds; some steps ended above the tolerance, and that was reported
   FailsAndSays,  ///< the law is broken, and some steps were reported
   Fails,  ///< the law is broken in silence: by the solver, or by the time stepping and the narrow phase
-  TooSlow,  ///< held until its time was up
-  Crashes,  ///< or did not come back from one step
+  TooSlow,  ///< held until its time was up, or did not come back from a step
+  Crashes,  ///< or asks for more memory than there is
 };
 std::string toString(Verdict verdict);
 Verdict verdictOf(const std::string& word);
