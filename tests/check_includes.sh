@@ -29,8 +29,8 @@ check bullet_ext/**/*.{h,cpp} -- "$door"
 check demos/scenes/**/*.{h,cpp} -- "$scenes"
 check demos/render/**/*.{h,cpp} -- "$scenes|$pictures|\"demos/render/[a-z_]+\.h\""
 check demos/atlas/**/*.{h,cpp} -- "$scenes|$vectors|\"demos/atlas/[a-z_]+\.h\""
-check demos/report/**/*.{h,cpp} -- "$programs|\"demos/(report/)?[a-z_]+\.h\""
-check demos/*.{h,cpp} -- "$programs|\"demos/((render|atlas|report)/)?[a-z_]+\.h\""
+check demos/report/**/*.{h,cpp} -- "$programs|\"demos/(report/(stability/)?)?[a-z_]+\.h\""
+check demos/*.{h,cpp} -- "$programs|\"demos/((render|atlas|report|report/stability)/)?[a-z_]+\.h\""
 
 [ "$broken" -eq 0 ] || { echo "the includes above point the wrong way" >&2; exit 1; }
 echo "include direction kept"
