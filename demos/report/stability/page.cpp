@@ -167,7 +167,13 @@ std::string rangeOf(const std::vector<double>& values, const std::vector<Verdict
       from = i + 1 - run;
     }
   }
-  if (length == 0) return verdicts.front() == Verdict::TooSlow ? "too slow to tell" : "none";
+  if (length == 0) {
+    const bool all = std::count(verdicts.begin(), verdicts.end(), Verdict::TooSlow) ==
+                     std::ptrdiff_t(verdicts.size());
+    const bool any =
+        std::find(verdicts.begin(), verdicts.end(), Verdict::TooSlow) != verdicts.end();
+    return all ? "too slow to tell" : any ? "none, or too slow" : "none";
+  }
   if (length == values.size()) return "all";
   const std::size_t next = from + length;
   const std::string then =
