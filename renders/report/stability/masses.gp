@@ -562,12 +562,9 @@ set label "x" at screen 0.934297, screen 0.599606 center front noenhanced textco
 set object 286 rectangle from screen 0.952031, screen 0.589744 to screen 0.9875, screen 0.609467 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.969766, screen 0.599606 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:1000 double" at screen 0.626563, screen 0.579882 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 287 rectangle from screen 0.632812, screen 0.57002 to screen 0.668281, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.650547, screen 0.579882 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 288 rectangle from screen 0.668281, screen 0.57002 to screen 0.70375, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.686016, screen 0.579882 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 289 rectangle from screen 0.70375, screen 0.57002 to screen 0.739219, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.721484, screen 0.579882 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 287 rectangle from screen 0.632812, screen 0.57002 to screen 0.668281, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 288 rectangle from screen 0.668281, screen 0.57002 to screen 0.70375, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 289 rectangle from screen 0.70375, screen 0.57002 to screen 0.739219, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 290 rectangle from screen 0.739219, screen 0.57002 to screen 0.774687, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.756953, screen 0.579882 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 291 rectangle from screen 0.774687, screen 0.57002 to screen 0.810156, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -583,12 +580,9 @@ set label "x" at screen 0.934297, screen 0.579882 center front noenhanced textco
 set object 296 rectangle from screen 0.952031, screen 0.57002 to screen 0.9875, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.969766, screen 0.579882 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:1000 float" at screen 0.626563, screen 0.560158 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 297 rectangle from screen 0.632812, screen 0.550296 to screen 0.668281, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.650547, screen 0.560158 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 298 rectangle from screen 0.668281, screen 0.550296 to screen 0.70375, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.686016, screen 0.560158 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 299 rectangle from screen 0.70375, screen 0.550296 to screen 0.739219, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.721484, screen 0.560158 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 297 rectangle from screen 0.632812, screen 0.550296 to screen 0.668281, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 298 rectangle from screen 0.668281, screen 0.550296 to screen 0.70375, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 299 rectangle from screen 0.70375, screen 0.550296 to screen 0.739219, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 300 rectangle from screen 0.739219, screen 0.550296 to screen 0.774687, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.756953, screen 0.560158 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 301 rectangle from screen 0.774687, screen 0.550296 to screen 0.810156, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1

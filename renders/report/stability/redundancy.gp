@@ -177,19 +177,14 @@ set object 98 rectangle from screen 0.76582, screen 0.667897 to screen 0.810156,
 set object 99 rectangle from screen 0.810156, screen 0.667897 to screen 0.854492, screen 0.704797 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 100 rectangle from screen 0.854492, screen 0.667897 to screen 0.898828, screen 0.704797 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 101 rectangle from screen 0.898828, screen 0.667897 to screen 0.943164, screen 0.704797 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 102 rectangle from screen 0.943164, screen 0.667897 to screen 0.9875, screen 0.704797 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.965332, screen 0.686347 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 102 rectangle from screen 0.943164, screen 0.667897 to screen 0.9875, screen 0.704797 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:1000 double" at screen 0.626563, screen 0.649446 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 103 rectangle from screen 0.632812, screen 0.630996 to screen 0.677148, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 104 rectangle from screen 0.677148, screen 0.630996 to screen 0.721484, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 105 rectangle from screen 0.721484, screen 0.630996 to screen 0.76582, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.743652, screen 0.649446 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 106 rectangle from screen 0.76582, screen 0.630996 to screen 0.810156, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.787988, screen 0.649446 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 107 rectangle from screen 0.810156, screen 0.630996 to screen 0.854492, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.832324, screen 0.649446 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 108 rectangle from screen 0.854492, screen 0.630996 to screen 0.898828, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.87666, screen 0.649446 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 105 rectangle from screen 0.721484, screen 0.630996 to screen 0.76582, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 106 rectangle from screen 0.76582, screen 0.630996 to screen 0.810156, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 107 rectangle from screen 0.810156, screen 0.630996 to screen 0.854492, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 108 rectangle from screen 0.854492, screen 0.630996 to screen 0.898828, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 109 rectangle from screen 0.898828, screen 0.630996 to screen 0.943164, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.920996, screen 0.649446 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 110 rectangle from screen 0.943164, screen 0.630996 to screen 0.9875, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
@@ -197,14 +192,10 @@ set label "t" at screen 0.965332, screen 0.649446 center front noenhanced textco
 set label "si:1000 float" at screen 0.626563, screen 0.612546 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 111 rectangle from screen 0.632812, screen 0.594096 to screen 0.677148, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 112 rectangle from screen 0.677148, screen 0.594096 to screen 0.721484, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 113 rectangle from screen 0.721484, screen 0.594096 to screen 0.76582, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.743652, screen 0.612546 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 114 rectangle from screen 0.76582, screen 0.594096 to screen 0.810156, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.787988, screen 0.612546 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 115 rectangle from screen 0.810156, screen 0.594096 to screen 0.854492, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.832324, screen 0.612546 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 116 rectangle from screen 0.854492, screen 0.594096 to screen 0.898828, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.87666, screen 0.612546 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 113 rectangle from screen 0.721484, screen 0.594096 to screen 0.76582, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 114 rectangle from screen 0.76582, screen 0.594096 to screen 0.810156, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 115 rectangle from screen 0.810156, screen 0.594096 to screen 0.854492, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 116 rectangle from screen 0.854492, screen 0.594096 to screen 0.898828, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 117 rectangle from screen 0.898828, screen 0.594096 to screen 0.943164, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.920996, screen 0.612546 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 118 rectangle from screen 0.943164, screen 0.594096 to screen 0.9875, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
@@ -215,8 +206,7 @@ set object 120 rectangle from screen 0.677148, screen 0.557196 to screen 0.72148
 set object 121 rectangle from screen 0.721484, screen 0.557196 to screen 0.76582, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 122 rectangle from screen 0.76582, screen 0.557196 to screen 0.810156, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 123 rectangle from screen 0.810156, screen 0.557196 to screen 0.854492, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 124 rectangle from screen 0.854492, screen 0.557196 to screen 0.898828, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.87666, screen 0.575646 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 124 rectangle from screen 0.854492, screen 0.557196 to screen 0.898828, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 125 rectangle from screen 0.898828, screen 0.557196 to screen 0.943164, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.920996, screen 0.575646 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 126 rectangle from screen 0.943164, screen 0.557196 to screen 0.9875, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
@@ -227,8 +217,7 @@ set object 128 rectangle from screen 0.677148, screen 0.520295 to screen 0.72148
 set object 129 rectangle from screen 0.721484, screen 0.520295 to screen 0.76582, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 130 rectangle from screen 0.76582, screen 0.520295 to screen 0.810156, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 131 rectangle from screen 0.810156, screen 0.520295 to screen 0.854492, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 132 rectangle from screen 0.854492, screen 0.520295 to screen 0.898828, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.87666, screen 0.538745 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 132 rectangle from screen 0.854492, screen 0.520295 to screen 0.898828, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 133 rectangle from screen 0.898828, screen 0.520295 to screen 0.943164, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.920996, screen 0.538745 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 134 rectangle from screen 0.943164, screen 0.520295 to screen 0.9875, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
@@ -283,30 +272,20 @@ set label "si:1000 double" at screen 0.126562, screen 0.214022 right front noenh
 set object 167 rectangle from screen 0.132812, screen 0.195572 to screen 0.177148, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 168 rectangle from screen 0.177148, screen 0.195572 to screen 0.221484, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 169 rectangle from screen 0.221484, screen 0.195572 to screen 0.26582, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 170 rectangle from screen 0.26582, screen 0.195572 to screen 0.310156, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.287988, screen 0.214022 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 171 rectangle from screen 0.310156, screen 0.195572 to screen 0.354492, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.332324, screen 0.214022 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 172 rectangle from screen 0.354492, screen 0.195572 to screen 0.398828, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.37666, screen 0.214022 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 173 rectangle from screen 0.398828, screen 0.195572 to screen 0.443164, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.420996, screen 0.214022 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 174 rectangle from screen 0.443164, screen 0.195572 to screen 0.4875, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.465332, screen 0.214022 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 170 rectangle from screen 0.26582, screen 0.195572 to screen 0.310156, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 171 rectangle from screen 0.310156, screen 0.195572 to screen 0.354492, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 172 rectangle from screen 0.354492, screen 0.195572 to screen 0.398828, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 173 rectangle from screen 0.398828, screen 0.195572 to screen 0.443164, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 174 rectangle from screen 0.443164, screen 0.195572 to screen 0.4875, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:1000 float" at screen 0.126562, screen 0.177122 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 175 rectangle from screen 0.132812, screen 0.158672 to screen 0.177148, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 176 rectangle from screen 0.177148, screen 0.158672 to screen 0.221484, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 177 rectangle from screen 0.221484, screen 0.158672 to screen 0.26582, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 178 rectangle from screen 0.26582, screen 0.158672 to screen 0.310156, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.287988, screen 0.177122 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 179 rectangle from screen 0.310156, screen 0.158672 to screen 0.354492, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.332324, screen 0.177122 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 180 rectangle from screen 0.354492, screen 0.158672 to screen 0.398828, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.37666, screen 0.177122 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 181 rectangle from screen 0.398828, screen 0.158672 to screen 0.443164, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.420996, screen 0.177122 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 182 rectangle from screen 0.443164, screen 0.158672 to screen 0.4875, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.465332, screen 0.177122 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 178 rectangle from screen 0.26582, screen 0.158672 to screen 0.310156, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 179 rectangle from screen 0.310156, screen 0.158672 to screen 0.354492, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 180 rectangle from screen 0.354492, screen 0.158672 to screen 0.398828, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 181 rectangle from screen 0.398828, screen 0.158672 to screen 0.443164, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 182 rectangle from screen 0.443164, screen 0.158672 to screen 0.4875, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "dantzig:1e-6 double" at screen 0.126562, screen 0.140221 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 183 rectangle from screen 0.132812, screen 0.121771 to screen 0.177148, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 184 rectangle from screen 0.177148, screen 0.121771 to screen 0.221484, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -315,8 +294,7 @@ set object 186 rectangle from screen 0.26582, screen 0.121771 to screen 0.310156
 set object 187 rectangle from screen 0.310156, screen 0.121771 to screen 0.354492, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 188 rectangle from screen 0.354492, screen 0.121771 to screen 0.398828, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 189 rectangle from screen 0.398828, screen 0.121771 to screen 0.443164, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 190 rectangle from screen 0.443164, screen 0.121771 to screen 0.4875, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.465332, screen 0.140221 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 190 rectangle from screen 0.443164, screen 0.121771 to screen 0.4875, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "dantzig:1e-6 float" at screen 0.126562, screen 0.103321 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 191 rectangle from screen 0.132812, screen 0.0848708 to screen 0.177148, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 192 rectangle from screen 0.177148, screen 0.0848708 to screen 0.221484, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -325,8 +303,7 @@ set object 194 rectangle from screen 0.26582, screen 0.0848708 to screen 0.31015
 set object 195 rectangle from screen 0.310156, screen 0.0848708 to screen 0.354492, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 196 rectangle from screen 0.354492, screen 0.0848708 to screen 0.398828, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 197 rectangle from screen 0.398828, screen 0.0848708 to screen 0.443164, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 198 rectangle from screen 0.443164, screen 0.0848708 to screen 0.4875, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.465332, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 198 rectangle from screen 0.443164, screen 0.0848708 to screen 0.4875, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "4" at screen 0.15498, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "6" at screen 0.199316, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "8" at screen 0.243652, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)

@@ -127,8 +127,7 @@ set object 79 rectangle from screen 0.632812, screen 0.881657 to screen 0.691927
 set label "t" at screen 0.66237, screen 0.891519 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 80 rectangle from screen 0.691927, screen 0.881657 to screen 0.751042, screen 0.901381 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.721484, screen 0.891519 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 81 rectangle from screen 0.751042, screen 0.881657 to screen 0.810156, screen 0.901381 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.780599, screen 0.891519 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 81 rectangle from screen 0.751042, screen 0.881657 to screen 0.810156, screen 0.901381 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 82 rectangle from screen 0.810156, screen 0.881657 to screen 0.869271, screen 0.901381 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 83 rectangle from screen 0.869271, screen 0.881657 to screen 0.928385, screen 0.901381 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.898828, screen 0.891519 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
@@ -136,13 +135,13 @@ set object 84 rectangle from screen 0.928385, screen 0.881657 to screen 0.9875, 
 set label "delassus float" at screen 0.626563, screen 0.871795 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 85 rectangle from screen 0.632812, screen 0.861933 to screen 0.691927, screen 0.881657 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.66237, screen 0.871795 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 86 rectangle from screen 0.691927, screen 0.861933 to screen 0.751042, screen 0.881657 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.721484, screen 0.871795 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 87 rectangle from screen 0.751042, screen 0.861933 to screen 0.810156, screen 0.881657 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.780599, screen 0.871795 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 86 rectangle from screen 0.691927, screen 0.861933 to screen 0.751042, screen 0.881657 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.721484, screen 0.871795 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 87 rectangle from screen 0.751042, screen 0.861933 to screen 0.810156, screen 0.881657 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.780599, screen 0.871795 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 88 rectangle from screen 0.810156, screen 0.861933 to screen 0.869271, screen 0.881657 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 89 rectangle from screen 0.869271, screen 0.861933 to screen 0.928385, screen 0.881657 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.898828, screen 0.871795 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 89 rectangle from screen 0.869271, screen 0.861933 to screen 0.928385, screen 0.881657 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.898828, screen 0.871795 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 90 rectangle from screen 0.928385, screen 0.861933 to screen 0.9875, screen 0.881657 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.957943, screen 0.871795 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 double" at screen 0.626563, screen 0.852071 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
@@ -174,8 +173,7 @@ set object 112 rectangle from screen 0.810156, screen 0.783037 to screen 0.86927
 set object 113 rectangle from screen 0.869271, screen 0.783037 to screen 0.928385, screen 0.802761 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 114 rectangle from screen 0.928385, screen 0.783037 to screen 0.9875, screen 0.802761 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "dantzig:1e-6 double" at screen 0.626563, screen 0.773176 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 115 rectangle from screen 0.632812, screen 0.763314 to screen 0.691927, screen 0.783037 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.66237, screen 0.773176 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 115 rectangle from screen 0.632812, screen 0.763314 to screen 0.691927, screen 0.783037 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 116 rectangle from screen 0.691927, screen 0.763314 to screen 0.751042, screen 0.783037 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.721484, screen 0.773176 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 117 rectangle from screen 0.751042, screen 0.763314 to screen 0.810156, screen 0.783037 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
@@ -186,8 +184,7 @@ set object 119 rectangle from screen 0.869271, screen 0.763314 to screen 0.92838
 set object 120 rectangle from screen 0.928385, screen 0.763314 to screen 0.9875, screen 0.783037 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.957943, screen 0.773176 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "dantzig:1e-6 float" at screen 0.626563, screen 0.753452 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 121 rectangle from screen 0.632812, screen 0.74359 to screen 0.691927, screen 0.763314 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.66237, screen 0.753452 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 121 rectangle from screen 0.632812, screen 0.74359 to screen 0.691927, screen 0.763314 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 122 rectangle from screen 0.691927, screen 0.74359 to screen 0.751042, screen 0.763314 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.721484, screen 0.753452 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 123 rectangle from screen 0.751042, screen 0.74359 to screen 0.810156, screen 0.763314 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1

@@ -346,41 +346,25 @@ set label "x" at screen 0.467795, screen 0.599606 center front noenhanced textco
 set label "si:1000 double" at screen 0.126562, screen 0.579882 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 235 rectangle from screen 0.132812, screen 0.57002 to screen 0.172222, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.152517, screen 0.579882 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 236 rectangle from screen 0.172222, screen 0.57002 to screen 0.211632, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.191927, screen 0.579882 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 237 rectangle from screen 0.211632, screen 0.57002 to screen 0.251042, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.231337, screen 0.579882 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 238 rectangle from screen 0.251042, screen 0.57002 to screen 0.290451, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.270747, screen 0.579882 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 239 rectangle from screen 0.290451, screen 0.57002 to screen 0.329861, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.310156, screen 0.579882 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 240 rectangle from screen 0.329861, screen 0.57002 to screen 0.369271, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.349566, screen 0.579882 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 241 rectangle from screen 0.369271, screen 0.57002 to screen 0.408681, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.388976, screen 0.579882 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 242 rectangle from screen 0.408681, screen 0.57002 to screen 0.44809, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.428385, screen 0.579882 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 243 rectangle from screen 0.44809, screen 0.57002 to screen 0.4875, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.467795, screen 0.579882 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 236 rectangle from screen 0.172222, screen 0.57002 to screen 0.211632, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 237 rectangle from screen 0.211632, screen 0.57002 to screen 0.251042, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 238 rectangle from screen 0.251042, screen 0.57002 to screen 0.290451, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 239 rectangle from screen 0.290451, screen 0.57002 to screen 0.329861, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 240 rectangle from screen 0.329861, screen 0.57002 to screen 0.369271, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 241 rectangle from screen 0.369271, screen 0.57002 to screen 0.408681, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 242 rectangle from screen 0.408681, screen 0.57002 to screen 0.44809, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 243 rectangle from screen 0.44809, screen 0.57002 to screen 0.4875, screen 0.589744 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:1000 float" at screen 0.126562, screen 0.560158 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 244 rectangle from screen 0.132812, screen 0.550296 to screen 0.172222, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.152517, screen 0.560158 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 245 rectangle from screen 0.172222, screen 0.550296 to screen 0.211632, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.191927, screen 0.560158 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 246 rectangle from screen 0.211632, screen 0.550296 to screen 0.251042, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.231337, screen 0.560158 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 247 rectangle from screen 0.251042, screen 0.550296 to screen 0.290451, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.270747, screen 0.560158 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 248 rectangle from screen 0.290451, screen 0.550296 to screen 0.329861, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.310156, screen 0.560158 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 249 rectangle from screen 0.329861, screen 0.550296 to screen 0.369271, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.349566, screen 0.560158 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 250 rectangle from screen 0.369271, screen 0.550296 to screen 0.408681, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.388976, screen 0.560158 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 251 rectangle from screen 0.408681, screen 0.550296 to screen 0.44809, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.428385, screen 0.560158 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 252 rectangle from screen 0.44809, screen 0.550296 to screen 0.4875, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.467795, screen 0.560158 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 245 rectangle from screen 0.172222, screen 0.550296 to screen 0.211632, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 246 rectangle from screen 0.211632, screen 0.550296 to screen 0.251042, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 247 rectangle from screen 0.251042, screen 0.550296 to screen 0.290451, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 248 rectangle from screen 0.290451, screen 0.550296 to screen 0.329861, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 249 rectangle from screen 0.329861, screen 0.550296 to screen 0.369271, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 250 rectangle from screen 0.369271, screen 0.550296 to screen 0.408681, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 251 rectangle from screen 0.408681, screen 0.550296 to screen 0.44809, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 252 rectangle from screen 0.44809, screen 0.550296 to screen 0.4875, screen 0.57002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "dantzig:1e-6 double" at screen 0.126562, screen 0.540434 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 253 rectangle from screen 0.132812, screen 0.530572 to screen 0.172222, screen 0.550296 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 254 rectangle from screen 0.172222, screen 0.530572 to screen 0.211632, screen 0.550296 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -680,8 +664,7 @@ set object 487 rectangle from screen 0.632812, screen 0.317554 to screen 0.67714
 set object 488 rectangle from screen 0.677148, screen 0.317554 to screen 0.721484, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 489 rectangle from screen 0.721484, screen 0.317554 to screen 0.76582, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 490 rectangle from screen 0.76582, screen 0.317554 to screen 0.810156, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 491 rectangle from screen 0.810156, screen 0.317554 to screen 0.854492, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.832324, screen 0.327416 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 491 rectangle from screen 0.810156, screen 0.317554 to screen 0.854492, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 492 rectangle from screen 0.854492, screen 0.317554 to screen 0.898828, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 493 rectangle from screen 0.898828, screen 0.317554 to screen 0.943164, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 494 rectangle from screen 0.943164, screen 0.317554 to screen 0.9875, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
