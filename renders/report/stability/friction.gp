@@ -577,8 +577,8 @@ set object 351 rectangle from screen 0.132812, screen 0.136247 to screen 0.17714
 set object 352 rectangle from screen 0.177148, screen 0.136247 to screen 0.221484, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 353 rectangle from screen 0.221484, screen 0.136247 to screen 0.26582, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.243652, screen 0.1491 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 354 rectangle from screen 0.26582, screen 0.136247 to screen 0.310156, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.287988, screen 0.1491 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 354 rectangle from screen 0.26582, screen 0.136247 to screen 0.310156, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.287988, screen 0.1491 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 355 rectangle from screen 0.310156, screen 0.136247 to screen 0.354492, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.332324, screen 0.1491 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 356 rectangle from screen 0.354492, screen 0.136247 to screen 0.398828, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -592,8 +592,8 @@ set object 359 rectangle from screen 0.132812, screen 0.11054 to screen 0.177148
 set object 360 rectangle from screen 0.177148, screen 0.11054 to screen 0.221484, screen 0.136247 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 361 rectangle from screen 0.221484, screen 0.11054 to screen 0.26582, screen 0.136247 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.243652, screen 0.123393 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 362 rectangle from screen 0.26582, screen 0.11054 to screen 0.310156, screen 0.136247 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.287988, screen 0.123393 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 362 rectangle from screen 0.26582, screen 0.11054 to screen 0.310156, screen 0.136247 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.287988, screen 0.123393 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 363 rectangle from screen 0.310156, screen 0.11054 to screen 0.354492, screen 0.136247 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.332324, screen 0.123393 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 364 rectangle from screen 0.354492, screen 0.11054 to screen 0.398828, screen 0.136247 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -606,8 +606,7 @@ set label "dantzig:1e-6 double" at screen 0.126562, screen 0.0976864 right front
 set object 367 rectangle from screen 0.132812, screen 0.0848329 to screen 0.177148, screen 0.11054 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 368 rectangle from screen 0.177148, screen 0.0848329 to screen 0.221484, screen 0.11054 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 369 rectangle from screen 0.221484, screen 0.0848329 to screen 0.26582, screen 0.11054 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 370 rectangle from screen 0.26582, screen 0.0848329 to screen 0.310156, screen 0.11054 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.287988, screen 0.0976864 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 370 rectangle from screen 0.26582, screen 0.0848329 to screen 0.310156, screen 0.11054 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 371 rectangle from screen 0.310156, screen 0.0848329 to screen 0.354492, screen 0.11054 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.332324, screen 0.0976864 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 372 rectangle from screen 0.354492, screen 0.0848329 to screen 0.398828, screen 0.11054 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
@@ -620,10 +619,8 @@ set label "dantzig:1e-6 float" at screen 0.126562, screen 0.0719794 right front 
 set object 375 rectangle from screen 0.132812, screen 0.059126 to screen 0.177148, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 376 rectangle from screen 0.177148, screen 0.059126 to screen 0.221484, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 377 rectangle from screen 0.221484, screen 0.059126 to screen 0.26582, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 378 rectangle from screen 0.26582, screen 0.059126 to screen 0.310156, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.287988, screen 0.0719794 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 379 rectangle from screen 0.310156, screen 0.059126 to screen 0.354492, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.332324, screen 0.0719794 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 378 rectangle from screen 0.26582, screen 0.059126 to screen 0.310156, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 379 rectangle from screen 0.310156, screen 0.059126 to screen 0.354492, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 380 rectangle from screen 0.354492, screen 0.059126 to screen 0.398828, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.37666, screen 0.0719794 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 381 rectangle from screen 0.398828, screen 0.059126 to screen 0.443164, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1

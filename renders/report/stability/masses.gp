@@ -725,89 +725,77 @@ set label "x" at screen 0.434297, screen 0.366864 center front noenhanced textco
 set object 366 rectangle from screen 0.452031, screen 0.357002 to screen 0.4875, screen 0.376726 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.469766, screen 0.366864 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:1000 double" at screen 0.126562, screen 0.34714 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 367 rectangle from screen 0.132812, screen 0.337278 to screen 0.168281, screen 0.357002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.150547, screen 0.34714 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 368 rectangle from screen 0.168281, screen 0.337278 to screen 0.20375, screen 0.357002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.186016, screen 0.34714 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 369 rectangle from screen 0.20375, screen 0.337278 to screen 0.239219, screen 0.357002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.221484, screen 0.34714 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 370 rectangle from screen 0.239219, screen 0.337278 to screen 0.274687, screen 0.357002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.256953, screen 0.34714 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 371 rectangle from screen 0.274688, screen 0.337278 to screen 0.310156, screen 0.357002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.292422, screen 0.34714 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 367 rectangle from screen 0.132812, screen 0.337278 to screen 0.168281, screen 0.357002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 368 rectangle from screen 0.168281, screen 0.337278 to screen 0.20375, screen 0.357002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 369 rectangle from screen 0.20375, screen 0.337278 to screen 0.239219, screen 0.357002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 370 rectangle from screen 0.239219, screen 0.337278 to screen 0.274687, screen 0.357002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.256953, screen 0.34714 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 371 rectangle from screen 0.274688, screen 0.337278 to screen 0.310156, screen 0.357002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.292422, screen 0.34714 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 372 rectangle from screen 0.310156, screen 0.337278 to screen 0.345625, screen 0.357002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.327891, screen 0.34714 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 373 rectangle from screen 0.345625, screen 0.337278 to screen 0.381094, screen 0.357002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.363359, screen 0.34714 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 374 rectangle from screen 0.381094, screen 0.337278 to screen 0.416563, screen 0.357002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.398828, screen 0.34714 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 375 rectangle from screen 0.416563, screen 0.337278 to screen 0.452031, screen 0.357002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.434297, screen 0.34714 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 376 rectangle from screen 0.452031, screen 0.337278 to screen 0.4875, screen 0.357002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.469766, screen 0.34714 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 374 rectangle from screen 0.381094, screen 0.337278 to screen 0.416563, screen 0.357002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.398828, screen 0.34714 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 375 rectangle from screen 0.416563, screen 0.337278 to screen 0.452031, screen 0.357002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.434297, screen 0.34714 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 376 rectangle from screen 0.452031, screen 0.337278 to screen 0.4875, screen 0.357002 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.469766, screen 0.34714 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:1000 float" at screen 0.126562, screen 0.327416 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 377 rectangle from screen 0.132812, screen 0.317554 to screen 0.168281, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.150547, screen 0.327416 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 378 rectangle from screen 0.168281, screen 0.317554 to screen 0.20375, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.186016, screen 0.327416 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 379 rectangle from screen 0.20375, screen 0.317554 to screen 0.239219, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.221484, screen 0.327416 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 380 rectangle from screen 0.239219, screen 0.317554 to screen 0.274687, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.256953, screen 0.327416 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 381 rectangle from screen 0.274688, screen 0.317554 to screen 0.310156, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.292422, screen 0.327416 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 382 rectangle from screen 0.310156, screen 0.317554 to screen 0.345625, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.327891, screen 0.327416 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 383 rectangle from screen 0.345625, screen 0.317554 to screen 0.381094, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.363359, screen 0.327416 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 384 rectangle from screen 0.381094, screen 0.317554 to screen 0.416563, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.398828, screen 0.327416 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 385 rectangle from screen 0.416563, screen 0.317554 to screen 0.452031, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.434297, screen 0.327416 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 386 rectangle from screen 0.452031, screen 0.317554 to screen 0.4875, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.469766, screen 0.327416 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 377 rectangle from screen 0.132812, screen 0.317554 to screen 0.168281, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 378 rectangle from screen 0.168281, screen 0.317554 to screen 0.20375, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 379 rectangle from screen 0.20375, screen 0.317554 to screen 0.239219, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 380 rectangle from screen 0.239219, screen 0.317554 to screen 0.274687, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.256953, screen 0.327416 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 381 rectangle from screen 0.274688, screen 0.317554 to screen 0.310156, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.292422, screen 0.327416 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 382 rectangle from screen 0.310156, screen 0.317554 to screen 0.345625, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.327891, screen 0.327416 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 383 rectangle from screen 0.345625, screen 0.317554 to screen 0.381094, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.363359, screen 0.327416 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 384 rectangle from screen 0.381094, screen 0.317554 to screen 0.416563, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.398828, screen 0.327416 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 385 rectangle from screen 0.416563, screen 0.317554 to screen 0.452031, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.434297, screen 0.327416 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 386 rectangle from screen 0.452031, screen 0.317554 to screen 0.4875, screen 0.337278 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.469766, screen 0.327416 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "dantzig:1e-6 double" at screen 0.126562, screen 0.307692 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 387 rectangle from screen 0.132812, screen 0.29783 to screen 0.168281, screen 0.317554 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.150547, screen 0.307692 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 388 rectangle from screen 0.168281, screen 0.29783 to screen 0.20375, screen 0.317554 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.186016, screen 0.307692 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 389 rectangle from screen 0.20375, screen 0.29783 to screen 0.239219, screen 0.317554 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.221484, screen 0.307692 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 390 rectangle from screen 0.239219, screen 0.29783 to screen 0.274687, screen 0.317554 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.256953, screen 0.307692 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 391 rectangle from screen 0.274688, screen 0.29783 to screen 0.310156, screen 0.317554 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.292422, screen 0.307692 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 387 rectangle from screen 0.132812, screen 0.29783 to screen 0.168281, screen 0.317554 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 388 rectangle from screen 0.168281, screen 0.29783 to screen 0.20375, screen 0.317554 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 389 rectangle from screen 0.20375, screen 0.29783 to screen 0.239219, screen 0.317554 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 390 rectangle from screen 0.239219, screen 0.29783 to screen 0.274687, screen 0.317554 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.256953, screen 0.307692 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 391 rectangle from screen 0.274688, screen 0.29783 to screen 0.310156, screen 0.317554 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.292422, screen 0.307692 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 392 rectangle from screen 0.310156, screen 0.29783 to screen 0.345625, screen 0.317554 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.327891, screen 0.307692 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 393 rectangle from screen 0.345625, screen 0.29783 to screen 0.381094, screen 0.317554 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.363359, screen 0.307692 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 394 rectangle from screen 0.381094, screen 0.29783 to screen 0.416563, screen 0.317554 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.398828, screen 0.307692 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 395 rectangle from screen 0.416563, screen 0.29783 to screen 0.452031, screen 0.317554 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.434297, screen 0.307692 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 396 rectangle from screen 0.452031, screen 0.29783 to screen 0.4875, screen 0.317554 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.469766, screen 0.307692 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 395 rectangle from screen 0.416563, screen 0.29783 to screen 0.452031, screen 0.317554 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.434297, screen 0.307692 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 396 rectangle from screen 0.452031, screen 0.29783 to screen 0.4875, screen 0.317554 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.469766, screen 0.307692 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "dantzig:1e-6 float" at screen 0.126562, screen 0.287968 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 397 rectangle from screen 0.132812, screen 0.278107 to screen 0.168281, screen 0.29783 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.150547, screen 0.287968 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 398 rectangle from screen 0.168281, screen 0.278107 to screen 0.20375, screen 0.29783 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.186016, screen 0.287968 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 399 rectangle from screen 0.20375, screen 0.278107 to screen 0.239219, screen 0.29783 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.221484, screen 0.287968 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 400 rectangle from screen 0.239219, screen 0.278107 to screen 0.274687, screen 0.29783 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.256953, screen 0.287968 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 401 rectangle from screen 0.274688, screen 0.278107 to screen 0.310156, screen 0.29783 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.292422, screen 0.287968 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 397 rectangle from screen 0.132812, screen 0.278107 to screen 0.168281, screen 0.29783 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 398 rectangle from screen 0.168281, screen 0.278107 to screen 0.20375, screen 0.29783 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 399 rectangle from screen 0.20375, screen 0.278107 to screen 0.239219, screen 0.29783 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 400 rectangle from screen 0.239219, screen 0.278107 to screen 0.274687, screen 0.29783 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.256953, screen 0.287968 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 401 rectangle from screen 0.274688, screen 0.278107 to screen 0.310156, screen 0.29783 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.292422, screen 0.287968 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 402 rectangle from screen 0.310156, screen 0.278107 to screen 0.345625, screen 0.29783 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.327891, screen 0.287968 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 403 rectangle from screen 0.345625, screen 0.278107 to screen 0.381094, screen 0.29783 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.363359, screen 0.287968 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 404 rectangle from screen 0.381094, screen 0.278107 to screen 0.416563, screen 0.29783 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.398828, screen 0.287968 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 405 rectangle from screen 0.416563, screen 0.278107 to screen 0.452031, screen 0.29783 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.434297, screen 0.287968 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 406 rectangle from screen 0.452031, screen 0.278107 to screen 0.4875, screen 0.29783 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.469766, screen 0.287968 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 404 rectangle from screen 0.381094, screen 0.278107 to screen 0.416563, screen 0.29783 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.398828, screen 0.287968 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 405 rectangle from screen 0.416563, screen 0.278107 to screen 0.452031, screen 0.29783 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.434297, screen 0.287968 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 406 rectangle from screen 0.452031, screen 0.278107 to screen 0.4875, screen 0.29783 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.469766, screen 0.287968 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "1" at screen 0.150547, screen 0.268245 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "10" at screen 0.186016, screen 0.268245 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "100" at screen 0.221484, screen 0.268245 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
