@@ -149,9 +149,8 @@ TEST(TurningFriction, ASqueezedBallStopsSpinning) {
   ball.inverseMass.setConstant(1 / mass);
   ball.inverseInertia = Mat3::Identity() / inertia;
   ball.velocity << 0, 0, 0, 0, 0, 3;
-  std::vector<Contact> contacts{
-      makeRestingPoint(0, fixedWorld, {0, 0, -radius}, Vec3::Zero(), 0),
-      makeRestingPoint(0, fixedWorld, {0, 0, radius}, Vec3::Zero(), 0)};
+  std::vector<Contact> contacts{makeRestingPoint(0, fixedWorld, {0, 0, -radius}, Vec3::Zero(), 0),
+                                makeRestingPoint(0, fixedWorld, {0, 0, radius}, Vec3::Zero(), 0)};
   contacts[1].frame.col(0) *= -1;
   for (Contact& c : contacts) c.target[0] = 1;
   std::vector<Row> rows;
