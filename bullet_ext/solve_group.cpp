@@ -106,7 +106,7 @@ double shareToKeep(const Group& group, const Island& island) {
       group.restless.empty() ||
       (std::none_of(island.frictional.begin(), island.frictional.end(), restless) &&
        std::none_of(island.frictionless.begin(), island.frictionless.end(), restless));
-  return settled ? keptShare : polishedShare;
+  return settled ? worldKeptShare : worldPolishedShare;
 }
 
 /// Whether the island needs no W: then `solution` answers it, and its bodies move in `answer`.
@@ -145,7 +145,9 @@ void solveIsland(const Group& group, const Island& island, Solver& solver, Answe
 
   note(solution, partsOf(island), result);
   constexpr double gain = 10;
-  if (solution.tier == Tier::Walk && solution.startResidual > gain * solution.residual)
+  const double tolerance = solver.options().tolerance * problem.q.cwiseAbs().maxCoeff();
+  if (solution.tier == Tier::Walk && solution.startResidual > worldKeptShare * tolerance &&
+      solution.startResidual > gain * solution.residual)
     result.restless = island.bodies.front();
   if (fitsBullet(solution.r)) {
     keepReactions(island, solution, answer);

@@ -184,7 +184,7 @@ template <class Motion>
 typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
     const Problem& problem, int& budget, Solution& count, const Solution* region) {
   // An inner answer only has to be better than what the outer step corrects anyway; at round-off the line search stalls.
-  constexpr double enough = 1e-3, stalled = 1e-2;
+  constexpr double stalled = 1e-2;
   constexpr int mostSteps = 40, mostHalvings = 10;
   motion_.impulse(center_, delta_);
   delta_.setZero();
@@ -206,7 +206,7 @@ typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
   double error = error_.norm();
   for (int k = 0; k < mostSteps; ++k) {
     const double size = std::max(delta_.norm(), felt().norm());
-    if (error <= std::max(enough * size, fine_)) return Inner::Converged;
+    if (error <= std::max(enough_ * size, fine_)) return Inner::Converged;
     if (budget-- <= 0) return Inner::Failed;
     ++count.regions;
     if (!factorise(count)) return Inner::Failed;
@@ -314,7 +314,8 @@ template <class Motion>
 Outcome ProximalNewton<Motion>::converge(const Problem& problem, double tolerance, double alpha,
                                          int regionBudget, bool fromRegion, double residual,
                                          Solution& best) {
-  constexpr double smallest = 1e-12, largest = 10, hardly = 1e-7, growth = 10;
+  constexpr double smallest = 1e-12, largest = 10, hardly = 1e-7, growth = 10, coarsest = 1e-3,
+                   finest = 1e-7;
   constexpr int mostOuters = 60, mostFailures = 6;
   // An error of the motion (in energy norm) that no contact can tell from the tolerance.
   fine_ = 0.1 * tolerance / std::sqrt(scale_.maxCoeff());
@@ -323,6 +324,7 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
   int failures = 0;
   for (int outer = 0; outer < mostOuters; ++outer) {
     setWeights(alpha);
+    enough_ = std::clamp(alpha, finest, coarsest);
     const Solution* region = fromRegion && outer == 0 ? &best : nullptr;
     if (solveProximal(problem, regionBudget, best, region) == Inner::Failed) {
       if (best.residual <= tolerance) return Outcome::Reached;
@@ -348,7 +350,7 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
       best.residual = now;
     }
     // Some digits more if they come by themselves: then the next step may stand on these reactions.
-    const double aim = now > 0.1 * residual ? tolerance : polishedShare * tolerance;
+    const double aim = now > 0.3 * residual ? tolerance : polishedShare * tolerance;
     if (now <= std::max(aim, map_->roundOff(center_))) return Outcome::Reached;
     // A region that is known needs a small weight to finish; one that still changes needs a larger one.
     if (now > 0.1 * residual && alpha <= smallest) return Outcome::Lost;

@@ -78,6 +78,8 @@ class ProximalNewton {
   VectorXd r_, delta_;   ///< the answer of the inner problem
   VectorXd error_;       ///< δ − J̃ᵀ (r − r_k)
   VectorXd step_, trialDelta_, trialError_, trialU_, change_, felt_;
+  double enough_ =
+      0;  ///< share of the step that is inner error small enough: what a large weight leaves is larger anyway
   double fine_ = 0;  ///< inner error that is small enough whatever the size of the step
   Stiffness G_, factored_;
   bool hasFactor_ = false;  ///< that of factored_

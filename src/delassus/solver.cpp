@@ -243,7 +243,8 @@ Outcome Solver::Workspace::walk(Engines<Motion>& engines, const Problem& problem
         newton.walk(problem, tolerance, knownRegion, std::min(firstTry / 2, left()), best);
     if (settled(outcome)) return outcome;
   }
-  if (best.residual > disturbed * demand) sweepWhileItGains(problem, options, tolerance, best);
+  if (best.residual > disturbed * demand)
+    sweepWhileItGains(problem, options, keptShare * tolerance, best);
   if (best.residual <= tolerance) return Outcome::Reached;
   const double weight =
       best.residual <= nearly * demand ? knownRegion : proximalWeight(problem, best, 1e-2);

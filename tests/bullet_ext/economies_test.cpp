@@ -221,7 +221,7 @@ TEST(Economies, WhatSpinsDownIsOnlyChecked) {
     world.advance();
     kept += world.report().keptIslands;
   }
-  EXPECT_GE(kept, isDouble ? 39 : 30);
+  EXPECT_GE(kept, 30);
   EXPECT_GT(ball.getAngularVelocity().y(), 1);
 }
 

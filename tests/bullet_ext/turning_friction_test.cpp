@@ -116,7 +116,9 @@ TEST(Parity, Row24BallRestsOnASlopeUpToItsAngle) {
     world.advance(steps);
     if (part < 1) {
       EXPECT_LT((ball.getWorldTransform().getOrigin() - start).length(), tolerance(1e-9, 1e-5));
-      if (isDouble) EXPECT_EQ(world.report().keptIslands, 1) << "and it is only checked";
+      if (isDouble) {
+        EXPECT_EQ(world.report().keptIslands, 1) << "and it is only checked";
+      }
     } else {
       const double a = 5.0 / 7 * g * (std::sin(slope) - kappa / radius * std::cos(slope));
       EXPECT_NEAR(speedOf(ball), a * steps * h, tolerance(1e-7, 1e-3));
