@@ -277,7 +277,7 @@ std::size_t Memory::bytes() const {
   std::size_t sum = 0;
   for (const Step* step : {&last_, &now_})
     sum += of(step->manifolds) + of(step->turners) + of(step->joints) + of(step->points) +
-           of(step->turns) + of(step->rows) + of(step->restless);
+           of(step->turns) + of(step->rows) + step->restless.capacity() * sizeof(void*);
   return sum + restless_.bytes();
 }
 
