@@ -4,9 +4,9 @@
 
 namespace delassus {
 
-/// Shares of the tolerance. Reactions that are kept act again in every step, so that their errors add up, and what tall
-/// piles make of an error grows by half in each step: they are kept as long as they are better than what is solved, and
-/// solving aims at some digits more where these come by themselves.
+/// Shares of the tolerance. Reactions that are kept act again in every step, and a tall pile makes twice the error of each
+/// step in the next. So they are kept only as long as they are better than what is solved (keptShare), and solving again
+/// goes on for some digits more where these come by themselves (polishedShare).
 constexpr double keptShare = 1e-1, polishedShare = 1e-4;
 
 struct Options {

@@ -8,7 +8,9 @@
 
 namespace delassus {
 
-/// Walks from region to region until one holds its own answer. Owns the workspace; not thread-safe, one per thread.
+class Search;
+
+/// Walks from region to region until one holds its own answer. Owns its storage; not thread-safe, one per thread.
 class Solver {
  public:
   explicit Solver(Options options = {});
@@ -24,9 +26,9 @@ class Solver {
   const Options& options() const { return options_; }
 
  private:
-  struct Workspace;
   Options options_;
-  std::unique_ptr<Workspace> workspace_;
+  std::unique_ptr<Search> search_;
+  VectorXd formula_;  ///< reactions of a part that is alone
 };
 
 /// One-off use.

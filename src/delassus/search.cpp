@@ -1,0 +1,278 @@
+#include "delassus/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "delassus/cone.h"
+#include "delassus/pivoting.h"
+
+namespace delassus {
+namespace {
+
+/// The paper's forced motion: all that approach are held, whatever the sign of their reactions will be.
+void forceActiveSet(const Problem& problem, ActiveSet& set) {
+  // Bodies that fall together touch with q_n = 0 up to round-off: they are held too.
+  const double touching = 1e-6 * problem.q.cwiseAbs().maxCoeff();
+  set.contacts.clear();
+  set.rows.clear();
+  for (int i = 0; i < problem.contacts(); ++i)
+    set.contacts.push_back(problem.q[3 * i] <= touching ? Mode::Stick : Mode::Open);
+  for (int i = 0; i < problem.rows(); ++i) {
+    const double q = problem.q[3 * problem.contacts() + i];
+    set.rows.push_back(q > touching && std::isfinite(problem.lower[i])    ? RowState::AtLower
+                       : q < -touching && std::isfinite(problem.upper[i]) ? RowState::AtUpper
+                                                                          : RowState::Free);
+  }
+  set.disks.assign(problem.disks.size(), Mode::Stick);
+}
+
+/// Joints alone, without limits and motors: there is one region.
+bool hasOneRegion(const Problem& problem) {
+  return problem.contacts() == 0 && problem.lower.array().isInf().all() &&
+         problem.upper.array().isInf().all();
+}
+
+/// Moves reactions into the cones, bounds and disks.
+void makeFeasible(const Problem& problem, VectorXd& r) {
+  const int n = problem.contacts();
+  for (int i = 0; i < n; ++i)
+    r.segment<3>(3 * i) = projectOnCone(r.segment<3>(3 * i), problem.friction[i]);
+  for (int i = 0; i < problem.rows(); ++i)
+    r[3 * n + i] = std::clamp(r[3 * n + i], problem.lower[i], problem.upper[i]);
+  for (const Disk& disk : problem.disks) disk.put(projectOnDisk(disk.of(r), disk.radiusAt(r)), r);
+}
+
+constexpr double unknownRegion = 1e-1;  ///< proximal weight
+
+/// How far a walk from here must look, by what is left to correct; at least `least`.
+double proximalWeight(const Problem& problem, const Solution& from, double least) {
+  return std::clamp(std::sqrt(from.residual / problem.q.cwiseAbs().maxCoeff()), least,
+                    unknownRegion);
+}
+
+/// Has the reactions of `candidate` as the best answer.
+void take(const Solution& candidate, Solution& best) {
+  best.r = candidate.r;
+  best.u = candidate.u;
+  best.residual = candidate.residual;
+  best.residualRms = candidate.residualRms;
+}
+
+}  // namespace
+
+void Search::measure(const Problem& problem, Solution& candidate) {
+  problem.W.multiply(candidate.r, felt_, candidate.u);
+  candidate.u += problem.q;
+  const NaturalResidual residual = map_.residual(candidate.r, candidate.u);
+  candidate.residual = residual.max;
+  candidate.residualRms = residual.rms;
+}
+
+void Search::consider(const Problem& problem, Solution& candidate, Solution& best) {
+  measure(problem, candidate);
+  if (candidate.residual < best.residual) take(candidate, best);
+}
+
+void Search::offer(const Problem& problem, const VectorXd& r, Solution& best) {
+  trial_.r = r;
+  makeFeasible(problem, trial_.r);
+  consider(problem, trial_, best);
+}
+
+void Search::startBetter(const Problem& problem, Solution& best) {
+  constexpr double hopeless = 30;
+  const double guessed = best.residualRms;
+  trial_.r.setZero(problem.size());
+  makeFeasible(problem, trial_.r);
+  measure(problem, trial_);
+  if (!(guessed <= hopeless * trial_.residualRms)) take(trial_, best);
+}
+
+void Search::allow(const Problem& problem, Solution& best) {
+  makeFeasible(problem, best.r);
+  measure(problem, best);
+}
+
+Outcome Search::pivotRows(const Problem& problem, const Options& options, double tolerance,
+                          Solution& best) {
+  PivotOptions pivoting;
+  pivoting.regionBudget = options.newtonBudget;
+  const PivotResult result =
+      pivot(problem.W.dense(), problem.q, problem.lower, problem.upper, {}, pivoting);
+  best.regions += result.regions;
+  best.factorisations += result.factorisations;
+  trial_.r = result.r;
+  consider(problem, trial_, best);
+  if (best.residual <= tolerance) return Outcome::Reached;
+  if (result.status != Status::Incompatible) return Outcome::Lost;
+  best.r = result.r;
+  best.u = result.u;
+  const NaturalResidual residual = map_.residual(best.r, best.u);
+  best.residual = residual.max;
+  best.residualRms = residual.rms;
+  best.blamed = result.blamed;
+  return Outcome::Incompatible;
+}
+
+void Search::sweep(const Problem& problem, int count, Solution& best) {
+  trial_.r = best.r;
+  sweeps_.setProblem(problem);
+  sweeps_.sweep(problem, count, trial_.r);
+  best.sweeps += count;
+  consider(problem, trial_, best);
+}
+
+void Search::sweepWhileItGains(const Problem& problem, const Options& options, double tolerance,
+                               Solution& best) {
+  constexpr int burst = 20;
+  constexpr double gain = 0.7;
+  double before = std::numeric_limits<double>::infinity();
+  while (best.residual < gain * before && best.residual > tolerance &&
+         best.sweeps + burst <= options.sweepBudget) {
+    before = best.residual;
+    sweep(problem, burst, best);
+  }
+}
+
+/// From the likeliest start to the surest: the reactions of the last step, or without them the paper's forced motion, every
+/// approaching contact held, with reactions that start from zero. Sweeps mend what came and went, as long as they gain; the
+/// walk finishes. Where it loses its way, many contacts are at a wall of their region: an interior point comes down between
+/// the walls, and the walk goes on from there.
+template <class Motion>
+Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const Options& options,
+                         double tolerance, const VectorXd* guess, Solution& best) {
+  constexpr double knownRegion = 1e-6;
+  // Shares of the demands that the last reactions leave open.
+  constexpr double disturbed = 1e-3, nearly = 1e-7;
+  constexpr int firstTry = 32, interiorSteps = 40, secondTry = 90;
+  const double demand = problem.q.cwiseAbs().maxCoeff();
+  const auto settled = [](Outcome outcome) { return outcome != Outcome::Lost; };
+  const auto left = [&] { return options.newtonBudget - best.regions; };
+
+  ProximalNewton<Motion>& newton = engines.walk;
+  newton.setProblem(problem, map_);
+  newton.keepFactors(options.economies.factors);
+  if (!guess) {
+    forceActiveSet(problem, best.activeSet);
+    const Outcome outcome = newton.walkFromRegion(problem, tolerance, knownRegion,
+                                                  std::min(firstTry / 2, left()), best);
+    if (settled(outcome)) return outcome;
+  }
+  if (options.economies.oneRegion && hasOneRegion(problem)) {
+    const Outcome outcome =
+        newton.walk(problem, tolerance, knownRegion, std::min(firstTry / 2, left()), best);
+    if (settled(outcome)) return outcome;
+  }
+  if (best.residual > disturbed * demand)
+    sweepWhileItGains(problem, options, keptShare * tolerance, best);
+  if (best.residual <= tolerance) return Outcome::Reached;
+  const double weight =
+      best.residual <= nearly * demand ? knownRegion : proximalWeight(problem, best, 1e-2);
+  Outcome outcome = newton.walk(problem, tolerance, weight, std::min(firstTry, left()), best);
+  if (settled(outcome)) return outcome;
+
+  if (engines.interior.solve(newton.motion(), problem, map_, tolerance,
+                             std::min(interiorSteps, left()), best))
+    return Outcome::Reached;
+  outcome = newton.walk(problem, tolerance, proximalWeight(problem, best, 1e-4),
+                        std::min(secondTry, left()), best);
+  if (settled(outcome)) return outcome;
+
+  return wander(engines, problem, options, tolerance, guess, best);
+}
+
+/// Two ways on, in turn. Sweeps from the best answer mend it and the walk goes on from there. And since what is near in
+/// residual may be far from any answer, sweeps set out anew from where the step began, go on whether or not they better
+/// the best answer, further each time, and a short walk is tried from wherever they are.
+template <class Motion>
+Outcome Search::wander(Engines<Motion>& engines, const Problem& problem, const Options& options,
+                       double tolerance, const VectorXd* guess, Solution& best) {
+  constexpr int mending = 50, shortest = 100, longWalk = 100, shortWalk = 40;
+  const auto sweepsLeft = [&](int most) {
+    return std::min(most, options.sweepBudget - best.sweeps);
+  };
+  const auto regionsLeft = [&](int most) {
+    return std::min(most, options.newtonBudget - best.regions);
+  };
+  wandering_.r.setZero(problem.size());
+  if (guess) wandering_.r = *guess;
+  makeFeasible(problem, wandering_.r);
+  for (int length = shortest; sweepsLeft(1) > 0 && regionsLeft(1) > 0; length *= 2) {
+    sweep(problem, sweepsLeft(mending), best);
+    Outcome outcome =
+        engines.walk.walk(problem, tolerance, unknownRegion, regionsLeft(longWalk), best);
+    if (outcome != Outcome::Lost) return outcome;
+
+    const int count = sweepsLeft(length);
+    sweeps_.sweep(problem, count, wandering_.r);
+    best.sweeps += count;
+    consider(problem, wandering_, best);
+    outcome = engines.walk.walkFrom(wandering_, problem, tolerance,
+                                    proximalWeight(problem, wandering_, 1e-4),
+                                    regionsLeft(shortWalk), best);
+    if (outcome != Outcome::Lost) return outcome;
+  }
+  return Outcome::Lost;
+}
+
+template <class Motion>
+void Search::polishWith(Engines<Motion>& engines, const Problem& problem, const Options& options,
+                        double aim, Solution& best) {
+  constexpr double weight = 1e-4;
+  constexpr int regions = 8;
+  take(best, trial_);
+  engines.walk.setProblem(problem, map_);
+  engines.walk.keepFactors(options.economies.factors);
+  engines.walk.walk(problem, aim, weight, regions, best);
+  // Demands that contradict each other within the tolerance end in a compromise, which may be worse.
+  if (!(best.residual <= trial_.residual)) take(trial_, best);
+}
+
+template <class Motion>
+Outcome Search::walkTwice(Engines<Motion>& engines, const Problem& problem, const Options& options,
+                          double tolerance, const VectorXd* guess, Solution& best) {
+  if (!guess) return walkOnce(engines, problem, options, tolerance, nullptr, best);
+  Options share = options;
+  share.newtonBudget -= 3 * options.newtonBudget / 8;
+  share.sweepBudget -= options.sweepBudget / 2;
+  Outcome outcome = walkOnce(engines, problem, share, tolerance, guess, best);
+  if (outcome != Outcome::Lost) return outcome;
+
+  cold_.r.setZero(problem.size());
+  makeFeasible(problem, cold_.r);
+  cold_.residual = std::numeric_limits<double>::infinity();
+  consider(problem, cold_, best);
+  cold_.regions = best.regions;
+  cold_.factorisations = best.factorisations;
+  cold_.sweeps = best.sweeps;
+  outcome = walkOnce(engines, problem, options, tolerance, nullptr, cold_);
+  best.regions = cold_.regions;
+  best.factorisations = cold_.factorisations;
+  best.sweeps = cold_.sweeps;
+  if (outcome == Outcome::Lost && !(cold_.residual < best.residual)) return outcome;
+  best.r = cold_.r;
+  best.u = cold_.u;
+  best.residual = cold_.residual;
+  best.blamed = cold_.blamed;
+  return outcome;
+}
+
+Outcome Search::walk(const Problem& problem, const Options& options, double tolerance,
+                     const VectorXd* guess, Solution& best) {
+  const Outcome outcome = problem.W.inBodySpace()
+                              ? walkTwice(bodies_, problem, options, tolerance, guess, best)
+                              : walkTwice(factored_, problem, options, tolerance, guess, best);
+  allow(problem, best);
+  return outcome;
+}
+
+void Search::polish(const Problem& problem, const Options& options, double aim, Solution& best) {
+  if (problem.W.inBodySpace())
+    polishWith(bodies_, problem, options, aim, best);
+  else
+    polishWith(factored_, problem, options, aim, best);
+  allow(problem, best);
+}
+
+}  // namespace delassus

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "delassus/interior_point.h"
+#include "delassus/options.h"
+#include "delassus/problem.h"
+#include "delassus/proximal_newton.h"
+#include "delassus/residual.h"
+#include "delassus/solution.h"
+#include "delassus/sweeps.h"
+
+namespace delassus {
+
+/// The search for the reactions of one problem after the other: by sweeps, from region to region, between their walls. What
+/// has been found so far is `best`; nothing is lost that was better. Storage is used again.
+class Search {
+ public:
+  /// Before all else.
+  void setProblem(const Problem& problem) { map_.setProblem(problem); }
+  const NaturalMap& map() const { return map_; }
+
+  /// Takes `r`, moved into the cones and bounds, as the best answer if its residual is smaller.
+  void offer(const Problem& problem, const VectorXd& r, Solution& best);
+
+  /// Starts from no reactions at all if those in `best` are no start. They are compared as a whole: where few contacts came
+  /// or went, a guess is far wrong only there, and what was learnt of all the others is worth more.
+  void startBetter(const Problem& problem, Solution& best);
+
+  /// Rows alone with an explicit W are the paper's own ground: regions of any W, symmetric or not.
+  Outcome pivotRows(const Problem& problem, const Options& options, double tolerance,
+                    Solution& best);
+
+  /// Walks from `guess`, or without one (null) from nothing; if that is lost, with what is left of the budget as if there
+  /// had been none.
+  Outcome walk(const Problem& problem, const Options& options, double tolerance,
+               const VectorXd* guess, Solution& best);
+
+  /// A short walk towards the residual `aim` from reactions that keep the law already.
+  void polish(const Problem& problem, const Options& options, double aim, Solution& best);
+
+ private:
+  template <class Motion>
+  struct Engines {
+    ProximalNewton<Motion> walk;
+    InteriorPoint<Motion> interior;
+  };
+
+  template <class Motion>
+  Outcome walkTwice(Engines<Motion>& engines, const Problem& problem, const Options& options,
+                    double tolerance, const VectorXd* guess, Solution& best);
+  template <class Motion>
+  Outcome walkOnce(Engines<Motion>& engines, const Problem& problem, const Options& options,
+                   double tolerance, const VectorXd* guess, Solution& best);
+  template <class Motion>
+  Outcome wander(Engines<Motion>& engines, const Problem& problem, const Options& options,
+                 double tolerance, const VectorXd* guess, Solution& best);
+  template <class Motion>
+  void polishWith(Engines<Motion>& engines, const Problem& problem, const Options& options,
+                  double aim, Solution& best);
+  void sweep(const Problem& problem, int count, Solution& best);
+  void sweepWhileItGains(const Problem& problem, const Options& options, double tolerance,
+                         Solution& best);
+
+  /// Completes u and the residuals of a candidate r.
+  void measure(const Problem& problem, Solution& candidate);
+  /// Measures it, and takes it as the best answer if its residual is smaller.
+  void consider(const Problem& problem, Solution& candidate, Solution& best);
+  /// Puts the answer of a walk back into the cones and bounds that rounding, or a compromise, left.
+  void allow(const Problem& problem, Solution& best);
+
+  NaturalMap map_;
+  Sweeps sweeps_;
+  Engines<BodyMotion> bodies_;
+  Engines<FactoredMotion> factored_;
+  Solution trial_, wandering_, cold_;
+  VectorXd felt_;
+};
+
+}  // namespace delassus
