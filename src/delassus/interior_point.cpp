@@ -273,12 +273,12 @@ template <class Motion>
 bool InteriorPoint<Motion>::solve(Motion& motion, const Problem& problem, const NaturalMap& map,
                                   double tolerance, int budget, Solution& best) {
   constexpr double toBoundary = 0.99, leastCentring = 1e-8;
-  constexpr int mostIdle = 8;
+  constexpr int mostIdle = 8;  // steps in which the residual is not halved: then no more will come
   start(problem, map);
   problem.W.multiply(r_, y_, u_);
   u_ += problem.q;
-  double own = infinity;  // best residual on this path
-  int idle = 0;           // steps without gain
+  double mark = infinity;
+  int idle = 0;
   for (int k = 0; k < budget; ++k) {
     measure(problem);
     linearise(problem);
@@ -294,9 +294,9 @@ bool InteriorPoint<Motion>::solve(Motion& motion, const Problem& problem, const 
 
     const double now = map.residual(r_, u_).max;
     if (!std::isfinite(now)) return false;
-    const bool gains = now < 0.9 * own;
-    idle = gains ? 0 : idle + 1;
-    own = std::min(own, now);
+    const bool halved = now < 0.5 * mark;
+    idle = halved ? 0 : idle + 1;
+    if (halved) mark = now;
     if (now < best.residual) {
       best.r = r_;
       best.u = u_;

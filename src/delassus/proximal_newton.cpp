@@ -314,7 +314,7 @@ template <class Motion>
 Outcome ProximalNewton<Motion>::converge(const Problem& problem, double tolerance, double alpha,
                                          int regionBudget, bool fromRegion, double residual,
                                          Solution& best) {
-  constexpr double smallest = 1e-12, largest = 10, hardly = 1e-7, growth = 10, coarsest = 1e-3,
+  constexpr double smallest = 1e-12, largest = 10, hardly = 1e-7, growth = 10, coarsest = 1e-2,
                    finest = 1e-7;
   constexpr int mostOuters = 60, mostFailures = 6;
   // An error of the motion (in energy norm) that no contact can tell from the tolerance.

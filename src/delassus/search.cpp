@@ -144,7 +144,7 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
                          double tolerance, const VectorXd* guess, Solution& best) {
   constexpr double knownRegion = 1e-6;
   // Shares of the demands that the last reactions leave open.
-  constexpr double disturbed = 1e-3, nearly = 1e-7;
+  constexpr double disturbed = 1e-3, nearly = 1e-6;
   constexpr int firstTry = 32, interiorSteps = 40, secondTry = 90;
   const double demand = problem.q.cwiseAbs().maxCoeff();
   const auto settled = [](Outcome outcome) { return outcome != Outcome::Lost; };

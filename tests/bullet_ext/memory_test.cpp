@@ -79,6 +79,24 @@ TEST(Memory, FreshPointsPushAndTurnAsThoseThatAreGone) {
   EXPECT_LT((touch.wrench(touch.group().guess) - before).norm(), 1e-6 * before.norm());
 }
 
+// A smaller polygon on one side cannot pull, nor hold a moment about itself: what it starts from is allowed all the same.
+TEST(Memory, FreshPointsThatCannotCarryTheWrenchStartInsideTheirCones) {
+  Touch touch(corners, 5);
+  Memory memory;
+  memory.nextStep();
+  memory.keep(touch.group(), answerOf({{0, 0, 0}, {0.1, 0, 0}, {6, 3, 0}, {6, -3, 0}}));
+  memory.nextStep();
+  touch.replace({{-1, 0.5, 0.5}, {-1, 0.4, 0.5}, {-1, 0.4, 0.4}, {-1, 0.5, 0.4}}, 0);
+  memory.recall(touch.group());
+  double pushed = 0;
+  for (const Vec3& r : touch.group().guess) {
+    EXPECT_GE(r[0], 0);
+    EXPECT_LE(r.tail<2>().norm(), 0.5 * r[0] * (1 + 1e-12));
+    pushed += r[0];
+  }
+  EXPECT_GT(pushed, 0);
+}
+
 TEST(Memory, PointsThatStayAreLeftAlone) {
   Touch touch(corners, 5);
   Memory memory;

@@ -222,6 +222,51 @@ TEST(Solver, ModesSayWhatTheMotionDoes) {
   }
 }
 
+// Where few contacts came or went, what was learnt of all the others is worth more than a fresh start.
+TEST(Solver, AGuessThatIsFarWrongAtOneContactIsWorthMoreThanNone) {
+  Random random(77);
+  int warm = 0, cold = 0;
+  for (int k = 0; k < 10; ++k) {
+    const PileIsland island(makePyramid(4, 0.5, 0, 1, random));
+    const Solution first = Solver().solve(island.problem);
+    ASSERT_EQ(first.status, Status::Solved);
+    VectorXd guess = first.r;
+    guess.segment<3>(3 * (k * 7 % island.problem.contacts())) += Vec3(3, 0, 0);
+    const Solution again = Solver().solve(island.problem, guess);
+    EXPECT_EQ(again.status, Status::Solved);
+    EXPECT_GT(again.startResidual, 0.1 * island.problem.q.cwiseAbs().maxCoeff());
+    warm += again.regions;
+    cold += first.regions;
+  }
+  EXPECT_LT(warm, cold);
+}
+
+// A guess within the tolerance may be made better, and is never made worse.
+TEST(Solver, PolishingNeverLosesWhatTheGuessHad) {
+  Random random(78);
+  Options options;
+  options.guessShare = polishedShare;
+  int polished = 0, better = 0;
+  for (int k = 0; k < 200; ++k) {
+    SCOPED_TRACE(k);
+    const PileIsland island = randomIsland(k, 1e3, 1, random);
+    const Solution first = Solver().solve(island.problem);
+    if (first.status != Status::Solved) continue;
+    const double tolerance = options.tolerance * island.problem.q.cwiseAbs().maxCoeff();
+    VectorXd guess = first.r;
+    for (double& r : guess) r *= 1 + uniform(random, -0.1, 0.1) * options.tolerance;
+    const Solution again = Solver(options).solve(island.problem, guess);
+    if (again.startResidual > tolerance) continue;
+    EXPECT_EQ(again.status, Status::Solved);
+    EXPECT_LE(again.residual, again.startResidual);
+    EXPECT_LE(infeasibility(island.problem, again.r), 1e-12 * first.r.norm());
+    polished += again.startResidual > polishedShare * tolerance;
+    better += again.residual < 0.1 * again.startResidual;
+  }
+  EXPECT_GE(polished, 50);
+  EXPECT_GE(2 * better, polished);
+}
+
 TEST(Solver, AGuessThatIsNotAllowedIsMovedIntoItsConeAndBounds) {
   // A sliding contact and a motor at its limit, not coupled. The guess solves them to 1e-10, outside of what is allowed.
   Problem problem;
