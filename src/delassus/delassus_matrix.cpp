@@ -65,6 +65,7 @@ VectorXd DelassusMatrix::operator*(const VectorXd& r) const {
 
 void DelassusMatrix::multiply(const VectorXd& r, VectorXd& y, VectorXd& u) const {
   if (!inBodySpace_) {
+    u.resize(size_);
     u.noalias() = entries_ * r;
     return;
   }

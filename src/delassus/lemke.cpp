@@ -105,7 +105,7 @@ std::optional<VectorXd> solveBounded(const MatrixXd& W, const VectorXd& q, const
   }
 
   const int variables = static_cast<int>(row.size()), boxes = static_cast<int>(boxed.size());
-  const Eigen::Map<const VectorXd> signs(sign.data(), variables);
+  const Eigen::Map<const Eigen::VectorXd> signs(sign.data(), variables);
   MatrixXd M = MatrixXd::Zero(variables + boxes, variables + boxes);
   VectorXd constant(variables + boxes);
   const VectorXd free = W * origin + q;

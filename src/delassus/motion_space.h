@@ -75,8 +75,14 @@ class FactoredMotion {
  public:
   void setProblem(const Problem& problem);
 
-  void impulse(const VectorXd& r, VectorXd& y) const { y.noalias() = J_.transpose() * r; }
-  void relativeVelocity(const VectorXd& y, VectorXd& u) const { u.noalias() = J_ * y; }
+  void impulse(const VectorXd& r, VectorXd& y) const {
+    y.resize(J_.cols());
+    y.noalias() = J_.transpose() * r;
+  }
+  void relativeVelocity(const VectorXd& y, VectorXd& u) const {
+    u.resize(J_.rows());
+    u.noalias() = J_ * y;
+  }
   bool factorise(const Stiffness& G);
   void solve(VectorXd& y) const { y = lu_.solve(y).eval(); }
   std::size_t bytes() const { return sizeof(double) * (J_.size() + GJ_.size() + 2 * K_.size()); }

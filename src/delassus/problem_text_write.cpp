@@ -38,7 +38,7 @@ void appendLines(std::string& text, const VectorXd& x, int first, int last, int 
   }
 }
 
-void requireFinite(const Eigen::Ref<const VectorXd>& x, const char* what) {
+void requireFinite(const Eigen::Ref<const Eigen::VectorXd>& x, const char* what) {
   if (!x.allFinite())
     throw std::invalid_argument(
         std::string("a problem text holds no infinite numbers and no NaN in ") + what);
@@ -97,7 +97,7 @@ struct MatrixText {
 MatrixText matrixText(const DelassusMatrix& W, int side) {
   Sparse matrix = explicitEntries(W);
   matrix.makeCompressed();
-  requireFinite(Eigen::Map<const VectorXd>(matrix.valuePtr(), matrix.nonZeros()), "the matrix");
+  requireFinite(Eigen::Map<const Eigen::VectorXd>(matrix.valuePtr(), matrix.nonZeros()), "the matrix");
   MatrixText out;
   for (int row = 0; row < W.size() / side; ++row) {
     std::map<int, std::array<double, 9>> blocks{{row, {}}};

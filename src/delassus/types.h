@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include "delassus/kept_vector.h"
+
 namespace delassus {
 
 using Vec1 = Eigen::Matrix<double, 1, 1>;
@@ -15,7 +17,7 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;  ///< linear part first, then angular
 using Row6 = Eigen::Matrix<double, 1, 6>;
 using Mat36 = Eigen::Matrix<double, 3, 6>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
-using VectorXd = Eigen::VectorXd;
+using VectorXd = KeptVector;
 using MatrixXd = Eigen::MatrixXd;
 
 /// Index of the fixed world where a body index is expected.

@@ -68,7 +68,7 @@ VectorXd relativeVelocity(const std::vector<Body>& bodies, const std::vector<Con
     if (row.b >= 0) along += row.jacobianB.dot(bodies[row.b].velocity);
     u.push_back(along);
   }
-  return Eigen::Map<VectorXd>(u.data(), static_cast<int>(u.size()));
+  return Eigen::Map<Eigen::VectorXd>(u.data(), static_cast<int>(u.size()));
 }
 
 VectorXd compliances(const std::vector<Contact>& contacts, const std::vector<Row>& rows,
@@ -79,7 +79,7 @@ VectorXd compliances(const std::vector<Contact>& contacts, const std::vector<Row
                        contacts[i].slipCompliance[1]});
   for (const int i : island.frictionless) c.push_back(contacts[i].compliance);
   for (const int i : island.rows) c.push_back(rows[i].compliance);
-  return Eigen::Map<VectorXd>(c.data(), static_cast<int>(c.size()));
+  return Eigen::Map<Eigen::VectorXd>(c.data(), static_cast<int>(c.size()));
 }
 
 /// Some bodies with all that the data allow: locked axes, an inertia of rank one, a moving platform, the fixed world.

@@ -20,11 +20,11 @@ std::vector<bool> regionAt(const MatrixXd& W, const VectorXd& f) {
 }
 
 MatrixXd diagonal(std::initializer_list<double> entries) {
-  return VectorXd::Map(entries.begin(), static_cast<int>(entries.size())).asDiagonal();
+  return Eigen::VectorXd::Map(entries.begin(), static_cast<int>(entries.size())).asDiagonal();
 }
 
 VectorXd vector(std::initializer_list<double> entries) {
-  return VectorXd::Map(entries.begin(), static_cast<int>(entries.size()));
+  return Eigen::VectorXd::Map(entries.begin(), static_cast<int>(entries.size()));
 }
 
 // §4: the kinetic energy of the difference p of the free and the forced motion is the form in the
