@@ -11,8 +11,8 @@
 #include "bullet_ext/plan.h"
 #include "bullet_ext/push.h"
 #include "bullet_ext/solve_group.h"
+#include "bullet_ext/workshop.h"
 #include "bullet_ext/write_back.h"
-#include "delassus/solver.h"
 
 using namespace delassus;
 using namespace delassus::bullet;
@@ -81,11 +81,11 @@ Options forWorlds(Options options) {
 }  // namespace
 
 struct btDelassusConstraintSolver::Workspace {
-  explicit Workspace(const Options& options)
-      : solver(forWorlds(options)), pushSolver(options), answer(options) {}
+  explicit Workspace(const Options& userOptions)
+      : options(userOptions), workshop(forWorlds(options), options) {}
 
-  Solver solver;
-  Solver pushSolver;  ///< its own, so that neither has to change the size of its storage
+  Options options;
+  Workshop workshop;
   Group group;
   Memory memory;
   Answer answer;
@@ -102,40 +102,40 @@ struct btDelassusConstraintSolver::Workspace {
   }
   /// Lets go of all storage that no later step depends on.
   void release();
-  void countSolve();
+  void countSolve(const Bench::Counts& work);
 };
 
 void btDelassusConstraintSolver::Workspace::release() {
-  const Options options = solver.options();
-  solver = Solver(options);
-  pushSolver = Solver(options);
+  workshop.clear();
   group = Group();
-  answer = Answer(options);
+  answer = Answer();
   pushes = Pushes();
   events = {};
 }
 
-void btDelassusConstraintSolver::Workspace::countSolve() {
+void btDelassusConstraintSolver::Workspace::countSolve(const Bench::Counts& work) {
   report.contacts += static_cast<int>(group.contacts.size());
   report.rows += static_cast<int>(group.rows.size()) - group.turningRows;
   report.islands += static_cast<int>(answer.islands.size());
-  for (const IslandResult& island : answer.islands) {
+  for (std::size_t i = 0; i < answer.islands.size(); ++i) {
+    const IslandResult& island = answer.islands[i];
     countStatus(island.status, report);
     countTier(island.tier, report);
     report.residualMax = std::max(report.residualMax, island.residualMax);
     residualSquares += island.residualRms * island.residualRms * island.parts;
     residualParts += island.parts;
-    for (const std::string& name : island.blamed) report.tell(name + reasonOf(island.status));
+    for (int unknown : island.blamed)
+      report.tell(nameOf(group, answer, static_cast<int>(i), unknown) + reasonOf(island.status));
   }
   if (residualParts > 0) report.residualRms = std::sqrt(residualSquares / residualParts);
 
   report.matrices += answer.matrices;
-  report.regions += answer.regions + pushes.regions;
-  report.factorisations += answer.factorisations + pushes.factorisations;
-  report.sweeps += answer.sweeps + pushes.sweeps;
+  report.regions += work.regions + pushes.counts.regions;
+  report.factorisations += work.factorisations + pushes.counts.factorisations;
+  report.sweeps += work.sweeps + pushes.counts.sweeps;
   report.obsoleteConstraints += answer.obsoleteConstraints;
   report.pushIslands += pushes.islands;
-  report.pushUnsolved += pushes.unsolved;
+  report.pushUnsolved += pushes.counts.unsolved;
   report.workspaceBytes = std::max(
       report.workspaceBytes, group.bytes() + memory.bytes() + answer.bytes() + pushes.bytes());
 }
@@ -172,7 +172,7 @@ void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount
     return;
   }
 
-  const Economies& economies = w.solver.options().economies;
+  const Economies& economies = w.options.economies;
   Laps laps;
   if (!economies.storage) w.release();
   w.group.clear();
@@ -191,20 +191,22 @@ void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount
   const bool heard = listener_ || troubleListener_;
   const Plan plan = makePlan(w.group, heard, economies, w.answer.assembler);
   startFromGuess(w.group, w.answer);
-  checkIslands(w.group, economies, w.answer);
+  w.workshop.clearCounts();
+  checkIslands(w.group, w.workshop, w.answer);
   laps.end(w.report.secondsPlan);
 
   if (!w.answer.open.empty() || plan.obsolete > 0) {
-    solveIslands(w.group, info, w.solver, w.answer, w.report);
+    solveIslands(w.group, info, w.workshop, w.answer, w.report);
     laps.end(w.report.secondsSolve);
   }
+  const Bench::Counts work = w.workshop.counts();
   w.pushes.clear();
   if (plan.pushContacts > 0) {
-    solvePushes(w.group, plan.pushContacts > plan.deep, w.pushSolver, w.pushes);
+    solvePushes(w.group, plan.pushContacts > plan.deep, w.workshop, w.pushes);
     laps.end(w.report.secondsPush);
   }
   w.report.plan.add(plan);
-  w.countSolve();
+  w.countSolve(work);
   w.memory.keep(w.group, w.answer);
 
   w.events.clear();
@@ -225,8 +227,14 @@ void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount
   }
 }
 
+void btDelassusConstraintSolver::setThreads(int threads) {
+  workspace_->workshop.setThreads(threads);
+}
+
 void btDelassusConstraintSolver::reset() {
-  workspace_ = std::make_unique<Workspace>(workspace_->solver.options());
+  const int threads = workspace_->workshop.threads();
+  workspace_ = std::make_unique<Workspace>(workspace_->options);
+  setThreads(threads);
 }
 
 const StepReport& btDelassusConstraintSolver::report() const { return workspace_->report; }

@@ -45,6 +45,10 @@ void btDelassusMultiBodyConstraintSolver::solveMultiBodyGroup(
                       info, dispatcher, &parts_->articulated);
 }
 
+void btDelassusMultiBodyConstraintSolver::setThreads(int threads) {
+  parts_->rigid.setThreads(threads);
+}
+
 void btDelassusMultiBodyConstraintSolver::reset() { parts_->rigid.reset(); }
 
 const StepReport& btDelassusMultiBodyConstraintSolver::report() const {

@@ -40,6 +40,8 @@ class btDelassusMultiBodyConstraintSolver : public btMultiBodyConstraintSolver {
                            btMultiBodyConstraint** multiBodyConstraints,
                            int multiBodyConstraintCount, const btContactSolverInfo& info,
                            btIDebugDraw* debugDrawer, btDispatcher* dispatcher) override;
+  /// As that of btDelassusConstraintSolver.
+  void setThreads(int threads);
   /// Forgets the last step's report and the workspace.
   void reset() override;
   btConstraintSolverType getSolverType() const override { return BT_MULTIBODY_SOLVER; }

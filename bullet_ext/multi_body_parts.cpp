@@ -345,7 +345,7 @@ void MultiBodyParts::writeBack(const Group& group, const Answer& answer) {
 
   for (const TreeSource& source : trees_) {
     if (source.tree == leftOut) continue;
-    const VectorXd& gain = answer.coupling.gain(source.tree);
+    const VectorXd& gain = answer.gains.of[source.tree];
     response_.resize(static_cast<int>(gain.size()));
     for (int i = 0; i < response_.size(); ++i) response_[i] = static_cast<btScalar>(gain[i]);
     source.body->applyDeltaVeeMultiDof2(&response_[0], 1);

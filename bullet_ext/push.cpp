@@ -17,14 +17,17 @@ void findContacts(const Group& group, bool all, std::vector<Contact>& found) {
 void Pushes::clear() {
   contacts.clear();
   bodies.clear();
-  islands = unsolved = regions = factorisations = sweeps = 0;
+  islands = 0;
+  counts = {};
 }
 
 std::size_t Pushes::bytes() const {
   return bodies.capacity() * sizeof(Body) + contacts.capacity() * sizeof(Contact);
 }
 
-void solvePushes(const Group& group, bool all, Solver& solver, Pushes& pushes) {
+void solvePushes(const Group& group, bool all, Workshop& workshop, Pushes& pushes) {
+  // Unknowns whose solution takes longer than it takes to call another thread.
+  constexpr int worthwhile = 50;
   pushes.clear();
   const std::vector<Contact>& contacts = pushes.contacts;
   findContacts(group, all, pushes.contacts);
@@ -33,19 +36,19 @@ void solvePushes(const Group& group, bool all, Solver& solver, Pushes& pushes) {
 
   const std::vector<Row> noRows;
   const VectorXd fromRest;
-  Solution& solution = pushes.solution;
   pushes.assembler.split(pushes.bodies, contacts, noRows);
-  for (int i = 0; i < pushes.assembler.islands(); ++i) {
+  pushes.islands = pushes.assembler.islands();
+  workshop.clearCounts();
+  const auto weight = [&](int i) { return pushes.assembler.island(i).unknowns(); };
+  workshop.share(pushes.islands, worthwhile, weight, [&](Bench& bench, int i) {
     const Island& island = pushes.assembler.island(i);
-    solver.solve(pushes.assembler.assemble(pushes.bodies, contacts, noRows, island), fromRest,
-                 solution);
-    ++pushes.islands;
-    if (solution.status != Status::Solved) ++pushes.unsolved;
-    pushes.regions += solution.regions;
-    pushes.factorisations += solution.factorisations;
-    pushes.sweeps += solution.sweeps;
-    if (solution.r.allFinite()) applyReaction(pushes.bodies, contacts, noRows, island, solution.r);
-  }
+    const Problem& problem = bench.assembler.assemble(pushes.bodies, contacts, noRows, island);
+    bench.solver.solve(problem, fromRest, bench.solution);
+    bench.counts.add(bench.solution);
+    const VectorXd& r = bench.solution.r;
+    if (r.allFinite()) applyReaction(pushes.bodies, contacts, noRows, island, r);
+  });
+  pushes.counts = workshop.counts();
 }
 
 }  // namespace delassus::bullet

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "bullet_ext/gather.h"
+#include "bullet_ext/workshop.h"
 #include "delassus/island.h"
-#include "delassus/solver.h"
 
 namespace delassus::bullet {
 
@@ -17,16 +17,15 @@ namespace delassus::bullet {
 struct Pushes {
   std::vector<Contact> contacts;  ///< those that take part, without friction
   std::vector<Body> bodies;       ///< push velocities; empty if nothing has to move
-  int islands = 0, unsolved = 0, regions = 0, factorisations = 0, sweeps = 0;
-
-  Assembler assembler;
-  Solution solution;  ///< of the island that is being solved
+  int islands = 0;
+  Bench::Counts counts;
+  Assembler assembler;  ///< has split them
 
   void clear();
   std::size_t bytes() const;
 };
 
 /// With `all`, contacts with p = 0 take part too; if there are no others nothing moves.
-void solvePushes(const Group& group, bool all, Solver& solver, Pushes& pushes);
+void solvePushes(const Group& group, bool all, Workshop& workshop, Pushes& pushes);
 
 }  // namespace delassus::bullet

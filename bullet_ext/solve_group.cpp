@@ -54,30 +54,19 @@ Trouble troubleOf(Status status) {
   return Trouble::None;
 }
 
-/// Notes that the contact or joint whose first unknown is `unknown` is in trouble; returns its name.
-std::string blame(const Group& group, const Island& island, int unknown, Trouble trouble,
-                  Answer& answer) {
+/// The contact or the row whose first unknown is `unknown`; the other is −1. A contact's turning friction is the contact.
+struct Part {
+  int contact = -1, row = -1;
+};
+Part partAt(const Group& group, const Island& island, int unknown) {
   const auto contacts = static_cast<int>(island.frictional.size());
   const auto frictionless = static_cast<int>(island.frictionless.size());
   const int scalar = unknown - 3 * contacts;
-  if (scalar < frictionless) {
-    const int i = scalar < 0 ? island.frictional[unknown / 3] : island.frictionless[scalar];
-    answer.troubles[i] = trouble;
-    return nameOf(group.contactSources[i]);
-  }
+  if (scalar < 0) return {island.frictional[unknown / 3], -1};
+  if (scalar < frictionless) return {island.frictionless[scalar], -1};
   const int row = island.rows[scalar - frictionless];
-  if (const int governor = group.rows[row].governor; governor >= 0) {
-    answer.troubles[governor] = trouble;
-    return nameOf(group.contactSources[governor]);
-  }
-  const auto joint =
-      std::find_if(group.joints.begin(), group.joints.end(),
-                   [&](const JointSource& j) { return row < j.firstRow + j.rowCount; });
-  if (joint != group.joints.end()) return nameOf(*joint->constraint);
-  const auto source =
-      std::find_if(group.multiBodyRows.begin(), group.multiBodyRows.end(),
-                   [&](const MultiBodyRowSource& candidate) { return candidate.row == row; });
-  return nameOf(*source->constraint);
+  const int governor = group.rows[row].governor;
+  return governor >= 0 ? Part{governor, -1} : Part{-1, row};
 }
 
 /// Finite in Bullet's precision.
@@ -90,7 +79,8 @@ void note(const Solution& solution, int parts, IslandResult& result) {
   result.residualRms = solution.residualRms;
   result.parts = parts;
   result.restless = -1;
-  result.blamed.clear();
+  result.open = false;
+  result.blamed = solution.blamed;
 }
 
 int partsOf(const Island& island) {
@@ -111,16 +101,26 @@ double shareToKeep(const Group& group, const Island& island) {
 
 /// Whether the island needs no W: then `solution` answers it, and its bodies move in `answer`.
 bool needsNoSolving(const Group& group, const Island& island, const Economies& economies,
-                    Answer& answer, Solution& solution) {
+                    Bench& bench, Answer& answer) {
+  Solution& solution = bench.solution;
   if (economies.keptIslands) {
     collectGuess(island, answer, solution.r);
-    if (solution.r.any() &&
-        answer.check.isKept(group.bodies, group.contacts, group.rows, island,
-                            shareToKeep(group, island), answer.bodies, solution))
+    if (solution.r.any() && bench.check.isKept(group.bodies, group.contacts, group.rows, island,
+                                               shareToKeep(group, island), answer.bodies, solution))
       return true;
   }
   return economies.freeIslands &&
-         answer.check.isFree(group.bodies, group.contacts, group.rows, island, solution);
+         bench.check.isFree(group.bodies, group.contacts, group.rows, island, solution);
+}
+
+void checkIsland(const Group& group, const Island& island, const Economies& economies, Bench& bench,
+                 Answer& answer, IslandResult& result) {
+  // The check knows of bodies, not of trees.
+  result.open =
+      group.articulation.moves(island) || !needsNoSolving(group, island, economies, bench, answer);
+  if (result.open) return;
+  note(bench.solution, partsOf(island), result);
+  keepReactions(island, bench.solution, answer);
 }
 
 /// Island `i` of the step; trees join what the assembler has split.
@@ -128,31 +128,27 @@ const Island& islandOf(const Group& group, const Answer& answer, int i) {
   return group.articulation.trees.empty() ? answer.assembler.island(i) : answer.joiner.islands()[i];
 }
 
-void solveIsland(const Group& group, const Island& island, Solver& solver, Answer& answer,
+void solveIsland(const Group& group, const Island& island, Bench& bench, Answer& answer,
                  IslandResult& result) {
-  const Problem& apart =
-      answer.assembler.assemble(group.bodies, group.contacts, group.rows, island);
+  const Problem& apart = bench.assembler.assemble(group.bodies, group.contacts, group.rows, island);
   const bool articulated = group.articulation.moves(island);
   const Problem& problem =
-      articulated ? answer.coupling.couple(group.articulation, apart, island) : apart;
-  collectGuess(island, answer, answer.guess);
-  Solution& solution = answer.solution;
-  solver.solve(problem, answer.guess, solution);
-  ++answer.matrices;
-  answer.regions += solution.regions;
-  answer.factorisations += solution.factorisations;
-  answer.sweeps += solution.sweeps;
+      articulated ? bench.coupling.couple(group.articulation, apart, island) : apart;
+  collectGuess(island, answer, bench.guess);
+  Solution& solution = bench.solution;
+  bench.solver.solve(problem, bench.guess, solution);
+  bench.counts.add(solution);
 
   note(solution, partsOf(island), result);
   constexpr double gain = 10;
-  const double tolerance = solver.options().tolerance * problem.q.cwiseAbs().maxCoeff();
+  const double tolerance = bench.solver.options().tolerance * problem.q.cwiseAbs().maxCoeff();
   if (solution.tier == Tier::Walk && solution.startResidual > worldKeptShare * tolerance &&
       solution.startResidual > gain * solution.residual)
     result.restless = island.bodies.front();
   if (fitsBullet(solution.r)) {
     keepReactions(island, solution, answer);
     applyReaction(answer.bodies, group.contacts, group.rows, island, solution.r);
-    if (articulated) answer.coupling.addGain(group.articulation, solution.r);
+    if (articulated) bench.coupling.addGain(group.articulation, solution.r, answer.gains);
   } else {
     // Better no reaction than one that spoils the world; the residual says how good that is.
     for (int i : island.frictional) answer.contacts[i].setZero();
@@ -162,74 +158,92 @@ void solveIsland(const Group& group, const Island& island, Solver& solver, Answe
     result.status = Status::NonFinite;
     result.residualMax = atRest.max;
     result.residualRms = atRest.rms;
-    solution.blamed = {atRest.worst};
+    result.blamed = {atRest.worst};
   }
-  for (int unknown : solution.blamed)
-    result.blamed.push_back(blame(group, island, unknown, troubleOf(result.status), answer));
+  for (int unknown : result.blamed)
+    if (const int contact = partAt(group, island, unknown).contact; contact >= 0)
+      answer.troubles[contact] = troubleOf(result.status);
 }
 
 /// Solves the islands that the check has left.
-void solveOpenIslands(const Group& group, Solver& solver, Answer& answer) {
-  for (int i : answer.open)
-    solveIsland(group, islandOf(group, answer, i), solver, answer, answer.islands[i]);
+void solveOpenIslands(const Group& group, Workshop& workshop, Answer& answer) {
+  // Unknowns whose solution takes longer than it takes to call another thread.
+  constexpr int worthwhile = 100;
+  const auto island = [&](int k) -> const Island& {
+    return islandOf(group, answer, answer.open[k]);
+  };
+  answer.matrices += static_cast<int>(answer.open.size());
+  workshop.share(
+      static_cast<int>(answer.open.size()), worthwhile, [&](int k) { return island(k).unknowns(); },
+      [&](Bench& bench, int k) {
+        solveIsland(group, island(k), bench, answer, answer.islands[answer.open[k]]);
+      });
 }
 
 }  // namespace
 
 std::size_t Answer::bytes() const {
   const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-  std::size_t numbers = guess.size();
-  for (const Solution& solution : seen) numbers += solution.r.size() + solution.u.size();
-  return of(bodies) + of(contacts) + of(modes) + of(troubles) + of(rows) + of(islands) + of(seen) +
-         of(open) + numbers * sizeof(double);
+  return of(bodies) + of(contacts) + of(modes) + of(troubles) + of(rows) + of(islands) + of(open);
 }
 
-void checkIslands(const Group& group, const Economies& economies, Answer& answer) {
+void checkIslands(const Group& group, Workshop& workshop, Answer& answer) {
+  // Unknowns whose check takes longer than it takes to call another thread.
+  constexpr int worthwhile = 6000;
   const Articulation& articulation = group.articulation;
   int count = answer.assembler.islands();
   if (!articulation.trees.empty()) {
-    answer.coupling.reset(articulation);
+    answer.gains.reset(articulation);
     count = static_cast<int>(answer.joiner.join(answer.assembler, articulation).size());
   }
   answer.islands.resize(count);
-  if (static_cast<int>(answer.seen.size()) < count) answer.seen.resize(count);
-  answer.open.clear();
   answer.bodies = group.bodies;
   answer.modes.assign(group.contacts.size(), Mode::Open);
   answer.troubles.assign(group.contacts.size(), Trouble::None);
-  for (int i = 0; i < count; ++i) {
-    const Island& island = islandOf(group, answer, i);
-    Solution& solution = answer.seen[i];
-    // The check knows of bodies, not of trees.
-    if (!articulation.moves(island) && needsNoSolving(group, island, economies, answer, solution)) {
-      note(solution, partsOf(island), answer.islands[i]);
-      keepReactions(island, solution, answer);
-    } else {
-      answer.open.push_back(i);
-    }
-  }
+  const auto island = [&](int i) -> const Island& { return islandOf(group, answer, i); };
+  workshop.share(
+      count, worthwhile, [&](int i) { return island(i).unknowns(); },
+      [&](Bench& bench, int i) {
+        checkIsland(group, island(i), workshop.options().economies, bench, answer,
+                    answer.islands[i]);
+      });
+  answer.open.clear();
+  for (int i = 0; i < count; ++i)
+    if (answer.islands[i].open) answer.open.push_back(i);
 }
 
 void startFromGuess(const Group& group, Answer& answer) {
-  answer.regions = answer.factorisations = answer.sweeps = 0;
   answer.matrices = answer.obsoleteConstraints = 0;
   answer.contacts = group.guess;
   answer.rows = group.rowGuess;
   answer.rows.resize(group.rows.size(), 0);
 }
 
-void solveIslands(Group& group, const btContactSolverInfo& info, Solver& solver, Answer& answer,
+void solveIslands(Group& group, const btContactSolverInfo& info, Workshop& workshop, Answer& answer,
                   StepReport& report) {
-  solveOpenIslands(group, solver, answer);
+  solveOpenIslands(group, workshop, answer);
   if (group.obsolete.empty()) return;
 
   ObsoleteConstraints obsolete(group, info);
   for (int sweep = 0; sweep < info.m_numIterations && obsolete.sweep(group, answer.bodies, report);
        ++sweep) {
-    checkIslands(group, solver.options().economies, answer);
-    solveOpenIslands(group, solver, answer);
+    checkIslands(group, workshop, answer);
+    solveOpenIslands(group, workshop, answer);
   }
   answer.obsoleteConstraints = obsolete.acted();
+}
+
+std::string nameOf(const Group& group, const Answer& answer, int i, int unknown) {
+  const Part part = partAt(group, islandOf(group, answer, i), unknown);
+  if (part.contact >= 0) return nameOf(group.contactSources[part.contact]);
+  const auto joint =
+      std::find_if(group.joints.begin(), group.joints.end(),
+                   [&](const JointSource& j) { return part.row < j.firstRow + j.rowCount; });
+  if (joint != group.joints.end()) return nameOf(*joint->constraint);
+  const auto source =
+      std::find_if(group.multiBodyRows.begin(), group.multiBodyRows.end(),
+                   [&](const MultiBodyRowSource& candidate) { return candidate.row == part.row; });
+  return nameOf(*source->constraint);
 }
 
 }  // namespace delassus::bullet

@@ -69,10 +69,10 @@ const KeptList<Island>& IslandJoiner::join(const Assembler& assembler,
   return joined_;
 }
 
-void Coupling::reset(const Articulation& articulation) {
+void TreeGains::reset(const Articulation& articulation) {
   const std::size_t count = articulation.trees.size();
-  if (gains_.size() < count) gains_.resize(count);
-  for (std::size_t i = 0; i < count; ++i) gains_[i].setZero(articulation.trees[i].root.rows());
+  if (of.size() < count) of.resize(count);
+  for (std::size_t i = 0; i < count; ++i) of[i].setZero(articulation.trees[i].root.rows());
 }
 
 /// Gives each tree of the island its blocks, behind those of the bodies.
@@ -158,12 +158,12 @@ const Problem& Coupling::couple(const Articulation& articulation, const Problem&
   return problem_;
 }
 
-void Coupling::addGain(const Articulation& articulation, const VectorXd& r) {
+void Coupling::addGain(const Articulation& articulation, const VectorXd& r, TreeGains& gains) {
   problem_.W.bodySpace().impulse(r, impulse_);
   for (std::size_t i = 0; i < firstBlock_.size(); ++i) {
     if (firstBlock_[i] < 0) continue;
     const MatrixXd& root = articulation.trees[i].root;
-    gains_[i].noalias() += root * impulse_.segment(6 * firstBlock_[i], root.cols());
+    gains.of[i].noalias() += root * impulse_.segment(6 * firstBlock_[i], root.cols());
   }
 }
 

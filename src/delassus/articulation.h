@@ -69,21 +69,23 @@ class IslandJoiner {
   std::vector<int> place_;     ///< of each island that is the first of its set, among the joined
 };
 
+/// M⁻¹ Jᵀ r of each tree: what reactions have done to it.
+struct TreeGains {
+  std::vector<VectorXd> of;  ///< by tree; as many as there ever were
+
+  /// Nothing has moved yet.
+  void reset(const Articulation& articulation);
+};
+
 /// The problem of an island with trees: W from the whole motion of each tree, in blocks of six.
 class Coupling {
  public:
-  /// Nothing has moved yet.
-  void reset(const Articulation& articulation);
-
   /// `apart` is the island's problem as the assembler writes it, limbs being bodies of unit mass. Good
   /// until the next call.
   const Problem& couple(const Articulation& articulation, const Problem& apart,
                         const Island& island);
   /// Adds what the reactions of the island that was coupled last do to the trees.
-  void addGain(const Articulation& articulation, const VectorXd& r);
-
-  /// M⁻¹ Jᵀ r of a tree since the reset.
-  const VectorXd& gain(int tree) const { return gains_[tree]; }
+  void addGain(const Articulation& articulation, const VectorXd& r, TreeGains& gains);
 
  private:
   void layOut(const Articulation& articulation, const Island& island);
@@ -95,7 +97,6 @@ class Coupling {
   Problem problem_;
   BodySpace* space_ = nullptr;  ///< of problem_.W
   VectorXd impulse_;            ///< on the blocks
-  std::vector<VectorXd> gains_;
 };
 
 }  // namespace delassus

@@ -54,7 +54,7 @@ TEST(Allocation, GatheringAndWritingBackTakeNoMemoryOnceWarm) {
   for (int i = 0; i < world.dispatcher().getNumManifolds(); ++i)
     manifolds.push_back(world.dispatcher().getManifoldByIndexInternal(i));
 
-  bullet::Answer answer{Options()};
+  bullet::Answer answer;
   StepReport report;
   std::vector<ContactEvent> events;
   for (int pass = 0; pass < 4; ++pass) {

@@ -61,7 +61,7 @@ const std::vector<Vec3> corners{{-1, 0.5, 0.5}, {-1, -0.5, 0.5}, {-1, -0.5, -0.5
 const std::vector<Vec3> reactions{{3, 0.5, 0.1}, {2, -0.2, 0.3}, {1, 0.1, 0}, {4, 0, -0.4}};
 
 Answer answerOf(const std::vector<Vec3>& contacts) {
-  Answer answer{Options()};
+  Answer answer;
   answer.contacts = contacts;
   return answer;
 }

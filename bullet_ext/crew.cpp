@@ -1,0 +1,81 @@
+#include "bullet_ext/crew.h"
+
+#include <utility>
+
+namespace delassus::bullet {
+
+Crew::Crew() : parts_(std::make_unique<Part[]>(1)) {}
+
+Crew::~Crew() { dismiss(); }
+
+void Crew::dismiss() {
+  {
+    const std::lock_guard lock(mutex_);
+    dismissed_ = true;
+  }
+  called_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
+  threads_.clear();
+  dismissed_ = false;
+  calls_ = 0;
+}
+
+void Crew::setHands(int hands) {
+  dismiss();
+  parts_ = std::make_unique<Part[]>(hands);
+  threads_.reserve(hands - 1);
+  try {
+    for (int hand = 1; hand < hands; ++hand) threads_.emplace_back([this, hand] { attend(hand); });
+  } catch (...) {
+    dismiss();
+    throw;
+  }
+}
+
+void Crew::attend(int hand) {
+  unsigned seen = 0;
+  while (true) {
+    {
+      std::unique_lock lock(mutex_);
+      called_.wait(lock, [&] { return dismissed_ || calls_ != seen; });
+      if (dismissed_) return;
+      seen = calls_;
+    }
+    workThrough(hand);
+    const std::lock_guard lock(mutex_);
+    if (--busy_ == 0) ended_.notify_one();
+  }
+}
+
+void Crew::workThrough(int hand) {
+  try {
+    for (int k = 0; k < hands(); ++k) {
+      Part& part = parts_[(hand + k) % hands()];
+      for (int item = part.next++; item < part.end; item = part.next++) task_(context_, hand, item);
+    }
+  } catch (...) {
+    parts_[hand].error = std::current_exception();
+  }
+}
+
+void Crew::run(Task task, const void* context) {
+  task_ = task;
+  context_ = context;
+  {
+    const std::lock_guard lock(mutex_);
+    ++calls_;
+    busy_ = hands() - 1;
+  }
+  called_.notify_all();
+  workThrough(0);
+  {
+    std::unique_lock lock(mutex_);
+    ended_.wait(lock, [this] { return busy_ == 0; });
+  }
+  std::exception_ptr error;
+  for (int hand = hands() - 1; hand >= 0; --hand)
+    if (std::exception_ptr own = std::exchange(parts_[hand].error, nullptr)) error = own;
+  if (error) std::rethrow_exception(error);
+}
+
+}  // namespace delassus::bullet

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "bullet_ext/crew.h"
+#include "delassus/articulation.h"
+#include "delassus/island.h"
+#include "delassus/island_check.h"
+#include "delassus/solution.h"
+#include "delassus/solver.h"
+
+namespace delassus::bullet {
+
+/// All that one thread needs to answer one island after the other. Nothing that is left on it from the last island shows in
+/// the next one's answer.
+struct Bench {
+  Bench(const Options& forSolver, const Options& forCheck) : solver(forSolver), check(forCheck) {}
+
+  Solver solver;
+  IslandCheck check;
+  Assembler assembler;
+  Coupling coupling;
+  VectorXd guess;
+  Solution solution;
+
+  /// What was done here since the last Workshop::clearCounts().
+  struct Counts {
+    int unsolved = 0, regions = 0, factorisations = 0, sweeps = 0;
+    void add(const Solution& solved) {
+      unsolved += solved.status != Status::Solved;
+      regions += solved.regions;
+      factorisations += solved.factorisations;
+      sweeps += solved.sweeps;
+    }
+    void add(const Counts& other) {
+      unsolved += other.unsolved;
+      regions += other.regions;
+      factorisations += other.factorisations;
+      sweeps += other.sweeps;
+    }
+  } counts;
+};
+
+/// Where islands are answered: by the caller alone, or by a crew side by side. They share no body that moves, no contact and
+/// no row, so that each has the same answer, bit for bit, whoever else is at work.
+class Workshop {
+ public:
+  Workshop(const Options& forSolver, const Options& forCheck)
+      : forSolver_(forSolver), forCheck_(forCheck) {
+    clear();
+  }
+
+  void setThreads(int threads) {
+    crew_.setHands(std::max(threads, 1));
+    clear();
+  }
+  int threads() const { return crew_.hands(); }
+  const Options& options() const { return forSolver_; }
+
+  /// Empty benches.
+  void clear() {
+    benches_.clear();
+    for (int i = 0; i < crew_.hands(); ++i)
+      benches_.push_back(std::make_unique<Bench>(forSolver_, forCheck_));
+  }
+
+  /// Calls work(bench, i) for all i < count. Others than the caller take part if there is enough for them to do: by the
+  /// sum of weight(i), in unknowns, not by the clock.
+  template <class Weight, class Work>
+  void share(int count, int worthwhile, const Weight& weight, const Work& work) {
+    int total = 0;
+    if (crew_.hands() > 1 && count > 1)
+      for (int i = 0; i < count; ++i) total += weight(i);
+    if (total > worthwhile) {
+      crew_.share(count, weight, [&](int hand, int i) { work(*benches_[hand], i); });
+    } else {
+      for (int i = 0; i < count; ++i) work(*benches_[0], i);
+    }
+  }
+
+  void clearCounts() {
+    for (const auto& bench : benches_) bench->counts = {};
+  }
+  Bench::Counts counts() const {
+    Bench::Counts sum;
+    for (const auto& bench : benches_) sum.add(bench->counts);
+    return sum;
+  }
+
+ private:
+  Options forSolver_, forCheck_;
+  Crew crew_;
+  std::vector<std::unique_ptr<Bench>> benches_;  ///< one a hand
+};
+
+}  // namespace delassus::bullet
