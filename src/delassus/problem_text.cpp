@@ -22,7 +22,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // Lists grow with the text, so that a wrong count cannot ask for memory that the text does not fill.
 
 VectorXd toVector(const std::vector<double>& numbers) {
-  return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(),
+                                           static_cast<Eigen::Index>(numbers.size()));
 }
 
 VectorXd readNumbers(WordReader& in, const char* section, int entries, int numbersPerEntry) {

@@ -97,7 +97,8 @@ struct MatrixText {
 MatrixText matrixText(const DelassusMatrix& W, int side) {
   Sparse matrix = explicitEntries(W);
   matrix.makeCompressed();
-  requireFinite(Eigen::Map<const Eigen::VectorXd>(matrix.valuePtr(), matrix.nonZeros()), "the matrix");
+  requireFinite(Eigen::Map<const Eigen::VectorXd>(matrix.valuePtr(), matrix.nonZeros()),
+                "the matrix");
   MatrixText out;
   for (int row = 0; row < W.size() / side; ++row) {
     std::map<int, std::array<double, 9>> blocks{{row, {}}};

@@ -56,7 +56,8 @@ std::vector<ProblemPart> splitProblem(const Problem& problem) {
         if (partOf[it.col()] == partOf[i]) entries.emplace_back(k, place[it.col()], it.value());
     }
     const auto vector = [](const std::vector<double>& x) {
-      return VectorXd(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
+      return VectorXd(
+          Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
     };
     p.friction = vector(friction);
     p.lower = vector(lower);

@@ -149,6 +149,33 @@ TEST(BlockFactor, HasNoMemoryOfEarlierGraphsAndValues) {
   EXPECT_EQ(answer(used, chain), first);
 }
 
+// More graphs in turn than are kept: whether one is known or has been forgotten does not show either.
+TEST(BlockFactor, KeepsWhatManyGraphsAskedFor) {
+  constexpr int graphs = 100;
+  Random random(15);
+  std::vector<Edges> all;
+  for (int k = 0; k < graphs; ++k) all.push_back(randomEdges(12, 12 + k % 5, random));
+  const auto answer = [&](BlockFactor& factor, int k) {
+    Random own(k);
+    DenseBeside both(factor, 12, all[k]);
+    for (int e = 0; e < static_cast<int>(all[k].size()); ++e)
+      both.addContact(e, randomStiffness(own), own);
+    EXPECT_TRUE(factor.factorise());
+    VectorXd x = normalVector(72, own);
+    factor.solve(x);
+    return x;
+  };
+  BlockFactor used;
+  std::size_t bytes = 0;
+  for (int k = 0; k < 5 * graphs; ++k) {
+    const int graph = k < 2 * graphs ? k % graphs : static_cast<int>(random() % graphs);
+    BlockFactor fresh;
+    ASSERT_EQ(answer(used, graph), answer(fresh, graph)) << k;
+    if (k == graphs) bytes = used.bytes();
+  }
+  EXPECT_LT(static_cast<double>(used.bytes()), 1.2 * static_cast<double>(bytes));
+}
+
 // A chain has no fill: as many blocks as couplings.
 TEST(BlockFactor, EliminatesChainsWithoutFill) {
   const auto bytesOfChain = [](int bodies) {

@@ -1,0 +1,77 @@
+#include "delassus/block_pattern.h"
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
+#include <algorithm>
+
+namespace delassus {
+namespace {
+
+std::vector<int> minimumDegreePlaces(int bodies, const std::vector<BlockPattern::Edge>& edges) {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(2 * edges.size() + bodies);
+  for (int i = 0; i < bodies; ++i) entries.emplace_back(i, i, 1.0);
+  for (const BlockPattern::Edge& e : edges) {
+    entries.emplace_back(e.a, e.b, 1.0);
+    entries.emplace_back(e.b, e.a, 1.0);
+  }
+  Eigen::SparseMatrix<double> graph(bodies, bodies);
+  graph.setFromTriplets(entries.begin(), entries.end());
+
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+  Eigen::AMDOrdering<int>()(graph.selfadjointView<Eigen::Lower>(), order);
+  std::vector<int> places(bodies);
+  for (int k = 0; k < bodies; ++k) places[order.indices()[k]] = k;
+  return places;
+}
+
+}  // namespace
+
+BlockPattern::BlockPattern(int bodyCount, const std::vector<Edge>& edgeList)
+    : bodies(bodyCount), edges(edgeList) {
+  place = bodies > 1 ? minimumDegreePlaces(bodies, edges) : std::vector<int>(bodies, 0);
+
+  // Pattern of L, column by column: own entries, and what the children in the elimination tree pass up.
+  std::vector<std::vector<int>> pattern(bodies);
+  for (const Edge& e : edges) {
+    const auto [low, high] = std::minmax(place[e.a], place[e.b]);
+    pattern[low].push_back(high);
+  }
+  std::vector<std::vector<int>> children(bodies);
+  begin.assign(bodies + 1, 0);
+  for (int k = 0; k < bodies; ++k) {
+    std::vector<int>& rows = pattern[k];
+    for (int child : children[k])
+      rows.insert(rows.end(), pattern[child].begin() + 1, pattern[child].end());
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    if (!rows.empty()) children[rows.front()].push_back(k);
+    row.insert(row.end(), rows.begin(), rows.end());
+    begin[k + 1] = static_cast<int>(row.size());
+  }
+
+  target.reserve(edges.size());
+  for (const Edge& e : edges) {
+    const auto [low, high] = std::minmax(place[e.a], place[e.b]);
+    const auto first = row.begin() + begin[low], last = row.begin() + begin[low + 1];
+    target.push_back({static_cast<int>(std::lower_bound(first, last, high) - row.begin()),
+                      place[e.a] > place[e.b]});
+  }
+
+  ancestorBegin.assign(bodies + 1, 0);
+  for (int r : row) ++ancestorBegin[r + 1];
+  for (int k = 0; k < bodies; ++k) ancestorBegin[k + 1] += ancestorBegin[k];
+  ancestors.resize(row.size());
+  std::vector<int> next(ancestorBegin.begin(), ancestorBegin.end() - 1);
+  for (int column = 0; column < bodies; ++column)
+    for (int at = begin[column]; at < begin[column + 1]; ++at)
+      ancestors[next[row[at]]++] = {column, at};
+}
+
+std::size_t BlockPattern::bytes() const {
+  const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
+  return of(edges) + of(place) + of(target) + of(begin) + of(row) + of(ancestorBegin) +
+         of(ancestors);
+}
+
+}  // namespace delassus
