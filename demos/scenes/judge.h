@@ -39,7 +39,7 @@ class JudgedSolver : public SolverDecorator {
   void lendFeedback(const GroupArguments& arguments);
   std::vector<double> rowReactions(double timeStep) const;
   void addTurning(const delassus::Island& island, const delassus::Problem& problem,
-                  Eigen::VectorXd& r) const;
+                  delassus::VectorXd& r) const;
   void takeFeedbackBack();
 
   btScalar cfm_;
