@@ -1,6 +1,7 @@
-/// A step that is like the one before takes no memory.
+/// A step that is like the one before takes no memory, and what is kept between steps is in proportion to the contacts.
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <cstdlib>
 #include <new>
@@ -12,27 +13,38 @@
 #include "tests/support/bullet_world.h"
 
 // Eigen asks malloc, the standard library new, which asks malloc too. Sanitizers bring a malloc of their own.
-#ifndef __SANITIZE_ADDRESS__
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 namespace delassus::testing {
 thread_local long allocations = 0;
+namespace {
+thread_local long heldBytes = 0;  ///< taken and not given back, by this thread
+
+void* taken(void* memory) {
+  ++allocations;
+  heldBytes += static_cast<long>(malloc_usable_size(memory));
+  return memory;
 }
+void givenBack(void* memory) { heldBytes -= static_cast<long>(malloc_usable_size(memory)); }
+}  // namespace
+}  // namespace delassus::testing
 
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_realloc(void* memory, std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
+void __libc_free(void* memory);
 
-void* malloc(std::size_t size) {
-  ++delassus::testing::allocations;
-  return __libc_malloc(size);
-}
+void* malloc(std::size_t size) { return delassus::testing::taken(__libc_malloc(size)); }
 void* realloc(void* memory, std::size_t size) {
-  ++delassus::testing::allocations;
-  return __libc_realloc(memory, size);
+  delassus::testing::givenBack(memory);
+  return delassus::testing::taken(__libc_realloc(memory, size));
 }
 void* calloc(std::size_t count, std::size_t size) {
-  ++delassus::testing::allocations;
-  return __libc_calloc(count, size);
+  return delassus::testing::taken(__libc_calloc(count, size));
+}
+void free(void* memory) {
+  delassus::testing::givenBack(memory);
+  __libc_free(memory);
 }
 }
 
@@ -90,15 +102,17 @@ class CountingSolver : public btDelassusConstraintSolver {
                       int manifoldCount, btTypedConstraint** constraints, int constraintCount,
                       const btContactSolverInfo& info, btIDebugDraw* drawer,
                       btDispatcher* dispatcher) override {
-    const long before = allocations;
+    const long before = allocations, heldBefore = heldBytes;
     const btScalar answer = btDelassusConstraintSolver::solveGroup(
         bodies, bodyCount, manifolds, manifoldCount, constraints, constraintCount, info, drawer,
         dispatcher);
     taken += allocations - before;
+    held += heldBytes - heldBefore;
     return answer;
   }
 
   long taken = 0;
+  long held = 0;  ///< bytes, since the first step
 };
 
 /// Allocations of the last 30 steps of a scene, which is warm by then, `work` done before each of them.
@@ -167,6 +181,60 @@ TEST(Allocation, APushTakesNoMemory) {
   };
   EXPECT_EQ(allocationsOf(optionsOfPrecision(), build, sink), 0);
   EXPECT_EQ(pushed, 89);
+}
+
+TEST(Allocation, IslandsOfSeveralSizesTakeNoMemoryInTurn) {
+  constexpr int stacks = 12;
+  // Boxes, then pendulums: islands of contacts and of rows.
+  const auto build = [](BulletWorld& world) {
+    world.addGround();
+    for (int stack = 0; stack < stacks; ++stack)
+      for (int i = 0; i <= stack % 3; ++i)
+        world.addCube({btScalar(3 * stack), btScalar(0.5) + i, 0});
+    for (int i = 0; i < 2; ++i) {
+      btRigidBody& ball = world.addSphere(btScalar(0.2), {btScalar(i), 9, 0});
+      world.addJoint<btPoint2PointConstraint>(ball, btVector3(0, 1, 0));
+    }
+  };
+  int walked = 0;
+  const auto shake = [&](BulletWorld& world, int step) {
+    walked += world.report().walks;
+    btCollisionObjectArray& objects = world->getCollisionObjectArray();
+    for (int i = 1; i < objects.size(); ++i)
+      btRigidBody::upcast(objects[i])->applyCentralForce({btScalar(step % 2 ? 1 : -1), 0, 0});
+  };
+  EXPECT_EQ(allocationsOf(optionsOfPrecision(), build, shake), 0);
+  EXPECT_GT(walked, 80 * stacks);
+}
+
+/// Bytes that the solver holds per contact of a world that has come to rest, was kept, and pushed again.
+template <class Build>
+double bytesPerContact(const Build& build) {
+  BulletWorld world(std::make_unique<CountingSolver>(optionsOfPrecision()));
+  world.addGround();
+  build(world);
+  int contacts = 0;
+  for (int step = 0; step < 9; ++step) {
+    btCollisionObjectArray& objects = world->getCollisionObjectArray();
+    if (step == 5) btRigidBody::upcast(objects[objects.size() / 2])->applyCentralImpulse({2, 0, 1});
+    world.advance();
+    contacts = std::max(contacts, world.report().contacts);
+  }
+  return static_cast<double>(dynamic_cast<CountingSolver&>(world.delassus()).held) / contacts;
+}
+
+TEST(Allocation, AContactTakesFourKilobytesAtMost) {
+  const auto buildPyramid = [](BulletWorld& world) {
+    constexpr int base = 20;
+    for (int row = 0; row < base; ++row)
+      for (int i = 0; i < base - row; ++i)
+        world.addCube({btScalar(1.02) * (i + btScalar(0.5) * row), btScalar(0.5) + row, 0});
+  };
+  const auto buildStack = [](BulletWorld& world) {
+    for (int i = 0; i < 40; ++i) world.addCube({0, btScalar(0.5) + i, 0});
+  };
+  EXPECT_LE(bytesPerContact(buildPyramid), 4096);
+  EXPECT_LE(bytesPerContact(buildStack), 4096);
 }
 
 }  // namespace

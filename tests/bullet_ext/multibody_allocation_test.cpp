@@ -6,7 +6,7 @@
 #include "tests/support/allocations.h"
 #include "tests/support/multibody_world.h"
 
-#ifndef __SANITIZE_ADDRESS__
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
 namespace delassus::testing {
 namespace {

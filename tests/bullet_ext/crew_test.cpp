@@ -1,0 +1,90 @@
+/// Threads that share a list with their caller.
+#include "bullet_ext/crew.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <future>
+#include <stdexcept>
+#include <vector>
+
+namespace delassus::bullet {
+namespace {
+
+const auto alike = [](int) { return 1; };
+
+// Hands and items by turns, so that some hands find nothing to do.
+TEST(Crew, DoesEveryItemOnceAndNoHandTwoAtATime) {
+  Crew crew;
+  EXPECT_EQ(crew.hands(), 1);
+  for (int hands : {1, 4, 2, 3, 1, 2}) {
+    crew.setHands(hands);
+    EXPECT_EQ(crew.hands(), hands);
+    for (int count : {0, 1, 2, 3, 5, 200}) {
+      std::vector<int> done(count, 0);
+      std::vector<std::atomic<int>> busy(hands);
+      const auto weight = [](int i) { return i % 7 == 3 ? 100 : 0; };
+      crew.share(count, weight, [&](int hand, int i) {
+        EXPECT_EQ(busy[hand]++, 0);
+        ++done[i];
+        --busy[hand];
+      });
+      EXPECT_EQ(std::count(done.begin(), done.end(), 1), count) << hands << " hands";
+    }
+  }
+}
+
+// Each of four items waits until all have begun: no fewer than four hands get past them.
+TEST(Crew, AllHandsWorkAtTheSameTime) {
+  constexpr int hands = 4;
+  Crew crew;
+  crew.setHands(hands);
+  std::atomic<int> begun{0};
+  std::promise<void> all;
+  const std::shared_future<void> allBegun = all.get_future().share();
+  crew.share(hands, alike, [&](int, int) {
+    if (++begun == hands) all.set_value();
+    EXPECT_EQ(allBegun.wait_for(std::chrono::seconds(20)), std::future_status::ready);
+  });
+}
+
+// One item is as heavy as all the others: it is the part of one hand, which the other does not wait for.
+TEST(Crew, BeginsWithPartsOfTheSameWeight) {
+  constexpr int light = 9;
+  Crew crew;
+  crew.setHands(2);
+  std::promise<void> rest;
+  std::atomic<int> left{light};
+  const auto weight = [](int i) { return i == light ? light : 1; };
+  crew.share(light + 1, weight, [&](int, int i) {
+    if (i == light)
+      EXPECT_EQ(rest.get_future().wait_for(std::chrono::seconds(20)), std::future_status::ready);
+    else if (--left == 0)
+      rest.set_value();
+  });
+}
+
+TEST(Crew, WhatIsThrownReachesTheCallerAndTheNextListIsDone) {
+  Crew crew;
+  for (int hands : {1, 2, 4}) {
+    crew.setHands(hands);
+    for (int bad : {0, 7, 19}) {
+      const auto fail = [&](int, int i) {
+        if (i == bad) throw std::runtime_error("item " + std::to_string(i));
+      };
+      try {
+        crew.share(20, alike, fail);
+        ADD_FAILURE() << "nothing was thrown";
+      } catch (const std::runtime_error& error) {
+        EXPECT_EQ(error.what(), "item " + std::to_string(bad));
+      }
+      std::atomic<int> done{0};
+      crew.share(20, alike, [&](int, int) { ++done; });
+      EXPECT_EQ(done, 20);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace delassus::bullet

@@ -1,0 +1,208 @@
+/// Islands that are solved side by side: whatever the number of threads, the bits, the report and the events are the same.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/support/bullet_world.h"
+
+namespace delassus::testing {
+namespace {
+
+/// All that a user sees of some steps.
+struct History {
+  std::vector<btScalar> numbers;
+  std::vector<std::string> messages;
+  int walks = 0, pushIslands = 0, mostIslands = 0, mostContacts = 0;
+
+  void add(const btCollisionObject& object) {
+    const btTransform& pose = object.getWorldTransform();
+    for (int i = 0; i < 3; ++i) {
+      numbers.push_back(pose.getOrigin()[i]);
+      for (int j = 0; j < 3; ++j) numbers.push_back(pose.getBasis()[i][j]);
+    }
+  }
+  void add(const StepReport& report) {
+    for (const int count :
+         {report.islands, report.contacts, report.open, report.stick, report.modeChanges,
+          report.keptIslands, report.walks, report.matrices, report.regions, report.factorisations,
+          report.sweeps, report.solved, report.outOfBudget, report.pushIslands})
+      numbers.push_back(btScalar(count));
+    numbers.push_back(btScalar(report.residualMax));
+    numbers.push_back(btScalar(report.residualRms));
+    messages.insert(messages.end(), report.messages.begin(), report.messages.end());
+    walks += report.walks;
+    pushIslands += report.pushIslands;
+    mostIslands = std::max(mostIslands, report.islands);
+    mostContacts = std::max(mostContacts, report.contacts);
+  }
+  void add(const ContactEvent& event) {
+    for (const int number : {event.point, int(event.from), int(event.to), int(event.trouble)})
+      numbers.push_back(btScalar(number));
+  }
+};
+
+void expectSame(const History& a, const History& b) {
+  ASSERT_EQ(a.numbers.size(), b.numbers.size());
+  EXPECT_EQ(std::memcmp(a.numbers.data(), b.numbers.data(), a.numbers.size() * sizeof(btScalar)),
+            0);
+  EXPECT_EQ(a.messages, b.messages);
+}
+
+using Build = std::function<void(BulletWorld&)>;
+/// Threads in each step.
+using Threads = std::function<int(int step)>;
+
+Threads always(int threads) {
+  return [threads](int) { return threads; };
+}
+
+History run(const Build& build, int steps, const Threads& threads, const Options& options = {}) {
+  BulletWorld world(std::make_unique<btDelassusConstraintSolver>(options));
+  build(world);
+  History history;
+  const auto listen = [&](const ContactEvent& event) { history.add(event); };
+  world.delassus().setContactListener(listen);
+  world.delassus().setTroubleListener(listen);
+  int now = 1;
+  for (int step = 0; step < steps; ++step) {
+    if (threads(step) != now) world.delassus().setThreads(now = threads(step));
+    world.advance();
+    history.add(world.report());
+    for (int i = 0; i < world->getNumCollisionObjects(); ++i)
+      history.add(*world->getCollisionObjectArray()[i]);
+  }
+  return history;
+}
+
+/// Stacks of one to three boxes that are dropped, pushed and turned, each another way.
+void buildStacks(BulletWorld& world) {
+  world.addGround();
+  for (int stack = 0; stack < 25; ++stack)
+    for (int i = 0; i <= stack % 3; ++i) {
+      btRigidBody& box =
+          world.addCube({btScalar(4 * (stack % 5)), btScalar(0.6) + btScalar(1.02) * i,
+                         btScalar(4 * (stack / 5))},
+                        btScalar(1 + stack % 4));
+      box.setLinearVelocity({btScalar(0.1) * (stack % 7), -1, btScalar(0.2) * i});
+      box.setAngularVelocity({0, btScalar(0.3) * (stack % 5), btScalar(0.1) * i});
+    }
+}
+
+/// Dolls of a trunk and four limbs on hinges and cone-twists, let fall.
+void buildDolls(BulletWorld& world) {
+  world.addGround();
+  for (int doll = 0; doll < 8; ++doll) {
+    const btVector3 at(btScalar(3 * (doll % 4)), btScalar(0.8) + btScalar(0.1) * doll,
+                       btScalar(3 * (doll / 4)));
+    btRigidBody& trunk = world.addBox({btScalar(0.2), btScalar(0.4), btScalar(0.1)}, at, 10);
+    for (int limb = 0; limb < 4; ++limb) {
+      const btScalar side = limb % 2 ? btScalar(0.3) : btScalar(-0.3);
+      const btScalar up = limb < 2 ? btScalar(0.3) : btScalar(-0.3);
+      btRigidBody& arm = world.addBox({btScalar(0.06), btScalar(0.25), btScalar(0.06)},
+                                      at + btVector3(side, up, 0), 2);
+      arm.setLinearVelocity({side, 0, btScalar(0.1) * doll});
+      const btVector3 onTrunk(side, up + btScalar(0.2), 0), onArm(0, btScalar(0.2), 0);
+      if (limb < 2)
+        world.addJoint<btHingeConstraint>(trunk, arm, onTrunk, onArm, btVector3(0, 0, 1),
+                                          btVector3(0, 0, 1));
+      else
+        world.addJoint<btConeTwistConstraint>(trunk, arm, BulletWorld::at(onTrunk),
+                                              BulletWorld::at(onArm));
+    }
+  }
+}
+
+/// Spheres of several sizes that rain on each other: islands merge and part.
+void buildRain(BulletWorld& world) {
+  world.addGround();
+  for (int i = 0; i < 90; ++i)
+    world
+        .addSphere(btScalar(0.2) + btScalar(0.05) * (i % 4),
+                   {btScalar(0.55) * (i % 6) + btScalar(0.02) * (i % 5),
+                    btScalar(0.3) + btScalar(0.5) * (i / 18),
+                    btScalar(0.6) * (i / 6 % 3) + btScalar(0.03) * (i % 3)})
+        .setLinearVelocity({0, btScalar(-1) - btScalar(0.1) * (i % 9), 0});
+}
+
+/// Boxes that are put into the ground: split impulse moves them out.
+void buildSunk(BulletWorld& world) {
+  world.addGround();
+  for (int i = 0; i < 20; ++i)
+    world.addCube(
+        {btScalar(3 * (i % 5)), btScalar(0.3) + btScalar(0.01) * i, btScalar(3 * (i / 5))});
+}
+
+/// So many boxes at rest that their check alone is shared.
+void buildField(BulletWorld& world) {
+  world.addGround();
+  for (int i = 0; i < 625; ++i)
+    world.addCube({btScalar(2 * (i % 25)), btScalar(0.5), btScalar(2 * (i / 25))});
+}
+
+TEST(Threads, TheMotionTheReportAndTheEventsAreTheSame) {
+  const std::pair<Build, int> worlds[] = {
+      {buildStacks, 60}, {buildDolls, 60}, {buildRain, 60}, {buildSunk, 10}, {buildField, 8}};
+  for (const auto& [build, steps] : worlds) {
+    const History serial = run(build, steps, always(1));
+    EXPECT_GT(serial.mostIslands, 4);
+    EXPECT_GT(serial.walks, 0);
+    for (int threads : {2, 3, 4}) expectSame(run(build, steps, always(threads)), serial);
+  }
+  EXPECT_GT(run(buildSunk, 2, always(1)).pushIslands, 10);
+  EXPECT_GT(run(buildField, 2, always(1)).mostContacts, 2000);
+}
+
+TEST(Threads, MessagesComeInTheOrderOfTheIslands) {
+  Options options;
+  options.newtonBudget = options.sweepBudget = 1;
+  const History serial = run(buildStacks, 20, always(1), options);
+  EXPECT_GT(serial.messages.size(), 20u);
+  for (int threads : {2, 4}) expectSame(run(buildStacks, 20, always(threads), options), serial);
+}
+
+TEST(Threads, TheirNumberMayChangeBetweenSteps) {
+  const History serial = run(buildStacks, 40, always(1));
+  expectSame(run(buildStacks, 40, [](int step) { return 1 + step / 3 % 4; }), serial);
+  expectSame(run(buildStacks, 40, [](int step) { return 4 - step % 4; }), serial);
+  // Fewer than one is one.
+  expectSame(run(buildStacks, 40, [](int step) { return step % 2 ? -1 : 0; }), serial);
+}
+
+TEST(Threads, ResetKeepsThemAndForgetsTheRest) {
+  btDelassusConstraintSolver solver;
+  solver.setThreads(3);
+  solver.reset();
+  EXPECT_EQ(solver.report().islands, 0);
+  const auto withReset = [](int threads) {
+    BulletWorld world(std::make_unique<btDelassusConstraintSolver>());
+    buildStacks(world);
+    world.delassus().setThreads(threads);
+    History history;
+    for (int step = 0; step < 20; ++step) {
+      if (step % 5 == 4) world.delassus().reset();
+      world.advance();
+      history.add(world.report());
+    }
+    return history;
+  };
+  expectSame(withReset(3), withReset(1));
+}
+
+TEST(Threads, FourSolversInFourThreadsWithTheirOwn) {
+  const History serial = run(buildStacks, 40, always(1));
+  std::vector<History> together(4);
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i)
+    threads.emplace_back([i, &together] { together[i] = run(buildStacks, 40, always(1 + i)); });
+  for (std::thread& thread : threads) thread.join();
+  for (const History& history : together) expectSame(history, serial);
+}
+
+}  // namespace
+}  // namespace delassus::testing
