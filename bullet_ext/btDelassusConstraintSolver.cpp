@@ -136,8 +136,9 @@ void btDelassusConstraintSolver::Workspace::countSolve(const Bench::Counts& work
   report.obsoleteConstraints += answer.obsoleteConstraints;
   report.pushIslands += pushes.islands;
   report.pushUnsolved += pushes.counts.unsolved;
-  report.workspaceBytes = std::max(
-      report.workspaceBytes, group.bytes() + memory.bytes() + answer.bytes() + pushes.bytes());
+  report.workspaceBytes =
+      std::max(report.workspaceBytes, group.bytes() + memory.bytes() + answer.bytes() +
+                                          pushes.bytes() + workshop.bytes() + bytesOf(events));
 }
 
 btDelassusConstraintSolver::btDelassusConstraintSolver(const Options& options, btDelassusPrecision)

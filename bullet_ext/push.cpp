@@ -21,9 +21,7 @@ void Pushes::clear() {
   counts = {};
 }
 
-std::size_t Pushes::bytes() const {
-  return bodies.capacity() * sizeof(Body) + contacts.capacity() * sizeof(Contact);
-}
+std::size_t Pushes::bytes() const { return bytesOf(bodies, contacts) + assembler.bytes(); }
 
 void solvePushes(const Group& group, bool all, Workshop& workshop, Pushes& pushes) {
   // Unknowns whose solution takes longer than it takes to call another thread.

@@ -183,8 +183,7 @@ void solveOpenIslands(const Group& group, Workshop& workshop, Answer& answer) {
 }  // namespace
 
 std::size_t Answer::bytes() const {
-  const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-  return of(bodies) + of(contacts) + of(modes) + of(troubles) + of(rows) + of(islands) + of(open);
+  return bytesOf(bodies, contacts, modes, troubles, rows, islands, open) + assembler.bytes();
 }
 
 void checkIslands(const Group& group, Workshop& workshop, Answer& answer) {

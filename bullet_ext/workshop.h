@@ -25,6 +25,11 @@ struct Bench {
   VectorXd guess;
   Solution solution;
 
+  std::size_t bytes() const {
+    return solver.bytes() + check.bytes() + assembler.bytes() + coupling.bytes() + guess.bytes() +
+           solution.bytes();
+  }
+
   /// What was done here since the last Workshop::clearCounts().
   struct Counts {
     int unsolved = 0, regions = 0, factorisations = 0, sweeps = 0;
@@ -78,6 +83,12 @@ class Workshop {
     } else {
       for (int i = 0; i < count; ++i) work(*benches_[0], i);
     }
+  }
+
+  std::size_t bytes() const {
+    std::size_t sum = 0;
+    for (const auto& bench : benches_) sum += bench->bytes();
+    return sum;
   }
 
   void clearCounts() {

@@ -87,6 +87,8 @@ class Coupling {
   /// Adds what the reactions of the island that was coupled last do to the trees.
   void addGain(const Articulation& articulation, const VectorXd& r, TreeGains& gains);
 
+  std::size_t bytes() const { return problem_.bytes() + bytesOf(firstBlock_, impulse_); }
+
  private:
   void layOut(const Articulation& articulation, const Island& island);
   template <class Block>

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "delassus/bytes.h"
+
 namespace delassus {
 
 void BlockFactor::analyse(int bodies, const std::vector<Edge>& edges) {
@@ -93,10 +95,8 @@ void BlockFactor::solve(VectorXd& x) const {
 }
 
 std::size_t BlockFactor::bytes() const {
-  std::size_t sum = ordered_.bytes() + slot_.capacity() * sizeof(int);
-  for (const BlockPattern& pattern : patterns_) sum += sizeof(BlockPattern) + pattern.bytes();
-  for (const auto* blocks : {&diagonal_, &diagonalInverse_, &lower_, &upper_})
-    sum += blocks->capacity() * sizeof(Mat6);
+  std::size_t sum = bytesOf(slot_, diagonal_, diagonalInverse_, lower_, upper_, ordered_);
+  for (const BlockPattern& kept : patterns_) sum += sizeof(BlockPattern) + kept.bytes();
   return sum;
 }
 

@@ -4,6 +4,8 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 
+#include "delassus/bytes.h"
+
 namespace delassus {
 namespace {
 
@@ -69,9 +71,7 @@ BlockPattern::BlockPattern(int bodyCount, const std::vector<Edge>& edgeList)
 }
 
 std::size_t BlockPattern::bytes() const {
-  const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-  return of(edges) + of(place) + of(target) + of(begin) + of(row) + of(ancestorBegin) +
-         of(ancestors);
+  return bytesOf(edges, place, target, begin, row, ancestorBegin, ancestors);
 }
 
 }  // namespace delassus

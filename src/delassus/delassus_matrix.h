@@ -3,6 +3,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
+#include "delassus/bytes.h"
 #include "delassus/types.h"
 
 namespace delassus {
@@ -46,6 +47,8 @@ struct BodySpace {
   };
   /// Parts of the contact or row whose first unknown is `at`.
   PartRange partsOf(int at) const;
+
+  std::size_t bytes() const { return bytesOf(contacts, rows, parts, compliance); }
 };
 
 /// The Delassus matrix W = J M⁻¹ Jᵀ of one island: n contacts with three rows each, then m scalar rows.

@@ -27,6 +27,11 @@ class InteriorPoint {
   bool solve(Motion& motion, const Problem& problem, const NaturalMap& map, double tolerance,
              int budget, Solution& best);
 
+  std::size_t bytes() const {
+    return G_.bytes() + bytesOf(scale_, r_, u_, y_, b_, dv_, du_, weight_, cones_, disks_, lower_,
+                                upper_, rowResidual_);
+  }
+
  private:
   /// A contact with friction.
   struct Cone : LorentzPair {

@@ -68,6 +68,12 @@ void Assembler::addIsland() {
   island.rows.clear();
 }
 
+std::size_t Assembler::bytes() const {
+  std::size_t sum = bytesOf(islands_, islandOf_, roots_) + links_.bytes() + problem_.bytes();
+  for (const Island& island : islands_) sum += island.bytes();
+  return sum;
+}
+
 void Assembler::split(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
                       const std::vector<Row>& rows, bool allTangents) {
   constexpr int untouched = -2, unnumbered = -1;

@@ -25,6 +25,7 @@ struct Island {
   }
   /// The unknown that is the normal reaction of one of its contacts.
   int normalOf(int contact) const;
+  std::size_t bytes() const { return bytesOf(bodies, frictional, frictionless, rows); }
 };
 
 /// Splits steps into islands and writes their problems, in storage that it keeps from step to step.
@@ -41,6 +42,8 @@ class Assembler {
   /// W, q, friction and bounds of one island; good until the next call.
   const Problem& assemble(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
                           const std::vector<Row>& rows, const Island& island);
+
+  std::size_t bytes() const;
 
  private:
   /// B with M⁻¹ = B Bᵀ: a diagonal for the mass, a lower triangle for the inertia.

@@ -30,6 +30,8 @@ class IslandCheck {
               const std::vector<Row>& rows, const Island& island, double share,
               std::vector<Body>& moved, Solution& solution);
 
+  std::size_t bytes() const { return bytesOf(impulses_); }
+
  private:
   double move(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
               const std::vector<Row>& rows, const Island& island, std::vector<Body>& moved,

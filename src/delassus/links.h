@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 #include <vector>
 
@@ -25,6 +26,7 @@ class Links {
     i = root(i), j = root(j);
     parent_[std::max(i, j)] = std::min(i, j);
   }
+  std::size_t bytes() const { return parent_.capacity() * sizeof(int); }
 
  private:
   std::vector<int> parent_;

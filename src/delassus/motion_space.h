@@ -29,6 +29,7 @@ struct Stiffness {
   /// −dr_n/du of the governor of a disk.
   Eigen::RowVector3d ofNormal(const Disk& disk) const;
 
+  std::size_t bytes() const { return bytesOf(contacts, rows, disks); }
   bool operator==(const Stiffness& other) const {
     return contacts == other.contacts && rows.size() == other.rows.size() && rows == other.rows &&
            disks == other.disks;
@@ -48,7 +49,7 @@ class BodyMotion {
   void relativeVelocity(const VectorXd& y, VectorXd& u) const { space_->relativeVelocity(y, u); }
   bool factorise(const Stiffness& G);
   void solve(VectorXd& y) const { factor_.solve(y); }
-  std::size_t bytes() const { return factor_.bytes(); }
+  std::size_t bytes() const { return factor_.bytes() + bytesOf(shares_, edges_); }
 
  private:
   /// What a disk and its governor do to one body.
@@ -85,7 +86,7 @@ class FactoredMotion {
   }
   bool factorise(const Stiffness& G);
   void solve(VectorXd& y) const { y = lu_.solve(y).eval(); }
-  std::size_t bytes() const { return sizeof(double) * (J_.size() + GJ_.size() + 2 * K_.size()); }
+  std::size_t bytes() const { return bytesOf(J_, GJ_, K_) + bytesOf(lu_.matrixLU()); }
 
  private:
   const std::vector<Disk>* disks_ = nullptr;

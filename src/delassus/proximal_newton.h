@@ -46,7 +46,11 @@ class ProximalNewton {
   /// The space of the last problem, for other methods; what it has factored is forgotten here.
   Motion& motion();
 
-  std::size_t bytes() const { return motion_.bytes(); }
+  std::size_t bytes() const {
+    return motion_.bytes() + G_.bytes() + factored_.bytes() +
+           bytesOf(scale_, l_, compliance_, center_, u_, r_, delta_, error_, step_, trialDelta_,
+                   trialError_, trialU_, change_, felt_);
+  }
 
  private:
   enum class Inner { Converged, Failed };

@@ -25,6 +25,7 @@ class NaturalMap {
   /// What round-off alone leaves in u = W r + q, m/s: a few ε of the largest W_aa r_a. A residual cannot be read finer.
   double roundOff(const VectorXd& r) const;
   const VectorXd& diagonal() const { return diagonal_; }  ///< of W
+  std::size_t bytes() const { return bytesOf(sizes_, diagonal_); }
 
  private:
   const Problem* problem_ = nullptr;

@@ -37,11 +37,17 @@ class Search {
   /// A short walk towards the residual `aim` from reactions that keep the law already.
   void polish(const Problem& problem, const Options& options, double aim, Solution& best);
 
+  std::size_t bytes() const {
+    return map_.bytes() + sweeps_.bytes() + bodies_.bytes() + factored_.bytes() + trial_.bytes() +
+           wandering_.bytes() + cold_.bytes() + felt_.bytes();
+  }
+
  private:
   template <class Motion>
   struct Engines {
     ProximalNewton<Motion> walk;
     InteriorPoint<Motion> interior;
+    std::size_t bytes() const { return walk.bytes() + interior.bytes(); }
   };
 
   template <class Motion>

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "delassus/active_set.h"
+#include "delassus/bytes.h"
 #include "delassus/types.h"
 
 namespace delassus {
@@ -43,6 +44,10 @@ struct Solution {
   /// First unknowns of the contacts and rows that keep it from being solved: those with incompatible
   /// demands or non-finite numbers; out of budget, the one with the largest residual.
   std::vector<int> blamed;
+
+  std::size_t bytes() const {
+    return bytesOf(r, u, activeSet.contacts, activeSet.rows, activeSet.disks, blamed);
+  }
 };
 
 }  // namespace delassus

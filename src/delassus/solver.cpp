@@ -51,6 +51,8 @@ Solver::~Solver() = default;
 Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
 
+std::size_t Solver::bytes() const { return search_->bytes() + formula_.bytes(); }
+
 Solution Solver::solve(const Problem& problem, const VectorXd& guess) {
   Solution solution;
   solve(problem, guess, solution);

@@ -24,6 +24,8 @@ class Solver {
   void solve(const Problem& problem, const VectorXd& guess, Solution& into);
 
   const Options& options() const { return options_; }
+  /// Of the storage.
+  std::size_t bytes() const;
 
  private:
   Options options_;

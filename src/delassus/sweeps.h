@@ -15,6 +15,10 @@ class Sweeps {
   /// of the sweeps (Silcowitz-Hansen, Niebe, Erleben 2010; algorithms §7.3). The reactions stay in their cones and bounds.
   void sweep(const Problem& problem, int count, VectorXd& r);
 
+  std::size_t bytes() const {
+    return bytesOf(blocks_, diskBlocks_, diagonal_, y_, before_, change_, direction_);
+  }
+
  private:
   void sweepOnce(const Problem& problem, VectorXd& r);
   void sweepBodies(const Problem& problem, VectorXd& r);

@@ -220,7 +220,9 @@ double bytesPerContact(const Build& build) {
     world.advance();
     contacts = std::max(contacts, world.report().contacts);
   }
-  return static_cast<double>(dynamic_cast<CountingSolver&>(world.delassus()).held) / contacts;
+  const auto held = static_cast<double>(dynamic_cast<CountingSolver&>(world.delassus()).held);
+  EXPECT_NEAR(static_cast<double>(world.report().workspaceBytes), held, 0.03 * held);
+  return held / contacts;
 }
 
 TEST(Allocation, AContactTakesFourKilobytesAtMost) {
