@@ -20,6 +20,7 @@ struct RunArguments {
   std::string solvers = "delassus";
   double seconds = 0;  ///< 0: the scene's own
   double hz = 0;       ///< 0: the scene's own
+  int threads = 1;
   bool json = false;
   bool explain = false;
 };
@@ -136,6 +137,7 @@ int runSubject(const RunArguments& arguments) {
   std::vector<RunSummary> runs;
   std::optional<Law> law;
   for (NamedSolver& solver : solvers) {
+    solver.setThreads(arguments.threads);
     Subject subject = openSubject(arguments.subject);
     RunSettings settings{arguments.seconds > 0 ? arguments.seconds : subject.seconds,
                          arguments.hz > 0 ? arguments.hz : subject.hz, subject.law};
@@ -192,6 +194,11 @@ void addRunCommand(CLI::App& app, Action& chosen) {
       ->add_option("--hz", arguments->hz,
                    "steps a second (default: the scene's own, 60 for most and for files)")
       ->check(greaterThanZero);
+  command
+      ->add_option("--threads", arguments->threads,
+                   "delassus: threads that solve islands side by side; the motion is the same")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
   command->add_flag("--explain", arguments->explain,
                     "what the scene asks of delassus, what a step is made of therefore, and what "
                     "each part costs");

@@ -22,12 +22,12 @@ constexpr double keptTolerance = 0.003;
 
 /// By its opening velocity, as a part of that velocity.
 Fate fateOf(double opening);
-std::vector<Fate> fatesOf(const Eigen::VectorXd& openings);
+std::vector<Fate> fatesOf(const delassus::VectorXd& openings);
 
 /// One step of a bead of 1 kg that touches planes of these normals, under `force`: the opening
 /// velocity of each contact, as a part of the velocity h F that the force alone would give.
-Eigen::VectorXd stepBead(const std::vector<btVector3>& normals, const btVector3& force,
-                         const std::string& solver);
+delassus::VectorXd stepBead(const std::vector<btVector3>& normals, const btVector3& force,
+                            const std::string& solver);
 
 /// Where the bead of such a world is (x, y; m) at the start and after each step on our solver.
 std::vector<Eigen::Vector2d> trackBead(std::unique_ptr<World> world, double seconds);

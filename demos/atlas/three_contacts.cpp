@@ -74,7 +74,7 @@ Corner measure() {
     pull.direction = {std::sqrt(1 - y * y) * std::cos(turn), y,
                       std::sqrt(1 - y * y) * std::sin(turn)};
     const btVector3 force = vec3(pull.direction.x(), pull.direction.y(), pull.direction.z());
-    const Eigen::VectorXd openings = stepBead(normals, force * btScalar(beadForce), "delassus");
+    const delassus::VectorXd openings = stepBead(normals, force * btScalar(beadForce), "delassus");
     const auto theory = delassus::analyseRelease(W, corner.N * pull.direction);
     if ((openings - theory.u).lpNorm<Eigen::Infinity>() <= keptTolerance) ++corner.agree;
     for (const Fate fate : fatesOf(openings)) pull.kept.push_back(fate == Fate::Kept);

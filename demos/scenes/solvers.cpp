@@ -98,6 +98,10 @@ void NamedSolver::configure(btContactSolverInfo& info) const {
   if (cfm_ > 0) info.m_globalCfm = btScalar(cfm_);
 }
 
+void NamedSolver::setThreads(int threads) {
+  if (delassus_ != nullptr) delassus_->setThreads(threads);
+}
+
 int NamedSolver::fallbacks() const { return mlcp_ != nullptr ? mlcp_->getNumFallbacks() : 0; }
 
 std::vector<std::string> splitNames(const std::string& list) {

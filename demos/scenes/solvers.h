@@ -42,6 +42,9 @@ class NamedSolver {
   /// Makes `info` ask for the sweeps, the friction directions and the CFM that the name stands for.
   void configure(btContactSolverInfo& info) const;
 
+  /// Has our solver use so many threads; Bullet's have one.
+  void setThreads(int threads);
+
   /// The solver itself if it is ours, else null.
   const btDelassusConstraintSolver* delassus() const { return delassus_; }
   /// Groups that an MLCP solver gave up and left to sequential impulses.
@@ -54,7 +57,7 @@ class NamedSolver {
   double cfm_ = 0;
   std::unique_ptr<btMLCPSolverInterface> method_;
   std::unique_ptr<btConstraintSolver> solver_;
-  const btDelassusConstraintSolver* delassus_ = nullptr;
+  btDelassusConstraintSolver* delassus_ = nullptr;
   const btMLCPSolver* mlcp_ = nullptr;
 };
 

@@ -195,6 +195,18 @@ TEST_F(Command, runsAndTellsInJson) {
   }
 }
 
+TEST_F(Command, runsOnSeveralThreadsToTheSameEnd) {
+  const auto summary = [&](const std::string& threads) {
+    const Outcome run = call("run ragdolls --seconds 0.5 --json --threads " + threads);
+    EXPECT_EQ(run.status, 0) << run.err;
+    json told = json::parse(run.out);
+    for (const char* time : {"ms_median", "ms_p95"}) told.erase(time);
+    return told;
+  };
+  EXPECT_EQ(summary("2"), summary("1"));
+  EXPECT_EQ(call("run one_box --threads 0").status, 2);
+}
+
 TEST_F(Command, tellsHowFarASceneIsFromItsLaw) {
   const Outcome outcome = call("run force_plate --solver delassus,si:10 --json");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
