@@ -38,7 +38,7 @@ class Crew {
       parts_[hand].next = item;
       const double due = total * (hand + 1) / hands();
       // Rounding must leave no item behind.
-      while (item < count && (hand + 1 == hands() || given + weight(item) / 2 < due))
+      while (item < count && (hand + 1 == hands() || given + 0.5 * weight(item) < due))
         given += weight(item++);
       parts_[hand].end = item;
     }
