@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "delassus/block_product.h"
 #include "delassus/bytes.h"
 
 namespace delassus {
@@ -43,7 +44,7 @@ void BlockFactor::addOffDiagonal(int edge, const Mat6& ab, const Mat6& ba) {
   upper_[t.at] += t.reversed ? ba.transpose() : ab.transpose();
 }
 
-void BlockFactor::eliminate(int column) {
+void BlockFactor::eliminate(int column, bool symmetric) {
   const BlockPattern& p = pattern();
   for (int at = p.begin[column]; at < p.begin[column + 1]; ++at) slot_[p.row[at]] = at;
 
@@ -53,23 +54,25 @@ void BlockFactor::eliminate(int column) {
     const Mat6& L = lower_[at];  // L_{column,j}, already times the inverse pivot
     const Mat6& U = upper_[at];  // U_{j,column} transposed
     diagonal_[column].noalias() -= L * U.transpose();
-    for (int i = at + 1; i < p.begin[j + 1]; ++i) {
-      const int to = slot_[p.row[i]];
-      lower_[to].noalias() -= lower_[i] * U.transpose();
-      upper_[to].noalias() -= upper_[i] * L.transpose();
-    }
+    const int next = at + 1, count = p.begin[j + 1] - next;
+    const int* rows = p.row.data() + next;
+    subtractProducts(lower_.data() + next, rows, count, U, slot_.data(), lower_.data());
+    if (!symmetric)
+      subtractProducts(upper_.data() + next, rows, count, L, slot_.data(), upper_.data());
   }
 }
 
-bool BlockFactor::factorise() {
+bool BlockFactor::factorise(bool symmetric) {
   const BlockPattern& p = pattern();
   for (int column = 0; column < p.bodies; ++column) {
-    eliminate(column);
+    eliminate(column, symmetric);
     const Mat6 inverse = diagonal_[column].partialPivLu().inverse();
     if (!inverse.allFinite()) return false;
     diagonalInverse_[column] = inverse;
-    for (int at = p.begin[column]; at < p.begin[column + 1]; ++at)
+    for (int at = p.begin[column]; at < p.begin[column + 1]; ++at) {
+      if (symmetric) upper_[at] = lower_[at];
       lower_[at] = (lower_[at] * inverse).eval();
+    }
   }
   return true;
 }

@@ -28,8 +28,9 @@ class BlockFactor {
   void addDiagonal(int body, const Mat6& block) { diagonal_[pattern().place[body]] += block; }
   void addOffDiagonal(int edge, const Mat6& ab, const Mat6& ba);
 
-  /// False if a pivot block is singular or not finite.
-  bool factorise();
+  /// False if a pivot block is singular or not finite. `symmetric`: the blocks that were added make a symmetric matrix, which
+  /// halves the work.
+  bool factorise(bool symmetric = false);
   /// Overwrites x with the solution.
   void solve(VectorXd& x) const;
 
@@ -37,7 +38,7 @@ class BlockFactor {
 
  private:
   const BlockPattern& pattern() const { return patterns_.front(); }
-  void eliminate(int column);
+  void eliminate(int column, bool symmetric);
 
   std::list<BlockPattern> patterns_;  ///< those last used, the last first
   std::vector<int> slot_;             ///< scratch: row -> block of the column being eliminated

@@ -63,6 +63,16 @@ void Stiffness::reset(const Problem& problem) {
   disks.assign(problem.disks.size(), OfDisk());
 }
 
+bool Stiffness::isSymmetric() const {
+  return std::all_of(contacts.begin(), contacts.end(),
+                     [](const Mat3& G) {
+                       return G(0, 1) == G(1, 0) && G(0, 2) == G(2, 0) && G(1, 2) == G(2, 1);
+                     }) &&
+         std::all_of(disks.begin(), disks.end(), [](const OfDisk& disk) {
+           return disk.governor.isZero(0) && disk.own(0, 1) == disk.own(1, 0);
+         });
+}
+
 Eigen::RowVector3d Stiffness::ofNormal(const Disk& disk) const {
   const auto contactsEnd = static_cast<int>(3 * contacts.size());
   if (disk.governor < contactsEnd) return contacts[disk.governor / 3].row(0);
@@ -115,7 +125,7 @@ bool BodyMotion::factorise(const Stiffness& G) {
   }
   if (!space_->parts.empty()) edge = addParts(G, edge);
   if (!disks_->empty()) addDisks(G, edge);
-  return factor_.factorise();
+  return factor_.factorise(G.isSymmetric());
 }
 
 /// Fills shares_: the blocks that a disk or its governor moves, each once.

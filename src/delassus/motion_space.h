@@ -30,6 +30,9 @@ struct Stiffness {
   Eigen::RowVector3d ofNormal(const Disk& disk) const;
 
   std::size_t bytes() const { return bytesOf(contacts, rows, disks); }
+  /// Whether all that holds is held alike both ways: nothing slides with friction.
+  bool isSymmetric() const;
+
   bool operator==(const Stiffness& other) const {
     return contacts == other.contacts && rows.size() == other.rows.size() && rows == other.rows &&
            disks == other.disks;

@@ -113,6 +113,31 @@ TEST(BlockFactor, NonsymmetricValues) {
   }
 }
 
+// Contacts that stick or open make a symmetric matrix, of which one half need not be worked out.
+TEST(BlockFactor, ASymmetricMatrixHasTheSameFactorForHalfTheWork) {
+  Random random(18);
+  for (int k = 0; k < 100; ++k) {
+    const int bodies = 1 + k % 20;
+    const Edges edges = randomEdges(bodies, k % 5 * bodies / 2, random);
+    BlockFactor factor;
+    const auto answer = [&](bool symmetric) {
+      Random again(16 + k);
+      DenseBeside both(factor, bodies, edges);
+      for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
+        const Mat3 root = normalMatrix(3, 3, again);
+        both.addContact(e, root * root.transpose(), again);
+      }
+      EXPECT_TRUE(factor.factorise(symmetric));
+      EXPECT_LT(both.backwardError(again), 1e-13) << "graph " << k;
+      VectorXd x = normalVector(6 * bodies, again);
+      factor.solve(x);
+      return x;
+    };
+    const VectorXd whole = answer(false), half = answer(true);
+    EXPECT_LT((whole - half).norm(), 1e-9 * whole.norm()) << "graph " << k;
+  }
+}
+
 // Small proximal weights make contacts stiff: G up to 1e12 beside the identity. Block elimination of a symmetric positive
 // definite K without pivoting loses √κ(K) at most (Demmel, Higham, Schreiber 1995), and here κ(K) ≤ |K| for K ≥ I.
 TEST(BlockFactor, LosesNoMoreThanTheRootOfTheConditionForStiffContacts) {
