@@ -7,6 +7,7 @@
 #include "bullet_ext/convert.h"
 #include "delassus/island.h"
 #include "delassus/solver.h"
+#include "demos/report/refined_answer.h"
 
 namespace demos::report {
 
@@ -43,15 +44,49 @@ MotionMode modeOf(const Contact& contact, const Motion& motion) {
   return slides ? MotionMode::Slide : MotionMode::Stick;
 }
 
-/// One solve of all groups: residual, unsolved islands, then six numbers a body.
-std::vector<double> solveTightly(const StepProblem& problem, bool fromStoredImpulses) {
+/// Puts the refined motion of an island in the place of what `reactions` make of it. False if there is none.
+bool moveRefined(std::vector<Body>& bodies, const bullet::Group& group, const Island& island,
+                 const VectorXd& reactions, int mostRefined) {
+  const auto turns = [&](int row) { return group.rows[std::size_t(row)].governor >= 0; };
+  if (island.unknowns() > mostRefined ||
+      std::any_of(island.rows.begin(), island.rows.end(), turns) || !reactions.allFinite())
+    return false;
+  const RefinedAnswer answer = refine(group.bodies, group.contacts, group.rows, island, reactions);
+  if (!answer.certified()) return false;
+  for (std::size_t i = 0; i < island.bodies.size(); ++i)
+    bodies[std::size_t(island.bodies[i])].velocity = answer.motion.segment<6>(6 * int(i));
+  return true;
+}
+
+/// What one solve of all groups comes to.
+struct TightAnswer {
+  double residual = 0, unsolved = 0, unrefined = 0;  ///< the last two: islands
+  Motion motion;
+
+  std::vector<double> numbers() const {
+    std::vector<double> all{residual, unsolved, unrefined};
+    for (const Vec6& velocity : motion) all.insert(all.end(), velocity.begin(), velocity.end());
+    return all;
+  }
+  static TightAnswer from(const std::vector<double>& numbers) {
+    TightAnswer answer{numbers[0], numbers[1], numbers[2], {}};
+    for (std::size_t at = 3; at + 6 <= numbers.size(); at += 6)
+      answer.motion.push_back(Eigen::Map<const Vec6>(&numbers[at]));
+    return answer;
+  }
+  bool betterThan(const TightAnswer& other) const {
+    const bool refined = unrefined == 0, otherRefined = other.unrefined == 0;
+    return refined != otherRefined ? refined : residual < other.residual;
+  }
+};
+
+TightAnswer solveTightly(const StepProblem& problem, bool fromStoredImpulses, int mostRefined) {
   Options options;
   options.tolerance = 1e-12;
   options.newtonBudget *= 5;
   options.sweepBudget *= 5;
   Solver solver(options);
-  double residual = 0, unsolved = 0;
-  std::vector<double> velocities;
+  TightAnswer answer;
   for (const bullet::Group& group : problem.groups()) {
     std::vector<Body> bodies = group.bodies;
     for (const Island& island : splitIslands(group.bodies, group.contacts, group.rows)) {
@@ -61,22 +96,15 @@ std::vector<double> solveTightly(const StepProblem& problem, bool fromStoredImpu
         for (std::size_t i = 0; i < island.frictional.size(); ++i)
           guess.segment<3>(3 * int(i)) = group.guess[std::size_t(island.frictional[i])];
       const Solution solution = solver.solve(part, guess);
-      residual = std::max(residual, solution.residual);
-      unsolved += solution.status != Status::Solved;
+      answer.residual = std::max(answer.residual, solution.residual);
+      answer.unsolved += solution.status != Status::Solved;
+      if (moveRefined(bodies, group, island, solution.r, mostRefined)) continue;
+      ++answer.unrefined;
       applyReaction(bodies, group.contacts, group.rows, island, solution.r);
     }
-    for (const Body& body : bodies)
-      velocities.insert(velocities.end(), body.velocity.begin(), body.velocity.end());
+    for (const Body& body : bodies) answer.motion.push_back(body.velocity);
   }
-  velocities.insert(velocities.begin(), {residual, unsolved});
-  return velocities;
-}
-
-Motion motionFrom(const std::vector<double>& numbers) {
-  Motion motion;
-  for (std::size_t at = 2; at + 6 <= numbers.size(); at += 6)
-    motion.push_back(Eigen::Map<const Vec6>(&numbers[at]));
-  return motion;
+  return answer;
 }
 
 }  // namespace
@@ -136,29 +164,30 @@ std::vector<MotionMode> StepProblem::modes(const Motion& motion) const {
   return modes;
 }
 
-Certified certify(const StepProblem& problem, double secondsLimit) {
+Certified certify(const StepProblem& problem, double secondsLimit, int mostRefined) {
   Certified best;
-  std::vector<Motion> motions;
+  std::vector<TightAnswer> answers;
   for (const bool fromStoredImpulses : {false, true}) {
     const ApartResult apart =
-        runApart([&] { return solveTightly(problem, fromStoredImpulses); }, Limits{secondsLimit});
-    if (apart.ending != Ending::Done) {
-      if (motions.empty()) best.ending = apart.ending;
-      continue;
-    }
-    motions.push_back(motionFrom(apart.numbers));
-    const double residual = apart.numbers[0];
-    if (best.ending == Ending::Done && best.residual <= residual) continue;
-    best.ending = Ending::Done;
-    best.residual = residual;
-    best.unsolved = apart.numbers[1];
-    best.motion = motions.back();
+        runApart([&] { return solveTightly(problem, fromStoredImpulses, mostRefined).numbers(); },
+                 Limits{secondsLimit});
+    if (apart.ending == Ending::Done)
+      answers.push_back(TightAnswer::from(apart.numbers));
+    else if (answers.empty())
+      best.ending = apart.ending;
   }
-  if (best.ending != Ending::Done) return best;
+  if (answers.empty()) return best;
+  const TightAnswer& chosen =
+      answers.size() == 2 && answers[1].betterThan(answers[0]) ? answers[1] : answers[0];
+  best.ending = Ending::Done;
+  best.residual = chosen.residual;
+  best.unsolved = chosen.unsolved;
+  best.refined = chosen.unrefined == 0;
+  best.motion = chosen.motion;
   best.size = problem.distance(problem.freeMotion(), best.motion);
   // One answer alone has nothing to agree with.
-  best.agreement = motions.size() == 2 && best.size > 0
-                       ? problem.distance(motions[0], motions[1]) / best.size
+  best.agreement = answers.size() == 2 && best.size > 0
+                       ? problem.distance(answers[0].motion, answers[1].motion) / best.size
                        : 1;
   return best;
 }

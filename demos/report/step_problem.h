@@ -50,15 +50,17 @@ class StepProblem {
 struct Certified {
   Ending ending = Ending::Crashed;
   Motion motion;
-  double residual = 0;  ///< natural residual, largest, m/s
-  double unsolved = 0;  ///< islands that ended without status solved
+  double residual = 0;   ///< natural residual, largest, m/s
+  double unsolved = 0;   ///< islands that ended without status solved
+  bool refined = false;  ///< certified in extended precision, see RefinedAnswer
   double agreement = 0;  ///< |v* − v°|_M / |v_f − v*|_M of a second solve v° from other reactions
   double size = 0;       ///< |v_f − v*|_M
 
   bool known() const { return ending == Ending::Done && size > 0; }
 };
 
-/// Solves to tolerance 1e-12 twice, from rest and from the stored impulses. The answer with the smaller residual is v*.
-Certified certify(const StepProblem& problem, double secondsLimit);
+/// Solves to tolerance 1e-12 twice, from rest and from the stored impulses, and refines the answers of islands of up to
+/// `mostRefined` unknowns. v* is the refined one of both answers, or the one with the smaller residual.
+Certified certify(const StepProblem& problem, double secondsLimit, int mostRefined = 0);
 
 }  // namespace demos::report

@@ -26,6 +26,7 @@ MapPlan planOf(const ReportArguments& arguments) {
   plan.quick = arguments.quick;
   plan.secondsLimit = arguments.quick ? 0.5 : 3;
   plan.certificateLimit = arguments.quick ? 0.2 : 0.5;
+  plan.lastCertificateLimit = 0.1;
   return plan;
 }
 

@@ -23,13 +23,17 @@ double processorSeconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
 /// What a trial tells, in the order of its numbers.
 const std::vector<std::string> measured{
-    "steps",  "worst_error",   "residual_max", "motion_error", "energy_gain", "ms",
-    "solved", "out_of_budget", "incompatible", "non_finite",   "left_out",    "fallbacks"};
+    "steps",         "worst_error",    "residual_max", "first_error", "first_certified",
+    "last_error",    "last_certified", "energy_gain",  "ms",          "solved",
+    "out_of_budget", "incompatible",   "non_finite",   "left_out",    "fallbacks"};
 enum Column {
   Steps,
   WorstError,
   Residual,
-  MotionError,
+  FirstError,
+  FirstCertified,
+  LastError,
+  LastCertified,
   EnergyGain,
   Ms,
   Solved,
@@ -40,6 +44,9 @@ enum Column {
   Fallbacks
 };
 
+/// Islands of more unknowns are not refined: it takes seconds.
+constexpr int mostRefined = 200;
+
 /// The motion that takes place in the first step of a trial, found in a process apart; unknown if that fails.
 Certified certifyFirstStep(const Sweep& sweep, double value, double secondsLimit) {
   const auto work = [&] {
@@ -49,9 +56,9 @@ Certified certifyFirstStep(const Sweep& sweep, double value, double secondsLimit
     StepCapture capture(named.solver());
     std::vector<double> numbers;
     capture.beforeSolve = [&](const CapturedStep& step) {
-      const Certified truth = certify(StepProblem(step, cfm), secondsLimit);
+      const Certified truth = certify(StepProblem(step, cfm), secondsLimit, mostRefined);
       if (!truth.known()) return;
-      numbers.push_back(truth.size);
+      numbers = {truth.size, double(truth.refined), truth.agreement};
       for (const delassus::Vec6& velocity : truth.motion)
         numbers.insert(numbers.end(), velocity.begin(), velocity.end());
     };
@@ -65,30 +72,43 @@ Certified certifyFirstStep(const Sweep& sweep, double value, double secondsLimit
   truth.ending = apart.ending;
   if (apart.numbers.empty()) return truth;
   truth.size = apart.numbers[0];
-  for (std::size_t at = 1; at + 6 <= apart.numbers.size(); at += 6)
+  truth.refined = apart.numbers[1] != 0;
+  truth.agreement = apart.numbers[2];
+  for (std::size_t at = 3; at + 6 <= apart.numbers.size(); at += 6)
     truth.motion.push_back(Eigen::Map<const delassus::Vec6>(&apart.numbers[at]));
   return truth;
 }
 
-/// |v − v*|_M / |v_f − v*|_M of what `inner` makes of the first step.
-double firstStepError(Trial& trial, btConstraintSolver& inner, const Certified& truth, double cfm) {
-  double error = std::nan("");
+/// What `inner` makes of the next step, beside what `truth` knows of its problem.
+struct StepError {
+  double error = std::nan("");  ///< |v − v*|_M / |v_f − v*|_M
+  bool certified = false;       ///< v* is the motion that takes place, to all digits of a double
+};
+StepError stepError(Trial& trial, btConstraintSolver& inner, double cfm,
+                    const std::function<Certified(const StepProblem&)>& truth) {
+  StepError out;
   std::optional<StepProblem> problem;
+  Certified right;
   StepCapture capture(inner);
-  capture.beforeSolve = [&](const CapturedStep& step) { problem.emplace(step, cfm); };
+  capture.beforeSolve = [&](const CapturedStep& step) {
+    problem.emplace(step, cfm);
+    right = truth(*problem);
+  };
   capture.afterSolve = [&](const CapturedStep&) {
-    if (truth.known())
-      error = problem->distance(problem->currentMotion(), truth.motion) / truth.size;
+    if (!right.known()) return;
+    constexpr double same = 1e-12;  // two refined answers agree better than that, or not at all
+    out.error = problem->distance(problem->currentMotion(), right.motion) / right.size;
+    out.certified = right.refined && right.agreement <= same;
   };
   trial.world->setSolver(capture);
   trial.world->step(trial.timeStep);
   trial.world->setSolver(inner);
-  return error;
+  return out;
 }
 
 /// The method alone with the world; work of the process apart.
 std::vector<double> live(const Sweep& sweep, double value, const Method& method,
-                         double secondsLimit, const Certified& truth) {
+                         double secondsLimit, const MapPlan& plan, const Certified& truth) {
   const double start = processorSeconds();
   Trial trial = sweep.build(value);
   World& world = *trial.world;
@@ -104,10 +124,14 @@ std::vector<double> live(const Sweep& sweep, double value, const Method& method,
   btConstraintSolver& solver = ours ? static_cast<btConstraintSolver&>(timed) : judged;
   world.setSolver(solver);
   for (int step = 0; step < trial.steps; ++step) {
-    if (step == 0)
-      numbers[MotionError] = firstStepError(trial, solver, truth, cfm);
-    else
+    if (step == 0) {
+      const StepError first =
+          stepError(trial, solver, cfm, [&truth](const StepProblem&) { return truth; });
+      numbers[FirstError] = first.error;
+      numbers[FirstCertified] = first.certified;
+    } else {
       world.step(trial.timeStep);
+    }
     milliseconds.push_back(1e3 * timed.takeSeconds());
 
     numbers[Steps] += 1;
@@ -132,8 +156,17 @@ std::vector<double> live(const Sweep& sweep, double value, const Method& method,
     if (!(numbers[WorstError] <= 10 * sweep.allowed) || processorSeconds() - start > secondsLimit)
       break;
   }
-  world.setSolver(named.solver());
   numbers[Fallbacks] = named.fallbacks();
+  StepError last;
+  if (processorSeconds() - start <= secondsLimit)
+    last = stepError(trial, solver, cfm, [&plan](const StepProblem& problem) {
+      return 3 * problem.contacts() + problem.rows() <= mostRefined
+                 ? certify(problem, plan.lastCertificateLimit, mostRefined)
+                 : Certified();
+    });
+  numbers[LastError] = last.error;
+  numbers[LastCertified] = last.certified;
+  world.setSolver(named.solver());
   std::nth_element(milliseconds.begin(),
                    milliseconds.begin() + std::ptrdiff_t(milliseconds.size() / 2),
                    milliseconds.end());
@@ -196,8 +229,8 @@ CsvTable measureSweep(const Sweep& sweep, const MapPlan& plan, const Progress& p
     const int stepsWanted = sweep.build(value).steps;
     for (const Method& method : plan.methods) {
       // A run ends itself at its limit; only one step that never ends is ended from outside.
-      ApartResult run =
-          runApart([&] { return live(sweep, value, method, limit, truth); }, Limits{5 * limit + 2});
+      ApartResult run = runApart([&] { return live(sweep, value, method, limit, plan, truth); },
+                                 Limits{5 * limit + 2});
       const Verdict verdict = judge(sweep, stepsWanted, run);
       run.numbers.resize(measured.size(), std::nan(""));
       std::vector<std::string> row{csvNumber(value), method.name, toString(verdict),

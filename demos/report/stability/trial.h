@@ -26,7 +26,9 @@ bool holds(Verdict verdict);
 struct MapPlan {
   std::vector<Method> methods;
   double secondsLimit;      ///< of a trial, of the processor, times the patience of its sweep
-  double certificateLimit;  ///< of one solve of the motion that takes place, s
+  double certificateLimit;  ///< of one solve of the motion that takes place in the first step, s
+  double
+      lastCertificateLimit;  ///< the same for the step after a trial, which each solver has of its own
   bool quick = false;
 };
 
