@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 
 #include "demos/report/stability/sweep.h"
@@ -17,9 +16,7 @@ Trial between(const btVector3& normal1, const btVector3& normal2, const btVector
   if (mu > 0)
     for (int i = 0; i < world->dynamics().getNumCollisionObjects(); ++i)
       world->dynamics().getCollisionObjectArray()[i]->setFriction(surfaceFriction(mu));
-  Trial trial{std::move(world), 120, 1.0 / 60, {}};
-  trial.error = driftFrom(*trial.world);
-  return trial;
+  return drifting(std::move(world), 120);
 }
 
 Sweep nearlyOpposite() {
@@ -88,9 +85,7 @@ Sweep trihedron() {
   sweep.allowed = 1e-3;
   sweep.values = angleValues;
   sweep.build = [](double height) {
-    Trial trial{buildBeadInTrihedron(height, vec3(0, -1, 0)), 120, 1.0 / 60, {}};
-    trial.error = driftFrom(*trial.world);
-    return trial;
+    return drifting(buildBeadInTrihedron(height, vec3(0, -1, 0)), 120);
   };
   return sweep;
 }

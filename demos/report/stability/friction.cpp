@@ -4,13 +4,11 @@
 #include "demos/report/stability/arch_limit.h"
 #include "demos/report/stability/sweep.h"
 #include "demos/scenes/builders.h"
-#include "demos/scenes/measures.h"
 
 namespace demos::report::stability {
 
 namespace {
 
-constexpr double gravity = 9.81;
 /// Pressed into the ground by this much: Bullet reports boxes only when they touch, m.
 constexpr double bite = 1e-6;
 
@@ -65,11 +63,10 @@ Sweep incline() {
   sweep.values = {0.5, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
   sweep.build = [](double margin) {
     const double angle = (1 - margin) * frictionAngle();
-    Trial trial{buildInclines({{angle, 0}}), 300, 1.0 / 60, {}};
-    btRigidBody& box = *trial.world->movableBodies()[0];
+    auto world = buildInclines({{angle, 0}});
+    btRigidBody& box = *world->movableBodies()[0];
     box.translate(vec3(-bite * std::sin(angle), -bite * std::cos(angle), 0));
-    trial.error = driftFrom(*trial.world);
-    return trial;
+    return drifting(std::move(world), 300);
   };
   return sweep;
 }
@@ -98,10 +95,7 @@ Sweep painleve() {
     rod.setLinearVelocity(vec3(speed, 0, 0));
     rod.setLinearFactor(btVector3(1, 1, 0));
     rod.setAngularFactor(btVector3(0, 0, 1));
-    Trial trial{std::move(world), 120, 1.0 / 60, {}};
-    trial.error =
-        energyGainedFrom(*trial.world, kineticEnergy(*trial.world) + potentialEnergy(*trial.world));
-    return trial;
+    return gaining(std::move(world), 120);
   };
   sweep.limit = 4.0 / 3;
   sweep.remark =
@@ -120,12 +114,8 @@ Sweep archAtItsLimit() {
   sweep.values = {1, 0.3, 0.1, 0.03, 1e-2, 3e-3, 1e-3, 1e-4, 1e-5};
   sweep.build = [](double margin) {
     constexpr int voussoirs = 6;
-    Trial trial{buildArch(voussoirs, (1 + margin) * leastArchThickness(voussoirs, archRadius)),
-                120,
-                1.0 / 60,
-                {}};
-    trial.error = driftFrom(*trial.world);
-    return trial;
+    return drifting(buildArch(voussoirs, (1 + margin) * leastArchThickness(voussoirs, archRadius)),
+                    120);
   };
   sweep.remark =
       "The least thickness is that of statics: a line of thrust that touches both edges. Settling "
@@ -142,11 +132,7 @@ Sweep tower() {
   sweep.law = "no box drifts more than 1 cm";
   sweep.allowed = 0.01;
   sweep.values = {5, 10, 20, 40, 80, 120, 160, 200};
-  sweep.build = [](double count) {
-    Trial trial{buildStack(int(count), 1), 120, 1.0 / 60, {}};
-    trial.error = driftFrom(*trial.world);
-    return trial;
-  };
+  sweep.build = [](double count) { return drifting(buildStack(int(count), 1), 120); };
   return sweep;
 }
 
@@ -159,14 +145,13 @@ Sweep shakenCards() {
   sweep.allowed = 0.01;
   sweep.values = {0, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1};
   sweep.build = [](double share) {
-    Trial trial{buildCardHouse(3), 180, 1.0 / 60, {}};
-    btDiscreteDynamicsWorld& dynamics = trial.world->dynamics();
-    trial.world->setScript([&dynamics, share](double time) {
+    auto world = buildCardHouse(3);
+    btDiscreteDynamicsWorld& dynamics = world->dynamics();
+    world->setScript([&dynamics, share](double time) {
       const double sideways = share * gravity * std::sin(2 * M_PI * 3 * time);
       dynamics.setGravity(vec3(sideways, -gravity, 0));
     });
-    trial.error = driftFrom(*trial.world);
-    return trial;
+    return drifting(std::move(world), 180);
   };
   return sweep;
 }

@@ -2,18 +2,14 @@
 
 #include <cmath>
 
-#include "demos/report/stability/sweep.h"
-
 namespace demos::report::stability {
 
 namespace {
 
-constexpr double linkLength = 0.5, linkMass = 1, ballRadius = 0.3, gravity = 9.81;
+constexpr double linkLength = 0.5, linkMass = 1, ballRadius = 0.3;
 constexpr double swing = M_PI / 6;
 /// Tension at the bottom of the swing over the weight: 3 − 2 cos(swing).
 const double mostTension = 3 - 2 * std::cos(swing);
-
-}  // namespace
 
 std::unique_ptr<World> buildHungChain(int links, double ballMass, int copies) {
   auto world = std::make_unique<World>();
@@ -42,10 +38,14 @@ std::unique_ptr<World> buildHungChain(int links, double ballMass, int copies) {
   return world;
 }
 
-std::function<double(double)> hungChainError(const World& world, int links, double ballMass) {
+}  // namespace
+
+Trial hungChain(int links, double ballMass, double seconds, double rate, int copies) {
+  auto world = buildHungChain(links, ballMass, copies);
   const double height = linkLength * links * (1 - std::cos(swing));
   const double energy = gravity * height * (ballMass + 0.5 * linkMass * links);
-  return worseOf(jointsOf(world, linkLength), energyGainedFrom(world, energy));
+  auto error = worseOf(jointsOf(*world, linkLength), energyGainedFrom(*world, energy));
+  return {std::move(world), int(std::lround(seconds * rate)), 1 / rate, error};
 }
 
 double heaviestBall(int links, double timeStep) {

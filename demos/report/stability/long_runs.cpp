@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 
 #include "demos/report/stability/sweep.h"
@@ -22,11 +21,7 @@ Sweep lasting(const std::string& name, const std::string& title, double allowed,
   sweep.allowed = allowed;
   sweep.values = std::move(seconds);
   sweep.patience = longPatience;
-  sweep.build = [build](double time) {
-    Trial trial{build(), int(time * rate), 1 / rate, {}};
-    trial.error = driftFrom(*trial.world);
-    return trial;
-  };
+  sweep.build = [build](double time) { return drifting(build(), int(time * rate), 1 / rate); };
   return sweep;
 }
 
@@ -35,7 +30,7 @@ std::unique_ptr<World> buildConveyor() {
   auto world = std::make_unique<World>();
   btRigidBody& belt = addGround(*world);
   belt.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
-  addBox(*world, vec3(unitHalf, unitHalf, unitHalf), 1, at(0, unitHalf, 0));
+  addBox(*world, unitBox, 1, at(0, unitHalf, 0));
   world->add(0, world->box(vec3(0.5, 2, 2)), at(1, 2, 0), {});
   // Bullet derives the velocity of a kinematic body from its pose when a step begins; the tick comes after that.
   const auto run = [](btDynamicsWorld* dynamics, btScalar) {

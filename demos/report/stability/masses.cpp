@@ -3,13 +3,10 @@
 #include "demos/report/stability/hung_chain.h"
 #include "demos/report/stability/sweep.h"
 #include "demos/scenes/builders.h"
-#include "demos/scenes/measures.h"
 
 namespace demos::report::stability {
 
 namespace {
-
-const btVector3 unitBox = vec3(unitHalf, unitHalf, unitHalf);
 
 Sweep heavyTop(int boxes, int steps) {
   const std::string count = std::to_string(boxes);
@@ -20,11 +17,7 @@ Sweep heavyTop(int boxes, int steps) {
   sweep.law = "no box drifts more than 1 cm";
   sweep.allowed = 0.01;
   sweep.values = decades(0, 9);
-  sweep.build = [boxes, steps](double ratio) {
-    Trial trial{buildStack(boxes, ratio), steps, 1.0 / 60, {}};
-    trial.error = driftFrom(*trial.world);
-    return trial;
-  };
+  sweep.build = [boxes, steps](double ratio) { return drifting(buildStack(boxes, ratio), steps); };
   sweep.remark =
       "Exact reactions leave gaps of 1e-10 m by rounding, and Bullet's narrow phase drops and "
       "finds such "
@@ -61,11 +54,7 @@ Sweep chain(int links) {
   sweep.allowed = 0.05;
   sweep.values = decades(0, 9);
   sweep.limit = heaviestBall(links, 1 / rate);
-  sweep.build = [links](double ratio) {
-    Trial trial{buildHungChain(links, ratio), int(rate * seconds), 1 / rate, {}};
-    trial.error = hungChainError(*trial.world, links, ratio);
-    return trial;
-  };
+  sweep.build = [links](double ratio) { return hungChain(links, ratio, seconds, rate); };
   return sweep;
 }
 
@@ -80,11 +69,7 @@ Sweep chainRates() {
   sweep.allowed = 0.05;
   sweep.values = {60, 120, 240, 480, 960, 1920, 3840, 7680};
   sweep.limit = leastRate(links, ball);
-  sweep.build = [](double rate) {
-    Trial trial{buildHungChain(links, ball), int(rate * seconds), 1 / rate, {}};
-    trial.error = hungChainError(*trial.world, links, ball);
-    return trial;
-  };
+  sweep.build = [](double rate) { return hungChain(links, ball, seconds, rate); };
   sweep.remark =
       "The remedy for a taut chain is smaller steps, `stepSimulation(dt, maxSubSteps, 1 / rate)`; "
       "it costs in proportion.";
@@ -108,9 +93,7 @@ Sweep press() {
         for (int z = -1; z <= 1; ++z)
           addBox(*world, unitBox, 1, at(spacing * x, unitHalf + y, spacing * z));
     addBox(*world, vec3(2, 0.25, 2), btScalar(mass), at(0, 3.25, 0));
-    Trial trial{std::move(world), 120, 1.0 / 60, {}};
-    trial.error = driftFrom(*trial.world);
-    return trial;
+    return drifting(std::move(world), 120);
   };
   return sweep;
 }
@@ -134,10 +117,7 @@ Sweep anisotropy() {
     body.setMassProps(1, vec3(1.0 / 6, 1.0 / 6, 1.0 / 6 / ratio));
     body.updateInertiaTensor();
     body.setAngularVelocity(vec3(0, 6, 0));
-    Trial trial{std::move(world), 180, 1.0 / 60, {}};
-    trial.error =
-        energyGainedFrom(*trial.world, kineticEnergy(*trial.world) + potentialEnergy(*trial.world));
-    return trial;
+    return gaining(std::move(world), 180);
   };
   return sweep;
 }

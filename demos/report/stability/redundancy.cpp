@@ -34,11 +34,8 @@ Sweep manyFeet() {
     constexpr double bite = 1e-5;
     const double height = 2 * radius + halfHeight - bite;
     world->add(1, body, at(0, height, 0), {surfaceFriction(usualFriction), 0});
-    addBox(*world, vec3(unitHalf, unitHalf, unitHalf), 100,
-           at(0, height + halfHeight + unitHalf - bite, 0));
-    Trial trial{std::move(world), 120, 1.0 / 60, {}};
-    trial.error = driftFrom(*trial.world);
-    return trial;
+    addBox(*world, unitBox, 100, at(0, height + halfHeight + unitHalf - bite, 0));
+    return drifting(std::move(world), 120);
   };
   sweep.remark =
       "A body that exact reactions leave with a gap of rounding is lost by Bullet's narrow phase "
@@ -57,13 +54,7 @@ Sweep copiedJoints() {
   sweep.law = "as the chains: 5 % of a link, 5 % of the energy";
   sweep.allowed = 0.05;
   sweep.values = {1, 2, 3, 4, 8, 16, 32, 64};
-  sweep.build = [](double copies) {
-    constexpr int links = 5;
-    constexpr double ball = 10;
-    Trial trial{buildHungChain(links, ball, int(copies)), 480, 1.0 / 240, {}};
-    trial.error = hungChainError(*trial.world, links, ball);
-    return trial;
-  };
+  sweep.build = [](double copies) { return hungChain(5, 10, 2, 240, int(copies)); };
   return sweep;
 }
 
@@ -124,12 +115,10 @@ Sweep hub() {
     addBox(*world, vec3(half, halfHeight, half), 100, at(0, halfHeight, 0));
     for (int i = 0; i < side; ++i)
       for (int k = 0; k < side; ++k)
-        addBox(*world, vec3(unitHalf, unitHalf, unitHalf), 1,
+        addBox(*world, unitBox, 1,
                at((i - 0.5 * (side - 1)) * spacing, 2 * halfHeight + unitHalf,
                   (k - 0.5 * (side - 1)) * spacing));
-    Trial trial{std::move(world), 60, 1.0 / 60, {}};
-    trial.error = driftFrom(*trial.world);
-    return trial;
+    return drifting(std::move(world), 60);
   };
   return sweep;
 }

@@ -3,14 +3,11 @@
 
 #include "demos/report/stability/sweep.h"
 #include "demos/scenes/builders.h"
-#include "demos/scenes/measures.h"
 #include "demos/scenes/wall_and_ball.h"
 
 namespace demos::report::stability {
 
 namespace {
-
-const btVector3 unitBox = vec3(unitHalf, unitHalf, unitHalf);
 
 double fastest(const World& world) {
   double most = 0;
@@ -19,10 +16,6 @@ double fastest(const World& world) {
     if (!(speed <= most)) most = speed;  // also a NaN
   }
   return most;
-}
-
-double mechanicalEnergy(const World& world) {
-  return kineticEnergy(world) + potentialEnergy(world);
 }
 
 /// Three balls in a row that touch; the first runs into the others, which take over its momentum.
@@ -66,9 +59,7 @@ Sweep wallHit() {
     Throw thrown;
     thrown.distance = thrown.radius + unitHalf + 0.001;
     thrown.timeOfFlight = thrown.distance / speed;
-    Trial trial{buildWallAndBall(6, 4, thrown), 60, 1.0 / 60, {}};
-    trial.error = energyGainedFrom(*trial.world, mechanicalEnergy(*trial.world));
-    return trial;
+    return gaining(buildWallAndBall(6, 4, thrown), 60);
   };
   return sweep;
 }
@@ -143,9 +134,7 @@ Sweep thinPlate() {
     constexpr double bite = 1e-6;  // rounding would part them
     addBox(*world, vec3(unitHalf, half, unitHalf), 1, at(0, half - bite, 0));
     addBox(*world, vec3(0.4, 0.4, 0.4), 1, at(0, 2 * half + 0.4 - 2 * bite, 0));
-    Trial trial{std::move(world), 120, 1.0 / 60, {}};
-    trial.error = driftFrom(*trial.world);
-    return trial;
+    return drifting(std::move(world), 120);
   };
   return sweep;
 }
@@ -159,14 +148,13 @@ Sweep smallInertia() {
   sweep.allowed = 0.01;
   sweep.values = {1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 0};
   sweep.build = [](double share) {
-    Trial trial{buildStack(5, 1), 120, 1.0 / 60, {}};
+    auto world = buildStack(5, 1);
     const double inertia = share / 6;
-    for (btRigidBody* body : trial.world->movableBodies()) {
+    for (btRigidBody* body : world->movableBodies()) {
       body->setMassProps(1, vec3(inertia, inertia, inertia));
       body->updateInertiaTensor();
     }
-    trial.error = driftFrom(*trial.world);
-    return trial;
+    return drifting(std::move(world), 120);
   };
   return sweep;
 }
@@ -187,9 +175,7 @@ Sweep bouncing() {
     addGround(*world).setRestitution(own);
     for (int i = 0; i < 5; ++i)
       addBox(*world, unitBox, 1, at(0, unitHalf + i + air * (i + 1), 0)).setRestitution(own);
-    Trial trial{std::move(world), 480, 1.0 / 240, {}};
-    trial.error = energyGainedFrom(*trial.world, mechanicalEnergy(*trial.world));
-    return trial;
+    return gaining(std::move(world), 480, 1.0 / 240);
   };
   sweep.remark =
       "From 0.99 on all solvers gain alike, ours with a residual of 1e-10: Newton's law of impact, "
@@ -212,16 +198,14 @@ Sweep sleepStorm() {
     for (int x = 0; x < 3; ++x)
       for (int z = 0; z < 3; ++z)
         for (int y = 0; y < 3; ++y) addBox(*world, unitBox, 1, at(2 * x, unitHalf + y, 2 * z));
-    Trial trial{std::move(world), 240, 1.0 / 60, {}};
-    const std::vector<btRigidBody*> bodies = trial.world->movableBodies();
-    trial.world->setScript([bodies, step = 0, period = int(every)](double) mutable {
+    const std::vector<btRigidBody*> bodies = world->movableBodies();
+    world->setScript([bodies, step = 0, period = int(every)](double) mutable {
       const int turn = step++ / period;
       for (std::size_t i = 0; i < bodies.size(); ++i)
         bodies[i]->forceActivationState((int(i) * 7 + turn) % 3 == 0 ? ISLAND_SLEEPING
                                                                      : ACTIVE_TAG);
     });
-    trial.error = driftFrom(*trial.world);
-    return trial;
+    return drifting(std::move(world), 240);
   };
   sweep.remark = "What wakes with a gap of rounding under it falls for one step (see the feet).";
   return sweep;

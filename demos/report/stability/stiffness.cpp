@@ -8,10 +8,8 @@ namespace demos::report::stability {
 
 namespace {
 
-constexpr double weight = 9.81;  // of the box of 1 kg, N
+constexpr double weight = gravity;  // of the box of 1 kg, N
 constexpr double rate = 240;
-
-const btVector3 unitBox = vec3(unitHalf, unitHalf, unitHalf);
 
 /// A box of 1 kg set on a ground of stiffness `k` at each of its four points, N/m.
 Sweep softGround(bool damped) {
@@ -61,21 +59,11 @@ Sweep softOnHard() {
       btRigidBody& box = addBox(*world, unitBox, i == 5 ? 100 : 1, at(0, unitHalf + i, 0));
       if (i % 2 == 0) box.setContactStiffnessAndDamping(btScalar(k), btScalar(2 * std::sqrt(k)));
     }
-    Trial trial{std::move(world), 480, 1 / rate, {}};
     std::vector<btVector3> start;
-    const std::vector<btRigidBody*> bodies = trial.world->movableBodies();
-    for (const btRigidBody* body : bodies) start.push_back(body->getWorldTransform().getOrigin());
-    trial.error = [bodies, start](double) {
-      double worst = 0;
-      for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const btVector3 way = bodies[i]->getWorldTransform().getOrigin() - start[i];
-        const double aside = std::hypot(double(way.x()), double(way.z()));
-        const double error = std::max(aside, double(way.y()));
-        worst = std::isnan(error) ? INFINITY : std::max(worst, error);
-      }
-      return worst;
-    };
-    return trial;
+    for (const btRigidBody* body : world->movableBodies())
+      start.push_back(body->getWorldTransform().getOrigin());
+    auto error = strayFrom(*world, start);
+    return Trial{std::move(world), 480, 1 / rate, error};
   };
   return sweep;
 }
@@ -157,9 +145,7 @@ Sweep compliance() {
   sweep.build = [](double cfm) {
     auto world = buildStack(10, 1);
     world->dynamics().getSolverInfo().m_globalCfm = btScalar(cfm);
-    Trial trial{std::move(world), 120, 1.0 / 60, {}};
-    trial.error = energyGainedFrom(*trial.world, 10 * weight * 5);
-    return trial;
+    return gaining(std::move(world), 120);
   };
   sweep.remark = "`dantzig:1e-6` sets this CFM itself.";
   return sweep;
@@ -177,23 +163,15 @@ Sweep errorReduction() {
     constexpr double overlap = 1e-4;
     auto world = std::make_unique<World>();
     addGround(*world);
-    for (int i = 0; i < 10; ++i)
+    std::vector<btVector3> ends;
+    for (int i = 0; i < 10; ++i) {
+      ends.push_back(vec3(0, unitHalf + i, 0));
       addBox(*world, unitBox, 1, at(0, (unitHalf + i) - overlap * (i + 1), 0));
+    }
     btContactSolverInfo& info = world->dynamics().getSolverInfo();
     info.m_erp = info.m_erp2 = btScalar(erp);
-    Trial trial{std::move(world), 180, 1.0 / 60, {}};
-    const std::vector<btRigidBody*> bodies = trial.world->movableBodies();
-    trial.error = [bodies](double) {
-      double worst = 0;
-      for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const btVector3& p = bodies[i]->getWorldTransform().getOrigin();
-        const double aside = std::hypot(double(p.x()), double(p.z()));
-        const double error = std::max(aside, double(p.y()) - (unitHalf + double(i)));
-        worst = std::isnan(error) ? INFINITY : std::max(worst, error);
-      }
-      return worst;
-    };
-    return trial;
+    auto error = strayFrom(*world, ends);
+    return Trial{std::move(world), 180, 1.0 / 60, error};
   };
   return sweep;
 }

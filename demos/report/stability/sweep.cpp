@@ -24,9 +24,25 @@ std::function<double(double)> driftFrom(const World& world, double unit) {
 }
 
 std::function<double(double)> energyGainedFrom(const World& world, double unit) {
-  const double start = kineticEnergy(world) + potentialEnergy(world);
-  return [&world, start, unit](double) {
-    return (kineticEnergy(world) + potentialEnergy(world) - start) / unit;
+  return [&world, start = mechanicalEnergy(world), unit](double) {
+    return (mechanicalEnergy(world) - start) / unit;
+  };
+}
+
+double mechanicalEnergy(const World& world) {
+  return kineticEnergy(world) + potentialEnergy(world);
+}
+
+std::function<double(double)> strayFrom(const World& world, std::vector<btVector3> places) {
+  return [bodies = world.movableBodies(), places = std::move(places)](double) {
+    double worst = 0;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const btVector3 way = bodies[i]->getWorldTransform().getOrigin() - places[i];
+      const double aside = std::hypot(double(way.x()), double(way.z()));
+      const double error = std::max(aside, double(way.y()));
+      worst = std::isnan(error) ? INFINITY : std::max(worst, error);
+    }
+    return worst;
   };
 }
 
@@ -41,6 +57,16 @@ std::function<double(double)> worseOf(std::function<double(double)> a,
     const double x = a(time), y = b(time);
     return std::isnan(x) || x > y ? x : y;
   };
+}
+
+Trial drifting(std::unique_ptr<World> world, int steps, double timeStep, double unit) {
+  auto error = driftFrom(*world, unit);
+  return {std::move(world), steps, timeStep, std::move(error)};
+}
+
+Trial gaining(std::unique_ptr<World> world, int steps, double timeStep) {
+  auto error = energyGainedFrom(*world, mechanicalEnergy(*world));
+  return {std::move(world), steps, timeStep, std::move(error)};
 }
 
 }  // namespace demos::report::stability

@@ -55,6 +55,9 @@ std::vector<SweepGroup> allSweeps();
 /// 10^from, 10^(from + every), … 10^to.
 std::vector<double> decades(int from, int to, int every = 1);
 
+constexpr double gravity = 9.81;                // m/s²
+const btVector3 unitBox = vec3(0.5, 0.5, 0.5);  // half of its sides
+
 // --- Errors ------------------------------------------------------------------------------------------------------
 // Each may be asked as long as the world lives.
 
@@ -62,10 +65,19 @@ std::vector<double> decades(int from, int to, int every = 1);
 std::function<double(double)> driftFrom(const World& world, double unit = 1);
 /// Energy gained since now, J, over `unit`.
 std::function<double(double)> energyGainedFrom(const World& world, double unit);
+/// Kinetic and potential, J.
+double mechanicalEnergy(const World& world);
+/// Largest way of a movable body up from its place or aside of it, m; sinking does not count.
+std::function<double(double)> strayFrom(const World& world, std::vector<btVector3> places);
 /// How far joints are pulled apart, m, over `unit`.
 std::function<double(double)> jointsOf(const World& world, double unit = 1);
 /// The larger one of two errors.
 std::function<double(double)> worseOf(std::function<double(double)> a,
                                       std::function<double(double)> b);
+
+/// Trials of a world whose law is that bodies stay where they are, m over `unit`, or that it gains no energy over what it has.
+Trial drifting(std::unique_ptr<World> world, int steps, double timeStep = 1.0 / 60,
+               double unit = 1);
+Trial gaining(std::unique_ptr<World> world, int steps, double timeStep = 1.0 / 60);
 
 }  // namespace demos::report::stability
