@@ -63,7 +63,10 @@ btTypedConstraint& World::join(std::unique_ptr<btTypedConstraint> joint, bool li
 
 void World::step(double dt) {
   if (script_) script_(time_);
-  dynamics_->stepSimulation(btScalar(dt), 0);
+  if (substeps_ == 1)
+    dynamics_->stepSimulation(btScalar(dt), 0);
+  else
+    dynamics_->stepSimulation(btScalar(dt), substeps_, btScalar(dt) / btScalar(substeps_));
   time_ += dt;
 }
 

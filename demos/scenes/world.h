@@ -70,7 +70,10 @@ class World {
   /// Called before every step with the time at its start: what a machine or a hand does in the scene.
   void setScript(std::function<void(double time)> script) { script_ = std::move(script); }
 
-  /// One step of `dt` seconds, without substeps or interpolation.
+  /// Makes every step of as many substeps, each with collision detection and a solve of its own. Powers of two are exact.
+  void setSubsteps(int count) { substeps_ = count; }
+
+  /// One step of `dt` seconds, without interpolation.
   void step(double dt);
   void run(double seconds, double hz);
   double time() const { return time_; }
@@ -93,6 +96,7 @@ class World {
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
   std::vector<std::unique_ptr<btTypedConstraint>> joints_;
   std::function<void(double)> script_;
+  int substeps_ = 1;
   double time_ = 0;
 };
 

@@ -11,7 +11,11 @@ constexpr double swing = M_PI / 6;
 /// Tension at the bottom of the swing over the weight: 3 − 2 cos(swing).
 const double mostTension = 3 - 2 * std::cos(swing);
 
-std::unique_ptr<World> buildHungChain(int links, double ballMass, int copies) {
+double tensionOf(int links, double ballMass) {
+  return mostTension * gravity * (ballMass + linkMass * links);
+}
+
+std::unique_ptr<World> buildHungChain(const HungChain& chain) {
   auto world = std::make_unique<World>();
   const btVector3 along = vec3(std::sin(swing), -std::cos(swing), 0);
   const btQuaternion turn = aboutZ(swing - M_PI / 2);  // turns e_x to `along`
@@ -20,7 +24,7 @@ std::unique_ptr<World> buildHungChain(int links, double ballMass, int copies) {
 
   btRigidBody* above = nullptr;
   const auto hang = [&](btRigidBody& body, const btVector3& pivot) {
-    for (int copy = 0; copy < copies; ++copy) {
+    for (int copy = 0; copy < chain.copies; ++copy) {
       if (above == nullptr)
         world->join(std::make_unique<btPoint2PointConstraint>(body, pivot));
       else
@@ -28,24 +32,33 @@ std::unique_ptr<World> buildHungChain(int links, double ballMass, int copies) {
     }
     above = &body;
   };
-  for (int i = 0; i < links; ++i)
-    hang(world->add(btScalar(linkMass), shape,
-                    btTransform(turn, along * btScalar((i + 0.5) * linkLength)), {}),
-         -end);
-  hang(world->add(btScalar(ballMass), world->sphere(btScalar(ballRadius)),
-                  btTransform(turn, along * btScalar(links * linkLength + ballRadius)), {}),
+  const double h = 1 / (chain.rate * chain.substeps);
+  const double stiffness = tensionOf(chain.links, chain.ballMass) * linkLength;
+  for (int i = 0; i < chain.links; ++i) {
+    btRigidBody& link = world->add(btScalar(linkMass), shape,
+                                   btTransform(turn, along * btScalar((i + 0.5) * linkLength)), {});
+    if (chain.stiffened) {
+      link.setMassProps(btScalar(linkMass),
+                        link.getLocalInertia() + vec3(0, 1, 1) * btScalar(h * h * stiffness / 3));
+      link.updateInertiaTensor();
+    }
+    hang(link, -end);
+  }
+  hang(world->add(btScalar(chain.ballMass), world->sphere(btScalar(ballRadius)),
+                  btTransform(turn, along * btScalar(chain.links * linkLength + ballRadius)), {}),
        vec3(-ballRadius, 0, 0));
+  world->setSubsteps(chain.substeps);
   return world;
 }
 
 }  // namespace
 
-Trial hungChain(int links, double ballMass, double seconds, double rate, int copies) {
-  auto world = buildHungChain(links, ballMass, copies);
-  const double height = linkLength * links * (1 - std::cos(swing));
-  const double energy = gravity * height * (ballMass + 0.5 * linkMass * links);
+Trial hungChain(const HungChain& chain, double seconds) {
+  auto world = buildHungChain(chain);
+  const double height = linkLength * chain.links * (1 - std::cos(swing));
+  const double energy = gravity * height * (chain.ballMass + 0.5 * linkMass * chain.links);
   auto error = worseOf(jointsOf(*world, linkLength), energyGainedFrom(*world, energy));
-  return {std::move(world), int(std::lround(seconds * rate)), 1 / rate, error};
+  return {std::move(world), int(std::lround(seconds * chain.rate)), 1 / chain.rate, error};
 }
 
 double heaviestBall(int links, double timeStep) {
@@ -54,8 +67,7 @@ double heaviestBall(int links, double timeStep) {
 }
 
 double leastRate(int links, double ballMass) {
-  const double tension = mostTension * gravity * (ballMass + linkMass * links);
-  return 0.5 * std::sqrt(12 * tension / (linkMass * linkLength));
+  return 0.5 * std::sqrt(12 * tensionOf(links, ballMass) / (linkMass * linkLength));
 }
 
 }  // namespace demos::report::stability

@@ -54,7 +54,7 @@ Sweep copiedJoints() {
   sweep.law = "as the chains: 5 % of a link, 5 % of the energy";
   sweep.allowed = 0.05;
   sweep.values = {1, 2, 3, 4, 8, 16, 32, 64};
-  sweep.build = [](double copies) { return hungChain(5, 10, 2, 240, int(copies)); };
+  sweep.build = [](double copies) { return hungChain({5, 10, 240, 1, int(copies)}, 2); };
   return sweep;
 }
 

@@ -56,6 +56,7 @@ Certified certifyFirstStep(const Sweep& sweep, double value, double secondsLimit
     StepCapture capture(named.solver());
     std::vector<double> numbers;
     capture.beforeSolve = [&](const CapturedStep& step) {
+      if (!numbers.empty()) return;  // of the first substep
       const Certified truth = certify(StepProblem(step, cfm), secondsLimit, mostRefined);
       if (!truth.known()) return;
       numbers = {truth.size, double(truth.refined), truth.agreement};
@@ -87,15 +88,17 @@ struct StepError {
 StepError stepError(Trial& trial, btConstraintSolver& inner, double cfm,
                     const std::function<Certified(const StepProblem&)>& truth) {
   StepError out;
-  std::optional<StepProblem> problem;
+  std::optional<StepProblem> problem;  // of the first substep
   Certified right;
+  int solves = 0;
   StepCapture capture(inner);
   capture.beforeSolve = [&](const CapturedStep& step) {
+    if (solves++ > 0) return;
     problem.emplace(step, cfm);
     right = truth(*problem);
   };
   capture.afterSolve = [&](const CapturedStep&) {
-    if (!right.known()) return;
+    if (solves > 1 || !right.known()) return;
     constexpr double same = 1e-12;  // two refined answers agree better than that, or not at all
     out.error = problem->distance(problem->currentMotion(), right.motion) / right.size;
     out.certified = right.refined && right.agreement <= same;
