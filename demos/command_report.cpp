@@ -34,10 +34,11 @@ void addReportCommand(CLI::App& app, Action& chosen) {
       ->delimiter(',')
       ->type_name("NAME,...");
   command
-      ->add_option("--parts", arguments->parts,
-                   "which of same_problem, persisting, own_trajectory, time_step, scaling, "
-                   "ablation; with --stability: masses, units, stiffness, friction, redundancy, "
-                   "angles, speeds, long_runs")
+      ->add_option(
+          "--parts", arguments->parts,
+          "which of same_problem, persisting, own_trajectory, time_step, scaling, "
+          "ablation; with --stability: masses, units, stiffness, friction, redundancy, "
+          "angles, speeds, long_runs, stack_pair, chain_pair, soft_ground_pair, wedge_pair")
       ->delimiter(',')
       ->type_name("NAME,...");
   command->add_option("--out", arguments->out, "folder for what is made")

@@ -2,6 +2,7 @@
 
 #include "demos/report/stability/sweep.h"
 #include "demos/scenes/builders.h"
+#include "demos/table.h"
 
 namespace demos::report::stability {
 
@@ -19,6 +20,12 @@ Trial between(const btVector3& normal1, const btVector3& normal2, const btVector
   return drifting(std::move(world), 120);
 }
 
+/// The ball between two planes that close to a shaft, pressed down.
+Trial wedge(double angle, double press, double mu) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return between(vec3(c, s, 0), vec3(-c, s, 0), vec3(0, -press, 0), mu);
+}
+
 Sweep nearlyOpposite() {
   Sweep sweep;
   sweep.name = "opposite";
@@ -27,10 +34,7 @@ Sweep nearlyOpposite() {
   sweep.law = "it drifts less than 1 mm in 2 s";
   sweep.allowed = 1e-3;
   sweep.values = angleValues;
-  sweep.build = [](double angle) {
-    const double c = std::cos(angle), s = std::sin(angle);
-    return between(vec3(c, s, 0), vec3(-c, s, 0), vec3(0, -beadForce, 0));
-  };
+  sweep.build = [](double angle) { return wedge(angle, beadForce, 0); };
   sweep.remark =
       "At 1e-7 rad W has a condition of 1e14: the demands of the two planes cannot be told from "
       "contradicting ones, and are reported as such.";
@@ -64,10 +68,7 @@ Sweep roughWedge() {
   sweep.law = "it drifts less than 1 mm in 2 s";
   sweep.allowed = 1e-3;
   sweep.values = decades(0, 12);
-  sweep.build = [](double press) {
-    const double c = std::cos(0.1), s = std::sin(0.1);
-    return between(vec3(c, s, 0), vec3(-c, s, 0), vec3(0, -press, 0), 0.5);
-  };
+  sweep.build = [](double press) { return wedge(0.1, press, 0.5); };
   sweep.remark =
       "The tolerance of `delassus` is relative, 1e-8 of the largest demand, which is press h/m: "
       "1e9 N on "
@@ -91,6 +92,19 @@ Sweep trihedron() {
 }
 
 }  // namespace
+
+SweepGroup wedgePair() {
+  SweepGroup group{"wedge_pair", "Ball of 1 kg pressed into a wedge", {}, "friction"};
+  for (const double mu : {0.0, 0.1, 0.3, 1.0, 3.0}) {
+    Sweep sweep = nearlyOpposite();
+    const std::string number = shortNumber(mu, 2);
+    sweep.name = "wedge_" + number;
+    sweep.title = "μ = " + number;
+    sweep.build = [mu](double angle) { return wedge(angle, beadForce, mu); };
+    group.sweeps.push_back(sweep);
+  }
+  return group;
+}
 
 SweepGroup angleSweeps() {
   return {"angles",

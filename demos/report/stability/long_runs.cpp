@@ -9,7 +9,7 @@ namespace {
 
 constexpr double rate = 60;
 /// Long runs may take so many times the usual seconds of a trial.
-constexpr double longPatience = 6;
+constexpr double longPatience = 40;
 
 Sweep lasting(const std::string& name, const std::string& title, double allowed,
               std::vector<double> seconds, const std::function<std::unique_ptr<World>()>& build) {
@@ -21,6 +21,7 @@ Sweep lasting(const std::string& name, const std::string& title, double allowed,
   sweep.allowed = allowed;
   sweep.values = std::move(seconds);
   sweep.patience = longPatience;
+  sweep.lengthens = true;
   sweep.build = [build](double time) { return drifting(build(), int(time * rate), 1 / rate); };
   return sweep;
 }

@@ -19,10 +19,11 @@ namespace fs = std::filesystem;
 
 MapPlan planOf(const ReportArguments& arguments) {
   MapPlan plan;
-  plan.methods =
-      methodsNamed(!arguments.solvers.empty()
-                       ? arguments.solvers
-                       : std::vector<std::string>{"delassus", "si:10", "si:1000", "dantzig:1e-6"});
+  const auto chosen = [&arguments](const std::vector<std::string>& usual) {
+    return methodsNamed(arguments.solvers.empty() ? usual : arguments.solvers);
+  };
+  plan.methods = chosen({"delassus", "si:10", "si:1000", "dantzig:1e-6"});
+  plan.pairMethods = chosen({"delassus", "si:10", "dantzig:1e-6"});
   plan.quick = arguments.quick;
   plan.secondsLimit = arguments.quick ? 0.5 : 3;
   plan.certificateLimit = arguments.quick ? 0.2 : 0.5;
@@ -53,9 +54,10 @@ std::vector<Part> partsOf(const std::vector<SweepGroup>& groups, const MapPlan& 
     Part part;
     part.name = group.name;
     for (const Sweep& sweep : group.sweeps)
-      part.units.push_back({sweep.name, [&sweep, &plan](const Progress& progress) {
-                              return measureSweep(sweep, plan, progress);
-                            }});
+      part.units.push_back(
+          {sweep.name, [&sweep, own = planFor(group, plan)](const Progress& progress) {
+             return measureSweep(sweep, own, progress);
+           }});
     parts.push_back(part);
   }
   return parts;

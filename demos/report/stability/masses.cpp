@@ -143,6 +143,34 @@ Sweep anisotropy() {
 
 }  // namespace
 
+SweepGroup stackPair() {
+  SweepGroup group{"stack_pair", "Stack of boxes of 1 kg, the top heavier", {}, "height"};
+  for (const int boxes : {2, 5, 10, 20, 40}) {
+    Sweep sweep = heavyTop(boxes, 60);
+    sweep.title = std::to_string(boxes) + " boxes";
+    sweep.values = decades(0, 8, 2);
+    sweep.remark = {};
+    group.sweeps.push_back(sweep);
+  }
+  return group;
+}
+
+SweepGroup chainPair() {
+  SweepGroup group{
+      "chain_pair", "Ball on 20 links of 1 kg, let go from 30 degrees", {}, "time step"};
+  for (const double rate : {60, 240, 960, 3840}) {
+    Sweep sweep = chain(20);
+    sweep.name = "chain_" + std::to_string(int(rate));
+    sweep.title = std::to_string(int(rate)) + " steps a second";
+    sweep.values = decades(0, 6);
+    sweep.limit = heaviestBall(20, 1 / rate);
+    sweep.build = [rate](double ratio) { return hungChain({20, ratio, rate}, 1); };
+    sweep.patience = 2;  // for the most steps
+    group.sweeps.push_back(sweep);
+  }
+  return group;
+}
+
 SweepGroup massSweeps() {
   return {"masses",
           "Mass ratio",

@@ -113,30 +113,43 @@ StripPanel panelOf(const Sweep& sweep, const std::vector<Track>& tracks) {
   StripPanel panel;
   panel.title = sweep.title;
   panel.axis = sweep.axis;
-  panel.limit = sweep.limit;
   for (const Track& track : tracks) {
     if (track.values.size() > panel.values.size()) panel.values = track.values;
-    panel.strips.push_back({track.method + " " + track.precision, track.verdicts});
+    panel.strips.push_back({track.method + " " + track.precision, track.verdicts, sweep.limit});
   }
   return panel;
+}
+
+/// One panel for each solver and precision: its tracks of all sweeps of a pair under each other.
+std::vector<StripPanel> pairPanels(const SweepGroup& group,
+                                   const std::vector<std::vector<Track>>& tracks) {
+  std::vector<StripPanel> panels;
+  for (std::size_t i = 0; i < tracks.front().size(); ++i) {
+    const Track& first = tracks.front()[i];
+    StripPanel panel{first.method + " " + first.precision, group.sweeps[0].axis, first.values, {}};
+    for (std::size_t row = 0; row < tracks.size(); ++row)
+      if (i < tracks[row].size())
+        panel.strips.push_back(
+            {group.sweeps[row].title, tracks[row][i].verdicts, group.sweeps[row].limit});
+    panels.push_back(panel);
+  }
+  return panels;
 }
 
 /// A row for each sweep, a column for each solver and precision.
 class Overview {
  public:
-  explicit Overview(const MapPlan& plan) {
-    for (const Method& method : plan.methods)
+  Overview(const std::vector<Method>& methods, const std::string& rows) {
+    for (const Method& method : methods)
       for (const char* precision : precisions) columns_.push_back({method.name, precision});
-    std::vector<std::string> heading{"what is made harder"};
+    std::vector<std::string> heading{rows};
     for (const auto& [method, precision] : columns_)
       heading.push_back(code(method) + " " + precision);
     table_ = MarkdownTable(heading);
   }
 
-  void add(const Sweep& sweep, const std::vector<Track>& tracks) {
-    std::vector<std::string> row{sweep.title + ": *" + sweep.axis + "*, " +
-                                 tic(tracks[0].values.front()) + " to " +
-                                 tic(tracks[0].values.back())};
+  void add(const std::string& name, const std::vector<Track>& tracks) {
+    std::vector<std::string> row{name};
     for (const auto& [method, precision] : columns_) {
       std::string cell;
       for (const Track& track : tracks)
@@ -153,6 +166,10 @@ class Overview {
   MarkdownTable table_{{}};
 };
 
+std::string lawOf(const Sweep& sweep) {
+  return "Law: " + sweep.law + "." + (sweep.remark.empty() ? "" : " " + sweep.remark) + "\n\n";
+}
+
 constexpr const char* legend =
     R"(Each sweep makes one thing harder and leaves all else. A cell of the pictures is one run:
 
@@ -165,7 +182,7 @@ constexpr const char* legend =
   the rounding of poses. Its residual stands in the table, the cause above it;
 - **too slow** (t): it held until its time was up, or a step had no end; **crashes** (#): or asks for more than 6 GB.
 
-A dashed line is where the time stepping itself ends, whatever the solver. Tables give, from the first to the last
+A black line is where the time stepping itself ends, whatever the solver. Tables give, from the first to the last
 value: the worst error, the largest natural residual of any step, errors of the motion, the energy gained, the median
 time of `solveGroup`. Times were taken with both cores busy. What is lost is not followed to the end.
 
@@ -211,24 +228,42 @@ std::string rangeOf(const std::vector<double>& values, const std::vector<Verdict
 
 void writeMapPage(const fs::path& out, const std::string& command,
                   const std::vector<SweepGroup>& groups, const MapPlan& plan, int missing) {
-  Overview overview(plan);
+  Overview overview(plan.methods, "what is made harder");
   std::string body, trouble;
+  const auto drawn = [&](const SweepGroup& group, const std::vector<StripPanel>& panels) {
+    const std::string fault = drawStrips(group.title, panels, out / "stability", group.name);
+    if (!fault.empty()) trouble = fault + "\n\n";
+    return picture("stability", group.name, group.title + ": what holds up to where");
+  };
   for (const SweepGroup& group : groups) {
+    const bool pair = !group.second.empty();
+    const MapPlan own = planFor(group, plan);
+    Overview rows(own.methods, group.second);
+    std::vector<std::vector<Track>> all;
     std::vector<StripPanel> panels;
     std::string details;
     for (const Sweep& sweep : group.sweeps) {
-      const std::vector<Track> tracks = readTracks(out, group, sweep, plan);
+      const std::vector<Track> tracks = readTracks(out, group, sweep, own);
       if (tracks.empty()) continue;
-      overview.add(sweep, tracks);
+      all.push_back(tracks);
+      if (pair) {
+        rows.add(sweep.title, tracks);
+        continue;
+      }
+      overview.add(sweep.title + ": *" + sweep.axis + "*, " + tic(tracks[0].values.front()) +
+                       " to " + tic(tracks[0].values.back()),
+                   tracks);
       panels.push_back(panelOf(sweep, tracks));
-      details += "### " + sweep.title + "\n\nHarder: " + sweep.axis + ". Law: " + sweep.law + ".";
-      details += (sweep.remark.empty() ? "" : " " + sweep.remark) + "\n\n" + detailOf(tracks);
+      details += "### " + sweep.title + "\n\nHarder: " + sweep.axis + ". " + lawOf(sweep) +
+                 detailOf(tracks);
     }
-    if (panels.empty()) continue;
-    const std::string fault = drawStrips(group.title, panels, out / "stability", group.name);
-    if (!fault.empty()) trouble = fault + "\n\n";
-    body += "## " + group.title + "\n\n" +
-            picture("stability", group.name, group.title + ": what holds up to where") + details;
+    if (all.empty()) continue;
+    body += "## " + group.title + "\n\n";
+    if (pair)
+      body += "Harder: " + group.sweeps[0].axis + "; and " + group.second + ". " +
+              lawOf(group.sweeps[0]) + drawn(group, pairPanels(group, all)) + rows.text();
+    else
+      body += drawn(group, panels) + details;
   }
   std::string page = "# Stiff and extreme: what holds up to where\n\n    " + command + "\n\n" +
                      describeMachine() + '\n' + legend;

@@ -11,8 +11,8 @@ namespace {
 constexpr double weight = gravity;  // of the box of 1 kg, N
 constexpr double rate = 240;
 
-/// A box of 1 kg set on a ground of stiffness `k` at each of its four points, N/m.
-Sweep softGround(bool damped) {
+/// A box of 1 kg set on a ground of stiffness `k` at each of its four points, N/m, for 4 s of `stepRate` steps each.
+Sweep softGround(bool damped, double stepRate = rate) {
   Sweep sweep;
   sweep.name = damped ? "contact_damped" : "contact_undamped";
   sweep.title = std::string("box of 1 kg on contacts with a spring each, ") +
@@ -24,19 +24,19 @@ Sweep softGround(bool damped) {
           : "it swings about m g/(4 k): never 1 mm or 1 % beyond twice that, nor above its start";
   sweep.allowed = 1;
   sweep.values = decades(1, 12);
-  sweep.build = [damped](double k) {
+  sweep.build = [damped, stepRate](double k) {
     constexpr double seconds = 4;
     auto world = std::make_unique<World>();
     btRigidBody& ground = addGround(*world);
     const double damping = damped ? 2 * std::sqrt(k / 4) : 0;
     ground.setContactStiffnessAndDamping(btScalar(k), btScalar(damping));
     btRigidBody& box = addBox(*world, unitBox, 1, at(0, unitHalf, 0));
-    Trial trial{std::move(world), int(seconds * rate), 1 / rate, {}};
+    Trial trial{std::move(world), int(std::lround(seconds * stepRate)), 1 / stepRate, {}};
     const double sag = weight / (4 * k), tolerance = std::max(1e-3, 0.01 * sag);
-    trial.error = [&box, damped, sag, tolerance](double time) {
+    trial.error = [&box, damped, sag, tolerance, stepRate](double time) {
       const double sunk = unitHalf - double(box.getWorldTransform().getOrigin().y());
       if (!damped) return std::max(sunk - 2 * sag, -sunk) / tolerance;
-      return time < seconds - 1.5 / rate ? 0 : std::abs(sunk - sag) / tolerance;
+      return time < seconds - 1.5 / stepRate ? 0 : std::abs(sunk - sag) / tolerance;
     };
     return trial;
   };
@@ -177,6 +177,21 @@ Sweep errorReduction() {
 }
 
 }  // namespace
+
+SweepGroup softGroundPair() {
+  SweepGroup group{"soft_ground_pair",
+                   "Box of 1 kg on contacts with a spring each, critically damped",
+                   {},
+                   "time step"};
+  for (const int stepRate : {10, 30, 60, 240, 1000}) {
+    Sweep sweep = softGround(true, stepRate);
+    sweep.name = "soft_ground_" + std::to_string(stepRate);
+    sweep.title = std::to_string(stepRate) + " steps a second";
+    sweep.values = decades(1, 11, 2);
+    group.sweeps.push_back(sweep);
+  }
+  return group;
+}
 
 SweepGroup stiffnessSweeps() {
   return {"stiffness",

@@ -57,7 +57,7 @@ class Script {
   }
   void line(double x, double from, double to) {
     text_ << "set arrow from screen " << across(x) << ", screen " << down(from) << " to screen "
-          << across(x) << ", screen " << down(to) << " nohead front lw 2.5 dt 2 lc rgb '#000000'\n";
+          << across(x) << ", screen " << down(to) << " nohead front lw 2.5 lc rgb '#000000'\n";
   }
   std::string text() const { return text_.str(); }
 
@@ -89,6 +89,8 @@ void addPanel(Script& script, const StripPanel& panel, double left, double top) 
     const Strip& strip = panel.strips[row];
     const double y = first + double(row) * stripHeight;
     script.label(from - 8, y + stripHeight / 2.0, strip.label, "right", "#333333", 11);
+    if (strip.limit > 0)
+      script.line(from + (placeAmong(panel.values, strip.limit) + 0.5) * cell, y, y + stripHeight);
     for (std::size_t i = 0; i < strip.cells.size(); ++i) {
       const Look& look = lookOf(strip.cells[i]);
       const double x = from + double(i) * cell;
@@ -103,8 +105,6 @@ void addPanel(Script& script, const StripPanel& panel, double left, double top) 
                  "#333333", 10);
   script.label(from + 0.5 * cell * double(panel.values.size()), bottom + 28, panel.axis, "center",
                "#333333", 11);
-  if (panel.limit > 0)
-    script.line(from + (placeAmong(panel.values, panel.limit) + 0.5) * cell, first - 4, bottom + 4);
 }
 
 }  // namespace

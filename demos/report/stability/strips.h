@@ -8,18 +8,18 @@
 
 namespace demos::report::stability {
 
-/// One row of cells: a solver in one precision, over all values of a sweep.
+/// One row of cells: one solver in one precision, over all values of a sweep.
 struct Strip {
   std::string label;
   std::vector<Verdict> cells;
+  double limit = 0;  ///< a line between the values around it; 0: none
 };
 
-/// One sweep as strips over each other; all have a cell for each value.
+/// Strips over each other, all with a cell for each value: one sweep by all solvers, or two things at once by one solver.
 struct StripPanel {
   std::string title, axis;
   std::vector<double> values;  ///< from left to right
   std::vector<Strip> strips;
-  double limit = 0;  ///< a line between the values around it; 0: none
 };
 
 /// Writes `name`.gp into the folder and has gnuplot draw `name`.svg and `name`.png from it, two panels beside each other under a

@@ -9,7 +9,8 @@ namespace demos::report::stability {
 
 std::vector<SweepGroup> allSweeps() {
   return {massSweeps(),       unitSweeps(),  stiffnessSweeps(), frictionSweeps(),
-          redundancySweeps(), angleSweeps(), speedSweeps(),     longRunSweeps()};
+          redundancySweeps(), angleSweeps(), speedSweeps(),     longRunSweeps(),
+          stackPair(),        chainPair(),   softGroundPair(),  wedgePair()};
 }
 
 std::vector<double> decades(int from, int to, int every) {

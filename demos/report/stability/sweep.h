@@ -32,12 +32,17 @@ struct Sweep {
   std::string remark;  ///< for the page, may be empty
   /// No more steps are taken than in so many times the usual seconds of a trial.
   double patience = 1;
+  /// Each value takes longer than the one before: a solver that was too slow for one is not asked for the next.
+  bool lengthens = false;
 };
 
 /// Sweeps of one kind: a figure and a section of the page.
 struct SweepGroup {
   std::string name, title;
   std::vector<Sweep> sweeps;
+  /// Not empty: the sweeps are one and the same of a second thing that is made harder too, this one. Their titles are its
+  /// values, their values are the same, and their law and remark are those of the first.
+  std::string second = {};
 };
 
 SweepGroup massSweeps();
@@ -48,6 +53,12 @@ SweepGroup redundancySweeps();
 SweepGroup angleSweeps();
 SweepGroup speedSweeps();
 SweepGroup longRunSweeps();
+
+/// Two things at once.
+SweepGroup stackPair();
+SweepGroup chainPair();
+SweepGroup softGroundPair();
+SweepGroup wedgePair();
 
 /// All of them, in the order of the page.
 std::vector<SweepGroup> allSweeps();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "bullet_ext/btDelassusConstraintSolver.h"
@@ -161,7 +162,7 @@ std::vector<double> live(const Sweep& sweep, double value, const Method& method,
   }
   numbers[Fallbacks] = named.fallbacks();
   StepError last;
-  if (processorSeconds() - start <= secondsLimit)
+  if (plan.lastCertificateLimit > 0 && processorSeconds() - start <= secondsLimit)
     last = stepError(trial, solver, cfm, [&plan](const StepProblem& problem) {
       return 3 * problem.contacts() + problem.rows() <= mostRefined
                  ? certify(problem, plan.lastCertificateLimit, mostRefined)
@@ -213,6 +214,13 @@ bool holds(Verdict verdict) {
   return verdict == Verdict::Holds || verdict == Verdict::HoldsAndSays;
 }
 
+MapPlan planFor(const SweepGroup& group, MapPlan plan) {
+  if (group.second.empty()) return plan;
+  plan.methods = plan.pairMethods;
+  plan.certificateLimit = plan.lastCertificateLimit = 0;
+  return plan;
+}
+
 std::vector<double> valuesOf(const Sweep& sweep, const MapPlan& plan) {
   if (!plan.quick) return sweep.values;
   std::vector<double> values;
@@ -226,15 +234,22 @@ CsvTable measureSweep(const Sweep& sweep, const MapPlan& plan, const Progress& p
   CsvTable table(columns);
   const std::vector<double> values = valuesOf(sweep, plan);
   const double limit = plan.secondsLimit * (plan.quick ? 1 : sweep.patience);
+  std::set<std::string> givenUp;  // methods
   double done = 0;
   for (const double value : values) {
-    const Certified truth = certifyFirstStep(sweep, value, plan.certificateLimit);
+    const Certified truth = plan.certificateLimit > 0
+                                ? certifyFirstStep(sweep, value, plan.certificateLimit)
+                                : Certified();
     const int stepsWanted = sweep.build(value).steps;
     for (const Method& method : plan.methods) {
+      ApartResult run;
+      run.ending = Ending::TimeLimit;
       // A run ends itself at its limit; only one step that never ends is ended from outside.
-      ApartResult run = runApart([&] { return live(sweep, value, method, limit, plan, truth); },
-                                 Limits{5 * limit + 2});
+      if (givenUp.count(method.name) == 0)
+        run = runApart([&] { return live(sweep, value, method, limit, plan, truth); },
+                       Limits{5 * limit + 2});
       const Verdict verdict = judge(sweep, stepsWanted, run);
+      if (sweep.lengthens && verdict == Verdict::TooSlow) givenUp.insert(method.name);
       run.numbers.resize(measured.size(), std::nan(""));
       std::vector<std::string> row{csvNumber(value), method.name, toString(verdict),
                                    csvNumber(sweep.allowed), std::to_string(stepsWanted)};

@@ -25,12 +25,16 @@ bool holds(Verdict verdict);
 /// How much is done.
 struct MapPlan {
   std::vector<Method> methods;
-  double secondsLimit;      ///< of a trial, of the processor, times the patience of its sweep
-  double certificateLimit;  ///< of one solve of the motion that takes place in the first step, s
-  double
-      lastCertificateLimit;  ///< the same for the step after a trial, which each solver has of its own
+  std::vector<Method> pairMethods;  ///< of two things at once
+  double secondsLimit;  ///< of a trial, of the processor, times the patience of its sweep
+  /// Of one solve of the motion that takes place in the first step, and in the step after a trial, which each solver has of
+  /// its own, s; 0: none.
+  double certificateLimit, lastCertificateLimit;
   bool quick = false;
 };
+
+/// Less is done for pairs: the motions of single steps are not compared with anything.
+MapPlan planFor(const SweepGroup& group, MapPlan plan);
 
 /// All methods at all values of a sweep, each trial in a process of its own.
 CsvTable measureSweep(const Sweep& sweep, const MapPlan& plan, const Progress& progress);
