@@ -31,6 +31,13 @@ MapPlan planOf(const ReportArguments& arguments) {
   return plan;
 }
 
+/// In the order of the page.
+std::vector<SweepGroup> allSweeps() {
+  return {massSweeps(),       unitSweeps(),  stiffnessSweeps(), frictionSweeps(),
+          redundancySweeps(), angleSweeps(), speedSweeps(),     longRunSweeps(),
+          stackPair(),        chainPair(),   softGroundPair(),  wedgePair()};
+}
+
 std::vector<SweepGroup> chosenGroups(const std::vector<std::string>& names) {
   std::vector<SweepGroup> all = allSweeps();
   if (names.empty()) return all;

@@ -7,12 +7,6 @@
 
 namespace demos::report::stability {
 
-std::vector<SweepGroup> allSweeps() {
-  return {massSweeps(),       unitSweeps(),  stiffnessSweeps(), frictionSweeps(),
-          redundancySweeps(), angleSweeps(), speedSweeps(),     longRunSweeps(),
-          stackPair(),        chainPair(),   softGroundPair(),  wedgePair()};
-}
-
 std::vector<double> decades(int from, int to, int every) {
   std::vector<double> values;
   for (int exponent = from; exponent <= to; exponent += every)

@@ -60,9 +60,6 @@ SweepGroup chainPair();
 SweepGroup softGroundPair();
 SweepGroup wedgePair();
 
-/// All of them, in the order of the page.
-std::vector<SweepGroup> allSweeps();
-
 /// 10^from, 10^(from + every), … 10^to.
 std::vector<double> decades(int from, int to, int every = 1);
 
