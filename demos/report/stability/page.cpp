@@ -120,17 +120,37 @@ StripPanel panelOf(const Sweep& sweep, const std::vector<Track>& tracks) {
   return panel;
 }
 
+/// What is there of one sweep.
+struct Reading {
+  const Sweep* sweep;
+  std::vector<Track> tracks;
+
+  /// Null if that solver was not measured in that precision.
+  const Track* trackOf(const std::string& method, const std::string& precision) const {
+    for (const Track& track : tracks)
+      if (track.method == method && track.precision == precision) return &track;
+    return nullptr;
+  }
+};
+
+std::vector<Reading> readGroup(const fs::path& out, const SweepGroup& group, const MapPlan& plan) {
+  std::vector<Reading> readings;
+  for (const Sweep& sweep : group.sweeps) {
+    Reading reading{&sweep, readTracks(out, group, sweep, plan)};
+    if (!reading.tracks.empty()) readings.push_back(std::move(reading));
+  }
+  return readings;
+}
+
 /// One panel for each solver and precision: its tracks of all sweeps of a pair under each other.
-std::vector<StripPanel> pairPanels(const SweepGroup& group,
-                                   const std::vector<std::vector<Track>>& tracks) {
+std::vector<StripPanel> pairPanels(const std::vector<Reading>& readings) {
   std::vector<StripPanel> panels;
-  for (std::size_t i = 0; i < tracks.front().size(); ++i) {
-    const Track& first = tracks.front()[i];
-    StripPanel panel{first.method + " " + first.precision, group.sweeps[0].axis, first.values, {}};
-    for (std::size_t row = 0; row < tracks.size(); ++row)
-      if (i < tracks[row].size())
-        panel.strips.push_back(
-            {group.sweeps[row].title, tracks[row][i].verdicts, group.sweeps[row].limit});
+  for (const Track& track : readings.front().tracks) {
+    StripPanel panel{
+        track.method + " " + track.precision, readings.front().sweep->axis, track.values, {}};
+    for (const Reading& reading : readings)
+      if (const Track* own = reading.trackOf(track.method, track.precision))
+        panel.strips.push_back({reading.sweep->title, own->verdicts, reading.sweep->limit});
     panels.push_back(panel);
   }
   return panels;
@@ -148,13 +168,11 @@ class Overview {
     table_ = MarkdownTable(heading);
   }
 
-  void add(const std::string& name, const std::vector<Track>& tracks) {
+  void add(const std::string& name, const Reading& reading) {
     std::vector<std::string> row{name};
     for (const auto& [method, precision] : columns_) {
-      std::string cell;
-      for (const Track& track : tracks)
-        if (track.method == method && track.precision == precision)
-          cell = rangeOf(track.values, track.verdicts);
+      const Track* track = reading.trackOf(method, precision);
+      const std::string cell = track != nullptr ? rangeOf(track->values, track->verdicts) : "–";
       row.push_back(method == "delassus" ? "**" + cell + "**" : cell);
     }
     table_.add(row);
@@ -166,12 +184,44 @@ class Overview {
   MarkdownTable table_{{}};
 };
 
+/// A picture and the words around it.
+struct Section {
+  std::vector<StripPanel> panels;
+  std::string before, after;
+};
+
 std::string lawOf(const Sweep& sweep) {
   return "Law: " + sweep.law + "." + (sweep.remark.empty() ? "" : " " + sweep.remark) + "\n\n";
 }
 
+/// One sweep after the other, each a row of the overview.
+Section sweepSection(const std::vector<Reading>& readings, Overview& overview) {
+  Section section;
+  for (const Reading& reading : readings) {
+    const Sweep& sweep = *reading.sweep;
+    const std::vector<double>& values = reading.tracks[0].values;
+    const std::string range = tic(values.front()) + " to " + tic(values.back());
+    overview.add(sweep.title + ": *" + sweep.axis + "*, " + range, reading);
+    section.panels.push_back(panelOf(sweep, reading.tracks));
+    section.after += "### " + sweep.title + "\n\nHarder: " + sweep.axis + ". " + lawOf(sweep) +
+                     detailOf(reading.tracks);
+  }
+  return section;
+}
+
+/// Two things at once, with an overview of their own.
+Section pairSection(const SweepGroup& group, const std::vector<Reading>& readings,
+                    const MapPlan& plan) {
+  const Sweep& first = *readings.front().sweep;
+  Overview overview(plan.methods, group.second);
+  for (const Reading& reading : readings) overview.add(reading.sweep->title, reading);
+  return {pairPanels(readings),
+          "Harder: " + first.axis + "; and " + group.second + ". " + lawOf(first), overview.text()};
+}
+
 constexpr const char* legend =
-    R"(Each sweep makes one thing harder and leaves all else. A cell of the pictures is one run:
+    R"(Each sweep makes one thing harder and leaves all else; the last pictures make two things harder at once, the second one
+from row to row. A cell is one run:
 
 - **holds**: the law of the sweep is kept, nothing was reported;
 - **holds and says so** (o): the law is kept; steps that ended above the tolerance were reported (out of budget,
@@ -230,40 +280,18 @@ void writeMapPage(const fs::path& out, const std::string& command,
                   const std::vector<SweepGroup>& groups, const MapPlan& plan, int missing) {
   Overview overview(plan.methods, "what is made harder");
   std::string body, trouble;
-  const auto drawn = [&](const SweepGroup& group, const std::vector<StripPanel>& panels) {
-    const std::string fault = drawStrips(group.title, panels, out / "stability", group.name);
-    if (!fault.empty()) trouble = fault + "\n\n";
-    return picture("stability", group.name, group.title + ": what holds up to where");
-  };
   for (const SweepGroup& group : groups) {
-    const bool pair = !group.second.empty();
     const MapPlan own = planFor(group, plan);
-    Overview rows(own.methods, group.second);
-    std::vector<std::vector<Track>> all;
-    std::vector<StripPanel> panels;
-    std::string details;
-    for (const Sweep& sweep : group.sweeps) {
-      const std::vector<Track> tracks = readTracks(out, group, sweep, own);
-      if (tracks.empty()) continue;
-      all.push_back(tracks);
-      if (pair) {
-        rows.add(sweep.title, tracks);
-        continue;
-      }
-      overview.add(sweep.title + ": *" + sweep.axis + "*, " + tic(tracks[0].values.front()) +
-                       " to " + tic(tracks[0].values.back()),
-                   tracks);
-      panels.push_back(panelOf(sweep, tracks));
-      details += "### " + sweep.title + "\n\nHarder: " + sweep.axis + ". " + lawOf(sweep) +
-                 detailOf(tracks);
-    }
-    if (all.empty()) continue;
-    body += "## " + group.title + "\n\n";
-    if (pair)
-      body += "Harder: " + group.sweeps[0].axis + "; and " + group.second + ". " +
-              lawOf(group.sweeps[0]) + drawn(group, pairPanels(group, all)) + rows.text();
-    else
-      body += drawn(group, panels) + details;
+    const std::vector<Reading> readings = readGroup(out, group, own);
+    if (readings.empty()) continue;
+    const Section section =
+        group.second.empty() ? sweepSection(readings, overview) : pairSection(group, readings, own);
+    const std::string fault =
+        drawStrips(group.title, section.panels, out / "stability", group.name);
+    if (!fault.empty()) trouble = fault + "\n\n";
+    body += "## " + group.title + "\n\n" + section.before +
+            picture("stability", group.name, group.title + ": what holds up to where") +
+            section.after;
   }
   std::string page = "# Stiff and extreme: what holds up to where\n\n    " + command + "\n\n" +
                      describeMachine() + '\n' + legend;

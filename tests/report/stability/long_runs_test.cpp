@@ -28,6 +28,8 @@ TEST(LongRunsSlow, cubeSlow) { expectToLast("cube", 36000); }
 // One hour.
 TEST(LongRunsSlow, conveyorSlow) { expectToLast("conveyor", 3600); }
 TEST(LongRunsSlow, stackOfFortySlow) { expectToLast("stack_40_long", 3600); }
+// Two minutes: its hour takes ten of the processor.
+TEST(LongRunsSlow, archSlow) { expectToLast("arch_long", 120); }
 
 }  // namespace
 }  // namespace demos::report::stability
