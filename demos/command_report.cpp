@@ -46,7 +46,7 @@ void addReportCommand(CLI::App& app, Action& chosen) {
       ->capture_default_str();
   CLI::Option* stability = command->add_flag(
       "--stability", arguments->stability,
-      "instead, the map of what holds up to which hardness, in both precisions: 15 minutes");
+      "instead, the map of what holds up to which hardness, in both precisions: 20 minutes");
   command
       ->add_flag("--one-precision", arguments->onePrecision,
                  "of the map: only measure, and only in the precision of this executable")

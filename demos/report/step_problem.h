@@ -27,6 +27,7 @@ class StepProblem {
 
   /// v_f: where forces alone would take the bodies.
   const Motion& freeMotion() const { return freeMotion_; }
+  Motion atRest() const { return Motion(freeMotion_.size(), delassus::Vec6::Zero()); }
   /// What the bodies do now.
   Motion currentMotion() const;
   /// |v − w|_M = √( (v − w)ᵀ M (v − w) ), √kg m/s; locked axes do not count.

@@ -140,7 +140,7 @@ TEST_F(Report, findsTheOrderOfTheIntegrator) {
 
 // Wedges down to where rounding ends them: both precisions, stock beside ours.
 TEST_F(Report, mapsWhatHoldsUpToWhere) {
-  ASSERT_EQ(report("--stability --parts angles"), 0) << read(said());
+  ASSERT_EQ(report("--stability --parts angles,wedge_pair"), 0) << read(said());
   const auto rows = rowsOf(out() / "stability" / "double" / "angles" / "opposite.csv");
   ASSERT_FALSE(rows.empty());
   for (auto row : rows) {
@@ -148,14 +148,22 @@ TEST_F(Report, mapsWhatHoldsUpToWhere) {
     if (row["method"] == "delassus:1e-8" && angle > 1e-5) {
       EXPECT_EQ(row["verdict"], "holds") << angle;
       EXPECT_LT(std::stod(row["worst_error"]), std::stod(row["allowed"])) << angle;
+      // Against the answer in extended precision: 1/angle of the residual's digits are lost.
+      EXPECT_EQ(row["first_certified"], "1") << angle;
+      EXPECT_LT(std::stod(row["first_error"]), 1e-9 / angle) << angle;
+      EXPECT_LT(std::stod(row["last_error"]), 1e-7 / angle) << angle;
     } else if (row["method"] == "si:10" && angle < 1e-2) {
       EXPECT_EQ(row["verdict"], "fails") << angle;
+      EXPECT_GT(std::stod(row["first_error"]), 0.5) << angle;
     }
   }
   const std::string page = read(out() / "stability.md");
   for (const char* words : {"delassus report --stability --quick", "At a glance",
-                            "half angle of the wedge", "delassus:1e-8", "si:10"})
+                            "half angle of the wedge", "delassus:1e-8", "si:10",
+                            // the second thing and its rows
+                            "| friction |", "| μ = 0.3 |"})
     EXPECT_NE(page.find(words), std::string::npos) << words;
+  EXPECT_TRUE(fs::exists(out() / "stability" / "wedge_pair.svg"));
 }
 
 TEST_F(Report, mapGoesOnWhereItWasInterrupted) {

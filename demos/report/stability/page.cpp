@@ -243,7 +243,7 @@ the linear systems) until the next step would change the motion by less than 1e-
 known to 1e-7. **(x)**: v* is not certified, but an answer of double precision to 1e-12: the island has more than 200
 unknowns (60 contacts), or the refinement did not get there (ties between regions, contacts that are redundant but for
 rounding, demands that contradict each other), or two motions were found. **–**: nothing to compare with, that is no
-reaction, no answer in the time that is allowed, or more than 200 unknowns after the last step.
+reaction that is more than rounding, no answer in the time that is allowed, or more than 200 unknowns after the last step.
 
 )";
 

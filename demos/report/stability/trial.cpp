@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <limits>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -100,6 +101,9 @@ StepError stepError(Trial& trial, btConstraintSolver& inner, double cfm,
   };
   capture.afterSolve = [&](const CapturedStep&) {
     if (solves > 1 || !right.known()) return;
+    // Reactions that do no more than rounding are none.
+    const double momentum = problem->distance(problem->freeMotion(), problem->atRest());
+    if (right.size <= 100 * std::numeric_limits<btScalar>::epsilon() * momentum) return;
     constexpr double same = 1e-12;  // two refined answers agree better than that, or not at all
     out.error = problem->distance(problem->currentMotion(), right.motion) / right.size;
     out.certified = right.refined && right.agreement <= same;
