@@ -3,6 +3,7 @@
 #include <exception>
 
 #include "demos/command.h"
+#include "demos/scenes/solvers.h"
 
 int main(int argc, char** argv) {
   using namespace demos;
@@ -25,6 +26,9 @@ int main(int argc, char** argv) {
   }
   try {
     return chosen();
+  } catch (const UnknownSolver& error) {
+    std::fprintf(stderr, "delassus: %s\n", error.what());
+    return exitBadUsage;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "delassus: %s\n", error.what());
     return exitFailed;

@@ -95,7 +95,7 @@ TEST_F(Command, namesTheNearestScene) {
 
 TEST_F(Command, namesTheSolversThatExist) {
   const Outcome outcome = call("run one_box --solver delassus,sj:10");
-  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.err.find("sj:10"), std::string::npos);
   EXPECT_NE(outcome.err.find("si:N"), std::string::npos);
   EXPECT_EQ(lines(outcome.err), 1);
