@@ -207,7 +207,9 @@ Sweep sleepStorm() {
     });
     return drifting(std::move(world), 240);
   };
-  sweep.remark = "What wakes with a gap of rounding under it falls for one step (see the feet).";
+  sweep.remark =
+      "What wakes with a gap of rounding under it falls for one step (see the feet); what is "
+      "put to sleep while it moves has no weight until it wakes, and glides on.";
   return sweep;
 }
 
