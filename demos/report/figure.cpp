@@ -35,7 +35,10 @@ std::string number(double value) {
   return word;
 }
 
-bool drawable(double value, bool log) { return std::isfinite(value) && (!log || value > 0); }
+/// What has run away further leaves no room on an axis for the others (and no time: gnuplot counts the tics of 1e128).
+constexpr double farthest = 1e12;
+
+bool drawable(double value, bool log) { return std::abs(value) < farthest && (!log || value > 0); }
 
 /// The range of an axis, with room at both ends; whole decades at the low end of a logarithmic one.
 struct Range {

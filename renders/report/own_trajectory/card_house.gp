@@ -2,92 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.118156 5.84005e-05 0.118156 0.118156
+0.021391 5.84011e-05 0.021391 0.021391
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.074671 5.91767e-05 0.074671 0.074671
+0.171183 0.000148887 0.171183 0.171183
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.025158 1.5808 0.025158 0.025158
+0.022043 5.11253 0.022043 0.022043
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.112887 2.02331 0.112887 0.112887
+0.080729 4.78169 0.080729 0.080729
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.002053 197.651 0.002053 0.002053
+0.298042 4.80447 0.298042 0.298042
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.12821 2.99011 0.12821 0.12821
+1.37867 5.09893 1.37867 1.37867
+EOD
+$line0_6 << EOD
+EOD
+$marks0_6 << EOD
+0.096483 0.366385 0.096483 0.096483
+EOD
+$line0_7 << EOD
+EOD
+$marks0_7 << EOD
+0.003445 2312.01 0.003445 0.003445
+EOD
+$line0_8 << EOD
+EOD
+$marks0_8 << EOD
+0.001803 2.61083e+09 0.001803 0.001803
+EOD
+$line0_9 << EOD
+EOD
+$marks0_9 << EOD
+0.443768 5.02576 0.443768 0.443768
+EOD
+$line0_10 << EOD
+EOD
+$marks0_10 << EOD
+0.185845 4.77027 0.185845 0.185845
+EOD
+$line0_11 << EOD
+EOD
+$marks0_11 << EOD
+0.291022 5.32617 0.291022 0.291022
+EOD
+$line0_12 << EOD
+EOD
+$marks0_12 << EOD
+256.278 0.0474797 256.278 256.278
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.118156 1e-05 0.118156 0.118156
+0.021391 1e-05 0.021391 0.021391
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.074671 1e-05 0.074671 0.074671
+0.171183 1e-05 0.171183 0.171183
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.025158 0.0112187 0.025158 0.025158
+0.022043 0.121117 0.022043 0.022043
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.112887 0.0416622 0.112887 0.112887
+0.080729 0.167842 0.080729 0.080729
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.002053 0.964563 0.002053 0.002053
+0.298042 0.142591 0.298042 0.298042
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.12821 0.079782 0.12821 0.12821
+1.37867 0.130371 1.37867 1.37867
+EOD
+$line1_6 << EOD
+EOD
+$marks1_6 << EOD
+0.096483 0.00221929 0.096483 0.096483
+EOD
+$line1_7 << EOD
+EOD
+$marks1_7 << EOD
+0.003445 0.964563 0.003445 0.003445
+EOD
+$line1_8 << EOD
+EOD
+$marks1_8 << EOD
+0.001803 1e-05 0.001803 0.001803
+EOD
+$line1_9 << EOD
+EOD
+$marks1_9 << EOD
+0.443768 0.150794 0.443768 0.443768
+EOD
+$line1_10 << EOD
+EOD
+$marks1_10 << EOD
+0.185845 0.198679 0.185845 0.185845
+EOD
+$line1_11 << EOD
+EOD
+$marks1_11 << EOD
+0.291022 0.211083 0.291022 0.291022
+EOD
+$line1_12 << EOD
+EOD
+$marks1_12 << EOD
+256.278 0.00357857 256.278 256.278
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.118156 3.799e-08 0.118156 0.118156
+0.021391 4.66989e-10 0.021391 0.021391
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.074671 3.48904e-05 0.074671 0.074671
+0.171183 9.86985e-05 0.171183 0.171183
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.025158 0.0579454 0.025158 0.025158
+0.022043 0.206329 0.022043 0.022043
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.112887 0.271104 0.112887 0.112887
+0.080729 0.0960487 0.080729 0.080729
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.002053 2.42954 0.002053 0.002053
+0.298042 0.878815 0.298042 0.298042
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.12821 0.967598 0.12821 0.12821
+1.37867 0.443111 1.37867 1.37867
+EOD
+$line2_6 << EOD
+EOD
+$marks2_6 << EOD
+0.096483 0.00309642 0.096483 0.096483
+EOD
+$line2_7 << EOD
+EOD
+$marks2_7 << EOD
+0.003445 0.775073 0.003445 0.003445
+EOD
+$line2_8 << EOD
+EOD
+$marks2_8 << EOD
+0.001803 1e-12 0.001803 0.001803
+EOD
+$line2_9 << EOD
+EOD
+$marks2_9 << EOD
+0.443768 0.311414 0.443768 0.443768
+EOD
+$line2_10 << EOD
+EOD
+$marks2_10 << EOD
+0.185845 0.294591 0.185845 0.185845
+EOD
+$line2_11 << EOD
+EOD
+$marks2_11 << EOD
+0.291022 0.364726 0.291022 0.291022
+EOD
+$line2_12 << EOD
+EOD
+$marks2_12 << EOD
+256.278 1e-12 256.278 256.278
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -104,42 +209,58 @@ set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "furthest drift of a body, m" noenhanced
 set logscale x
-set xtics 10 nomirror
-set mxtics
-set format x "%g"
-set xrange [0.00139909:1.22499]
+set xtics 100 nomirror
+unset mxtics
+set format x "10^{%T}"
+set xrange [0.000736505:5449.19]
 set xlabel "ms a step" noenhanced
 set logscale y
-set ytics 100 nomirror
+set ytics 1000 nomirror
 unset mytics
 set format y "10^{%T}"
-set yrange [1e-05:1000]
+set yrange [1e-05:1e+10]
 set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.681742, graph 0.0958021 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-4" at graph 0.26825, graph 0.0965188 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.453423, graph 0.64986 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.675009, graph 0.65162 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.693796, graph 0.707737 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.0835457, graph 0.911987 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.239931, graph 0.0510947 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.371422, graph 0.101466 left front noenhanced textcolor rgb '#0060a8'
+set label "lemke" at graph 0.833669, graph 0.245101 left front noenhanced textcolor rgb '#999999'
+set label "si2:50" at graph 0.335171, graph 0.304262 left front noenhanced textcolor rgb '#e69f00'
+set label "dantzig" at graph 0.376617, graph 0.355294 left front noenhanced textcolor rgb '#555555'
+set label "si:50" at graph 0.157758, graph 0.355363 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.406479, graph 0.41369 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.243053, graph 0.403356 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:1000" at graph 0.503315, graph 0.461964 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.476373, graph 0.380499 to graph 0.503315, graph 0.461964 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:10" at graph 0.0756874, graph 0.403852 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.0816692, graph 0.451589 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.37803, graph 0.381761 to graph 0.351089, graph 0.451589 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.124481, graph 0.557599 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.0835457, graph 0.961119 left front noenhanced textcolor rgb '#009e73'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks0_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks0_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks0_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
+  $marks0_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks0_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks0_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
+  $marks0_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks0_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks0_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
+  $marks0_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks0_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks0_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
 set lmargin at screen 0.395
 set rmargin at screen 0.653333
 set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "deepest overlap, m" noenhanced
 set logscale x
-set xtics 10 nomirror
-set mxtics
-set format x "%g"
-set xrange [0.00139909:1.22499]
+set xtics 100 nomirror
+unset mxtics
+set format x "10^{%T}"
+set xrange [0.000736505:5449.19]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -150,49 +271,84 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.681742, graph 0.142857 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-4" at graph 0.26825, graph 0.142857 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.453423, graph 0.578563 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.675009, graph 0.659963 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.370493, graph 0.700272 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.0835457, graph 0.854904 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.239931, graph 0.119581 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.371422, graph 0.177771 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg:50" at graph 0.0835457, graph 0.177771 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.335171, graph 0.478031 left front noenhanced textcolor rgb '#e69f00'
+set label "lemke" at graph 0.833669, graph 0.507673 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.0756874, graph 0.726172 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.503315, graph 0.73074 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.217886, graph 0.701385 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.431647, graph 0.786321 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.404705, graph 0.739769 to graph 0.431647, graph 0.786321 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:50" at graph 0.157758, graph 0.781328 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.376617, graph 0.838345 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.349675, graph 0.756879 to graph 0.376617, graph 0.838345 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.0816692, graph 0.830464 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.37803, graph 0.760636 to graph 0.351089, graph 0.830464 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.124481, graph 0.87818 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks1_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks1_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks1_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
+  $marks1_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks1_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks1_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
+  $marks1_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks1_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks1_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
+  $marks1_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks1_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks1_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
 set lmargin at screen 0.728333
 set rmargin at screen 0.986667
 set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "noise of ground reaction / weight" noenhanced
 set logscale x
-set xtics 10 nomirror
-set mxtics
-set format x "%g"
-set xrange [0.00139909:1.22499]
+set xtics 100 nomirror
+unset mxtics
+set format x "10^{%T}"
+set xrange [0.000736505:5449.19]
 set xlabel "ms a step" noenhanced
 set logscale y
-set ytics 100 nomirror
+set ytics 1000 nomirror
 unset mytics
 set format y "10^{%T}"
-set yrange [1e-08:10]
+set yrange [1e-13:10]
 set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.681742, graph 0.0644077 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-4" at graph 0.614005, graph 0.393634 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.453423, graph 0.751447 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.675009, graph 0.825904 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.693796, graph 0.887299 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.0835457, graph 0.931725 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.0835457, graph 0.0714286 left front noenhanced textcolor rgb '#009e73'
+set label "lemke" at graph 0.833669, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
+set label "delassus" at graph 0.239931, graph 0.262093 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.371422, graph 0.642451 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.335171, graph 0.749347 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.3239, graph 0.855892 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.0756874, graph 0.879611 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.165572, graph 0.93721 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.349675, graph 0.890659 to graph 0.322734, graph 0.93721 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:50" at graph 0.431647, graph 0.927295 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.404972, graph 0.80418 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.37803, graph 0.897283 to graph 0.404972, graph 0.80418 nohead lw 0.6 lc rgb '#555555'
+set label "si:1000" at graph 0.503315, graph 0.880046 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.124481, graph 0.827564 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0975394, graph 0.920667 to graph 0.124481, graph 0.827564 nohead lw 0.6 lc rgb '#009e73'
+set label "si:200" at graph 0.406479, graph 0.691805 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.379537, graph 0.924564 to graph 0.406479, graph 0.691805 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks2_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks2_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks2_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
+  $marks2_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks2_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks2_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
+  $marks2_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks2_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks2_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
+  $marks2_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks2_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
 unset multiplot
 }

@@ -2,92 +2,195 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.02072 9.95616 0.02072 0.02072
+0.024096 39.7132 0.024096 0.024096
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.014221 9.95615 0.014221 0.014221
+0.005328 39.7132 0.005328 0.005328
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.006509 9.50234 0.006509 0.006509
+0.00687 37.9149 0.00687 0.00687
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.043164 9.77059 0.043164 0.043164
+0.023405 38.2401 0.023405 0.023405
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.008293 9.57919 0.008293 0.008293
+0.084926 38.6732 0.084926 0.084926
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.022724 9.52551 0.022724 0.022724
+0.400264 38.757 0.400264 0.400264
+EOD
+$line0_6 << EOD
+EOD
+$marks0_6 << EOD
+0.027431 39.732 0.027431 0.027431
+EOD
+$line0_7 << EOD
+EOD
+$marks0_7 << EOD
+0.007421 36.4352 0.007421 0.007421
+EOD
+$line0_8 << EOD
+EOD
+$marks0_8 << EOD
+EOD
+$line0_9 << EOD
+EOD
+$marks0_9 << EOD
+0.07396 38.2932 0.07396 0.07396
+EOD
+$line0_10 << EOD
+EOD
+$marks0_10 << EOD
+0.014402 32.8561 0.014402 0.014402
+EOD
+$line0_11 << EOD
+EOD
+$marks0_11 << EOD
+0.022734 37.9822 0.022734 0.022734
+EOD
+$line0_12 << EOD
+EOD
+$marks0_12 << EOD
+28.9187 37.5966 28.9187 28.9187
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.02072 0.00666667 0.02072 0.02072
+0.024096 0.00666667 0.024096 0.024096
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.014221 0.00333326 0.014221 0.014221
+0.005328 0.00333326 0.005328 0.005328
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.006509 0.00374909 0.006509 0.006509
+0.00687 0.00500574 0.00687 0.00687
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.043164 0.0066671 0.043164 0.043164
+0.023405 0.00669307 0.023405 0.023405
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.008293 0.00549563 0.008293 0.008293
+0.084926 0.00333333 0.084926 0.084926
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.022724 0.00333328 0.022724 0.022724
+0.400264 0.00333333 0.400264 0.400264
+EOD
+$line1_6 << EOD
+EOD
+$marks1_6 << EOD
+0.027431 0.00669494 0.027431 0.027431
+EOD
+$line1_7 << EOD
+EOD
+$marks1_7 << EOD
+0.007421 0.0301487 0.007421 0.007421
+EOD
+$line1_8 << EOD
+EOD
+$marks1_8 << EOD
+0.01347 0.764133 0.01347 0.01347
+EOD
+$line1_9 << EOD
+EOD
+$marks1_9 << EOD
+0.07396 0.00669307 0.07396 0.07396
+EOD
+$line1_10 << EOD
+EOD
+$marks1_10 << EOD
+0.014402 0.022196 0.014402 0.014402
+EOD
+$line1_11 << EOD
+EOD
+$marks1_11 << EOD
+0.022734 0.00333328 0.022734 0.022734
+EOD
+$line1_12 << EOD
+EOD
+$marks1_12 << EOD
+28.9187 0.0424203 28.9187 28.9187
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.02072 8.04881e-11 0.02072 0.02072
+0.024096 1.3364e-11 0.024096 0.024096
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.014221 1.01846e-06 0.014221 0.014221
+0.005328 9.94615e-07 0.005328 0.005328
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.006509 0.00599411 0.006509 0.006509
+0.00687 0.00599616 0.00687 0.00687
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.043164 0.000479312 0.043164 0.043164
+0.023405 0.0019067 0.023405 0.023405
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.008293 0.00314039 0.008293 0.008293
+0.084926 0.000601327 0.084926 0.084926
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.022724 1.40259e-06 0.022724 0.022724
+0.400264 0.000111512 0.400264 0.400264
+EOD
+$line2_6 << EOD
+EOD
+$marks2_6 << EOD
+0.027431 0.000496805 0.027431 0.027431
+EOD
+$line2_7 << EOD
+EOD
+$marks2_7 << EOD
+0.007421 0.0127535 0.007421 0.007421
+EOD
+$line2_8 << EOD
+EOD
+$marks2_8 << EOD
+EOD
+$line2_9 << EOD
+EOD
+$marks2_9 << EOD
+0.07396 0.00216536 0.07396 0.07396
+EOD
+$line2_10 << EOD
+EOD
+$marks2_10 << EOD
+0.014402 0.00360595 0.014402 0.014402
+EOD
+$line2_11 << EOD
+EOD
+$marks2_11 << EOD
+0.022734 1.40259e-06 0.022734 0.022734
+EOD
+$line2_12 << EOD
+EOD
+$marks2_12 << EOD
+28.9187 0.00958296 28.9187 28.9187
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -104,96 +207,148 @@ set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "energy gained, J" noenhanced
 set logscale x
-set xtics nomirror (0.001, 0.002, 0.005, 0.01, 0.02, 0.05)
+set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.00562108:0.0750051]
+set format x "10^{%T}"
+set xrange [0.00278454:265.106]
 set xlabel "ms a step" noenhanced
 set logscale y
-set ytics 10 nomirror
+set ytics nomirror (10, 20, 50, 100, 200, 500)
 set mytics
 set format y "%g"
-set yrange [1:100]
+set yrange [10:100]
 set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.0835457, graph 0.465639 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.56607, graph 0.466168 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.177032, graph 0.51394 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.813687, graph 0.518236 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-4" at graph 0.385176, graph 0.533959 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.296942, graph 0.464132 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig" at graph 0.170288, graph 0.516616 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.112449, graph 0.631349 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0855067, graph 0.561522 to graph 0.112449, graph 0.631349 nohead lw 0.6 lc rgb '#009e73'
+set label "lemke" at graph 0.833669, graph 0.575149 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.105719, graph 0.683552 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0787769, graph 0.57881 to graph 0.105719, graph 0.683552 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.210108, graph 0.463201 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.183166, graph 0.57958 to graph 0.210108, graph 0.463201 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.0465035, graph 0.489416 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.185703, graph 0.582519 to graph 0.158762, graph 0.489416 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.313011, graph 0.618035 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.325071, graph 0.564134 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.46031, graph 0.588351 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.215183, graph 0.73859 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.188242, graph 0.598935 to graph 0.215183, graph 0.73859 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.785142 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566038, graph 0.598935 to graph 0.0835457, graph 0.785142 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.226491, graph 0.680606 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.199549, graph 0.59914 to graph 0.226491, graph 0.680606 nohead lw 0.6 lc rgb '#e69f00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks0_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks0_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks0_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
+  $marks0_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks0_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks0_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
+  $marks0_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks0_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
+  $marks0_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks0_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks0_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
 set lmargin at screen 0.395
 set rmargin at screen 0.653333
 set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "deepest overlap, m" noenhanced
 set logscale x
-set xtics nomirror (0.001, 0.002, 0.005, 0.01, 0.02, 0.05)
+set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.00562108:0.0750051]
+set format x "10^{%T}"
+set xrange [0.00278454:265.106]
 set xlabel "ms a step" noenhanced
 set logscale y
-set ytics nomirror (0.001, 0.002, 0.005, 0.01, 0.02, 0.05)
+set ytics 10 nomirror
 set mytics
 set format y "%g"
-set yrange [0.001:0.01]
+set yrange [0.001:1]
 set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.0394211, graph 0.522869 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.56607, graph 0.522872 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.0835457, graph 0.573925 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.177032, graph 0.740017 left front noenhanced textcolor rgb '#009e73'
-set label "delassus" at graph 0.530438, graph 0.823909 left front noenhanced textcolor rgb '#0060a8'
-set label "si:100" at graph 0.813687, graph 0.823937 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.151014 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.210108, graph 0.209204 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.325071, graph 0.255758 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.29813, graph 0.174293 to graph 0.325071, graph 0.255758 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.46031, graph 0.151017 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.105719, graph 0.302984 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0787769, graph 0.233156 to graph 0.105719, graph 0.302984 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.215183, graph 0.356102 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.188242, graph 0.274636 to graph 0.215183, graph 0.356102 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:50" at graph 0.0465035, graph 0.205381 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.185703, graph 0.275208 to graph 0.158762, graph 0.205381 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.313011, graph 0.403226 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.286069, graph 0.275208 to graph 0.313011, graph 0.403226 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si2:50" at graph 0.0378975, graph 0.356714 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.199549, graph 0.275249 to graph 0.172607, graph 0.356714 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig" at graph 0.170288, graph 0.460396 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.112449, graph 0.516365 left front noenhanced textcolor rgb '#009e73'
+set label "lemke" at graph 0.833669, graph 0.542525 left front noenhanced textcolor rgb '#999999'
+set label "nncg:50" at graph 0.164452, graph 0.961056 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks1_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks1_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks1_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
+  $marks1_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks1_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks1_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
+  $marks1_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks1_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks1_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
+  $marks1_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks1_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks1_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
 set lmargin at screen 0.728333
 set rmargin at screen 0.986667
 set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "joints pulled apart, m" noenhanced
 set logscale x
-set xtics nomirror (0.001, 0.002, 0.005, 0.01, 0.02, 0.05)
+set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.00562108:0.0750051]
+set format x "10^{%T}"
+set xrange [0.00278454:265.106]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
 unset mytics
 set format y "10^{%T}"
-set yrange [1e-11:0.01]
+set yrange [1e-12:0.1]
 set ylabel "joints pulled apart, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.530438, graph 0.100637 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-4" at graph 0.0394211, graph 0.556438 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.56607, graph 0.571881 left front noenhanced textcolor rgb '#555555'
-set label "si:100" at graph 0.813687, graph 0.853402 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.177032, graph 0.944109 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.0835457, graph 0.893837 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0566038, graph 0.975303 to graph 0.0835457, graph 0.893837 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.215183, graph 0.102358 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.533603 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.210108, graph 0.582088 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.46031, graph 0.731575 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0378975, graph 0.790562 left front noenhanced textcolor rgb '#e69f00'
+set label "si:200" at graph 0.325071, graph 0.798101 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0465035, graph 0.843662 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.313011, graph 0.848685 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.170288, graph 0.903734 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.105719, graph 0.958725 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0787769, graph 0.888898 to graph 0.105719, graph 0.958725 nohead lw 0.6 lc rgb '#d55e00'
+set label "lemke" at graph 0.833669, graph 0.907409 left front noenhanced textcolor rgb '#999999'
+set label "nncg:10" at graph 0.112449, graph 0.732487 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0855067, graph 0.918694 to graph 0.112449, graph 0.732487 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks2_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks2_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks2_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
+  $marks2_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks2_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks2_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
+  $marks2_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks2_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
+  $marks2_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks2_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
 unset multiplot
 }

@@ -2,92 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.008913 9.06086e-10 0.008913 0.008913
+0.009304 6.77183e-11 0.009304 0.009304
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.012018 2.83092e-06 0.012018 0.012018
+0.012128 4.48105e-06 0.012128 0.012128
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.017766 4.71389 0.017766 0.017766
+0.015222 10.3048 0.015222 0.015222
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.062703 6.71997 0.062703 0.062703
+0.037766 30.3781 0.037766 0.037766
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.018728 5.19154 0.018728 0.018728
+0.156933 24.4721 0.156933 0.156933
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.103714 0.00242099 0.103714 0.103714
+0.476557 24.2105 0.476557 0.476557
+EOD
+$line0_6 << EOD
+EOD
+$marks0_6 << EOD
+0.038187 26.6817 0.038187 0.038187
+EOD
+$line0_7 << EOD
+EOD
+$marks0_7 << EOD
+0.014662 12.8078 0.014662 0.014662
+EOD
+$line0_8 << EOD
+EOD
+$marks0_8 << EOD
+0.056994 10.2186 0.056994 0.056994
+EOD
+$line0_9 << EOD
+EOD
+$marks0_9 << EOD
+0.088571 50.1919 0.088571 0.088571
+EOD
+$line0_10 << EOD
+EOD
+$marks0_10 << EOD
+0.040129 14.3894 0.040129 0.040129
+EOD
+$line0_11 << EOD
+EOD
+$marks0_11 << EOD
+0.104595 0.00274278 0.104595 0.104595
+EOD
+$line0_12 << EOD
+EOD
+$marks0_12 << EOD
+6.62196 9.25391 6.62196 6.62196
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.008913 1.00914e-10 0.008913 0.008913
+0.009304 1.28813e-11 0.009304 0.009304
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.012018 3.04657e-07 0.012018 0.012018
+0.012128 4.9444e-07 0.012128 0.012128
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.017766 0.407024 0.017766 0.017766
+0.015222 0.830832 0.015222 0.015222
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.062703 0.191068 0.062703 0.062703
+0.037766 0.386392 0.037766 0.037766
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.018728 0.302494 0.018728 0.018728
+0.156933 0.480811 0.156933 0.156933
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.103714 0.000458911 0.103714 0.103714
+0.476557 0.401292 0.476557 0.476557
+EOD
+$line1_6 << EOD
+EOD
+$marks1_6 << EOD
+0.038187 0.218392 0.038187 0.038187
+EOD
+$line1_7 << EOD
+EOD
+$marks1_7 << EOD
+0.014662 0.995106 0.014662 0.014662
+EOD
+$line1_8 << EOD
+EOD
+$marks1_8 << EOD
+0.056994 0.344154 0.056994 0.056994
+EOD
+$line1_9 << EOD
+EOD
+$marks1_9 << EOD
+0.088571 0.754963 0.088571 0.088571
+EOD
+$line1_10 << EOD
+EOD
+$marks1_10 << EOD
+0.040129 0.949568 0.040129 0.040129
+EOD
+$line1_11 << EOD
+EOD
+$marks1_11 << EOD
+0.104595 0.000458911 0.104595 0.104595
+EOD
+$line1_12 << EOD
+EOD
+$marks1_12 << EOD
+6.62196 0.41711 6.62196 6.62196
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.008913 3.62553e-08 0.008913 0.008913
+0.009304 2.33163e-09 0.009304 0.009304
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.012018 1e-12 0.012018 0.012018
+0.012128 1e-12 0.012128 0.012128
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.017766 0.0364613 0.017766 0.017766
+0.015222 1.36442 0.015222 0.015222
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.062703 0.00274624 0.062703 0.062703
+0.037766 0.00772977 0.037766 0.037766
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.018728 0.0143159 0.018728 0.018728
+0.156933 0.00579767 0.156933 0.156933
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.103714 3.49222e-05 0.103714 0.103714
+0.476557 1.53108 0.476557 0.476557
+EOD
+$line2_6 << EOD
+EOD
+$marks2_6 << EOD
+0.038187 0.866882 0.038187 0.038187
+EOD
+$line2_7 << EOD
+EOD
+$marks2_7 << EOD
+0.014662 0.00143526 0.014662 0.014662
+EOD
+$line2_8 << EOD
+EOD
+$marks2_8 << EOD
+0.056994 0.00262444 0.056994 0.056994
+EOD
+$line2_9 << EOD
+EOD
+$marks2_9 << EOD
+0.088571 0.939779 0.088571 0.088571
+EOD
+$line2_10 << EOD
+EOD
+$marks2_10 << EOD
+0.040129 0.0051569 0.040129 0.040129
+EOD
+$line2_11 << EOD
+EOD
+$marks2_11 << EOD
+0.104595 2.43991e-09 0.104595 0.104595
+EOD
+$line2_12 << EOD
+EOD
+$marks2_12 << EOD
+6.62196 1e-12 6.62196 6.62196
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -104,95 +209,147 @@ set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "furthest drift of a body, m" noenhanced
 set logscale x
-set xtics nomirror (0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5)
+set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00709846:0.395988]
+set xrange [0.00566808:35.9666]
 set xlabel "ms a step" noenhanced
 set logscale y
-set ytics 100 nomirror
+set ytics 1000 nomirror
 unset mytics
 set format y "10^{%T}"
-set yrange [1e-10:10]
+set yrange [1e-11:100]
 set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0870154 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-4" at graph 0.15787, graph 0.404721 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.693796, graph 0.671272 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.255067, graph 0.970307 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.057135, graph 0.974118 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.568662, graph 0.976724 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.0835457, graph 0.0639005 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.113821, graph 0.434722 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.359904, graph 0.649092 left front noenhanced textcolor rgb '#555555'
+set label "lemke" at graph 0.833669, graph 0.920487 left front noenhanced textcolor rgb '#999999'
+set label "nncg:50" at graph 0.290559, graph 0.923799 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.139773, graph 0.900804 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.135492, graph 0.849879 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.10855, graph 0.931344 to graph 0.135492, graph 0.849879 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.039442, graph 0.95851 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.533108, graph 0.952616 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.406243, graph 0.871509 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.379301, graph 0.952975 to graph 0.406243, graph 0.871509 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.244822, graph 0.792932 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.21788, graph 0.955863 to graph 0.244822, graph 0.792932 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:50" at graph 0.0774135, graph 0.797266 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.216614, graph 0.960197 to graph 0.189672, graph 0.797266 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.340911, graph 0.976724 left front noenhanced textcolor rgb '#cc79a7'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks0_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks0_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks0_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
+  $marks0_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks0_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks0_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
+  $marks0_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks0_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks0_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
+  $marks0_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks0_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks0_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
 set lmargin at screen 0.395
 set rmargin at screen 0.653333
 set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "deepest overlap, m" noenhanced
 set logscale x
-set xtics nomirror (0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5)
+set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00709846:0.395988]
+set xrange [0.00566808:35.9666]
 set xlabel "ms a step" noenhanced
 set logscale y
-set ytics 100 nomirror
+set ytics 1000 nomirror
 unset mytics
 set format y "10^{%T}"
-set yrange [1e-11:1]
+set yrange [1e-12:10]
 set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0912683 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-4" at graph 0.15787, graph 0.407619 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.693796, graph 0.696521 left front noenhanced textcolor rgb '#555555'
-set label "si:100" at graph 0.568662, graph 0.934654 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.26818, graph 0.952792 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.0889255, graph 0.964511 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.0835457, graph 0.0853814 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.113821, graph 0.438009 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.359904, graph 0.666287 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.0562281, graph 0.872249 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:50" at graph 0.290559, graph 0.864167 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.243555, graph 0.937862 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.216614, graph 0.89131 to graph 0.243555, graph 0.937862 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.533108, graph 0.892574 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.833669, graph 0.893865 left front noenhanced textcolor rgb '#999999'
+set label "si:200" at graph 0.406243, graph 0.945165 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.379301, graph 0.898613 to graph 0.406243, graph 0.945165 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.152317, graph 0.820583 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.313969, graph 0.913687 to graph 0.287027, graph 0.820583 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:10" at graph 0.139773, graph 0.765593 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.112831, graph 0.916886 to graph 0.139773, graph 0.765593 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.039442, graph 0.956262 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.135492, graph 0.71343 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.10855, graph 0.922913 to graph 0.135492, graph 0.71343 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks1_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks1_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks1_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
+  $marks1_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks1_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks1_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
+  $marks1_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks1_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks1_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
+  $marks1_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks1_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks1_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
 set lmargin at screen 0.728333
 set rmargin at screen 0.986667
 set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "noise of ground reaction / weight" noenhanced
 set logscale x
-set xtics nomirror (0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5)
+set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00709846:0.395988]
+set xrange [0.00566808:35.9666]
 set xlabel "ms a step" noenhanced
 set logscale y
-set ytics 100 nomirror
+set ytics 1000 nomirror
 unset mytics
 set format y "10^{%T}"
-set yrange [1e-13:0.1]
+set yrange [1e-13:10]
 set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.15787, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.0835457, graph 0.463281 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.693796, graph 0.711925 left front noenhanced textcolor rgb '#555555'
-set label "si:100" at graph 0.568662, graph 0.869895 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.26818, graph 0.929652 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.0889255, graph 0.963486 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.113821, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
+set label "lemke" at graph 0.833669, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
+set label "delassus" at graph 0.0835457, graph 0.311976 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.359904, graph 0.313384 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.135492, graph 0.713857 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.290559, graph 0.802407 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.263617, graph 0.744217 to graph 0.290559, graph 0.802407 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.039442, graph 0.765171 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.406243, graph 0.745528 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0774135, graph 0.81264 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0562281, graph 0.912502 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.340911, graph 0.926645 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:10" at graph 0.139773, graph 0.961487 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.533108, graph 0.941785 left front noenhanced textcolor rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks2_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks2_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks2_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
+  $marks2_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks2_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks2_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
+  $marks2_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks2_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks2_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
+  $marks2_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks2_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
 unset multiplot
 }

@@ -1,121 +1,145 @@
 # Draws pile.svg and pile.png: gnuplot pile.gp
 $line0_0 << EOD
-2 1.2615 2 2
-19 19.1215 19 19
-60 97.6552 60 60
-134 80.5241 134 134
+2 2.9445 2 2
+19 19.7024 19 19
+60 124.48 60 60
+134 60.9991 134 134
+722 1801.43 722 722
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-2 1.0415 2 2
-19 15.8588 19 19
-60 82.3638 60 60
-134 76.2752 134 134
+2 2.033 2 2
+19 23.8296 19 19
+60 51.5116 60 60
+134 20.627 134 134
+722 1704.02 722 722
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-2 0.2255 2 2
-19 0.358421 19 19
-60 0.369383 60 60
-134 0.387216 134 134
-722 0.415687 722 722
+2 0.3255 2 2
+19 0.477579 19 19
+60 0.37405 60 60
+134 0.464119 134 134
+722 0.41803 722 722
+3051 1.21063 3051 3051
+10851 1.10228 10851 10851
+24829 1.88109 24829 24829
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-2 0.2155 2 2
-19 2.714 19 19
-60 2.43978 60 60
-134 2.5023 134 134
-722 2.72598 722 722
+2 0.22 2 2
+19 3.06821 19 19
+60 2.45348 60 60
+134 3.22262 134 134
+722 2.736 722 722
+3051 4.46085 3051 3051
+10851 4.50506 10851 10851
+24829 8.96738 24829 24829
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-2 0.245 2 2
-19 0.421684 19 19
-60 0.454183 60 60
-134 0.470552 134 134
-722 0.568087 722 722
+2 0.3705 2 2
+19 0.560789 19 19
+60 0.457183 60 60
+134 0.476672 134 134
+722 0.557835 722 722
+3051 1.37972 3051 3051
+10851 1.74681 10851 10851
+24829 2.14881 24829 24829
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-2 1.0315 2 2
-19 0.956158 19 19
-60 1.38655 60 60
-134 2.36978 134 134
-722 25.012 722 722
+2 1.207 2 2
+19 0.928211 19 19
+60 1.41927 60 60
+134 2.74601 134 134
+722 22.0898 722 722
+3051 127.661 3051 3051
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-2 0.8315 2 2
-19 1.25505 19 19
-60 5.36195 60 60
-134 23.9057 134 134
-722 767.441 722 722
+2 0.9965 2 2
+19 1.28768 19 19
+60 5.62017 60 60
+134 26.2551 134 134
+722 933.726 722 722
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-2 0.611 2 2
-19 1.24868 19 19
-60 5.22658 60 60
-134 23.4679 134 134
-722 828.489 722 722
+2 0.621 2 2
+19 1.24026 19 19
+60 5.29352 60 60
+134 26.5253 134 134
+722 793.078 722 722
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-19 12.5228 19 19
-60 131.34 60 60
-134 826.471 134 134
+19 12.7616 19 19
+60 206.758 60 60
+134 804.052 134 134
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
+722 4.46464 722 722
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
+722 4.46464 722 722
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
+3051 5.31251 3051 3051
+10851 19.5748 10851 10851
+24829 42.8442 24829 24829
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
+3051 5.31251 3051 3051
+10851 19.5748 10851 10851
+24829 42.8442 24829 24829
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
+3051 5.40262 3051 3051
+10851 19.8328 10851 10851
+24829 43.307 24829 24829
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-722 35.3075 722 722
+722 35.7212 722 722
+3051 601.657 3051 3051
 EOD
 $marks1_5 << EOD
 EOD
 $line1_6 << EOD
-134 3.1785 134 134
-722 68.7309 722 722
+134 3.0761 134 134
+722 69.0749 722 722
 EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-134 3.1785 134 134
-722 68.7309 722 722
+134 3.0761 134 134
+722 69.0749 722 722
 EOD
 $marks1_7 << EOD
 EOD
 $line1_8 << EOD
-60 4.41139 60 60
-134 21.4139 134 134
+60 4.27213 60 60
+134 21.1313 134 134
 EOD
 $marks1_8 << EOD
 EOD
@@ -136,8 +160,8 @@ set title "time" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [1.23229:6401.73]
+set format x "10^{%T}"
+set xrange [0.991422:240188]
 set xlabel "contacts" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -148,18 +172,15 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.764346, graph 0.123753 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.764346, graph 0.174159 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.764346, graph 0.287105 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:10" at graph 0.764346, graph 0.47963 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.318226, graph 0.774322 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.548068, graph 0.576477 to graph 0.528644, graph 0.774322 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.399156, graph 0.488082 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.548068, graph 0.581185 to graph 0.528644, graph 0.488082 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig" at graph 0.764346, graph 0.777009 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.567491, graph 0.783446 left front noenhanced textcolor rgb '#999999'
-set label "dantzig:1e-6" at graph 0.764346, graph 0.830209 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.744923, graph 0.783657 to graph 0.764346, graph 0.830209 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.836374, graph 0.254882 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.684225, graph 0.289715 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.390533 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:10" at graph 0.667268, graph 0.621212 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.551021, graph 0.779863 left front noenhanced textcolor rgb '#555555'
+set label "lemke" at graph 0.295399, graph 0.781057 left front noenhanced textcolor rgb '#999999'
+set label "dantzig" at graph 0.551021, graph 0.828958 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-4" at graph 0.301756, graph 0.846295 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.551021, graph 0.886037 left front noenhanced textcolor rgb '#0060a8'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -193,25 +214,48 @@ set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "memory" noenhanced
 set logscale x
-set xtics nomirror (10, 20, 50, 100, 200, 500, 1000, 2000, 5000)
+set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [48.8997:1815.12]
+set xrange [38.3128:105911]
 set xlabel "contacts" noenhanced
 set logscale y
 set ytics 10 nomirror
 set mytics
 set format y "%g"
-set yrange [1:100]
+set yrange [1:1000]
 set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke" at graph 0.298347, graph 0.665348 left front noenhanced textcolor rgb '#999999'
-set label "pgs:10" at graph 0.764346, graph 0.773934 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.764346, graph 0.918576 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.531267, graph 0.918576 left front noenhanced textcolor rgb '#555555'
-plot $line1_5 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0cc79a7', \
+set label "delassus" at graph 0.389947, graph 0.216595 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-4" at graph 0.389947, graph 0.170044 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.370524, graph 0.216595 to graph 0.389947, graph 0.170044 nohead lw 0.6 lc rgb '#0060a8'
+set label "lemke" at graph 0.17742, graph 0.441642 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.836374, graph 0.543964 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.555602 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.592071 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.545519 to graph 0.836374, graph 0.592071 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.237798, graph 0.613107 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6" at graph 0.156868, graph 0.659659 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.370524, graph 0.613107 to graph 0.3511, graph 0.659659 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:10" at graph 0.571811, graph 0.92645 left front noenhanced textcolor rgb '#cc79a7'
+plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
+  $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
+  $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
+  $line1_1 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
+  $line1_1 using 1:2 with lines lw 1.5 lc rgb '#0060a8', \
+  $line1_1 using 1:2 with points pt 7 ps 0.575 lc rgb '#0060a8', \
+  $line1_2 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
+  $line1_2 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
+  $line1_2 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
+  $line1_3 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
+  $line1_3 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
+  $line1_3 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
+  $line1_4 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0009e73', \
+  $line1_4 using 1:2 with lines lw 1.5 lc rgb '#009e73', \
+  $line1_4 using 1:2 with points pt 7 ps 0.575 lc rgb '#009e73', \
+  $line1_5 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0cc79a7', \
   $line1_5 using 1:2 with lines lw 1.5 lc rgb '#cc79a7', \
   $line1_5 using 1:2 with points pt 7 ps 0.575 lc rgb '#cc79a7', \
   $line1_6 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0555555', \

@@ -1,100 +1,128 @@
 # Draws pyramid.svg and pyramid.png: gnuplot pyramid.gp
 $line0_0 << EOD
-4 3.62775 4 4
-16 50.3534 16 16
-64 1235.49 64 64
-256 1155.8 256 256
+4 5.53075 4 4
+16 69.0374 16 16
+64 76.7099 64 64
+256 1600.94 256 256
+1024 1410.48 1024 1024
+4096 1633.43 4096 4096
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 1.42725 4 4
-16 12.9223 16 16
-64 55.1379 64 64
-256 133.323 256 256
+4 3.0495 4 4
+16 15.8441 16 16
+64 31.4712 64 64
+256 55.0772 256 256
+1024 374.718 1024 1024
+4096 1737.19 4096 4096
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.3605 4 4
-16 0.33425 16 16
-64 0.436734 64 64
-256 0.384516 256 256
-1024 0.36691 1024 1024
+4 0.52075 4 4
+16 0.464438 16 16
+64 0.335656 64 64
+256 0.45673 256 256
+1024 0.367117 1024 1024
+4096 0.724945 4096 4096
+15876 0.688363 15876 15876
+39984 0.761034 39984 39984
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 2.39875 4 4
-16 2.34725 16 16
-64 3.20069 64 64
-256 2.46091 256 256
-1024 2.69989 1024 1024
+4 3.3425 4 4
+16 2.33656 16 16
+64 2.70448 64 64
+256 3.22647 256 256
+1024 2.74871 1024 1024
+4096 3.60413 4096 4096
+15876 3.14224 15876 15876
+39984 4.84796 39984 39984
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.6735 4 4
-16 0.415 16 16
-64 0.574438 64 64
-256 0.43518 256 256
-1024 0.497262 1024 1024
+4 0.601 4 4
+16 0.564 16 16
+64 0.553172 64 64
+256 0.513848 256 256
+1024 0.477476 1024 1024
+4096 0.733451 4096 4096
+15876 0.684358 15876 15876
+39984 1.1231 39984 39984
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 1.392 4 4
-16 1.4165 16 16
-64 3.75056 64 64
-256 7.61782 256 256
-1024 54.3576 1024 1024
+4 1.352 4 4
+16 1.38456 16 16
+64 3.74164 64 64
+256 9.6127 256 256
+1024 68.7664 1024 1024
+4096 271.872 4096 4096
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 1.1165 4 4
-16 0.84125 16 16
-64 8.99834 64 64
+4 0.656 4 4
+16 0.839375 16 16
+64 6.32359 64 64
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 1.15175 4 4
-16 0.901375 16 16
-64 7.40692 64 64
-256 310.912 256 256
+4 0.65575 4 4
+16 0.893813 16 16
+64 5.41412 64 64
+256 363.35 256 256
+1024 8360.52 1024 1024
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-4 10.1378 4 4
+4 9.02575 4 4
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-256 2.02342 256 256
+1024 4.01408 1024 1024
+4096 13.1686 4096 4096
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
+1024 3.95264 1024 1024
+4096 13.1686 4096 4096
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
+4096 5.34938 4096 4096
+15876 18.7515 15876 15876
+39984 68.4073 39984 39984
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
+4096 5.34938 4096 4096
+15876 18.7515 15876 15876
+39984 68.4073 39984 39984
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
+4096 5.47635 4096 4096
+15876 18.817 15876 15876
+39984 68.694 39984 39984
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-256 5.23878 256 256
-1024 70.0416 1024 1024
+256 5.05037 256 256
+1024 69.8941 1024 1024
+4096 1084.42 4096 4096
 EOD
 $marks1_5 << EOD
 EOD
@@ -103,7 +131,8 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-256 9.36346 256 256
+256 9.34707 256 256
+1024 136.643 1024 1024
 EOD
 $marks1_7 << EOD
 EOD
@@ -128,28 +157,29 @@ set title "time" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [2.64715:3891.09]
+set format x "10^{%T}"
+set xrange [2.01509:367133]
 set xlabel "contacts" noenhanced
 set logscale y
 set ytics 10 nomirror
 set mytics
 set format y "10^{%T}"
-set yrange [0.1:10000]
+set yrange [0.1:100000]
 set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.112912 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.162593 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.286269 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.304052, graph 0.390833 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.076027, graph 0.459378 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.0566038, graph 0.401188 to graph 0.076027, graph 0.459378 nohead lw 0.6 lc rgb '#999999'
-set label "pgs:10" at graph 0.836374, graph 0.547052 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.646287, graph 0.624981 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.646287, graph 0.698528 left front noenhanced textcolor rgb '#555555'
-set label "delassus" at graph 0.646287, graph 0.812577 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.146901 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.198346 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.280927 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.152775, graph 0.300161 left front noenhanced textcolor rgb '#555555'
+set label "lemke" at graph 0.076027, graph 0.477207 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.0566038, graph 0.325914 to graph 0.076027, graph 0.477207 nohead lw 0.6 lc rgb '#999999'
+set label "pgs:10" at graph 0.64827, graph 0.572394 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus" at graph 0.64827, graph 0.702184 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-4" at graph 0.64827, graph 0.753193 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.628847, graph 0.706641 to graph 0.64827, graph 0.753193 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.533821, graph 0.820372 left front noenhanced textcolor rgb '#555555'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -183,27 +213,44 @@ set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "memory" noenhanced
 set logscale x
-set xtics nomirror (100, 200, 500, 1000, 2000, 5000)
+set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [231.341:1384.69]
+set xrange [175.766:134895]
 set xlabel "contacts" noenhanced
 set logscale y
 set ytics 10 nomirror
 set mytics
 set format y "%g"
-set yrange [1:100]
+set yrange [1:10000]
 set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.076027, graph 0.153043 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.076027, graph 0.543908 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.485718 to graph 0.076027, graph 0.543908 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:10" at graph 0.850779, graph 0.922678 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus" at graph 0.325056, graph 0.291523 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-4" at graph 0.244126, graph 0.338075 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.473968, graph 0.279885 to graph 0.454544, graph 0.338075 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.458776 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.470414 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.505781 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.45923 to graph 0.836374, graph 0.505781 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.0516299, graph 0.533896 left front noenhanced textcolor rgb '#555555'
+set label "pgs:10" at graph 0.493391, graph 0.7588 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
+  $line1_1 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
+  $line1_1 using 1:2 with lines lw 1.5 lc rgb '#0060a8', \
+  $line1_1 using 1:2 with points pt 7 ps 0.575 lc rgb '#0060a8', \
+  $line1_2 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
+  $line1_2 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
+  $line1_2 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
+  $line1_3 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
+  $line1_3 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
+  $line1_3 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
+  $line1_4 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0009e73', \
+  $line1_4 using 1:2 with lines lw 1.5 lc rgb '#009e73', \
+  $line1_4 using 1:2 with points pt 7 ps 0.575 lc rgb '#009e73', \
   $line1_5 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0cc79a7', \
   $line1_5 using 1:2 with lines lw 1.5 lc rgb '#cc79a7', \
   $line1_5 using 1:2 with points pt 7 ps 0.575 lc rgb '#cc79a7', \

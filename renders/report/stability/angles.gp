@@ -463,14 +463,10 @@ set object 250 rectangle from screen 0.714663, screen 0.343173 to screen 0.74194
 set object 251 rectangle from screen 0.741947, screen 0.343173 to screen 0.769231, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 252 rectangle from screen 0.769231, screen 0.343173 to screen 0.796514, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 253 rectangle from screen 0.796514, screen 0.343173 to screen 0.823798, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 254 rectangle from screen 0.823798, screen 0.343173 to screen 0.851082, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.83744, screen 0.361624 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 255 rectangle from screen 0.851082, screen 0.343173 to screen 0.878365, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.864724, screen 0.361624 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 256 rectangle from screen 0.878365, screen 0.343173 to screen 0.905649, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.892007, screen 0.361624 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 257 rectangle from screen 0.905649, screen 0.343173 to screen 0.932933, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.919291, screen 0.361624 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 254 rectangle from screen 0.823798, screen 0.343173 to screen 0.851082, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 255 rectangle from screen 0.851082, screen 0.343173 to screen 0.878365, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 256 rectangle from screen 0.878365, screen 0.343173 to screen 0.905649, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 257 rectangle from screen 0.905649, screen 0.343173 to screen 0.932933, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 258 rectangle from screen 0.932933, screen 0.343173 to screen 0.960216, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.946575, screen 0.361624 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 259 rectangle from screen 0.960216, screen 0.343173 to screen 0.9875, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1

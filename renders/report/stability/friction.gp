@@ -47,15 +47,13 @@ set object 17 rectangle from screen 0.132812, screen 0.820051 to screen 0.168281
 set object 18 rectangle from screen 0.168281, screen 0.820051 to screen 0.20375, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 19 rectangle from screen 0.20375, screen 0.820051 to screen 0.239219, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 20 rectangle from screen 0.239219, screen 0.820051 to screen 0.274687, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 21 rectangle from screen 0.274688, screen 0.820051 to screen 0.310156, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.292422, screen 0.832905 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 21 rectangle from screen 0.274688, screen 0.820051 to screen 0.310156, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 22 rectangle from screen 0.310156, screen 0.820051 to screen 0.345625, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 23 rectangle from screen 0.345625, screen 0.820051 to screen 0.381094, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.363359, screen 0.832905 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 23 rectangle from screen 0.345625, screen 0.820051 to screen 0.381094, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 24 rectangle from screen 0.381094, screen 0.820051 to screen 0.416563, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.398828, screen 0.832905 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 25 rectangle from screen 0.416563, screen 0.820051 to screen 0.452031, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.434297, screen 0.832905 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 25 rectangle from screen 0.416563, screen 0.820051 to screen 0.452031, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.434297, screen 0.832905 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 26 rectangle from screen 0.452031, screen 0.820051 to screen 0.4875, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.469766, screen 0.832905 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 double" at screen 0.126562, screen 0.807198 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
@@ -255,6 +253,7 @@ set label "1e-9" at screen 0.969766, screen 0.652956 center front noenhanced tex
 set label "friction angle minus slope, share of it" at screen 0.810156, screen 0.62982 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "Painlevé's rod, its tip ahead, pushed along at 3 m/s" at screen 0.009375, screen 0.587404 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
 set label "delassus double" at screen 0.126562, screen 0.55527 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set arrow from screen 0.304539, screen 0.568123 to screen 0.304539, screen 0.542416 nohead front lw 2.5 lc rgb '#000000'
 set object 167 rectangle from screen 0.132812, screen 0.542416 to screen 0.168281, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 168 rectangle from screen 0.168281, screen 0.542416 to screen 0.20375, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 169 rectangle from screen 0.20375, screen 0.542416 to screen 0.239219, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -266,6 +265,7 @@ set object 174 rectangle from screen 0.381094, screen 0.542416 to screen 0.41656
 set object 175 rectangle from screen 0.416563, screen 0.542416 to screen 0.452031, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 176 rectangle from screen 0.452031, screen 0.542416 to screen 0.4875, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.126562, screen 0.529563 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set arrow from screen 0.304539, screen 0.542416 to screen 0.304539, screen 0.51671 nohead front lw 2.5 lc rgb '#000000'
 set object 177 rectangle from screen 0.132812, screen 0.51671 to screen 0.168281, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 178 rectangle from screen 0.168281, screen 0.51671 to screen 0.20375, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 179 rectangle from screen 0.20375, screen 0.51671 to screen 0.239219, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -277,6 +277,7 @@ set object 184 rectangle from screen 0.381094, screen 0.51671 to screen 0.416563
 set object 185 rectangle from screen 0.416563, screen 0.51671 to screen 0.452031, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 186 rectangle from screen 0.452031, screen 0.51671 to screen 0.4875, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:10 double" at screen 0.126562, screen 0.503856 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set arrow from screen 0.304539, screen 0.51671 to screen 0.304539, screen 0.491003 nohead front lw 2.5 lc rgb '#000000'
 set object 187 rectangle from screen 0.132812, screen 0.491003 to screen 0.168281, screen 0.51671 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 188 rectangle from screen 0.168281, screen 0.491003 to screen 0.20375, screen 0.51671 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 189 rectangle from screen 0.20375, screen 0.491003 to screen 0.239219, screen 0.51671 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -288,6 +289,7 @@ set object 194 rectangle from screen 0.381094, screen 0.491003 to screen 0.41656
 set object 195 rectangle from screen 0.416563, screen 0.491003 to screen 0.452031, screen 0.51671 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 196 rectangle from screen 0.452031, screen 0.491003 to screen 0.4875, screen 0.51671 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:10 float" at screen 0.126562, screen 0.478149 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set arrow from screen 0.304539, screen 0.491003 to screen 0.304539, screen 0.465296 nohead front lw 2.5 lc rgb '#000000'
 set object 197 rectangle from screen 0.132812, screen 0.465296 to screen 0.168281, screen 0.491003 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 198 rectangle from screen 0.168281, screen 0.465296 to screen 0.20375, screen 0.491003 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 199 rectangle from screen 0.20375, screen 0.465296 to screen 0.239219, screen 0.491003 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -299,6 +301,7 @@ set object 204 rectangle from screen 0.381094, screen 0.465296 to screen 0.41656
 set object 205 rectangle from screen 0.416563, screen 0.465296 to screen 0.452031, screen 0.491003 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 206 rectangle from screen 0.452031, screen 0.465296 to screen 0.4875, screen 0.491003 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:1000 double" at screen 0.126562, screen 0.452442 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set arrow from screen 0.304539, screen 0.465296 to screen 0.304539, screen 0.439589 nohead front lw 2.5 lc rgb '#000000'
 set object 207 rectangle from screen 0.132812, screen 0.439589 to screen 0.168281, screen 0.465296 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 208 rectangle from screen 0.168281, screen 0.439589 to screen 0.20375, screen 0.465296 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 209 rectangle from screen 0.20375, screen 0.439589 to screen 0.239219, screen 0.465296 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -310,6 +313,7 @@ set object 214 rectangle from screen 0.381094, screen 0.439589 to screen 0.41656
 set object 215 rectangle from screen 0.416563, screen 0.439589 to screen 0.452031, screen 0.465296 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 216 rectangle from screen 0.452031, screen 0.439589 to screen 0.4875, screen 0.465296 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:1000 float" at screen 0.126562, screen 0.426735 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set arrow from screen 0.304539, screen 0.439589 to screen 0.304539, screen 0.413882 nohead front lw 2.5 lc rgb '#000000'
 set object 217 rectangle from screen 0.132812, screen 0.413882 to screen 0.168281, screen 0.439589 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 218 rectangle from screen 0.168281, screen 0.413882 to screen 0.20375, screen 0.439589 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 219 rectangle from screen 0.20375, screen 0.413882 to screen 0.239219, screen 0.439589 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -321,6 +325,7 @@ set object 224 rectangle from screen 0.381094, screen 0.413882 to screen 0.41656
 set object 225 rectangle from screen 0.416563, screen 0.413882 to screen 0.452031, screen 0.439589 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 226 rectangle from screen 0.452031, screen 0.413882 to screen 0.4875, screen 0.439589 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "dantzig:1e-6 double" at screen 0.126562, screen 0.401028 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set arrow from screen 0.304539, screen 0.413882 to screen 0.304539, screen 0.388175 nohead front lw 2.5 lc rgb '#000000'
 set object 227 rectangle from screen 0.132812, screen 0.388175 to screen 0.168281, screen 0.413882 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 228 rectangle from screen 0.168281, screen 0.388175 to screen 0.20375, screen 0.413882 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.186016, screen 0.401028 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
@@ -338,6 +343,7 @@ set object 235 rectangle from screen 0.416563, screen 0.388175 to screen 0.45203
 set label "o" at screen 0.434297, screen 0.401028 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 236 rectangle from screen 0.452031, screen 0.388175 to screen 0.4875, screen 0.413882 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "dantzig:1e-6 float" at screen 0.126562, screen 0.375321 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set arrow from screen 0.304539, screen 0.388175 to screen 0.304539, screen 0.362468 nohead front lw 2.5 lc rgb '#000000'
 set object 237 rectangle from screen 0.132812, screen 0.362468 to screen 0.168281, screen 0.388175 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 238 rectangle from screen 0.168281, screen 0.362468 to screen 0.20375, screen 0.388175 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.186016, screen 0.375321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
@@ -365,7 +371,6 @@ set label "2" at screen 0.398828, screen 0.349614 center front noenhanced textco
 set label "4" at screen 0.434297, screen 0.349614 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "10" at screen 0.469766, screen 0.349614 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "coefficient of friction" at screen 0.310156, screen 0.326478 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set arrow from screen 0.304539, screen 0.573265 to screen 0.304539, screen 0.357326 nohead front lw 2.5 dt 2 lc rgb '#000000'
 set label "semicircular arch of six voussoirs" at screen 0.509375, screen 0.587404 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
 set label "delassus double" at screen 0.626563, screen 0.55527 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 247 rectangle from screen 0.632812, screen 0.542416 to screen 0.672222, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -388,8 +393,8 @@ set object 257 rectangle from screen 0.672222, screen 0.51671 to screen 0.711632
 set label "!" at screen 0.691927, screen 0.529563 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 258 rectangle from screen 0.711632, screen 0.51671 to screen 0.751042, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 259 rectangle from screen 0.751042, screen 0.51671 to screen 0.790451, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 260 rectangle from screen 0.790451, screen 0.51671 to screen 0.829861, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.810156, screen 0.529563 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 260 rectangle from screen 0.790451, screen 0.51671 to screen 0.829861, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.810156, screen 0.529563 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 261 rectangle from screen 0.829861, screen 0.51671 to screen 0.869271, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.849566, screen 0.529563 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 262 rectangle from screen 0.869271, screen 0.51671 to screen 0.908681, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1

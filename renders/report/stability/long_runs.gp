@@ -37,16 +37,14 @@ set object 8 rectangle from screen 0.191927, screen 0.778598 to screen 0.251042,
 set object 9 rectangle from screen 0.251042, screen 0.778598 to screen 0.310156, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 10 rectangle from screen 0.310156, screen 0.778598 to screen 0.369271, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 11 rectangle from screen 0.369271, screen 0.778598 to screen 0.428385, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 12 rectangle from screen 0.428385, screen 0.778598 to screen 0.4875, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.457943, screen 0.797048 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 12 rectangle from screen 0.428385, screen 0.778598 to screen 0.4875, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.126562, screen 0.760148 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 13 rectangle from screen 0.132812, screen 0.741697 to screen 0.191927, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 14 rectangle from screen 0.191927, screen 0.741697 to screen 0.251042, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 15 rectangle from screen 0.251042, screen 0.741697 to screen 0.310156, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 16 rectangle from screen 0.310156, screen 0.741697 to screen 0.369271, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 17 rectangle from screen 0.369271, screen 0.741697 to screen 0.428385, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 18 rectangle from screen 0.428385, screen 0.741697 to screen 0.4875, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.457943, screen 0.760148 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 18 rectangle from screen 0.428385, screen 0.741697 to screen 0.4875, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:10 double" at screen 0.126562, screen 0.723247 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 19 rectangle from screen 0.132812, screen 0.704797 to screen 0.191927, screen 0.741697 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 20 rectangle from screen 0.191927, screen 0.704797 to screen 0.251042, screen 0.741697 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -71,10 +69,8 @@ set label "si:1000 double" at screen 0.126562, screen 0.649446 right front noenh
 set object 31 rectangle from screen 0.132812, screen 0.630996 to screen 0.191927, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 32 rectangle from screen 0.191927, screen 0.630996 to screen 0.251042, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 33 rectangle from screen 0.251042, screen 0.630996 to screen 0.310156, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 34 rectangle from screen 0.310156, screen 0.630996 to screen 0.369271, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.339714, screen 0.649446 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 35 rectangle from screen 0.369271, screen 0.630996 to screen 0.428385, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.398828, screen 0.649446 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 34 rectangle from screen 0.310156, screen 0.630996 to screen 0.369271, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 35 rectangle from screen 0.369271, screen 0.630996 to screen 0.428385, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 36 rectangle from screen 0.428385, screen 0.630996 to screen 0.4875, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.457943, screen 0.649446 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:1000 float" at screen 0.126562, screen 0.612546 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
@@ -82,8 +78,7 @@ set object 37 rectangle from screen 0.132812, screen 0.594096 to screen 0.191927
 set object 38 rectangle from screen 0.191927, screen 0.594096 to screen 0.251042, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 39 rectangle from screen 0.251042, screen 0.594096 to screen 0.310156, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 40 rectangle from screen 0.310156, screen 0.594096 to screen 0.369271, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 41 rectangle from screen 0.369271, screen 0.594096 to screen 0.428385, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.398828, screen 0.612546 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 41 rectangle from screen 0.369271, screen 0.594096 to screen 0.428385, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 42 rectangle from screen 0.428385, screen 0.594096 to screen 0.4875, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.457943, screen 0.612546 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "dantzig:1e-6 double" at screen 0.126562, screen 0.575646 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
@@ -92,16 +87,14 @@ set object 44 rectangle from screen 0.191927, screen 0.557196 to screen 0.251042
 set object 45 rectangle from screen 0.251042, screen 0.557196 to screen 0.310156, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 46 rectangle from screen 0.310156, screen 0.557196 to screen 0.369271, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 47 rectangle from screen 0.369271, screen 0.557196 to screen 0.428385, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 48 rectangle from screen 0.428385, screen 0.557196 to screen 0.4875, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.457943, screen 0.575646 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 48 rectangle from screen 0.428385, screen 0.557196 to screen 0.4875, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "dantzig:1e-6 float" at screen 0.126562, screen 0.538745 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 49 rectangle from screen 0.132812, screen 0.520295 to screen 0.191927, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 50 rectangle from screen 0.191927, screen 0.520295 to screen 0.251042, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 51 rectangle from screen 0.251042, screen 0.520295 to screen 0.310156, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 52 rectangle from screen 0.310156, screen 0.520295 to screen 0.369271, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 53 rectangle from screen 0.369271, screen 0.520295 to screen 0.428385, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 54 rectangle from screen 0.428385, screen 0.520295 to screen 0.4875, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.457943, screen 0.538745 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 54 rectangle from screen 0.428385, screen 0.520295 to screen 0.4875, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "1" at screen 0.16237, screen 0.501845 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "10" at screen 0.221484, screen 0.501845 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "100" at screen 0.280599, screen 0.501845 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
@@ -114,16 +107,13 @@ set label "delassus double" at screen 0.626563, screen 0.797048 right front noen
 set object 55 rectangle from screen 0.632812, screen 0.778598 to screen 0.70375, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 56 rectangle from screen 0.70375, screen 0.778598 to screen 0.774687, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 57 rectangle from screen 0.774687, screen 0.778598 to screen 0.845625, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 58 rectangle from screen 0.845625, screen 0.778598 to screen 0.916563, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.881094, screen 0.797048 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 59 rectangle from screen 0.916563, screen 0.778598 to screen 0.9875, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.952031, screen 0.797048 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 58 rectangle from screen 0.845625, screen 0.778598 to screen 0.916563, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 59 rectangle from screen 0.916563, screen 0.778598 to screen 0.9875, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.626563, screen 0.760148 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 60 rectangle from screen 0.632812, screen 0.741697 to screen 0.70375, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 61 rectangle from screen 0.70375, screen 0.741697 to screen 0.774687, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 62 rectangle from screen 0.774687, screen 0.741697 to screen 0.845625, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 63 rectangle from screen 0.845625, screen 0.741697 to screen 0.916563, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.881094, screen 0.760148 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 63 rectangle from screen 0.845625, screen 0.741697 to screen 0.916563, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 64 rectangle from screen 0.916563, screen 0.741697 to screen 0.9875, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.952031, screen 0.760148 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 double" at screen 0.626563, screen 0.723247 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
@@ -172,14 +162,13 @@ set object 84 rectangle from screen 0.916563, screen 0.594096 to screen 0.9875, 
 set label "x" at screen 0.952031, screen 0.612546 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "dantzig:1e-6 double" at screen 0.626563, screen 0.575646 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 85 rectangle from screen 0.632812, screen 0.557196 to screen 0.70375, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 86 rectangle from screen 0.70375, screen 0.557196 to screen 0.774687, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.739219, screen 0.575646 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 87 rectangle from screen 0.774687, screen 0.557196 to screen 0.845625, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.810156, screen 0.575646 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 88 rectangle from screen 0.845625, screen 0.557196 to screen 0.916563, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.881094, screen 0.575646 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 89 rectangle from screen 0.916563, screen 0.557196 to screen 0.9875, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.952031, screen 0.575646 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 86 rectangle from screen 0.70375, screen 0.557196 to screen 0.774687, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 87 rectangle from screen 0.774687, screen 0.557196 to screen 0.845625, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.810156, screen 0.575646 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 88 rectangle from screen 0.845625, screen 0.557196 to screen 0.916563, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.881094, screen 0.575646 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 89 rectangle from screen 0.916563, screen 0.557196 to screen 0.9875, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.952031, screen 0.575646 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "dantzig:1e-6 float" at screen 0.626563, screen 0.538745 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 90 rectangle from screen 0.632812, screen 0.520295 to screen 0.70375, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 91 rectangle from screen 0.70375, screen 0.520295 to screen 0.774687, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -198,21 +187,18 @@ set label "3600" at screen 0.952031, screen 0.501845 center front noenhanced tex
 set label "simulated time, s" at screen 0.810156, screen 0.468635 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "arch of 21 voussoirs" at screen 0.009375, screen 0.407749 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
 set label "delassus double" at screen 0.126562, screen 0.361624 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 95 rectangle from screen 0.132812, screen 0.343173 to screen 0.20375, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.168281, screen 0.361624 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 95 rectangle from screen 0.132812, screen 0.343173 to screen 0.20375, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 96 rectangle from screen 0.20375, screen 0.343173 to screen 0.274688, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.239219, screen 0.361624 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 97 rectangle from screen 0.274688, screen 0.343173 to screen 0.345625, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.310156, screen 0.361624 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 97 rectangle from screen 0.274688, screen 0.343173 to screen 0.345625, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.310156, screen 0.361624 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 98 rectangle from screen 0.345625, screen 0.343173 to screen 0.416562, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.381094, screen 0.361624 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 99 rectangle from screen 0.416563, screen 0.343173 to screen 0.4875, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.452031, screen 0.361624 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "delassus float" at screen 0.126562, screen 0.324723 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 100 rectangle from screen 0.132812, screen 0.306273 to screen 0.20375, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.168281, screen 0.324723 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 101 rectangle from screen 0.20375, screen 0.306273 to screen 0.274688, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.239219, screen 0.324723 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 100 rectangle from screen 0.132812, screen 0.306273 to screen 0.20375, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 101 rectangle from screen 0.20375, screen 0.306273 to screen 0.274688, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 102 rectangle from screen 0.274688, screen 0.306273 to screen 0.345625, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.310156, screen 0.324723 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 103 rectangle from screen 0.345625, screen 0.306273 to screen 0.416562, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
@@ -287,7 +273,7 @@ set object 134 rectangle from screen 0.416563, screen 0.0848708 to screen 0.4875
 set label "!" at screen 0.452031, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "1" at screen 0.168281, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "10" at screen 0.239219, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "100" at screen 0.310156, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "60" at screen 0.310156, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "600" at screen 0.381094, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "3600" at screen 0.452031, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "simulated time, s" at screen 0.310156, screen 0.0332103 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
@@ -315,30 +301,25 @@ set object 150 rectangle from screen 0.632812, screen 0.232472 to screen 0.70375
 set object 151 rectangle from screen 0.70375, screen 0.232472 to screen 0.774687, screen 0.269373 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 152 rectangle from screen 0.774687, screen 0.232472 to screen 0.845625, screen 0.269373 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 153 rectangle from screen 0.845625, screen 0.232472 to screen 0.916563, screen 0.269373 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 154 rectangle from screen 0.916563, screen 0.232472 to screen 0.9875, screen 0.269373 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.952031, screen 0.250923 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 154 rectangle from screen 0.916563, screen 0.232472 to screen 0.9875, screen 0.269373 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:1000 double" at screen 0.626563, screen 0.214022 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 155 rectangle from screen 0.632812, screen 0.195572 to screen 0.70375, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 156 rectangle from screen 0.70375, screen 0.195572 to screen 0.774687, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 157 rectangle from screen 0.774687, screen 0.195572 to screen 0.845625, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 158 rectangle from screen 0.845625, screen 0.195572 to screen 0.916563, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.881094, screen 0.214022 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 159 rectangle from screen 0.916563, screen 0.195572 to screen 0.9875, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.952031, screen 0.214022 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 158 rectangle from screen 0.845625, screen 0.195572 to screen 0.916563, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 159 rectangle from screen 0.916563, screen 0.195572 to screen 0.9875, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:1000 float" at screen 0.626563, screen 0.177122 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 160 rectangle from screen 0.632812, screen 0.158672 to screen 0.70375, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 161 rectangle from screen 0.70375, screen 0.158672 to screen 0.774687, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 162 rectangle from screen 0.774687, screen 0.158672 to screen 0.845625, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 163 rectangle from screen 0.845625, screen 0.158672 to screen 0.916563, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 164 rectangle from screen 0.916563, screen 0.158672 to screen 0.9875, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.952031, screen 0.177122 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 164 rectangle from screen 0.916563, screen 0.158672 to screen 0.9875, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "dantzig:1e-6 double" at screen 0.626563, screen 0.140221 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 165 rectangle from screen 0.632812, screen 0.121771 to screen 0.70375, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 166 rectangle from screen 0.70375, screen 0.121771 to screen 0.774687, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 167 rectangle from screen 0.774687, screen 0.121771 to screen 0.845625, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 168 rectangle from screen 0.845625, screen 0.121771 to screen 0.916563, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 169 rectangle from screen 0.916563, screen 0.121771 to screen 0.9875, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.952031, screen 0.140221 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 169 rectangle from screen 0.916563, screen 0.121771 to screen 0.9875, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "dantzig:1e-6 float" at screen 0.626563, screen 0.103321 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 170 rectangle from screen 0.632812, screen 0.0848708 to screen 0.70375, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.668281, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
@@ -348,8 +329,8 @@ set object 172 rectangle from screen 0.774687, screen 0.0848708 to screen 0.8456
 set label "o" at screen 0.810156, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 173 rectangle from screen 0.845625, screen 0.0848708 to screen 0.916563, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.881094, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 174 rectangle from screen 0.916563, screen 0.0848708 to screen 0.9875, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.952031, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 174 rectangle from screen 0.916563, screen 0.0848708 to screen 0.9875, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.952031, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "1" at screen 0.668281, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "10" at screen 0.739219, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "100" at screen 0.810156, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)

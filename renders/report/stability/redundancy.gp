@@ -32,8 +32,7 @@ set label "#" at screen 0.510781, screen 0.916974 center front noenhanced textco
 set label "crashes" at screen 0.5225, screen 0.916974 left front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 12)
 set label "one body of 1 kg on many feet, a 100 kg box on it" at screen 0.009375, screen 0.843173 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
 set label "delassus double" at screen 0.126562, screen 0.797048 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 7 rectangle from screen 0.132812, screen 0.778598 to screen 0.177148, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.15498, screen 0.797048 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 7 rectangle from screen 0.132812, screen 0.778598 to screen 0.177148, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 8 rectangle from screen 0.177148, screen 0.778598 to screen 0.221484, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 9 rectangle from screen 0.221484, screen 0.778598 to screen 0.26582, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 10 rectangle from screen 0.26582, screen 0.778598 to screen 0.310156, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -49,8 +48,7 @@ set object 18 rectangle from screen 0.26582, screen 0.741697 to screen 0.310156,
 set object 19 rectangle from screen 0.310156, screen 0.741697 to screen 0.354492, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 20 rectangle from screen 0.354492, screen 0.741697 to screen 0.398828, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 21 rectangle from screen 0.398828, screen 0.741697 to screen 0.443164, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 22 rectangle from screen 0.443164, screen 0.741697 to screen 0.4875, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.465332, screen 0.760148 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 22 rectangle from screen 0.443164, screen 0.741697 to screen 0.4875, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:10 double" at screen 0.126562, screen 0.723247 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 23 rectangle from screen 0.132812, screen 0.704797 to screen 0.177148, screen 0.741697 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.15498, screen 0.723247 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)

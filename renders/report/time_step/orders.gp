@@ -64,10 +64,10 @@ $marks2_4 << EOD
 EOD
 $line2_5 << EOD
 2.08333 0.000199392 2.08333 2.08333
-4.16667 0.000399295 4.16667 4.16667
-8.33333 0.000798371 8.33333 8.33333
-16.6667 0.00159514 16.6667 16.6667
-33.3333 0.00319027 33.3333 33.3333
+4.16667 0.000398784 4.16667 4.16667
+8.33333 0.000797569 8.33333 8.33333
+16.6667 0.0015959 16.6667 16.6667
+33.3333 0.00332664 33.3333 33.3333
 EOD
 $marks2_5 << EOD
 EOD
@@ -99,7 +99,6 @@ EOD
 $marks3_2 << EOD
 EOD
 $line3_3 << EOD
-33.3333 100 33.3333 33.3333
 EOD
 $marks3_3 << EOD
 EOD
@@ -111,7 +110,7 @@ $line3_5 << EOD
 2.08333 1.35256 2.08333 2.08333
 4.16667 1.35908 4.16667 4.16667
 8.33333 1.32169 8.33333 8.33333
-16.6667 0.0773868 16.6667 16.6667
+16.6667 0.0777802 16.6667 16.6667
 33.3333 0.292812 33.3333 33.3333
 EOD
 $marks3_5 << EOD
@@ -193,7 +192,7 @@ set ylabel "error, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.821968, graph 0.500766 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.821968, graph 0.504401 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.821968, graph 0.558774 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.802545, graph 0.512223 to graph 0.821968, graph 0.558774 nohead lw 0.6 lc rgb '#d55e00'
 set label "si:50" at graph 0.821968, graph 0.615958 left front noenhanced textcolor rgb '#d55e00'
@@ -243,7 +242,6 @@ set label "si:50" at graph 0.821968, graph 0.285734 left front noenhanced textco
 set label "delassus" at graph 0.821968, graph 0.366647 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.821968, graph 0.442917 left front noenhanced textcolor rgb '#d55e00'
 set label "si2:10" at graph 0.686005, graph 0.454555 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.821968, graph 0.976724 left front noenhanced textcolor rgb '#009e73'
 plot $line3_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line3_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line3_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -253,9 +251,6 @@ plot $line3_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line3_2 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0e69f00', \
   $line3_2 using 1:2 with lines lw 1.5 lc rgb '#e69f00', \
   $line3_2 using 1:2 with points pt 7 ps 0.575 lc rgb '#e69f00', \
-  $line3_3 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0009e73', \
-  $line3_3 using 1:2 with lines lw 1.5 lc rgb '#009e73', \
-  $line3_3 using 1:2 with points pt 7 ps 0.575 lc rgb '#009e73', \
   $line3_5 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line3_5 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line3_5 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8'

@@ -1,0 +1,350 @@
+# Draws stack_10.svg and stack_10.png: gnuplot stack_10.gp
+$line0_0 << EOD
+EOD
+$marks0_0 << EOD
+0.009314 5.36158e-11 0.009314 0.009314
+EOD
+$line0_1 << EOD
+EOD
+$marks0_1 << EOD
+0.009434 6.57933e-07 0.009434 0.009434
+EOD
+$line0_2 << EOD
+EOD
+$marks0_2 << EOD
+0.015112 0.129696 0.015112 0.015112
+EOD
+$line0_3 << EOD
+EOD
+$marks0_3 << EOD
+0.055492 0.0193733 0.055492 0.055492
+EOD
+$line0_4 << EOD
+EOD
+$marks0_4 << EOD
+0.206727 0.00359186 0.206727 0.206727
+EOD
+$line0_5 << EOD
+EOD
+$marks0_5 << EOD
+1.02667 0.00633756 1.02667 1.02667
+EOD
+$line0_6 << EOD
+EOD
+$marks0_6 << EOD
+0.101661 0.0098553 0.101661 0.101661
+EOD
+$line0_7 << EOD
+EOD
+$marks0_7 << EOD
+0.023375 0.024797 0.023375 0.023375
+EOD
+$line0_8 << EOD
+EOD
+$marks0_8 << EOD
+0.078286 0.0468525 0.078286 0.078286
+EOD
+$line0_9 << EOD
+EOD
+$marks0_9 << EOD
+0.204333 0.0200612 0.204333 0.204333
+EOD
+$line0_10 << EOD
+EOD
+$marks0_10 << EOD
+0.043594 0.0568945 0.043594 0.043594
+EOD
+$line0_11 << EOD
+EOD
+$marks0_11 << EOD
+0.089032 1.12406e-05 0.089032 0.089032
+EOD
+$line0_12 << EOD
+EOD
+$marks0_12 << EOD
+2.2618 0.0288863 2.2618 2.2618
+EOD
+$line1_0 << EOD
+EOD
+$marks1_0 << EOD
+0.009314 8.22675e-12 0.009314 0.009314
+EOD
+$line1_1 << EOD
+EOD
+$marks1_1 << EOD
+0.009434 1.03146e-07 0.009434 0.009434
+EOD
+$line1_2 << EOD
+EOD
+$marks1_2 << EOD
+0.015112 0.00380401 0.015112 0.015112
+EOD
+$line1_3 << EOD
+EOD
+$marks1_3 << EOD
+0.055492 0.000396081 0.055492 0.055492
+EOD
+$line1_4 << EOD
+EOD
+$marks1_4 << EOD
+0.206727 0.000105005 0.206727 0.206727
+EOD
+$line1_5 << EOD
+EOD
+$marks1_5 << EOD
+1.02667 3.50737e-06 1.02667 1.02667
+EOD
+$line1_6 << EOD
+EOD
+$marks1_6 << EOD
+0.101661 0.000535392 0.101661 0.101661
+EOD
+$line1_7 << EOD
+EOD
+$marks1_7 << EOD
+0.023375 0.00816299 0.023375 0.023375
+EOD
+$line1_8 << EOD
+EOD
+$marks1_8 << EOD
+0.078286 0.0105749 0.078286 0.078286
+EOD
+$line1_9 << EOD
+EOD
+$marks1_9 << EOD
+0.204333 0.000396081 0.204333 0.204333
+EOD
+$line1_10 << EOD
+EOD
+$marks1_10 << EOD
+0.043594 0.00461789 0.043594 0.043594
+EOD
+$line1_11 << EOD
+EOD
+$marks1_11 << EOD
+0.089032 2.04375e-06 0.089032 0.089032
+EOD
+$line1_12 << EOD
+EOD
+$marks1_12 << EOD
+2.2618 0.00380401 2.2618 2.2618
+EOD
+$line2_0 << EOD
+EOD
+$marks2_0 << EOD
+0.009314 1e-12 0.009314 0.009314
+EOD
+$line2_1 << EOD
+EOD
+$marks2_1 << EOD
+0.009434 1e-12 0.009434 0.009434
+EOD
+$line2_2 << EOD
+EOD
+$marks2_2 << EOD
+0.015112 0.000805561 0.015112 0.015112
+EOD
+$line2_3 << EOD
+EOD
+$marks2_3 << EOD
+0.055492 7.23225e-05 0.055492 0.055492
+EOD
+$line2_4 << EOD
+EOD
+$marks2_4 << EOD
+0.206727 0.00110292 0.206727 0.206727
+EOD
+$line2_5 << EOD
+EOD
+$marks2_5 << EOD
+1.02667 0.00063824 1.02667 1.02667
+EOD
+$line2_6 << EOD
+EOD
+$marks2_6 << EOD
+0.101661 0.000812162 0.101661 0.101661
+EOD
+$line2_7 << EOD
+EOD
+$marks2_7 << EOD
+0.023375 0.0531082 0.023375 0.023375
+EOD
+$line2_8 << EOD
+EOD
+$marks2_8 << EOD
+0.078286 0.3559 0.078286 0.078286
+EOD
+$line2_9 << EOD
+EOD
+$marks2_9 << EOD
+0.204333 0.000442484 0.204333 0.204333
+EOD
+$line2_10 << EOD
+EOD
+$marks2_10 << EOD
+0.043594 0.239757 0.043594 0.043594
+EOD
+$line2_11 << EOD
+EOD
+$marks2_11 << EOD
+0.089032 1e-12 0.089032 0.089032
+EOD
+$line2_12 << EOD
+EOD
+$marks2_12 << EOD
+2.2618 1e-12 2.2618 2.2618
+EOD
+do for [kind in "svg png"] {
+if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
+if (kind eq "png") { set terminal pngcairo size 1200,470 font 'DejaVu Sans,9' background '#ffffff' }
+set output "stack_10.".kind
+set border 3 lc rgb '#666666'
+set grid back lw 0.6 lc rgb '#e4e4e4'
+set tics textcolor rgb '#333333'
+unset key
+set multiplot title "stack_10, each solver on its own: lower left is better" noenhanced
+set lmargin at screen 0.0616667
+set rmargin at screen 0.32
+set tmargin at screen 0.851064
+set bmargin at screen 0.110638
+set title "furthest drift of a body, m" noenhanced
+set logscale x
+set xtics 10 nomirror
+set mxtics
+set format x "%g"
+set xrange [0.00615378:9.31201]
+set xlabel "ms a step" noenhanced
+set logscale y
+set ytics 100 nomirror
+unset mytics
+set format y "10^{%T}"
+set yrange [1e-11:1]
+set ylabel "furthest drift of a body, m" noenhanced
+unset label
+unset arrow
+unset object
+set label "delassus" at graph 0.0835457, graph 0.0662993 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0852941, graph 0.438017 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.39186, graph 0.550072 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.506911, graph 0.777756 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.725797, graph 0.800175 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.221383, graph 0.817606 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.327294, graph 0.902481 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.300352, graph 0.844291 to graph 0.327294, graph 0.902481 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.50532, graph 0.845669 left front noenhanced textcolor rgb '#cc79a7'
+set label "nncg:10" at graph 0.209215, graph 0.760933 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.182273, graph 0.854036 to graph 0.209215, graph 0.760933 nohead lw 0.6 lc rgb '#009e73'
+set label "lemke" at graph 0.833669, graph 0.860063 left front noenhanced textcolor rgb '#999999'
+set label "nncg:50" at graph 0.163248, graph 0.914071 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.294335, graph 0.96829 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.267393, graph 0.886825 to graph 0.294335, graph 0.96829 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.149644, graph 0.965909 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.122702, graph 0.919357 to graph 0.149644, graph 0.965909 nohead lw 0.6 lc rgb '#d55e00'
+plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
+  $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
+  $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks0_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks0_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks0_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks0_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
+  $marks0_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks0_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks0_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
+  $marks0_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks0_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks0_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+set lmargin at screen 0.395
+set rmargin at screen 0.653333
+set tmargin at screen 0.851064
+set bmargin at screen 0.110638
+set title "deepest overlap, m" noenhanced
+set logscale x
+set xtics 10 nomirror
+set mxtics
+set format x "%g"
+set xrange [0.00615378:9.31201]
+set xlabel "ms a step" noenhanced
+set logscale y
+set ytics 100 nomirror
+unset mytics
+set format y "10^{%T}"
+set yrange [1e-12:0.1]
+set ylabel "deepest overlap, m" noenhanced
+unset label
+unset arrow
+unset object
+set label "delassus" at graph 0.0835457, graph 0.0832026 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0852941, graph 0.455768 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.39186, graph 0.573675 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.725797, graph 0.594998 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.506911, graph 0.729201 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.161152, graph 0.781617 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.50532, graph 0.781617 left front noenhanced textcolor rgb '#cc79a7'
+set label "si2:50" at graph 0.409977, graph 0.828429 left front noenhanced textcolor rgb '#e69f00'
+set label "si:10" at graph 0.149644, graph 0.870931 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.833669, graph 0.870931 left front noenhanced textcolor rgb '#999999'
+set label "dantzig" at graph 0.294335, graph 0.878586 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.209215, graph 0.935991 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.374293, graph 0.934574 left front noenhanced textcolor rgb '#009e73'
+plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
+  $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
+  $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks1_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks1_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks1_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks1_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
+  $marks1_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks1_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks1_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
+  $marks1_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks1_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks1_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+set lmargin at screen 0.728333
+set rmargin at screen 0.986667
+set tmargin at screen 0.851064
+set bmargin at screen 0.110638
+set title "noise of ground reaction / weight" noenhanced
+set logscale x
+set xtics 10 nomirror
+set mxtics
+set format x "%g"
+set xrange [0.00615378:9.31201]
+set xlabel "ms a step" noenhanced
+set logscale y
+set ytics 1000 nomirror
+unset mytics
+set format y "10^{%T}"
+set yrange [1e-13:1]
+set ylabel "noise of ground reaction / weight" noenhanced
+unset label
+unset arrow
+unset object
+set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0852941, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0583521, graph 0.0769231 to graph 0.0852941, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.39186, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
+set label "lemke" at graph 0.833669, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
+set label "si:50" at graph 0.327294, graph 0.681483 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.50532, graph 0.741992 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:1000" at graph 0.725797, graph 0.75423 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.149644, graph 0.762008 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.409977, graph 0.797194 left front noenhanced textcolor rgb '#e69f00'
+set label "si:200" at graph 0.318318, graph 0.73759 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.209215, graph 0.901936 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.0832902, graph 0.95229 left front noenhanced textcolor rgb '#555555'
+set label "nncg:50" at graph 0.374293, graph 0.965487 left front noenhanced textcolor rgb '#009e73'
+plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
+  $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
+  $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks2_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks2_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks2_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks2_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
+  $marks2_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks2_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks2_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
+  $marks2_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks2_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+unset multiplot
+}

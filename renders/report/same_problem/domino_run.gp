@@ -1,0 +1,298 @@
+# Draws domino_run.svg and domino_run.png: gnuplot domino_run.gp
+$line0_0 << EOD
+0.0358785 0.145263 0.035818 0.035943
+0.053915 0.0597934 0.053825 0.05405
+0.092407 0.0420696 0.092342 0.0926525
+0.202596 0.0146526 0.202185 0.21912
+0.390004 0.00405836 0.388481 0.427504
+EOD
+$marks0_0 << EOD
+0.0358785 0.145263 0.0358785 0.0358785
+0.053915 0.0597934 0.053915 0.053915
+0.092407 0.0420696 0.092407 0.092407
+0.202596 0.0146526 0.202596 0.202596
+0.390004 0.00405836 0.390004 0.390004
+0.81618 0.00900254 0.81618 0.81618
+1.93977 0.0142267 1.93977 1.93977
+3.69919 0.0142475 3.69919 3.69919
+9.82054 0.0142477 9.82054 9.82054
+EOD
+$line0_1 << EOD
+0.0477055 0.145591 0.047646 0.048006
+0.0752215 0.0595358 0.075137 0.075862
+0.131005 0.042021 0.130868 0.131645
+0.305759 0.0146018 0.300726 0.310671
+0.573781 0.0027286 0.572524 0.58328
+1.14096 0.00262296 1.11844 1.93905
+5.29183 0.00262286 3.37485 5.40748
+EOD
+$marks0_1 << EOD
+0.0477055 0.145591 0.0477055 0.0477055
+0.0752215 0.0595358 0.0752215 0.0752215
+0.131005 0.042021 0.131005 0.131005
+0.305759 0.0146018 0.305759 0.305759
+0.573781 0.0027286 0.573781 0.573781
+1.14096 0.00262296 1.14096 1.14096
+5.29183 0.00262286 5.29183 5.29183
+5.87161 0.00262286 5.87161 5.87161
+11.9997 0.00262286 11.9997 11.9997
+EOD
+$line0_2 << EOD
+0.041071 1.58804 0.041026 0.0411615
+0.072382 0.144723 0.072047 0.0728885
+0.129341 0.0988646 0.128476 0.130649
+0.545699 0.0987425 0.542885 0.569665
+EOD
+$marks0_2 << EOD
+0.041071 1.58804 0.041071 0.041071
+0.072382 0.144723 0.072382 0.072382
+0.129341 0.0988646 0.129341 0.129341
+0.295674 0.358411 0.295674 0.295674
+0.545699 0.0987425 0.545699 0.545699
+1.2542 0.346067 1.2542 1.2542
+2.63827 0.351155 2.63827 2.63827
+4.3377 0.100145 4.3377 4.3377
+7.27842 0.345012 7.27842 7.27842
+EOD
+$line0_3 << EOD
+0.45866 0.145326 0.355743 0.475005
+0.46548 0.0420696 0.459777 0.476657
+0.84979 0.0146526 0.824288 0.958807
+1.20151 0.00435125 1.11768 1.44496
+EOD
+$marks0_3 << EOD
+0.45866 0.145326 0.45866 0.45866
+0.510122 0.0597934 0.510122 0.510122
+0.46548 0.0420696 0.46548 0.46548
+0.84979 0.0146526 0.84979 0.84979
+1.20151 0.00435125 1.20151 1.20151
+1.96308 0.0134029 1.96308 1.96308
+5.74422 0.0145881 5.74422 5.74422
+11.36 0.0146095 11.36 11.36
+21.5252 0.0146097 21.5252 21.5252
+EOD
+$line0_4 << EOD
+0.104575 0.955084 0.104164 0.105652
+0.176252 0.194492 0.175701 0.177263
+0.227648 0.00266222 0.224162 0.233862
+0.373388 0.00235723 0.368111 0.389889
+0.456732 5.97766e-05 0.420424 0.49949
+50.3316 1.85717e-13 50.3316 59.972
+EOD
+$marks0_4 << EOD
+0.227648 0.00266222 0.227648 0.227648
+0.373388 0.00235723 0.373388 0.373388
+0.416708 0.00238085 0.416708 0.416708
+0.679968 0.0026225 0.679968 0.679968
+0.717304 0.00262286 0.717304 0.717304
+0.721364 0.00262286 0.721364 0.721364
+0.735376 0.00262286 0.735376 0.735376
+2.87644 0.00262286 2.87644 2.87644
+50.3316 1.85717e-13 50.3316 50.3316
+0.104575 0.955084 0.104575 0.104575
+0.11163 0.955084 0.11163 0.11163
+0.146192 0.955084 0.146192 0.146192
+0.176252 0.194492 0.176252 0.176252
+0.456732 5.97766e-05 0.456732 0.456732
+0.811673 0.00262286 0.811673 0.811673
+EOD
+$line1_0 << EOD
+0.038197 0.122111 0.038176 0.038287
+0.058446 0.0290761 0.058346 0.058647
+0.100729 0.00529421 0.100599 0.101261
+0.221008 0.00369076 0.219966 0.221199
+EOD
+$marks1_0 << EOD
+0.038197 0.122111 0.038197 0.038197
+0.058446 0.0290761 0.058446 0.058446
+0.100729 0.00529421 0.100729 0.100729
+0.221008 0.00369076 0.221008 0.221008
+0.419452 0.00369289 0.419452 0.419452
+0.819055 0.00474264 0.819055 0.819055
+2.03417 0.0139278 2.03417 2.03417
+4.18411 0.0139533 4.18411 4.18411
+23.2124 0.0139535 23.2124 23.2124
+EOD
+$line1_1 << EOD
+0.050905 0.122507 0.050836 0.052438
+0.079879 0.0294092 0.079638 0.088391
+0.140688 0.00495631 0.138315 0.14829
+0.312513 0.00278965 0.312383 0.313705
+0.602263 0.0026299 0.600171 0.608362
+1.41085 0.00262286 1.33197 1.5104
+3.06311 0.00262286 2.95738 3.09706
+EOD
+$marks1_1 << EOD
+0.050905 0.122507 0.050905 0.050905
+0.079879 0.0294092 0.079879 0.079879
+0.140688 0.00495631 0.140688 0.140688
+0.312513 0.00278965 0.312513 0.312513
+0.602263 0.0026299 0.602263 0.602263
+1.41085 0.00262286 1.41085 1.41085
+3.06311 0.00262286 3.06311 3.06311
+6.23678 0.00262286 6.23678 6.23678
+11.7558 0.00262286 11.7558 11.7558
+EOD
+$line1_2 << EOD
+0.044175 1.5618 0.044075 0.044295
+0.070464 0.103292 0.070395 0.070715
+0.572288 0.084798 0.552199 0.597346
+EOD
+$marks1_2 << EOD
+0.044175 1.5618 0.044175 0.044175
+0.070464 0.103292 0.070464 0.070464
+0.125786 0.11488 0.125786 0.125786
+0.293064 0.220224 0.293064 0.293064
+0.572288 0.084798 0.572288 0.572288
+1.11632 0.188452 1.11632 1.11632
+2.85098 0.188858 2.85098 2.85098
+5.63488 0.0895737 5.63488 5.63488
+11.1247 0.220751 11.1247 11.1247
+EOD
+$line1_3 << EOD
+0.37782 0.122176 0.376298 0.394385
+0.417158 0.029073 0.414445 0.436858
+0.495675 0.00539996 0.486702 0.527812
+0.924261 0.00387842 0.790853 1.04457
+EOD
+$marks1_3 << EOD
+0.37782 0.122176 0.37782 0.37782
+0.417158 0.029073 0.417158 0.417158
+0.495675 0.00539996 0.495675 0.495675
+0.924261 0.00387842 0.924261 0.924261
+1.13393 0.00390057 1.13393 1.13393
+1.91074 0.00635535 1.91074 1.91074
+4.14869 0.0145876 4.14869 4.14869
+7.96992 0.0146095 7.96992 7.96992
+15.9994 0.0146097 15.9994 15.9994
+EOD
+$line1_4 << EOD
+0.086277 0.950206 0.086008 0.086528
+0.135311 0.164776 0.135061 0.137453
+0.221048 0.164118 0.219005 0.256931
+0.334936 0.00250451 0.331632 0.339644
+0.60676 0.00235219 0.601953 0.622233
+1.17659 4.89862e-05 1.13818 1.21346
+1.22398 2.50725e-10 0.933425 1.78112
+1.22531 2.507e-10 0.954646 1.78652
+EOD
+$marks1_4 << EOD
+0.334936 0.00250451 0.334936 0.334936
+0.60676 0.00235219 0.60676 0.60676
+0.697194 0.00235351 0.697194 0.697194
+1.17659 4.89862e-05 1.17659 1.17659
+1.22531 2.507e-10 1.22531 1.22531
+1.22398 2.50725e-10 1.22398 1.22398
+1.94669 2.50728e-10 1.94669 1.94669
+1.33246 2.50776e-10 1.33246 1.33246
+173.65 4.16209e-05 173.65 173.65
+0.086277 0.950206 0.086277 0.086277
+0.099026 0.950206 0.099026 0.099026
+0.135311 0.164776 0.135311 0.135311
+0.221048 0.164118 0.221048 0.221048
+0.787248 0.0023966 0.787248 0.787248
+1.47631 0.00262313 1.47631 1.47631
+EOD
+do for [kind in "svg png"] {
+if (kind eq "svg") { set terminal svg size 1040,470 font 'DejaVu Sans,12' background '#ffffff' }
+if (kind eq "png") { set terminal pngcairo size 1040,470 font 'DejaVu Sans,9' background '#ffffff' }
+set output "domino_run.".kind
+set border 3 lc rgb '#666666'
+set grid back lw 0.6 lc rgb '#e4e4e4'
+set tics textcolor rgb '#333333'
+unset key
+set multiplot title "domino_run, 160 contacts: error against time, lower left is better" noenhanced
+set lmargin at screen 0.0711538
+set rmargin at screen 0.484615
+set tmargin at screen 0.851064
+set bmargin at screen 0.110638
+set title "cold: no stored impulses" noenhanced
+set logscale x
+set xtics 10 nomirror
+set mxtics
+set format x "10^{%T}"
+set xrange [0.0207029:342.667]
+set xlabel "ms a step" noenhanced
+set logscale y
+set ytics 1000 nomirror
+unset mytics
+set format y "10^{%T}"
+set yrange [1e-13:10]
+set ylabel "error of the motion  |v - v*| / |vf - v*|" noenhanced
+unset label
+unset arrow
+unset object
+set label "delassus" at graph 0.821968, graph 0.0232759 left front noenhanced textcolor rgb '#0060a8'
+set label "si2" at graph 0.590095, graph 0.744198 left front noenhanced textcolor rgb '#e69f00'
+set label "si" at graph 0.321648, graph 0.711188 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.302224, graph 0.757739 to graph 0.321648, graph 0.711188 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs" at graph 0.437476, graph 0.713349 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.418052, graph 0.759901 to graph 0.437476, graph 0.713349 nohead lw 0.6 lc rgb '#cc79a7'
+set label "nncg" at graph 0.356227, graph 0.85675 left front noenhanced textcolor rgb '#009e73'
+plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0d55e00', \
+  $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
+  $line0_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
+  $line0_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
+  $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0e69f00', \
+  $line0_1 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0e69f00', \
+  $line0_1 using 1:2 with lines lw 1.5 lc rgb '#e69f00', \
+  $line0_1 using 1:2 with points pt 7 ps 0.575 lc rgb '#e69f00', \
+  $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0009e73', \
+  $line0_2 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0009e73', \
+  $line0_2 using 1:2 with lines lw 1.5 lc rgb '#009e73', \
+  $line0_2 using 1:2 with points pt 7 ps 0.575 lc rgb '#009e73', \
+  $marks0_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0cc79a7', \
+  $line0_3 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0cc79a7', \
+  $line0_3 using 1:2 with lines lw 1.5 lc rgb '#cc79a7', \
+  $line0_3 using 1:2 with points pt 7 ps 0.575 lc rgb '#cc79a7', \
+  $marks0_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#a00060a8', \
+  $line0_4 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
+  $line0_4 using 1:2 with lines lw 3 lc rgb '#0060a8', \
+  $line0_4 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8'
+set lmargin at screen 0.571154
+set rmargin at screen 0.984615
+set tmargin at screen 0.851064
+set bmargin at screen 0.110638
+set title "each with its own warm start" noenhanced
+set logscale x
+set xtics 10 nomirror
+set mxtics
+set format x "10^{%T}"
+set xrange [0.0219594:388.01]
+set xlabel "ms a step" noenhanced
+set logscale y
+set ytics 1000 nomirror
+unset mytics
+set format y "10^{%T}"
+set yrange [1e-13:10]
+set ylabel "error of the motion  |v - v*| / |vf - v*|" noenhanced
+unset label
+unset arrow
+unset object
+set label "delassus" at graph 0.262328, graph 0.242797 left front noenhanced textcolor rgb '#0060a8'
+set label "si2" at graph 0.524352, graph 0.744198 left front noenhanced textcolor rgb '#e69f00'
+set label "si" at graph 0.184309, graph 0.731518 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs" at graph 0.401832, graph 0.791246 left front noenhanced textcolor rgb '#cc79a7'
+set label "nncg" at graph 0.352816, graph 0.852028 left front noenhanced textcolor rgb '#009e73'
+plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0d55e00', \
+  $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
+  $line1_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
+  $line1_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
+  $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0e69f00', \
+  $line1_1 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0e69f00', \
+  $line1_1 using 1:2 with lines lw 1.5 lc rgb '#e69f00', \
+  $line1_1 using 1:2 with points pt 7 ps 0.575 lc rgb '#e69f00', \
+  $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0009e73', \
+  $line1_2 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0009e73', \
+  $line1_2 using 1:2 with lines lw 1.5 lc rgb '#009e73', \
+  $line1_2 using 1:2 with points pt 7 ps 0.575 lc rgb '#009e73', \
+  $marks1_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0cc79a7', \
+  $line1_3 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0cc79a7', \
+  $line1_3 using 1:2 with lines lw 1.5 lc rgb '#cc79a7', \
+  $line1_3 using 1:2 with points pt 7 ps 0.575 lc rgb '#cc79a7', \
+  $marks1_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#a00060a8', \
+  $line1_4 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
+  $line1_4 using 1:2 with lines lw 3 lc rgb '#0060a8', \
+  $line1_4 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8'
+unset multiplot
+}

@@ -1,0 +1,339 @@
+# Draws heavy_ball_chain.svg and heavy_ball_chain.png: gnuplot heavy_ball_chain.gp
+$line0_0 << EOD
+0.0234273 0.975049 0.0221075 0.0238178
+0.0338475 0.971428 0.0323405 0.034276
+0.0509528 0.968132 0.0508553 0.051236
+0.109267 0.962388 0.108982 0.123473
+0.222898 0.954167 0.220294 0.243711
+0.467686 0.938519 0.457859 0.493843
+1.0815 0.893557 1.07115 3.26478
+3.56381 0.823425 2.52076 5.09751
+7.42366 0.789103 5.12563 7.55881
+EOD
+$marks0_0 << EOD
+0.0234273 0.975049 0.0234273 0.0234273
+0.0338475 0.971428 0.0338475 0.0338475
+0.0509528 0.968132 0.0509528 0.0509528
+0.109267 0.962388 0.109267 0.109267
+0.222898 0.954167 0.222898 0.222898
+0.467686 0.938519 0.467686 0.467686
+1.0815 0.893557 1.0815 1.0815
+3.56381 0.823425 3.56381 3.56381
+7.42366 0.789103 7.42366 7.42366
+EOD
+$line0_1 << EOD
+0.0259785 0.974174 0.0259412 0.0260487
+0.0406378 0.970298 0.0404325 0.0431643
+0.0675628 0.966483 0.0660702 0.0727427
+0.146515 0.960698 0.138668 0.156823
+0.265967 0.952458 0.259802 0.282987
+0.535594 0.936781 0.517222 1.02108
+1.28691 0.891732 1.25934 1.70382
+4.45006 0.821444 3.46744 5.57292
+6.55435 0.789103 6.24813 6.84073
+EOD
+$marks0_1 << EOD
+0.0259785 0.974174 0.0259785 0.0259785
+0.0406378 0.970298 0.0406378 0.0406378
+0.0675628 0.966483 0.0675628 0.0675628
+0.146515 0.960698 0.146515 0.146515
+0.265967 0.952458 0.265967 0.265967
+0.535594 0.936781 0.535594 0.535594
+1.28691 0.891732 1.28691 1.28691
+4.45006 0.821444 4.45006 4.45006
+6.55435 0.789103 6.55435 6.55435
+EOD
+$line0_2 << EOD
+0.0291907 1.15656 0.0280595 0.0295815
+0.0384145 0.965811 0.0383592 0.0385925
+EOD
+$marks0_2 << EOD
+0.0291907 1.15656 0.0291907 0.0291907
+0.0384145 0.965811 0.0384145 0.0384145
+0.0678278 6.70448 0.0678278 0.0678278
+0.156833 10 0.156833 0.156833
+0.282211 10 0.282211 0.282211
+EOD
+$line0_3 << EOD
+0.123261 0.975049 0.120997 0.12964
+0.148105 0.971428 0.145743 0.162145
+0.201647 0.968132 0.196399 0.214731
+0.355627 0.962425 0.346371 0.366851
+0.65024 0.954204 0.60185 0.679638
+1.23996 0.938556 1.19902 2.30958
+3.87612 0.893597 2.74768 4.72704
+8.41738 0.823468 7.37022 10.5275
+18.3218 0.789103 18.2908 22.8363
+EOD
+$marks0_3 << EOD
+0.123261 0.975049 0.123261 0.123261
+0.148105 0.971428 0.148105 0.148105
+0.201647 0.968132 0.201647 0.201647
+0.355627 0.962425 0.355627 0.355627
+0.65024 0.954204 0.65024 0.65024
+1.23996 0.938556 1.23996 1.23996
+3.87612 0.893597 3.87612 3.87612
+8.41738 0.823468 8.41738 8.41738
+18.3218 0.789103 18.3218 18.3218
+EOD
+$line0_4 << EOD
+0.540196 0.492262 0.514753 0.598721
+EOD
+$marks0_4 << EOD
+0.540196 0.492262 0.540196 0.540196
+EOD
+$line0_5 << EOD
+0.102935 0.9976 0.100116 0.107682
+0.103188 0.776102 0.0928833 0.105339
+0.129862 0.776046 0.128238 0.135791
+0.159774 0.776046 0.159063 0.165445
+0.206191 0.157956 0.201333 0.231594
+0.309732 0.0124001 0.294655 0.334754
+0.369183 0.000642523 0.34748 0.995556
+0.448538 5.15676e-07 0.439299 0.488447
+0.543784 4.22069e-07 0.535733 0.56838
+0.825965 3.89125e-10 0.747511 1.5034
+EOD
+$marks0_5 << EOD
+0.206191 0.157956 0.206191 0.206191
+0.309732 0.0124001 0.309732 0.309732
+0.369183 0.000642523 0.369183 0.369183
+0.468359 0.000585519 0.468359 0.468359
+0.465523 1.44232e-06 0.465523 0.465523
+0.540927 1.02946e-06 0.540927 0.540927
+0.543784 4.22069e-07 0.543784 0.543784
+0.634494 4.22069e-07 0.634494 0.634494
+0.825965 3.89125e-10 0.825965 0.825965
+0.102935 0.9976 0.102935 0.102935
+0.103188 0.776102 0.103188 0.103188
+0.129862 0.776046 0.129862 0.129862
+0.159774 0.776046 0.159774 0.159774
+0.346101 0.0282873 0.346101 0.346101
+0.448538 5.15676e-07 0.448538 0.448538
+EOD
+$line1_0 << EOD
+0.0217953 0.971864 0.0216687 0.0222933
+0.0314063 0.969875 0.0310563 0.0319243
+0.045975 0.967718 0.0458817 0.0463653
+0.104211 0.962411 0.0975177 0.108525
+0.187551 0.954203 0.182958 0.193911
+0.358666 0.938556 0.356926 0.362514
+0.972586 0.893597 0.959854 1.00207
+2.33547 0.823468 2.23832 2.57772
+4.56158 0.699444 4.09787 4.93142
+EOD
+$marks1_0 << EOD
+0.0217953 0.971864 0.0217953 0.0217953
+0.0314063 0.969875 0.0314063 0.0314063
+0.045975 0.967718 0.045975 0.045975
+0.104211 0.962411 0.104211 0.104211
+0.187551 0.954203 0.187551 0.187551
+0.358666 0.938556 0.358666 0.358666
+0.972586 0.893597 0.972586 0.972586
+2.33547 0.823468 2.33547 2.33547
+4.56158 0.699444 4.56158 4.56158
+EOD
+$line1_1 << EOD
+0.025174 0.970594 0.025054 0.0254277
+0.04075 0.968264 0.0403433 0.0423757
+0.0607203 0.965996 0.0594247 0.0663187
+0.124268 0.960679 0.119738 0.130303
+0.238434 0.952458 0.234601 0.243972
+0.439636 0.936781 0.433019 0.449096
+1.1938 0.891732 1.17303 1.2396
+3.03029 0.821444 2.80148 3.30574
+7.6035 0.697059 7.59236 9.51956
+EOD
+$marks1_1 << EOD
+0.025174 0.970594 0.025174 0.025174
+0.04075 0.968264 0.04075 0.04075
+0.0607203 0.965996 0.0607203 0.0607203
+0.124268 0.960679 0.124268 0.124268
+0.238434 0.952458 0.238434 0.238434
+0.439636 0.936781 0.439636 0.439636
+1.1938 0.891732 1.1938 1.1938
+3.03029 0.821444 3.03029 3.03029
+7.6035 0.697059 7.6035 7.6035
+EOD
+$line1_2 << EOD
+0.0231943 1.04634 0.023134 0.0233317
+0.0348853 0.977165 0.0348313 0.0349917
+EOD
+$marks1_2 << EOD
+0.0231943 1.04634 0.0231943 0.0231943
+0.0348853 0.977165 0.0348853 0.0348853
+0.0590073 6.04834 0.0590073 0.0590073
+0.147636 10 0.147636 0.147636
+0.246489 10 0.246489 0.246489
+0.520142 10 0.520142 0.520142
+EOD
+$line1_3 << EOD
+0.091646 0.971873 0.0910617 0.0935323
+0.113345 0.969874 0.110284 0.118359
+0.149719 0.967718 0.145275 0.153194
+0.257689 0.962411 0.254611 0.265858
+0.462626 0.954203 0.429347 0.512894
+0.903443 0.938556 0.88808 0.958672
+2.82408 0.893597 1.84932 2.86289
+5.17338 0.823468 5.01805 5.32039
+9.84735 0.699444 9.8113 10.1757
+EOD
+$marks1_3 << EOD
+0.091646 0.971873 0.091646 0.091646
+0.113345 0.969874 0.113345 0.113345
+0.149719 0.967718 0.149719 0.149719
+0.257689 0.962411 0.257689 0.257689
+0.462626 0.954203 0.462626 0.462626
+0.903443 0.938556 0.903443 0.903443
+2.82408 0.893597 2.82408 2.82408
+5.17338 0.823468 5.17338 5.17338
+9.84735 0.699444 9.84735 9.84735
+EOD
+$line1_4 << EOD
+0.343319 0.492262 0.340936 0.358392
+EOD
+$marks1_4 << EOD
+0.343319 0.492262 0.343319 0.343319
+EOD
+$line1_5 << EOD
+0.0638683 0.9976 0.0635043 0.064963
+0.0911853 0.776102 0.07651 0.092547
+0.121544 0.776046 0.120322 0.126328
+0.167542 0.476168 0.166454 0.174232
+0.188112 0.157959 0.16885 0.201569
+0.222133 0.00152975 0.212652 0.241679
+0.245307 2.22018e-05 0.243435 0.263264
+0.32107 4.84623e-07 0.313402 0.361767
+0.364197 4.78889e-07 0.359116 0.389351
+0.377433 3.89125e-10 0.373227 0.401853
+EOD
+$marks1_5 << EOD
+0.188112 0.157959 0.188112 0.188112
+0.222133 0.00152975 0.222133 0.222133
+0.253893 0.00143049 0.253893 0.253893
+0.261254 0.000581743 0.261254 0.261254
+0.32107 4.84623e-07 0.32107 0.32107
+0.366674 4.84622e-07 0.366674 0.366674
+0.365719 4.79847e-07 0.365719 0.365719
+0.364197 4.78889e-07 0.364197 0.364197
+0.377433 3.89125e-10 0.377433 0.377433
+0.0638683 0.9976 0.0638683 0.0638683
+0.0911853 0.776102 0.0911853 0.0911853
+0.121544 0.776046 0.121544 0.121544
+0.167542 0.476168 0.167542 0.167542
+0.274327 0.0427265 0.274327 0.274327
+0.245307 2.22018e-05 0.245307 0.245307
+EOD
+do for [kind in "svg png"] {
+if (kind eq "svg") { set terminal svg size 1040,470 font 'DejaVu Sans,12' background '#ffffff' }
+if (kind eq "png") { set terminal pngcairo size 1040,470 font 'DejaVu Sans,9' background '#ffffff' }
+set output "heavy_ball_chain.".kind
+set border 3 lc rgb '#666666'
+set grid back lw 0.6 lc rgb '#e4e4e4'
+set tics textcolor rgb '#333333'
+unset key
+set multiplot title "heavy_ball_chain, 72 contacts: error against time, lower left is better" noenhanced
+set lmargin at screen 0.0711538
+set rmargin at screen 0.484615
+set tmargin at screen 0.851064
+set bmargin at screen 0.110638
+set title "cold: no stored impulses" noenhanced
+set logscale x
+set xtics 10 nomirror
+set mxtics
+set format x "%g"
+set xrange [0.0147743:50.8883]
+set xlabel "ms a step" noenhanced
+set logscale y
+set ytics 1000 nomirror
+unset mytics
+set format y "10^{%T}"
+set yrange [1e-13:10]
+set ylabel "error of the motion  |v - v*| / |vf - v*|" noenhanced
+unset label
+unset arrow
+unset object
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 2.45991e-12 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.513458, graph 0.256435 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig" at graph 0.461322, graph 0.894948 left front noenhanced textcolor rgb '#555555'
+set label "si" at graph 0.783072, graph 0.897948 left front noenhanced textcolor rgb '#d55e00'
+set label "si2" at graph 0.680376, graph 0.897948 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs" at graph 0.893996, graph 0.921224 left front noenhanced textcolor rgb '#cc79a7'
+set label "nncg" at graph 0.0331565, graph 0.904216 left front noenhanced textcolor rgb '#009e73'
+plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0d55e00', \
+  $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
+  $line0_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
+  $line0_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
+  $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0e69f00', \
+  $line0_1 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0e69f00', \
+  $line0_1 using 1:2 with lines lw 1.5 lc rgb '#e69f00', \
+  $line0_1 using 1:2 with points pt 7 ps 0.575 lc rgb '#e69f00', \
+  $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0009e73', \
+  $line0_2 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0009e73', \
+  $line0_2 using 1:2 with lines lw 1.5 lc rgb '#009e73', \
+  $line0_2 using 1:2 with points pt 7 ps 0.575 lc rgb '#009e73', \
+  $marks0_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0cc79a7', \
+  $line0_3 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0cc79a7', \
+  $line0_3 using 1:2 with lines lw 1.5 lc rgb '#cc79a7', \
+  $line0_3 using 1:2 with points pt 7 ps 0.575 lc rgb '#cc79a7', \
+  $marks0_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0555555', \
+  $line0_4 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0555555', \
+  $line0_4 using 1:2 with lines lw 1.5 lc rgb '#555555', \
+  $line0_4 using 1:2 with points pt 7 ps 0.575 lc rgb '#555555', \
+  $marks0_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#a00060a8', \
+  $line0_5 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
+  $line0_5 using 1:2 with lines lw 3 lc rgb '#0060a8', \
+  $line0_5 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8'
+set lmargin at screen 0.571154
+set rmargin at screen 0.984615
+set tmargin at screen 0.851064
+set bmargin at screen 0.110638
+set title "each with its own warm start" noenhanced
+set logscale x
+set xtics 10 nomirror
+set mxtics
+set format x "%g"
+set xrange [0.0142771:25.1438]
+set xlabel "ms a step" noenhanced
+set logscale y
+set ytics 1000 nomirror
+unset mytics
+set format y "10^{%T}"
+set yrange [1e-13:10]
+set ylabel "error of the motion  |v - v*| / |vf - v*|" noenhanced
+unset label
+unset arrow
+unset object
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 2.45991e-12 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.457591, graph 0.256435 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig" at graph 0.444915, graph 0.894948 left front noenhanced textcolor rgb '#555555'
+set label "si2" at graph 0.859395, graph 0.894101 left front noenhanced textcolor rgb '#e69f00'
+set label "si" at graph 0.79103, graph 0.894206 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs" at graph 0.893996, graph 0.940758 left front noenhanced textcolor rgb '#cc79a7'
+set label "nncg" at graph 0.138964, graph 0.892941 left front noenhanced textcolor rgb '#009e73'
+plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0d55e00', \
+  $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
+  $line1_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
+  $line1_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
+  $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0e69f00', \
+  $line1_1 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0e69f00', \
+  $line1_1 using 1:2 with lines lw 1.5 lc rgb '#e69f00', \
+  $line1_1 using 1:2 with points pt 7 ps 0.575 lc rgb '#e69f00', \
+  $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0009e73', \
+  $line1_2 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0009e73', \
+  $line1_2 using 1:2 with lines lw 1.5 lc rgb '#009e73', \
+  $line1_2 using 1:2 with points pt 7 ps 0.575 lc rgb '#009e73', \
+  $marks1_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0cc79a7', \
+  $line1_3 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0cc79a7', \
+  $line1_3 using 1:2 with lines lw 1.5 lc rgb '#cc79a7', \
+  $line1_3 using 1:2 with points pt 7 ps 0.575 lc rgb '#cc79a7', \
+  $marks1_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0555555', \
+  $line1_4 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0555555', \
+  $line1_4 using 1:2 with lines lw 1.5 lc rgb '#555555', \
+  $line1_4 using 1:2 with points pt 7 ps 0.575 lc rgb '#555555', \
+  $marks1_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#a00060a8', \
+  $line1_5 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
+  $line1_5 using 1:2 with lines lw 3 lc rgb '#0060a8', \
+  $line1_5 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8'
+unset multiplot
+}

@@ -1,0 +1,314 @@
+# Draws pyramid_20.svg and pyramid_20.png: gnuplot pyramid_20.gp
+$line0_0 << EOD
+0.431212 0.783421 0.425366 0.44811
+0.661599 0.690179 0.642257 0.704089
+1.11354 0.563348 1.07778 1.15464
+3.56614 0.334796 3.48722 3.62653
+6.44973 0.14781 5.23202 6.48104
+10.3465 0.0334103 10.3179 13.1605
+22.4102 0.0104318 22.4102 26.6722
+56.7986 0.00442479 56.7986 61.4887
+112.705 0.000797344 112.705 120.935
+EOD
+$marks0_0 << EOD
+0.431212 0.783421 0.431212 0.431212
+0.661599 0.690179 0.661599 0.661599
+1.11354 0.563348 1.11354 1.11354
+3.56614 0.334796 3.56614 3.56614
+6.44973 0.14781 6.44973 6.44973
+10.3465 0.0334103 10.3465 10.3465
+22.4102 0.0104318 22.4102 22.4102
+56.7986 0.00442479 56.7986 56.7986
+112.705 0.000797344 112.705 112.705
+EOD
+$line0_1 << EOD
+0.600891 0.783125 0.582357 0.624604
+0.917754 0.689793 0.895608 0.963707
+1.69068 0.562879 1.59702 1.74505
+4.16256 0.334169 4.03301 4.30923
+8.37876 0.14742 7.30213 8.41244
+16.6545 0.0339527 16.6545 17.2036
+40.8789 0.0115772 40.8789 41.9304
+66.0764 0.00602452 66.0764 69.1174
+149.249 0.00368111 149.249 160.091
+EOD
+$marks0_1 << EOD
+0.600891 0.783125 0.600891 0.600891
+0.917754 0.689793 0.917754 0.917754
+1.69068 0.562879 1.69068 1.69068
+4.16256 0.334169 4.16256 4.16256
+8.37876 0.14742 8.37876 8.37876
+16.6545 0.0339527 16.6545 16.6545
+40.8789 0.0115772 40.8789 40.8789
+66.0764 0.00602452 66.0764 66.0764
+149.249 0.00368111 149.249 149.249
+EOD
+$line0_2 << EOD
+0.476792 0.61973 0.471674 0.512012
+0.810252 0.520912 0.793069 0.878688
+1.50999 0.298239 1.44557 2.5675
+9.63492 0.0569626 9.60899 9.75217
+18.661 0.0142694 18.661 19.1983
+66.2317 0.00106872 66.2317 78.8763
+139.377 4.82206e-05 139.377 161.576
+EOD
+$marks0_2 << EOD
+0.476792 0.61973 0.476792 0.476792
+0.810252 0.520912 0.810252 0.810252
+1.50999 0.298239 1.50999 1.50999
+3.93374 0.365055 3.93374 3.93374
+9.63492 0.0569626 9.63492 9.63492
+18.661 0.0142694 18.661 18.661
+33.5978 0.0152489 33.5978 33.5978
+66.2317 0.00106872 66.2317 66.2317
+139.377 4.82206e-05 139.377 139.377
+EOD
+$line0_3 << EOD
+116.248 0.783421 116.248 119.143
+117.524 0.563348 117.524 140.163
+160.389 0.14781 160.389 169.44
+177.454 0.0334104 177.454 249.416
+413.193 0.0104318 413.193 414.644
+602.88 0.00442479 602.147 602.88
+EOD
+$marks0_3 << EOD
+116.248 0.783421 116.248 116.248
+136.106 0.690179 136.106 136.106
+117.524 0.563348 117.524 117.524
+163.323 0.334796 163.323 163.323
+160.389 0.14781 160.389 160.389
+177.454 0.0334104 177.454 177.454
+413.193 0.0104318 413.193 413.193
+602.88 0.00442479 602.88 602.88
+EOD
+$line0_4 << EOD
+2.67853 1 1.65249 2.82214
+23.4796 0.0837905 23.4796 25.4579
+24.6767 0.040872 24.6767 32.739
+26.1163 0.00911046 26.1163 43.3897
+52.882 0.00120705 52.882 78.8306
+54.1631 1.50568e-09 54.1631 91.0496
+EOD
+$marks0_4 << EOD
+24.6767 0.040872 24.6767 24.6767
+26.1163 0.00911046 26.1163 26.1163
+59.0773 0.000143254 59.0773 59.0773
+63.0296 1.45913e-05 63.0296 63.0296
+59.798 1.462e-06 59.798 59.798
+60.0836 1.46265e-07 60.0836 60.0836
+63.9446 1.46622e-08 63.9446 63.9446
+54.1631 1.50568e-09 54.1631 54.1631
+2.67853 1 2.67853 2.67853
+3.76755 1 3.76755 3.76755
+6.5759 1 6.5759 6.5759
+7.58963 1 7.58963 7.58963
+23.4796 0.0837905 23.4796 23.4796
+52.882 0.00120705 52.882 52.882
+EOD
+$line1_0 << EOD
+0.448132 0.704545 0.440042 0.463544
+0.683487 0.583607 0.671836 0.716894
+1.20802 0.424197 1.15476 2.566
+2.59913 0.181015 2.56168 2.65306
+5.62071 0.0514512 5.41768 6.21945
+13.5034 0.00834562 13.4815 14.4926
+23.7553 0.00200145 23.7553 25.073
+58.2557 0.000537575 58.2557 62.905
+105.767 8.87081e-05 105.767 118.043
+EOD
+$marks1_0 << EOD
+0.448132 0.704545 0.448132 0.448132
+0.683487 0.583607 0.683487 0.683487
+1.20802 0.424197 1.20802 1.20802
+2.59913 0.181015 2.59913 2.59913
+5.62071 0.0514512 5.62071 5.62071
+13.5034 0.00834562 13.5034 13.5034
+23.7553 0.00200145 23.7553 23.7553
+58.2557 0.000537575 58.2557 58.2557
+105.767 8.87081e-05 105.767 105.767
+EOD
+$line1_1 << EOD
+0.564701 0.70419 0.554756 0.592425
+0.87661 0.583178 0.860693 0.914613
+1.68516 0.423675 1.64682 1.72704
+4.28634 0.180567 4.18464 4.33841
+9.75273 0.0515697 9.57096 10.302
+18.0435 0.00975501 18.0435 18.4704
+33.1592 0.00454588 33.1592 36.3293
+63.3515 0.00360436 63.3515 77.3805
+159.67 0.00305966 159.67 172.706
+EOD
+$marks1_1 << EOD
+0.564701 0.70419 0.564701 0.564701
+0.87661 0.583178 0.87661 0.87661
+1.68516 0.423675 1.68516 1.68516
+4.28634 0.180567 4.28634 4.28634
+9.75273 0.0515697 9.75273 9.75273
+18.0435 0.00975501 18.0435 18.0435
+33.1592 0.00454588 33.1592 33.1592
+63.3515 0.00360436 63.3515 63.3515
+159.67 0.00305966 159.67 159.67
+EOD
+$line1_2 << EOD
+0.487119 0.591319 0.477435 0.520496
+0.79553 0.32907 0.774448 0.83634
+5.05976 0.082558 4.88789 5.08512
+10.1244 0.0129409 10.0469 11.7209
+19.2675 0.0126213 19.2675 20.2361
+31.1678 0.000740702 31.1678 34.0037
+78.7539 0.000132356 78.7539 87.3607
+173.44 4.67596e-06 173.44 175.401
+EOD
+$marks1_2 << EOD
+0.487119 0.591319 0.487119 0.487119
+0.79553 0.32907 0.79553 0.79553
+1.48419 0.358386 1.48419 1.48419
+5.05976 0.082558 5.05976 5.05976
+10.1244 0.0129409 10.1244 10.1244
+19.2675 0.0126213 19.2675 19.2675
+31.1678 0.000740702 31.1678 31.1678
+78.7539 0.000132356 78.7539 78.7539
+173.44 4.67596e-06 173.44 173.44
+EOD
+$line1_3 << EOD
+106.224 0.583606 106.224 116.015
+119.019 0.424196 119.019 126.492
+122.541 0.181013 122.541 133.519
+177.535 0.0514497 177.535 180.043
+196.219 0.00834391 196.219 223.596
+370.352 0.00200174 353.935 379.016
+603.822 0.000537454 603.822 603.822
+EOD
+$marks1_3 << EOD
+115.029 0.704545 115.029 115.029
+106.224 0.583606 106.224 106.224
+119.019 0.424196 119.019 119.019
+122.541 0.181013 122.541 122.541
+177.535 0.0514497 177.535 177.535
+196.219 0.00834391 196.219 196.219
+370.352 0.00200174 370.352 370.352
+603.822 0.000537454 603.822 603.822
+EOD
+$line1_4 << EOD
+1.00076 1.56945e-09 0.989074 1.10526
+2.9863 1.52405e-10 2.82733 3.23084
+EOD
+$marks1_4 << EOD
+13.6561 0.040872 13.6561 13.6561
+7.88269 0.00911046 7.88269 7.88269
+1.00076 1.56945e-09 1.00076 1.00076
+1.22532 1.59217e-09 1.22532 1.22532
+1.01929 1.59474e-09 1.01929 1.01929
+1.01612 1.59415e-09 1.01612 1.01612
+3.16046 1.99228e-09 3.16046 3.16046
+2.9863 1.52405e-10 2.9863 2.9863
+1.70471 1 1.70471 1.70471
+3.55999 1 3.55999 3.55999
+4.83862 1 4.83862 4.83862
+7.9913 1 7.9913 7.9913
+24.5584 0.0723988 24.5584 24.5584
+3.59082 1.99132e-09 3.59082 3.59082
+EOD
+do for [kind in "svg png"] {
+if (kind eq "svg") { set terminal svg size 1040,470 font 'DejaVu Sans,12' background '#ffffff' }
+if (kind eq "png") { set terminal pngcairo size 1040,470 font 'DejaVu Sans,9' background '#ffffff' }
+set output "pyramid_20.".kind
+set border 3 lc rgb '#666666'
+set grid back lw 0.6 lc rgb '#e4e4e4'
+set tics textcolor rgb '#333333'
+unset key
+set multiplot title "pyramid_20, 1600 contacts: error against time, lower left is better" noenhanced
+set lmargin at screen 0.0711538
+set rmargin at screen 0.484615
+set tmargin at screen 0.851064
+set bmargin at screen 0.110638
+set title "cold: no stored impulses" noenhanced
+set logscale x
+set xtics 10 nomirror
+set mxtics
+set format x "%g"
+set xrange [0.261227:1830.49]
+set xlabel "ms a step" noenhanced
+set logscale y
+set ytics 1000 nomirror
+unset mytics
+set format y "10^{%T}"
+set yrange [1e-13:10]
+set ylabel "error of the motion  |v - v*| / |vf - v*|" noenhanced
+unset label
+unset arrow
+unset object
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.46138e-12 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.621856, graph 0.29841 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg" at graph 0.728599, graph 0.620231 left front noenhanced textcolor rgb '#009e73'
+set label "si" at graph 0.704612, graph 0.70726 left front noenhanced textcolor rgb '#d55e00'
+set label "si2" at graph 0.736328, graph 0.754713 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs" at graph 0.893996, graph 0.760421 left front noenhanced textcolor rgb '#cc79a7'
+plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0d55e00', \
+  $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
+  $line0_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
+  $line0_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
+  $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0e69f00', \
+  $line0_1 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0e69f00', \
+  $line0_1 using 1:2 with lines lw 1.5 lc rgb '#e69f00', \
+  $line0_1 using 1:2 with points pt 7 ps 0.575 lc rgb '#e69f00', \
+  $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0009e73', \
+  $line0_2 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0009e73', \
+  $line0_2 using 1:2 with lines lw 1.5 lc rgb '#009e73', \
+  $line0_2 using 1:2 with points pt 7 ps 0.575 lc rgb '#009e73', \
+  $marks0_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0cc79a7', \
+  $line0_3 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0cc79a7', \
+  $line0_3 using 1:2 with lines lw 1.5 lc rgb '#cc79a7', \
+  $line0_3 using 1:2 with points pt 7 ps 0.575 lc rgb '#cc79a7', \
+  $marks0_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#a00060a8', \
+  $line0_4 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
+  $line0_4 using 1:2 with lines lw 3 lc rgb '#0060a8', \
+  $line0_4 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8'
+set lmargin at screen 0.571154
+set rmargin at screen 0.984615
+set tmargin at screen 0.851064
+set bmargin at screen 0.110638
+set title "each with its own warm start" noenhanced
+set logscale x
+set xtics 10 nomirror
+set mxtics
+set format x "%g"
+set xrange [0.272172:1823]
+set xlabel "ms a step" noenhanced
+set logscale y
+set ytics 1000 nomirror
+unset mytics
+set format y "10^{%T}"
+set yrange [1e-13:10]
+set ylabel "error of the motion  |v - v*| / |vf - v*|" noenhanced
+unset label
+unset arrow
+unset object
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.46138e-12 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.291328, graph 0.227357 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg" at graph 0.752394, graph 0.547848 left front noenhanced textcolor rgb '#009e73'
+set label "si" at graph 0.696251, graph 0.63914 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs" at graph 0.893996, graph 0.695024 left front noenhanced textcolor rgb '#cc79a7'
+set label "si2" at graph 0.743004, graph 0.725701 left front noenhanced textcolor rgb '#e69f00'
+plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0d55e00', \
+  $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
+  $line1_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
+  $line1_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
+  $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0e69f00', \
+  $line1_1 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0e69f00', \
+  $line1_1 using 1:2 with lines lw 1.5 lc rgb '#e69f00', \
+  $line1_1 using 1:2 with points pt 7 ps 0.575 lc rgb '#e69f00', \
+  $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0009e73', \
+  $line1_2 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0009e73', \
+  $line1_2 using 1:2 with lines lw 1.5 lc rgb '#009e73', \
+  $line1_2 using 1:2 with points pt 7 ps 0.575 lc rgb '#009e73', \
+  $marks1_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0cc79a7', \
+  $line1_3 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0cc79a7', \
+  $line1_3 using 1:2 with lines lw 1.5 lc rgb '#cc79a7', \
+  $line1_3 using 1:2 with points pt 7 ps 0.575 lc rgb '#cc79a7', \
+  $marks1_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#a00060a8', \
+  $line1_4 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
+  $line1_4 using 1:2 with lines lw 3 lc rgb '#0060a8', \
+  $line1_4 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8'
+unset multiplot
+}

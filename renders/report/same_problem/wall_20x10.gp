@@ -1,0 +1,322 @@
+# Draws wall_20x10.svg and wall_20x10.png: gnuplot wall_20x10.gp
+$line0_0 << EOD
+0.38786 0.792804 0.375282 0.444734
+0.590556 0.681735 0.569122 0.651598
+1.72939 0.515112 1.20343 3.35946
+2.35595 0.230936 2.25968 4.03953
+8.10696 0.0698624 7.84588 10.3029
+15.8668 0.0170591 15.822 16.4391
+33.2113 0.00162506 33.2113 33.697
+60.3029 3.5916e-05 60.3029 76.1819
+134.073 1.74914e-08 134.073 149.366
+EOD
+$marks0_0 << EOD
+0.38786 0.792804 0.38786 0.38786
+0.590556 0.681735 0.590556 0.590556
+1.72939 0.515112 1.72939 1.72939
+2.35595 0.230936 2.35595 2.35595
+8.10696 0.0698624 8.10696 8.10696
+15.8668 0.0170591 15.8668 15.8668
+33.2113 0.00162506 33.2113 33.2113
+60.3029 3.5916e-05 60.3029 60.3029
+134.073 1.74914e-08 134.073 134.073
+EOD
+$line0_1 << EOD
+0.552671 0.791302 0.526691 0.710364
+0.941845 0.679164 0.881913 1.84581
+1.99558 0.510846 1.5369 3.6625
+4.45242 0.224972 4.11754 4.57054
+8.94418 0.0676179 7.9641 9.50758
+21.8248 0.0212929 21.8248 24.0507
+37.225 0.0125219 37.225 49.972
+91.8 0.0108394 91.8 113.482
+213.262 0.0081701 213.262 247.855
+EOD
+$marks0_1 << EOD
+0.552671 0.791302 0.552671 0.552671
+0.941845 0.679164 0.941845 0.941845
+1.99558 0.510846 1.99558 1.99558
+4.45242 0.224972 4.45242 4.45242
+8.94418 0.0676179 8.94418 8.94418
+21.8248 0.0212929 21.8248 21.8248
+37.225 0.0125219 37.225 37.225
+91.8 0.0108394 91.8 91.8
+213.262 0.0081701 213.262 213.262
+EOD
+$line0_2 << EOD
+0.493246 0.640944 0.455303 0.575001
+0.869577 0.39906 0.81952 0.928936
+1.44157 0.220973 1.33994 2.74205
+5.15929 0.0558399 4.88148 5.24292
+9.95942 0.0156826 8.89336 10.167
+14.8765 0.00436527 14.8442 17.1073
+37.4167 0.000127539 37.4167 48.8277
+80.8872 3.1802e-06 80.8872 89.478
+209.385 2.66314e-09 209.385 249.597
+EOD
+$marks0_2 << EOD
+0.493246 0.640944 0.493246 0.493246
+0.869577 0.39906 0.869577 0.869577
+1.44157 0.220973 1.44157 1.44157
+5.15929 0.0558399 5.15929 5.15929
+9.95942 0.0156826 9.95942 9.95942
+14.8765 0.00436527 14.8765 14.8765
+37.4167 0.000127539 37.4167 37.4167
+80.8872 3.1802e-06 80.8872 80.8872
+209.385 2.66314e-09 209.385 209.385
+EOD
+$line0_3 << EOD
+143.924 0.230936 143.924 241.028
+202.202 0.0698624 202.202 279.877
+243.64 0.0170591 238.895 312.41
+476.047 0.00162507 459.34 576.891
+960.46 3.59162e-05 960.46 960.46
+EOD
+$marks0_3 << EOD
+148.543 0.792804 148.543 148.543
+145.663 0.681735 145.663 145.663
+163.91 0.515112 163.91 163.91
+143.924 0.230936 143.924 143.924
+202.202 0.0698624 202.202 202.202
+243.64 0.0170591 243.64 243.64
+476.047 0.00162507 476.047 476.047
+960.46 3.59162e-05 960.46 960.46
+EOD
+$line0_4 << EOD
+2.50293 1 1.48859 4.71128
+28.0522 0.054822 28.0522 29.094
+37.0465 0.0164015 37.0465 47.5937
+40.3911 0.00990109 40.3911 48.2186
+51.2872 7.23657e-05 51.2872 96.5013
+52.7298 4.19411e-05 52.7298 90.6957
+66.2978 5.44507e-08 66.2978 127.287
+80.9657 5.44624e-10 80.9657 115.088
+EOD
+$marks0_4 << EOD
+37.0465 0.0164015 37.0465 37.0465
+40.3911 0.00990109 40.3911 40.3911
+67.8818 7.23657e-05 67.8818 67.8818
+51.2872 7.23657e-05 51.2872 51.2872
+93.7769 5.3095e-06 93.7769 93.7769
+72.764 5.4336e-07 72.764 72.764
+66.2978 5.44507e-08 66.2978 66.2978
+86.5658 5.44613e-09 86.5658 86.5658
+80.9657 5.44624e-10 80.9657 80.9657
+2.50293 1 2.50293 2.50293
+5.49515 1 5.49515 5.49515
+6.84051 1 6.84051 6.84051
+8.88633 1 8.88633 8.88633
+28.0522 0.054822 28.0522 28.0522
+52.7298 4.19411e-05 52.7298 52.7298
+EOD
+$line1_0 << EOD
+0.441334 0.700394 0.410886 0.504625
+0.690657 0.542821 0.639575 0.851987
+1.4034 0.334276 1.33058 3.30823
+6.18102 0.0894565 3.39142 6.21605
+7.61996 0.0171056 7.48927 10.1794
+13.5795 0.00345789 13.5269 14.8625
+22.288 0.000242668 22.288 31.3786
+54.2519 5.26856e-06 54.2519 64.79
+124.045 2.5615e-09 124.045 152.307
+EOD
+$marks1_0 << EOD
+0.441334 0.700394 0.441334 0.441334
+0.690657 0.542821 0.690657 0.690657
+1.4034 0.334276 1.4034 1.4034
+6.18102 0.0894565 6.18102 6.18102
+7.61996 0.0171056 7.61996 7.61996
+13.5795 0.00345789 13.5795 13.5795
+22.288 0.000242668 22.288 22.288
+54.2519 5.26856e-06 54.2519 54.2519
+124.045 2.5615e-09 124.045 124.045
+EOD
+$line1_1 << EOD
+0.522762 0.698264 0.514229 0.572856
+0.834391 0.539138 0.812311 0.89234
+1.57823 0.328749 1.45261 5.63452
+4.67645 0.0860496 4.35515 5.34921
+12.7102 0.0207421 12.5815 17.0534
+25.7891 0.0127785 25.7891 33.0388
+46.4336 0.0106304 46.4336 51.9161
+96.7358 0.00822994 96.7358 116.594
+200.209 0.0049815 200.209 216.038
+EOD
+$marks1_1 << EOD
+0.522762 0.698264 0.522762 0.522762
+0.834391 0.539138 0.834391 0.834391
+1.57823 0.328749 1.57823 1.57823
+4.67645 0.0860496 4.67645 4.67645
+12.7102 0.0207421 12.7102 12.7102
+25.7891 0.0127785 25.7891 25.7891
+46.4336 0.0106304 46.4336 46.4336
+96.7358 0.00822994 96.7358 96.7358
+200.209 0.0049815 200.209 200.209
+EOD
+$line1_2 << EOD
+0.477251 0.570841 0.462603 0.535123
+0.830969 0.28992 0.807004 0.880205
+1.42042 0.138369 1.32655 2.81963
+3.12286 0.0194713 3.05061 3.82374
+7.99118 0.00363577 7.95402 9.85225
+18.9128 0.000823428 18.9128 21.4719
+51.6537 2.22211e-05 51.6537 54.4681
+87.5609 6.65635e-08 87.5609 125.897
+182.766 8.06414e-11 182.766 202.256
+EOD
+$marks1_2 << EOD
+0.477251 0.570841 0.477251 0.477251
+0.830969 0.28992 0.830969 0.830969
+1.42042 0.138369 1.42042 1.42042
+3.12286 0.0194713 3.12286 3.12286
+7.99118 0.00363577 7.99118 7.99118
+18.9128 0.000823428 18.9128 18.9128
+51.6537 2.22211e-05 51.6537 51.6537
+87.5609 6.65635e-08 87.5609 87.5609
+182.766 8.06414e-11 182.766 182.766
+EOD
+$line1_3 << EOD
+135.107 0.700393 135.107 148.081
+136.614 0.542821 136.614 166.071
+156.853 0.334276 156.853 181.348
+185.845 0.0894568 185.845 198.864
+189.107 0.0171054 189.107 207.485
+281.426 0.00345991 249.985 311.457
+439.24 0.000243063 395.48 439.24
+1003.31 5.27802e-06 1003.31 1003.31
+EOD
+$marks1_3 << EOD
+135.107 0.700393 135.107 135.107
+136.614 0.542821 136.614 136.614
+156.853 0.334276 156.853 156.853
+185.845 0.0894568 185.845 185.845
+189.107 0.0171054 189.107 189.107
+281.426 0.00345991 281.426 281.426
+439.24 0.000243063 439.24 439.24
+1003.31 5.27802e-06 1003.31 1003.31
+EOD
+$line1_4 << EOD
+0.423749 7.23657e-05 0.400173 0.493809
+0.709102 2.71402e-09 0.675695 0.847917
+4.27608 2.20397e-12 2.29533 6.75808
+EOD
+$marks1_4 << EOD
+7.8742 0.0164015 7.8742 7.8742
+2.04431 0.00273827 2.04431 2.04431
+0.423749 7.23657e-05 0.423749 0.423749
+3.66136 2.02657e-05 3.66136 3.66136
+1.02623 2.71402e-09 1.02623 1.02623
+0.709102 2.71402e-09 0.709102 0.709102
+1.77158 2.71402e-09 1.77158 1.77158
+5.10299 3.06754e-12 5.10299 5.10299
+4.27608 2.20397e-12 4.27608 4.27608
+1.4734 1 1.4734 1.4734
+2.22318 1 2.22318 2.22318
+3.80628 0.749688 3.80628 3.80628
+6.37158 0.749688 6.37158 6.37158
+25.1175 0.0485479 25.1175 25.1175
+2.63657 2.71485e-09 2.63657 2.63657
+EOD
+do for [kind in "svg png"] {
+if (kind eq "svg") { set terminal svg size 1040,470 font 'DejaVu Sans,12' background '#ffffff' }
+if (kind eq "png") { set terminal pngcairo size 1040,470 font 'DejaVu Sans,9' background '#ffffff' }
+set output "wall_20x10.".kind
+set border 3 lc rgb '#666666'
+set grid back lw 0.6 lc rgb '#e4e4e4'
+set tics textcolor rgb '#333333'
+unset key
+set multiplot title "wall_20x10, 1484 contacts: error against time, lower left is better" noenhanced
+set lmargin at screen 0.0711538
+set rmargin at screen 0.484615
+set tmargin at screen 0.851064
+set bmargin at screen 0.110638
+set title "cold: no stored impulses" noenhanced
+set logscale x
+set xtics 10 nomirror
+set mxtics
+set format x "10^{%T}"
+set xrange [0.225851:3183.36]
+set xlabel "ms a step" noenhanced
+set logscale y
+set ytics 1000 nomirror
+unset mytics
+set format y "10^{%T}"
+set yrange [1e-13:10]
+set ylabel "error of the motion  |v - v*| / |vf - v*|" noenhanced
+unset label
+unset arrow
+unset object
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 5.38525e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.635099, graph 0.266864 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg" at graph 0.734554, graph 0.3161 left front noenhanced textcolor rgb '#009e73'
+set label "si" at graph 0.616673, graph 0.374488 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs" at graph 0.893996, graph 0.611092 left front noenhanced textcolor rgb '#cc79a7'
+set label "si2" at graph 0.64907, graph 0.756169 left front noenhanced textcolor rgb '#e69f00'
+plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0d55e00', \
+  $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
+  $line0_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
+  $line0_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
+  $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0e69f00', \
+  $line0_1 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0e69f00', \
+  $line0_1 using 1:2 with lines lw 1.5 lc rgb '#e69f00', \
+  $line0_1 using 1:2 with points pt 7 ps 0.575 lc rgb '#e69f00', \
+  $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0009e73', \
+  $line0_2 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0009e73', \
+  $line0_2 using 1:2 with lines lw 1.5 lc rgb '#009e73', \
+  $line0_2 using 1:2 with points pt 7 ps 0.575 lc rgb '#009e73', \
+  $marks0_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0cc79a7', \
+  $line0_3 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0cc79a7', \
+  $line0_3 using 1:2 with lines lw 1.5 lc rgb '#cc79a7', \
+  $line0_3 using 1:2 with points pt 7 ps 0.575 lc rgb '#cc79a7', \
+  $marks0_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#a00060a8', \
+  $line0_4 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
+  $line0_4 using 1:2 with lines lw 3 lc rgb '#0060a8', \
+  $line0_4 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8'
+set lmargin at screen 0.571154
+set rmargin at screen 0.984615
+set tmargin at screen 0.851064
+set bmargin at screen 0.110638
+set title "each with its own warm start" noenhanced
+set logscale x
+set xtics 10 nomirror
+set mxtics
+set format x "10^{%T}"
+set xrange [0.247516:3302.59]
+set xlabel "ms a step" noenhanced
+set logscale y
+set ytics 1000 nomirror
+unset mytics
+set format y "10^{%T}"
+set yrange [1e-13:10]
+set ylabel "error of the motion  |v - v*| / |vf - v*|" noenhanced
+unset label
+unset arrow
+unset object
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 5.38525e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.151056, graph 0.0959432 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg" at graph 0.714725, graph 0.207611 left front noenhanced textcolor rgb '#009e73'
+set label "si" at graph 0.673923, graph 0.314892 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs" at graph 0.893996, graph 0.551605 left front noenhanced textcolor rgb '#cc79a7'
+set label "si2" at graph 0.636916, graph 0.740821 left front noenhanced textcolor rgb '#e69f00'
+plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0d55e00', \
+  $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
+  $line1_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
+  $line1_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
+  $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0e69f00', \
+  $line1_1 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0e69f00', \
+  $line1_1 using 1:2 with lines lw 1.5 lc rgb '#e69f00', \
+  $line1_1 using 1:2 with points pt 7 ps 0.575 lc rgb '#e69f00', \
+  $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0009e73', \
+  $line1_2 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0009e73', \
+  $line1_2 using 1:2 with lines lw 1.5 lc rgb '#009e73', \
+  $line1_2 using 1:2 with points pt 7 ps 0.575 lc rgb '#009e73', \
+  $marks1_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#a0cc79a7', \
+  $line1_3 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0cc79a7', \
+  $line1_3 using 1:2 with lines lw 1.5 lc rgb '#cc79a7', \
+  $line1_3 using 1:2 with points pt 7 ps 0.575 lc rgb '#cc79a7', \
+  $marks1_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#a00060a8', \
+  $line1_4 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
+  $line1_4 using 1:2 with lines lw 3 lc rgb '#0060a8', \
+  $line1_4 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8'
+unset multiplot
+}
