@@ -89,7 +89,8 @@ class FactoredMotion {
   }
   bool factorise(const Stiffness& G);
   void solve(VectorXd& y) const { y = lu_.solve(y).eval(); }
-  std::size_t bytes() const { return bytesOf(J_, GJ_, K_) + bytesOf(lu_.matrixLU()); }
+  /// The factor is as large as K_.
+  std::size_t bytes() const { return bytesOf(J_, GJ_, K_, K_); }
 
  private:
   const std::vector<Disk>* disks_ = nullptr;

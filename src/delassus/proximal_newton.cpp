@@ -44,7 +44,15 @@ Motion& ProximalNewton<Motion>::motion() {
 
 template <class Motion>
 void ProximalNewton<Motion>::setWeights(double alpha) {
+  constexpr double finest = 1e-7, coarsest = 1e-2;
   l_ = (compliance_ + alpha * scale_).cwiseInverse();
+  enough_ = std::clamp(alpha, finest, coarsest);
+}
+
+template <class Motion>
+void ProximalNewton<Motion>::setTolerance(double tolerance) {
+  // An error of the motion (in energy norm) that no contact can tell from the tolerance.
+  fine_ = 0.1 * tolerance / std::sqrt(scale_.maxCoeff());
 }
 
 template <class Motion>
@@ -311,20 +319,46 @@ void ProximalNewton<Motion>::compromise(const Problem& problem, Solution& best) 
 }
 
 template <class Motion>
+double ProximalNewton<Motion>::measure(const Problem& problem) {
+  problem.W.multiply(r_, felt_, trialU_);
+  trialU_ += problem.q;
+  return map_->residual(r_, trialU_).max;
+}
+
+template <class Motion>
+void ProximalNewton<Motion>::moveTo(double residual, Solution& best) {
+  center_ = r_;
+  u_.swap(trialU_);
+  if (!(residual < best.residual)) return;
+  best.r = center_;
+  best.u = u_;
+  best.residual = residual;
+}
+
+template <class Motion>
+void ProximalNewton<Motion>::polish(const Problem& problem, double tolerance, double alpha,
+                                    int regionBudget, Solution& best) {
+  center_ = best.r;
+  u_ = best.u;
+  r_ = center_;
+  setTolerance(tolerance);
+  setWeights(alpha);
+  if (solveProximal(problem, regionBudget, best, nullptr) == Inner::Failed) return;
+  moveTo(measure(problem), best);
+}
+
+template <class Motion>
 Outcome ProximalNewton<Motion>::converge(const Problem& problem, double tolerance, double alpha,
                                          int regionBudget, bool fromRegion, double residual,
                                          Solution& best) {
-  constexpr double smallest = 1e-12, largest = 10, hardly = 1e-7, growth = 10, coarsest = 1e-2,
-                   finest = 1e-7;
+  constexpr double smallest = 1e-12, largest = 10, hardly = 1e-7, growth = 10;
   constexpr int mostOuters = 60, mostFailures = 6;
-  // An error of the motion (in energy norm) that no contact can tell from the tolerance.
-  fine_ = 0.1 * tolerance / std::sqrt(scale_.maxCoeff());
+  setTolerance(tolerance);
   r_ = center_;
   double shrink = 0.01;  // less boldly after each failure
   int failures = 0;
   for (int outer = 0; outer < mostOuters; ++outer) {
     setWeights(alpha);
-    enough_ = std::clamp(alpha, finest, coarsest);
     const Solution* region = fromRegion && outer == 0 ? &best : nullptr;
     if (solveProximal(problem, regionBudget, best, region) == Inner::Failed) {
       if (best.residual <= tolerance) return Outcome::Reached;
@@ -334,21 +368,13 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
       alpha *= growth;
       continue;
     }
-    problem.W.multiply(r_, felt_, trialU_);
-    trialU_ += problem.q;
-    const double now = map_->residual(r_, trialU_).max;
+    const double now = measure(problem);
     if (now > std::max(0.5 * residual, tolerance) && alpha <= hardly &&
         growsInVain(problem, tolerance, now)) {
       compromise(problem, best);
       return Outcome::Incompatible;
     }
-    center_ = r_;
-    u_.swap(trialU_);
-    if (now < best.residual) {
-      best.r = center_;
-      best.u = u_;
-      best.residual = now;
-    }
+    moveTo(now, best);
     // Some digits more if they come by themselves: then the next step may stand on these reactions.
     const double aim = now > 0.3 * residual ? tolerance : polishedShare * tolerance;
     if (now <= std::max(aim, map_->roundOff(center_))) return Outcome::Reached;

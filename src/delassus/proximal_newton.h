@@ -43,6 +43,11 @@ class ProximalNewton {
   Outcome walkFromRegion(const Problem& problem, double tolerance, double alpha, int regionBudget,
                          Solution& best);
 
+  /// One outer step from reactions that keep the law already, which are left as they are if it does not better them. A second
+  /// one would find nothing but rounding: errors shrink by `alpha`.
+  void polish(const Problem& problem, double tolerance, double alpha, int regionBudget,
+              Solution& best);
+
   /// The space of the last problem, for other methods; what it has factored is forgotten here.
   Motion& motion();
 
@@ -68,6 +73,12 @@ class ProximalNewton {
   /// From the reactions center_ with the natural residual `residual`.
   Outcome converge(const Problem& problem, double tolerance, double alpha, int regionBudget,
                    bool fromRegion, double residual, Solution& best);
+  /// The inner accuracy that answers within this tolerance need.
+  void setTolerance(double tolerance);
+  /// The natural residual of r_, whose u goes to trialU_.
+  double measure(const Problem& problem);
+  /// r_ is the next center, and the best answer if `residual` is the smallest.
+  void moveTo(double residual, Solution& best);
   bool growsInVain(const Problem& problem, double tolerance, double residual) const;
   void compromise(const Problem& problem, Solution& best);
   void forgetFactor();

@@ -219,14 +219,11 @@ Outcome Search::wander(Engines<Motion>& engines, const Problem& problem, const O
 template <class Motion>
 void Search::polishWith(Engines<Motion>& engines, const Problem& problem, const Options& options,
                         double aim, Solution& best) {
-  constexpr double weight = 1e-4;
+  constexpr double weight = polishedShare;
   constexpr int regions = 8;
-  take(best, trial_);
   engines.walk.setProblem(problem, map_);
   engines.walk.keepFactors(options.economies.factors);
-  engines.walk.walk(problem, aim, weight, regions, best);
-  // Demands that contradict each other within the tolerance end in a compromise, which may be worse.
-  if (!(best.residual <= trial_.residual)) take(trial_, best);
+  engines.walk.polish(problem, aim, weight, regions, best);
 }
 
 template <class Motion>

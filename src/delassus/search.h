@@ -34,7 +34,7 @@ class Search {
   Outcome walk(const Problem& problem, const Options& options, double tolerance,
                const VectorXd* guess, Solution& best);
 
-  /// A short walk towards the residual `aim` from reactions that keep the law already.
+  /// Brings reactions that keep the law already towards the residual `aim`, or leaves them as they are.
   void polish(const Problem& problem, const Options& options, double aim, Solution& best);
 
   std::size_t bytes() const {
