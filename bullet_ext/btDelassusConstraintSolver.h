@@ -39,9 +39,9 @@ class btDelassusConstraintSolver : public btConstraintSolver {
                       const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
                       btDispatcher* dispatcher) override;
   /// Has islands that do not touch solved side by side by so many threads, the caller's being one of them: it starts the
-  /// others at once, and they sleep between steps. Until then, and with 1, no thread is started. The motion, the report (but for
-  /// its seconds and bytes) and the
-  /// order of events are the same for any number. Throws std::system_error where no thread is to be had.
+  /// others at once, and they sleep between steps. Until then, and with 1, no thread is started. The motion, the report (but
+  /// for its seconds and bytes) and the order of events are the same for any number. Throws std::system_error where no
+  /// thread is to be had.
   void setThreads(int threads);
   /// Forgets the last step's report and the workspace.
   void reset() override;
