@@ -115,18 +115,11 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
   return Outcome::Incompatible;
 }
 
-void Search::sweep(const Problem& problem, int count, Solution& best) {
-  trial_.r = best.r;
-  sweeps_.sweep(problem, count, trial_.r);
-  best.sweeps += count;
-  consider(problem, trial_, best);
-}
-
 /// Sweeps as long as they gain, and where they do not, patches: what settles in this way needs no factor of the whole island.
 /// The residual may rise on the way, since a wall that is met lets others go.
 void Search::settle(const Problem& problem, const Options& options, double tolerance,
                     Solution& best) {
-  constexpr int burst = 20, patience = 12;
+  constexpr int burst = 20, patience = 6;
   constexpr double gain = 0.7;
   trial_.r = best.r;
   trial_.residualRms = best.residualRms;
@@ -143,16 +136,18 @@ void Search::settle(const Problem& problem, const Options& options, double toler
     } while (trial_.residualRms < gain * before);
     failures = trial_.residualRms < gain * lowest ? 0 : failures + 1;
     lowest = std::min(lowest, trial_.residualRms);
-    const int patches = mendPatches(problem, options, tolerance, trial_);
+    // What does not help is tried with more around it.
+    const int patches = mendPatches(problem, options, tolerance, 3.0 / (1 + failures), trial_);
     if (patches == 0) return;
     best.patches += patches;
     consider(problem, trial_, best);
   }
 }
 
-/// The patches about the contacts whose residual stands out so far that no patch takes up much of the island.
-void Search::findPatches(double tolerance, const Solution& unsettled) {
-  constexpr double outstanding = 3, largestShare = 0.25;
+/// The patches about the contacts whose residual is `outstanding` times the mean, or so many times more that no patch is as good as
+/// the island.
+void Search::findPatches(double tolerance, double outstanding, const Solution& unsettled) {
+  constexpr double largestShare = 0.5;
   map_.residuals(unsettled.r, unsettled.u, residuals_);
   const double largest = largestShare * static_cast<double>(residuals_.size());
   double threshold = std::max(outstanding * unsettled.residualRms, tolerance);
@@ -169,13 +164,13 @@ void Search::findPatches(double tolerance, const Solution& unsettled) {
 
 /// Solves the patches, and puts their reactions in the place of those in `unsettled`. Returns how many there were.
 int Search::mendPatches(const Problem& problem, const Options& options, double tolerance,
-                        Solution& unsettled) {
+                        double outstanding, Solution& unsettled) {
   constexpr double accuracy = 0.1;
-  constexpr int fewParts = 100;  // whose walk costs no more than that of their patches
+  constexpr int fewParts = 20;  // whose walk costs no more than that of their patches
   const int parts = problem.contacts() + problem.rows();
   if (!own_ || parts <= fewParts || !problem.W.inBodySpace()) return 0;
-  findPatches(tolerance, unsettled);
-  if (!patchSearch_) patchSearch_.reset(new Search(*machines_));
+  findPatches(tolerance, outstanding, unsettled);
+  if (!patchSearch_) patchSearch_.reset(new Search(*walks_));
   Options few = options;
   few.newtonBudget = std::min(options.newtonBudget, 300);
   few.sweepBudget = std::min(options.sweepBudget, 1000);
@@ -192,20 +187,19 @@ int Search::mendPatches(const Problem& problem, const Options& options, double t
 
 /// From the likeliest start to the surest: the reactions of the last step, or without them the paper's forced motion, every
 /// approaching contact held, with reactions that start from zero. Sweeps and patches mend what came and went, as long as they
-/// gain; the walk finishes. Where it loses its way, many contacts are at a wall of their region: an interior point comes down between
-/// the walls, and the walk goes on from there.
+/// gain; the walk finishes.
 template <class Motion>
-Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const Options& options,
-                         double tolerance, const VectorXd* guess, Solution& best) {
+Outcome Search::walkOnce(ProximalNewton<Motion>& newton, const Problem& problem,
+                         const Options& options, double tolerance, const VectorXd* guess,
+                         Solution& best) {
   constexpr double knownRegion = 1e-6;
   // Shares of the demands that the last reactions leave open.
   constexpr double disturbed = 1e-3, nearly = 1e-6;
-  constexpr int fewRegions = 8, firstTry = 32, interiorSteps = 40, secondTry = 90;
+  constexpr int fewRegions = 8, firstTry = 32, secondTry = 90;
   const double demand = problem.q.cwiseAbs().maxCoeff();
   const auto settled = [](Outcome outcome) { return outcome != Outcome::Lost; };
   const auto left = [&] { return options.newtonBudget - best.regions; };
 
-  ProximalNewton<Motion>& newton = engines.walk;
   const auto prepare = [&] {
     newton.setProblem(problem, map_);
     newton.keepFactors(options.economies.factors);
@@ -236,24 +230,20 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
       best.residual <= nearly * demand ? knownRegion : proximalWeight(problem, best, 1e-2);
   Outcome outcome = newton.walk(problem, tolerance, weight, std::min(firstTry, left()), best);
   if (settled(outcome)) return outcome;
-
-  if (engines.interior.solve(newton.motion(), problem, map_, tolerance,
-                             std::min(interiorSteps, left()), best))
-    return Outcome::Reached;
   outcome = newton.walk(problem, tolerance, proximalWeight(problem, best, 1e-4),
                         std::min(secondTry, left()), best);
   if (settled(outcome)) return outcome;
-
-  return wander(engines, problem, options, tolerance, guess, best);
+  return wander(newton, problem, options, tolerance, guess, best);
 }
 
-/// Two ways on, in turn. Sweeps from the best answer mend it and the walk goes on from there. And since what is near in
+/// Two ways on, in turn. Sweeps and patches mend the best answer and the walk goes on from there. And since what is near in
 /// residual may be far from any answer, sweeps set out anew from where the step began, go on whether or not they better
 /// the best answer, further each time, and a short walk is tried from wherever they are.
 template <class Motion>
-Outcome Search::wander(Engines<Motion>& engines, const Problem& problem, const Options& options,
-                       double tolerance, const VectorXd* guess, Solution& best) {
-  constexpr int mending = 50, shortest = 100, longWalk = 100, shortWalk = 40;
+Outcome Search::wander(ProximalNewton<Motion>& newton, const Problem& problem,
+                       const Options& options, double tolerance, const VectorXd* guess,
+                       Solution& best) {
+  constexpr int shortest = 100, longWalk = 100, shortWalk = 40;
   const auto sweepsLeft = [&](int most) {
     return std::min(most, options.sweepBudget - best.sweeps);
   };
@@ -264,41 +254,43 @@ Outcome Search::wander(Engines<Motion>& engines, const Problem& problem, const O
   if (guess) wandering_.r = *guess;
   makeFeasible(problem, wandering_.r);
   for (int length = shortest; sweepsLeft(1) > 0 && regionsLeft(1) > 0; length *= 2) {
-    sweep(problem, sweepsLeft(mending), best);
-    Outcome outcome =
-        engines.walk.walk(problem, tolerance, unknownRegion, regionsLeft(longWalk), best);
+    settle(problem, options, keptShare * tolerance, best);
+    if (best.residual <= tolerance) return Outcome::Reached;
+    newton.setProblem(problem, map_);
+    Outcome outcome = newton.walk(problem, tolerance, unknownRegion, regionsLeft(longWalk), best);
     if (outcome != Outcome::Lost) return outcome;
 
     const int count = sweepsLeft(length);
     sweeps_.sweep(problem, count, wandering_.r);
     best.sweeps += count;
     consider(problem, wandering_, best);
-    outcome = engines.walk.walkFrom(wandering_, problem, tolerance,
-                                    proximalWeight(problem, wandering_, 1e-4),
-                                    regionsLeft(shortWalk), best);
+    outcome =
+        newton.walkFrom(wandering_, problem, tolerance, proximalWeight(problem, wandering_, 1e-4),
+                        regionsLeft(shortWalk), best);
     if (outcome != Outcome::Lost) return outcome;
   }
   return Outcome::Lost;
 }
 
 template <class Motion>
-void Search::polishWith(Engines<Motion>& engines, const Problem& problem, const Options& options,
-                        double aim, Solution& best) {
+void Search::polishWith(ProximalNewton<Motion>& newton, const Problem& problem,
+                        const Options& options, double aim, Solution& best) {
   constexpr double weight = polishedShare;
   constexpr int regions = 8;
-  engines.walk.setProblem(problem, map_);
-  engines.walk.keepFactors(options.economies.factors);
-  engines.walk.polish(problem, aim, weight, regions, best);
+  newton.setProblem(problem, map_);
+  newton.keepFactors(options.economies.factors);
+  newton.polish(problem, aim, weight, regions, best);
 }
 
 template <class Motion>
-Outcome Search::walkTwice(Engines<Motion>& engines, const Problem& problem, const Options& options,
-                          double tolerance, const VectorXd* guess, Solution& best) {
-  if (!guess) return walkOnce(engines, problem, options, tolerance, nullptr, best);
+Outcome Search::walkTwice(ProximalNewton<Motion>& newton, const Problem& problem,
+                          const Options& options, double tolerance, const VectorXd* guess,
+                          Solution& best) {
+  if (!guess) return walkOnce(newton, problem, options, tolerance, nullptr, best);
   Options share = options;
   share.newtonBudget -= 3 * options.newtonBudget / 8;
   share.sweepBudget -= options.sweepBudget / 2;
-  Outcome outcome = walkOnce(engines, problem, share, tolerance, guess, best);
+  Outcome outcome = walkOnce(newton, problem, share, tolerance, guess, best);
   if (outcome != Outcome::Lost) return outcome;
 
   cold_.start(problem.q);
@@ -308,7 +300,7 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Problem& problem, cons
   cold_.factorisations = best.factorisations;
   cold_.sweeps = best.sweeps;
   cold_.patches = best.patches;
-  outcome = walkOnce(engines, problem, options, tolerance, nullptr, cold_);
+  outcome = walkOnce(newton, problem, options, tolerance, nullptr, cold_);
   best.regions = cold_.regions;
   best.factorisations = cold_.factorisations;
   best.sweeps = cold_.sweeps;
@@ -325,17 +317,17 @@ Outcome Search::walk(const Problem& problem, const Options& options, double tole
                      const VectorXd* guess, Solution& best) {
   const Outcome outcome =
       problem.W.inBodySpace()
-          ? walkTwice(machines_->bodies, problem, options, tolerance, guess, best)
-          : walkTwice(machines_->factored, problem, options, tolerance, guess, best);
+          ? walkTwice(walks_->bodies, problem, options, tolerance, guess, best)
+          : walkTwice(walks_->factored, problem, options, tolerance, guess, best);
   allow(problem, best);
   return outcome;
 }
 
 void Search::polish(const Problem& problem, const Options& options, double aim, Solution& best) {
   if (problem.W.inBodySpace())
-    polishWith(machines_->bodies, problem, options, aim, best);
+    polishWith(walks_->bodies, problem, options, aim, best);
   else
-    polishWith(machines_->factored, problem, options, aim, best);
+    polishWith(walks_->factored, problem, options, aim, best);
   allow(problem, best);
 }
 

@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "delassus/interior_point.h"
 #include "delassus/options.h"
 #include "delassus/patches.h"
 #include "delassus/problem.h"
@@ -13,11 +12,11 @@
 
 namespace delassus {
 
-/// The search for the reactions of one problem after the other: by sweeps, from region to region, between their walls. What
-/// has been found so far is `best`; nothing is lost that was better. Storage is used again.
+/// The search for the reactions of one problem after the other: by sweeps, by patches, from region to region. What has been found
+/// so far is `best`; nothing is lost that was better. Storage is used again.
 class Search {
  public:
-  Search() : own_(std::make_unique<Machines>()), machines_(own_.get()) {}
+  Search() : own_(std::make_unique<Walks>()), walks_(own_.get()) {}
 
   /// Before all else.
   void setProblem(const Problem& problem) { map_.setProblem(problem); }
@@ -50,38 +49,31 @@ class Search {
   }
 
  private:
-  template <class Motion>
-  struct Engines {
-    ProximalNewton<Motion> walk;
-    InteriorPoint<Motion> interior;
-    std::size_t bytes() const { return walk.bytes() + interior.bytes(); }
-  };
-  struct Machines {
-    Engines<BodyMotion> bodies;
-    Engines<FactoredMotion> factored;
+  struct Walks {
+    ProximalNewton<BodyMotion> bodies;
+    ProximalNewton<FactoredMotion> factored;
     std::size_t bytes() const { return bodies.bytes() + factored.bytes(); }
   };
 
-  /// For the patches of another search: it takes turns on that one's machines.
-  explicit Search(Machines& machines) : machines_(&machines) {}
+  /// For the patches of another search: it takes turns with that one.
+  explicit Search(Walks& walks) : walks_(&walks) {}
 
   template <class Motion>
-  Outcome walkTwice(Engines<Motion>& engines, const Problem& problem, const Options& options,
+  Outcome walkTwice(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
                     double tolerance, const VectorXd* guess, Solution& best);
   template <class Motion>
-  Outcome walkOnce(Engines<Motion>& engines, const Problem& problem, const Options& options,
+  Outcome walkOnce(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
                    double tolerance, const VectorXd* guess, Solution& best);
   template <class Motion>
-  Outcome wander(Engines<Motion>& engines, const Problem& problem, const Options& options,
+  Outcome wander(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
                  double tolerance, const VectorXd* guess, Solution& best);
   template <class Motion>
-  void polishWith(Engines<Motion>& engines, const Problem& problem, const Options& options,
+  void polishWith(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
                   double aim, Solution& best);
-  void sweep(const Problem& problem, int count, Solution& best);
   void settle(const Problem& problem, const Options& options, double tolerance, Solution& best);
-  void findPatches(double tolerance, const Solution& unsettled);
+  void findPatches(double tolerance, double outstanding, const Solution& unsettled);
   int mendPatches(const Problem& problem, const Options& options, double tolerance,
-                  Solution& unsettled);
+                  double outstanding, Solution& unsettled);
 
   /// Completes u and the residuals of a candidate r.
   void measure(const Problem& problem, Solution& candidate);
@@ -92,8 +84,8 @@ class Search {
 
   NaturalMap map_;
   Sweeps sweeps_;
-  std::unique_ptr<Machines> own_;  ///< none in a search for patches
-  Machines* machines_;
+  std::unique_ptr<Walks> own_;  ///< none in a search for patches
+  Walks* walks_;
   Solution trial_, wandering_, cold_;
   VectorXd felt_;
 

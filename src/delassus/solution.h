@@ -26,7 +26,7 @@ enum class Tier : unsigned char {
   Kept,        ///< the guess keeps the law
   ClosedForm,  ///< one contact or one row
   Pivoting,    ///< rows alone, explicit W
-  Walk,        ///< sweeps, regions, interior point
+  Walk,        ///< sweeps, patches, regions
 };
 
 /// What the reactions of one island are, and how good they are.
