@@ -38,8 +38,10 @@ nlohmann::ordered_json toJson(const std::string& scene, const RunSummary& run) {
   json["ms_p95"] = run.msP95;
   json["residual_rms"] = run.residualRms;
   json["residual_max"] = run.residualMax;
+  json["steps_above_1e-6"] = run.stepsAbove;
   json["penetration_max_m"] = run.penetrationMax;
   json["kinetic_energy_j"] = run.kineticEnergy;
+  json["tunnelled"] = run.tunnelled;
   json["drift_max_m"] = run.driftMax;
   json["joint_error_max_m"] = run.jointErrorMax;
   json["reaction_over_weight"] = run.reactionOverWeight;
@@ -95,15 +97,17 @@ nlohmann::ordered_json explanation(const StepTotals& totals) {
 }
 
 void printTable(const std::vector<RunSummary>& runs) {
-  Table table({"solver", "ms median", "ms p95", "residual max", "rms m/s", "overlap m", "drift m",
-               "joints m", "kinetic J", "reaction/weight", "open/stick/slide", "fallbacks"});
+  Table table({"solver", "ms median", "ms p95", "residual max", "rms m/s", "above 1e-6",
+               "overlap m", "through", "drift m", "joints m", "kinetic J", "reaction/weight",
+               "open/stick/slide", "fallbacks"});
   for (const RunSummary& run : runs) {
     const ModeCounts& modes = run.modes;
     table.add({run.solver, shortNumber(run.msMedian), shortNumber(run.msP95),
                shortNumber(run.residualMax), shortNumber(run.residualRms),
-               shortNumber(run.penetrationMax), shortNumber(run.driftMax),
-               shortNumber(run.jointErrorMax), shortNumber(run.kineticEnergy),
-               shortNumber(run.reactionOverWeight, 7),
+               shortNumber(100.0 * run.stepsAbove / run.steps) + " %",
+               shortNumber(run.penetrationMax), std::to_string(run.tunnelled),
+               shortNumber(run.driftMax), shortNumber(run.jointErrorMax),
+               shortNumber(run.kineticEnergy), shortNumber(run.reactionOverWeight, 7),
                std::to_string(modes.open) + "/" + std::to_string(modes.stick) + "/" +
                    std::to_string(modes.slide),
                std::to_string(run.fallbacks)});

@@ -49,6 +49,20 @@ double sixDofError(const Joint& constJoint) {
   return outside.length();
 }
 
+/// In a box or behind a plane; no other shape has an inside here.
+bool isInside(const btCollisionObject& object, const btVector3& point) {
+  const btCollisionShape& shape = *object.getCollisionShape();
+  const btVector3 local = object.getWorldTransform().invXform(point);
+  if (shape.getShapeType() == BOX_SHAPE_PROXYTYPE) {
+    const btVector3 room =
+        static_cast<const btBoxShape&>(shape).getHalfExtentsWithMargin() - local.absolute();
+    return room.x() > 0 && room.y() > 0 && room.z() > 0;
+  }
+  if (shape.getShapeType() != STATIC_PLANE_PROXYTYPE) return false;
+  const auto& plane = static_cast<const btStaticPlaneShape&>(shape);
+  return plane.getPlaneNormal().dot(local) < plane.getPlaneConstant();
+}
+
 }  // namespace
 
 btVector3 writtenReaction(const btManifoldPoint& point) {
@@ -161,6 +175,22 @@ ModeCounts writtenModes(const btDiscreteDynamicsWorld& world) {
       ++counts.slide;
   });
   return counts;
+}
+
+Tunnelling::Tunnelling(const World& world)
+    : world_(world), movable_(world.movableBodies()), wentThrough_(movable_.size(), 0) {}
+
+void Tunnelling::look() {
+  const btCollisionObjectArray& objects = world_.dynamics().getCollisionObjectArray();
+  for (int k = 0; k < objects.size(); ++k) {
+    if (!objects[k]->isStaticOrKinematicObject()) continue;
+    for (std::size_t i = 0; i < movable_.size(); ++i)
+      if (isInside(*objects[k], movable_[i]->getWorldTransform().getOrigin())) wentThrough_[i] = 1;
+  }
+}
+
+int Tunnelling::bodies() const {
+  return int(std::count(wentThrough_.begin(), wentThrough_.end(), 1));
 }
 
 Drift::Drift(const World& world) : bodies_(world.movableBodies()) {

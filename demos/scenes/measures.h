@@ -41,6 +41,21 @@ class Drift {
   std::vector<btVector3> start_;
 };
 
+/// Movable bodies whose centre of mass has been inside an immovable box or behind an immovable plane: they went through its
+/// surface. Whoever falls through a slab is seen in it, unless a step takes it right across.
+class Tunnelling {
+ public:
+  explicit Tunnelling(const World& world);
+  /// Looks where the bodies are now.
+  void look();
+  int bodies() const;
+
+ private:
+  const World& world_;
+  std::vector<btRigidBody*> movable_;
+  std::vector<char> wentThrough_;
+};
+
 /// The reaction on body 0 that a solver wrote into a point, N·s. A stock solver with one friction direction leaves the second
 /// impulse as it was: zero, in a world that it alone has stepped.
 btVector3 writtenReaction(const btManifoldPoint& point);

@@ -95,6 +95,7 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
   summary.bodies = int(world.movableBodies().size());
   if (named.delassus() != nullptr) summary.regions.emplace();
   const Drift drift(world);
+  Tunnelling tunnelling(world);
   const int settled = summary.steps / 4;
   std::vector<double> milliseconds;
   Verdict verdict;
@@ -103,6 +104,7 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
 
     milliseconds.push_back(1e3 * timed.takeSeconds());
     const Verdict now = judge.takeVerdict();
+    summary.stepsAbove += !(now.max <= RunSummary::strict);
     if (step >= settled) {
       verdict.max = std::max(verdict.max, now.max);
       verdict.sumOfSquares += now.sumOfSquares;
@@ -118,6 +120,7 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
     summary.penetrationMax = std::max(summary.penetrationMax, deepestPenetration(dynamics));
     summary.jointErrorMax = std::max(summary.jointErrorMax, largestJointError(dynamics));
     summary.driftMax = std::max(summary.driftMax, drift.largest());
+    tunnelling.look();
     progress(double(step + 1) / summary.steps);
   }
 
@@ -132,6 +135,7 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
   summary.residualMax = verdict.max;
   summary.residualRms = verdict.rms();
   summary.kineticEnergy = kineticEnergy(world);
+  summary.tunnelled = tunnelling.bodies();
   summary.fallbacks = named.fallbacks();
   // The decorators end with this call; the world must not keep them.
   world.setSolver(named.solver());

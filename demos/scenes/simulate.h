@@ -25,6 +25,8 @@ int stepsIn(double seconds, double hz);
 ///
 /// Residuals and the error of the law are over the last three quarters of the run, residuals in m/s. Times are of solveGroup alone, per step.
 struct RunSummary {
+  static constexpr double strict = 1e-6;  ///< m/s
+
   std::string solver;
   int steps = 0;
   double hz = 60;
@@ -32,7 +34,9 @@ struct RunSummary {
   int contactsMax = 0;
   double msMedian = 0, msP95 = 0;
   double residualRms = 0, residualMax = 0;
+  int stepsAbove = 0;              ///< of all, those with a residual above `strict`
   double penetrationMax = 0;       ///< m, over the run
+  int tunnelled = 0;               ///< bodies that have gone through a surface (measures.h)
   double kineticEnergy = 0;        ///< J, at the end
   double driftMax = 0;             ///< largest distance of any body from its start, over the run, m
   double jointErrorMax = 0;        ///< m, over the run

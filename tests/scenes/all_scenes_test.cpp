@@ -20,6 +20,7 @@ void expectLawKept(OnRegions& run, double seconds, double hz = 60, double share 
   const int steps = int(std::lround(seconds * hz));
   int above = 0, obsolete = 0;
   double worst = 0;
+  Tunnelling tunnelling(*run.world);
   for (int i = 0; i < steps; ++i) {
     run.world->step(1 / hz);
     if (run.solver.report().residualMax > residualTolerance) {
@@ -30,7 +31,9 @@ void expectLawKept(OnRegions& run, double seconds, double hz = 60, double share 
     worst = std::max(worst, run.solver.report().residualMax);
     obsolete += run.solver.report().obsoleteConstraints;
     ASSERT_TRUE(allFinite(stateOf(*run.world))) << "step " << i;
+    tunnelling.look();
   }
+  EXPECT_EQ(tunnelling.bodies(), 0) << "bodies are inside what cannot move";
   EXPECT_LE(above, share * steps) << "steps above the tolerance, of " << steps << "; the worst has "
                                   << worst << " m/s";
   EXPECT_EQ(obsolete, 0);

@@ -32,6 +32,36 @@ TEST(Simulate, tellsNothingOfASoundWorld) {
   EXPECT_EQ(run.regions->leftOut, 0);
   EXPECT_EQ(run.regions->nonFinite, 0);
   EXPECT_TRUE(run.regions->messages.empty());
+  EXPECT_EQ(run.stepsAbove, 0);
+  EXPECT_EQ(run.tunnelled, 0);
+}
+
+TEST(Tunnelling, countsWhatHasBeenBehindASurface) {
+  World world;
+  addGround(world);
+  world.add(0, world.plane(btVector3(-1, 0, 0), -20), at(0, 0, 0), {});  // x < 20
+  btRigidBody& outside = addBox(world, vec3(0.5, 0.5, 0.5), 1, at(0, 0.1, 0));
+  btRigidBody& sunk = addBox(world, vec3(0.5, 0.5, 0.5), 1, at(3, -0.1, 0));
+  btRigidBody& behind = addBox(world, vec3(0.5, 0.5, 0.5), 1, at(20.1, 5, 0));
+  Tunnelling tunnelling(world);
+  EXPECT_EQ(tunnelling.bodies(), 0);
+  tunnelling.look();
+  EXPECT_EQ(tunnelling.bodies(), 2);
+  sunk.setWorldTransform(at(3, -9, 0));
+  behind.setWorldTransform(at(20.1, 5, 0));
+  outside.setWorldTransform(at(0, 3, 60));
+  tunnelling.look();
+  EXPECT_EQ(tunnelling.bodies(), 2) << "once is enough";
+}
+
+// A hundred metres a second: in one step into the slab, in two through it.
+TEST(Simulate, countsWhatFallsThrough) {
+  for (const double speed : {1.0, 100.0}) {
+    const auto world = buildGridOfBoxes(2, 3);
+    world->movableBodies()[2]->setWorldTransform(at(-1.5, 1.3, 1.5));
+    world->movableBodies()[2]->setLinearVelocity(vec3(0, -speed, 0));
+    EXPECT_EQ(runFor(*world, "si:10", 0.1).tunnelled, speed > 50 ? 1 : 0);
+  }
 }
 
 TEST(Simulate, namesWhatIsNotSolved) {
@@ -42,6 +72,8 @@ TEST(Simulate, namesWhatIsNotSolved) {
   world->movableBodies()[9]->setLinearVelocity(btVector3(1, 0, 0));
   const RunSummary run = simulate(*world, hasty, {0.1, 60}, [](double) {});
   EXPECT_GT(run.regions->outOfBudget, 0);
+  EXPECT_GT(run.stepsAbove, 0);
+  EXPECT_LE(run.stepsAbove, run.steps);
   ASSERT_FALSE(run.regions->messages.empty());
   EXPECT_NE(run.regions->messages[0].text.find("budget"), std::string::npos);
 }
