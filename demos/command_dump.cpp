@@ -1,9 +1,11 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
 
 #include "bullet_ext/gather.h"
+#include "delassus/contact_form.h"
 #include "delassus/island.h"
 #include "delassus/problem_text.h"
 #include "demos/command.h"
@@ -63,6 +65,22 @@ std::string fileOf(const std::string& out, std::size_t island, std::size_t islan
   return (path.parent_path() / name).string();
 }
 
+/// Formats hold contacts or rows: where there are both, the rows are written as contacts.
+void writeIsland(const std::string& file, const Problem& problem) {
+  const int contacts = problem.contacts(), rows = problem.rows();
+  if (contacts == 0 || rows == 0) {
+    writeProblem(file, problem);
+    std::printf("%s: %d %s\n", file.c_str(), std::max(contacts, rows),
+                contacts > 0 ? "contacts" : "rows");
+    return;
+  }
+  const Problem form = contactForm(problem);
+  writeProblem(file, form);
+  const int bounds = form.contacts() - contacts;
+  std::printf("%s: %d contacts, %d more for rows with bounds; %d equations put in\n", file.c_str(),
+              contacts, bounds, rows - bounds);
+}
+
 int dumpProblems(const DumpArguments& arguments) {
   Subject subject = openSubject(arguments.subject);
   NamedSolver solver("delassus");
@@ -90,19 +108,12 @@ int dumpProblems(const DumpArguments& arguments) {
                    i);
       continue;
     }
-    if (problem.contacts() > 0 && problem.rows() > 0) {
-      std::fprintf(
-          stderr,
-          "delassus: island %zu has %d contacts and %d rows: no format holds both, left out\n", i,
-          problem.contacts(), problem.rows());
-      continue;
+    try {
+      writeIsland(fileOf(arguments.out, i, catcher.problems().size()), problem);
+      ++written;
+    } catch (const std::invalid_argument& fault) {
+      std::fprintf(stderr, "delassus: island %zu left out: %s\n", i, fault.what());
     }
-    const std::string file = fileOf(arguments.out, i, catcher.problems().size());
-    writeProblem(file, problem);
-    std::printf("%s: %d %s\n", file.c_str(),
-                problem.contacts() > 0 ? problem.contacts() : problem.rows(),
-                problem.contacts() > 0 ? "contacts" : "rows");
-    ++written;
   }
   if (written == 0)
     throw std::runtime_error("nothing to write: no island of that step fits a problem format");

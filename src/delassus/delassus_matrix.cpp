@@ -164,4 +164,39 @@ MatrixXd DelassusMatrix::dense() const {
   return W;
 }
 
+DelassusMatrix::Sparse DelassusMatrix::asEntries() const {
+  if (!inBodySpace_) return entries_;
+
+  std::vector<Eigen::Triplet<double>> jacobian;
+  int row = 0;
+  const auto append = [&](int body, const auto& J) {
+    if (body < 0) return;
+    for (int i = 0; i < J.rows(); ++i)
+      for (int j = 0; j < 6; ++j) jacobian.emplace_back(row + i, 6 * body + j, J(i, j));
+  };
+  for (const BodySpace::ContactRows& c : space_.contacts) {
+    append(c.a, c.Ja);
+    append(c.b, c.Jb);
+    row += 3;
+  }
+  for (const BodySpace::ScalarRow& c : space_.rows) {
+    append(c.a, c.Ja);
+    append(c.b, c.Jb);
+    ++row;
+  }
+  for (const BodySpace::Part& p : space_.parts) {
+    row = p.at;
+    append(p.body, p.J);
+  }
+  Sparse J(size_, 6 * space_.bodies);
+  J.setFromTriplets(jacobian.begin(), jacobian.end());
+
+  std::vector<Eigen::Triplet<double>> diagonal;
+  diagonal.reserve(size_);
+  for (int i = 0; i < size_; ++i) diagonal.emplace_back(i, i, space_.compliance[i]);
+  Sparse R(size_, size_);
+  R.setFromTriplets(diagonal.begin(), diagonal.end());
+  return Sparse(J * Sparse(J.transpose())) + R;
+}
+
 }  // namespace delassus

@@ -85,6 +85,9 @@ class DelassusMatrix {
   VectorXd diagonal() const;
   void diagonal(VectorXd& d) const;
   MatrixXd dense() const;
+  /// As entries, whatever the storage. Of a factored matrix both triangles sum the same products in the same order: exactly
+  /// symmetric.
+  Sparse asEntries() const;
 
  private:
   int size_ = 0;

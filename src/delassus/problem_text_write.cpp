@@ -51,43 +51,6 @@ std::string nameWord(const std::string& name) {
   return name.empty() ? "unnamed" : name;
 }
 
-/// W = J̃ J̃ᵀ + diag(compliance) as entries. Both triangles sum the same products in the same order: exactly symmetric.
-Sparse explicitEntries(const DelassusMatrix& W) {
-  if (!W.inBodySpace()) return W.entries();
-
-  const BodySpace& space = W.bodySpace();
-  std::vector<Eigen::Triplet<double>> jacobian;
-  int row = 0;
-  const auto append = [&](int body, const auto& J) {
-    if (body < 0) return;
-    for (int i = 0; i < J.rows(); ++i)
-      for (int j = 0; j < 6; ++j) jacobian.emplace_back(row + i, 6 * body + j, J(i, j));
-  };
-  for (const BodySpace::ContactRows& c : space.contacts) {
-    append(c.a, c.Ja);
-    append(c.b, c.Jb);
-    row += 3;
-  }
-  for (const BodySpace::ScalarRow& c : space.rows) {
-    append(c.a, c.Ja);
-    append(c.b, c.Jb);
-    ++row;
-  }
-  for (const BodySpace::Part& p : space.parts) {
-    row = p.at;
-    append(p.body, p.J);
-  }
-  Sparse J(W.size(), 6 * space.bodies);
-  J.setFromTriplets(jacobian.begin(), jacobian.end());
-
-  std::vector<Eigen::Triplet<double>> diagonal;
-  diagonal.reserve(W.size());
-  for (int i = 0; i < W.size(); ++i) diagonal.emplace_back(i, i, space.compliance[i]);
-  Sparse R(W.size(), W.size());
-  R.setFromTriplets(diagonal.begin(), diagonal.end());
-  return Sparse(J * Sparse(J.transpose())) + R;
-}
-
 struct MatrixText {
   int entries = 0;
   std::string text;
@@ -95,7 +58,7 @@ struct MatrixText {
 
 /// All side x side blocks with a stored value, and the diagonal ones.
 MatrixText matrixText(const DelassusMatrix& W, int side) {
-  Sparse matrix = explicitEntries(W);
+  Sparse matrix = W.asEntries();
   matrix.makeCompressed();
   requireFinite(Eigen::Map<const Eigen::VectorXd>(matrix.valuePtr(), matrix.nonZeros()),
                 "the matrix");

@@ -286,6 +286,15 @@ TEST_F(Command, dumpsWhatItCanSolve) {
   EXPECT_EQ(json::parse(solved.out)["size"], 40);
 }
 
+TEST_F(Command, dumpsContactsWithJointsAsContacts) {
+  const Outcome dumped = call("dump gripper --at 1 --out " + file("gripper.fc3d"));
+  ASSERT_EQ(dumped.status, 0) << dumped.err;
+  EXPECT_NE(dumped.out.find(" equations put in"), std::string::npos) << dumped.out;
+  EXPECT_EQ(dumped.err, "");
+  const Outcome solved = call("solve " + file("gripper.fc3d") + " --json");
+  EXPECT_EQ(solved.status, 0) << solved.out << solved.err;
+}
+
 TEST_F(Command, dumpsAnIslandAFile) {
   const Outcome dumped = call("dump box_headings --at 0 --out " + file("box.fc3d"));
   ASSERT_EQ(dumped.status, 0) << dumped.err;
