@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "delassus/types.h"
 
@@ -12,6 +13,8 @@ namespace delassus {
 ///
 ///     ‖r_d‖ ≤ κ r_n,   and where u_d ≠ 0:  r_d = −κ r_n u_d/‖u_d‖       (maximum dissipation)
 ///
+/// Where `mostLoad` is finite, no more than that of r_n counts: ‖r_d‖ ≤ κ min(r_n, mostLoad).
+///
 /// That is Coulomb's law with an unknown of its own. Disks come last among the unknowns, so that whoever goes through them
 /// in order knows r_n. In Bullet's contacts u_d is in rad/s, r_d in N·m·s, and κ in m.
 struct Disk {
@@ -19,10 +22,11 @@ struct Disk {
   int unknowns;   ///< 1, or 2 that follow each other
   int governor;   ///< the unknown r_n: of a contact with friction or a row
   double radius;  ///< κ > 0
+  double mostLoad = std::numeric_limits<double>::infinity();  ///< N·s, > 0
 
   bool operator==(const Disk& other) const {
     return first == other.first && unknowns == other.unknowns && governor == other.governor &&
-           radius == other.radius;
+           radius == other.radius && mostLoad == other.mostLoad;
   }
 
   /// Its part of a vector of unknowns; 0 in the place of a second one that is not there.
@@ -31,7 +35,11 @@ struct Disk {
     x.segment(first, unknowns) = part.head(unknowns);
   }
   /// Its radius now, N·m·s.
-  double radiusAt(const VectorXd& r) const { return radius * std::max(r[governor], 0.0); }
+  double radiusAt(const VectorXd& r) const {
+    return radius * std::clamp(r[governor], 0.0, mostLoad);
+  }
+  /// Whether its radius grows with r_n.
+  bool grows(const VectorXd& r) const { return r[governor] < mostLoad; }
 };
 
 /// Euclidean projection on the disk of this radius about 0.

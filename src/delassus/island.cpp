@@ -205,7 +205,7 @@ const Problem& Assembler::assemble(const std::vector<Body>& bodies,
     if (paired)
       ++problem_.disks.back().unknowns;
     else
-      problem_.disks.push_back({at, 1, island.normalOf(c.governor), c.upper});
+      problem_.disks.push_back({at, 1, island.normalOf(c.governor), c.upper, c.mostLoad});
     paired = c.paired;
     addRow(c.a, c.b, c.jacobianA, c.jacobianB, c.target, -infinity, infinity, 0);
   }

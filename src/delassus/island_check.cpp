@@ -109,7 +109,8 @@ Disk diskAt(const std::vector<Row>& rows, const Island& island, int k, int rowsB
   const Row& last = rows[island.rows[k]];
   const bool pair = k > 0 && rows[island.rows[k - 1]].paired;
   const int unknowns = pair ? 2 : 1;
-  return {rowsBegin + k + 1 - unknowns, unknowns, island.normalOf(last.governor), last.upper};
+  return {rowsBegin + k + 1 - unknowns, unknowns, island.normalOf(last.governor), last.upper,
+          last.mostLoad};
 }
 
 void makeReady(const Island& island, Tier tier, Solution& solution) {

@@ -48,7 +48,7 @@ bool isFit(const Problem& problem, int part, int first, int unknowns) {
 /// Whether a law can be stated for a disk, and whether the next unknown that it leaves is `next`.
 bool isFit(const Problem& problem, const Disk& disk, int next) {
   const int contactsEnd = 3 * problem.contacts();
-  return disk.radius > 0 && disk.radius <= largest && disk.governor >= 0 &&
+  return disk.radius > 0 && disk.radius <= largest && disk.mostLoad > 0 && disk.governor >= 0 &&
          disk.governor < problem.disksBegin() &&
          (disk.governor >= contactsEnd || disk.governor % 3 == 0) && disk.first >= contactsEnd &&
          (disk.unknowns == 1 || disk.unknowns == 2) && disk.first + disk.unknowns == next;

@@ -36,8 +36,8 @@ struct Problem {
 };
 
 /// First unknowns of the contacts, rows and disks that no law can be stated for: numbers in their part of q, μ, κ or W, or
-/// bounds, that are none or so large (1e100) that squares overflow, μ < 0, lower > upper, κ ≤ 0, r_n not before the disks.
-/// Ascending.
+/// bounds, that are none or so large (1e100) that squares overflow, μ < 0, lower > upper, κ ≤ 0, most load ≤ 0, r_n not
+/// before the disks. Ascending.
 std::vector<int> unfitParts(const Problem& problem);
 
 }  // namespace delassus

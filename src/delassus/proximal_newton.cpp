@@ -83,15 +83,17 @@ void ProximalNewton<Motion>::respond(const Problem& problem, const VectorXd& u, 
     const double length = z.norm(), radius = disk.radiusAt(r_);
     const Mode mode = !(radius > 0) ? Mode::Open : length <= radius ? Mode::Stick : Mode::Slide;
     disk.put(projectOnDisk(z, radius), r_);
-    if (G) answerOfDisk(disk, static_cast<int>(k), mode, z, radius * l_[disk.first] / length, *G);
+    if (G)
+      answerOfDisk(disk, static_cast<int>(k), mode, z, radius * l_[disk.first] / length,
+                   disk.grows(r_), *G);
   }
 }
 
 /// −dr/du of a disk: of one that slides along `direction`, its own part is across, where it may turn, and its governor moves
-/// the rim along.
+/// the rim along, if the disk still grows with it.
 template <class Motion>
 void ProximalNewton<Motion>::answerOfDisk(const Disk& disk, int k, Mode mode, const Vec2& direction,
-                                          double turn, Stiffness& G) const {
+                                          double turn, bool grows, Stiffness& G) const {
   Stiffness::OfDisk& answer = G.disks[k];
   answer = {};
   G.rows.segment(disk.first - 3 * static_cast<int>(G.contacts.size()), disk.unknowns).setZero();
@@ -99,7 +101,7 @@ void ProximalNewton<Motion>::answerOfDisk(const Disk& disk, int k, Mode mode, co
   if (mode != Mode::Slide) return;
   const Vec2 along = direction.normalized();
   answer.own = turn * (Mat2::Identity() - along * along.transpose());
-  answer.governor = disk.radius * along * G.ofNormal(disk);
+  if (grows) answer.governor = disk.radius * along * G.ofNormal(disk);
 }
 
 template <class Motion>
@@ -153,9 +155,11 @@ void ProximalNewton<Motion>::respondInRegion(const Problem& problem, const Solut
     const double l = l_[disk.first], length = g.norm();
     // Turns as a contact does.
     const double turn = length > 0 ? length / (length / l + disk.of(from.u).norm()) : 0;
-    answerOfDisk(disk, static_cast<int>(k), mode, g, turn, G_);
+    const bool grows = disk.grows(from.r);
+    answerOfDisk(disk, static_cast<int>(k), mode, g, turn, grows, G_);
     const Vec2 held = disk.of(center_) - l * u;
-    const Vec2 rim = disk.radius * r_[disk.governor] * g.normalized() - G_.disks[k].own * u;
+    const double load = grows ? r_[disk.governor] : disk.mostLoad;
+    const Vec2 rim = disk.radius * load * g.normalized() - G_.disks[k].own * u;
     disk.put(mode == Mode::Stick ? held : mode == Mode::Slide ? rim : Vec2(Vec2::Zero()), r_);
   }
 }

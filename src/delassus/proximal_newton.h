@@ -63,7 +63,7 @@ class ProximalNewton {
   /// The same in one given region, that of `from`: an affine answer, right if the region is.
   void respondInRegion(const Problem& problem, const Solution& from);
   void answerOfDisk(const Disk& disk, int k, Mode mode, const Vec2& direction, double turn,
-                    Stiffness& G) const;
+                    bool grows, Stiffness& G) const;
   /// Factors the Newton matrix of G_, unless that very region is factored already.
   bool factorise(Solution& count);
   Inner solveProximal(const Problem& problem, int& budget, Solution& count, const Solution* region);

@@ -12,17 +12,19 @@ namespace delassus {
 ///     lower ≤ r ≤ upper,  u ≥ 0 where r = lower,  u ≤ 0 where r = upper,  u = 0 in between.
 ///
 /// With a governor it is friction that grows with the normal reaction r_n of a contact between the same bodies (disk.h):
-/// |r| ≤ upper r_n, and √(r² + r'²) ≤ upper r_n for two rows that are paired. `lower` and `compliance` are not read.
+/// |r| ≤ upper r_n, and √(r² + r'²) ≤ upper r_n for two rows that are paired; of r_n no more counts than `mostLoad`.
+/// `lower` and `compliance` are not read.
 /// Such rows stand behind all others.
 struct Row {
   int a = fixedWorld, b = fixedWorld;
   Row6 jacobianA = Row6::Zero(), jacobianB = Row6::Zero();
   double target = 0;  ///< wanted velocity, m/s (or rad/s for angular rows)
-  double lower = -std::numeric_limits<double>::infinity();  ///< N·s
-  double upper = std::numeric_limits<double>::infinity();   ///< N·s
-  double compliance = 0;                                    ///< added to the diagonal of W
-  int governor = -1;                                        ///< a contact, or none
-  bool paired = false;  ///< with the next row, which has the same bodies, governor and bound
+  double lower = -std::numeric_limits<double>::infinity();    ///< N·s
+  double upper = std::numeric_limits<double>::infinity();     ///< N·s
+  double compliance = 0;                                      ///< added to the diagonal of W
+  int governor = -1;                                          ///< a contact, or none
+  double mostLoad = std::numeric_limits<double>::infinity();  ///< N·s
+  bool paired = false;  ///< with the next row, which has the same bodies, governor and bounds
 };
 
 }  // namespace delassus

@@ -35,7 +35,7 @@ std::vector<ProblemPart> splitProblem(const Problem& problem) {
   }
   for (const Disk& disk : problem.disks)
     parts[partOf[disk.first]].problem.disks.push_back(
-        {place[disk.first], disk.unknowns, place[disk.governor], disk.radius});
+        {place[disk.first], disk.unknowns, place[disk.governor], disk.radius, disk.mostLoad});
 
   for (ProblemPart& part : parts) {
     const int count = static_cast<int>(part.unknowns.size());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "delassus/contact.h"
@@ -12,10 +13,11 @@ namespace delassus {
 ///     spinning:  |τ_n| ≤ κ_s r_n              opposite to n·ω
 ///     rolling:   ‖(τ_1, τ_2)‖ ≤ κ_r r_n       opposite to (a_1·ω, a_2·ω)
 ///
-/// about the normal and about two `axes`: unit vectors in the tangent plane, or shorter ones where the body resists less.
+/// with min(r_n, mostLoad) in the place of r_n, about the normal and about two `axes`: unit vectors in the tangent plane, or shorter ones where the body resists less.
 struct TurningFriction {
   double spinning = 0, rolling = 0;  ///< κ_s and κ_r, m
   Eigen::Matrix<double, 3, 2> axes;
+  double mostLoad = std::numeric_limits<double>::infinity();  ///< N·s
 };
 
 /// Appends the rows, of which there are none where the coefficient is not positive.
@@ -30,6 +32,7 @@ inline void addRows(const TurningFriction& friction, const Contact& contact, int
     row.lower = -bound;
     row.upper = bound;
     row.governor = index;
+    row.mostLoad = friction.mostLoad;
     row.paired = paired;
     rows.push_back(row);
   };

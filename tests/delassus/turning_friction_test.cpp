@@ -183,7 +183,7 @@ TEST(TurningFriction, BallInTheAirTurnsFreely) {
 void expectLaw(const Problem& problem, const Solution& s, double rounding) {
   for (const Disk& disk : problem.disks) {
     const Vec2 r = disk.of(s.r), u = disk.of(s.u);
-    const double bound = disk.radius * s.r[disk.governor];
+    const double bound = disk.radius * std::min(s.r[disk.governor], disk.mostLoad);
     EXPECT_LE(r.norm(), bound + rounding);
     EXPECT_NEAR(r.dot(u), -bound * u.norm(), rounding);
   }
@@ -207,6 +207,28 @@ TEST(TurningFriction, IslandsKeepTheLaw) {
       EXPECT_LE(energy.change, 1e-7) << "friction only takes";
     }
   }
+}
+
+TEST(TurningFriction, IslandsKeepTheLawOfAMostLoad) {
+  Random random(13);
+  int full = 0, growing = 0;
+  for (int k = 0; k < 60; ++k) {
+    Pile pile = k % 2 ? makeTower(randomMasses(1 + k % 6, 3, random), 0.6, 0.3, random)
+                      : makeHeap(2 + k % 9, uniform(random, 0, 1), random);
+    resistTurning(pile, 0.5, random);
+    const double mostLoad = uniform(random, 0.05, 0.5);
+    for (Row& row : pile.rows) row.mostLoad = mostLoad;
+    const PileIsland island(std::move(pile));
+    for (const Problem& problem : {island.problem, withEntries(island.problem)}) {
+      const Solution s = solve(problem);
+      EXPECT_EQ(s.status, Status::Solved) << k;
+      expectLaw(problem, s, 1e-7);
+      for (const Disk& disk : problem.disks)
+        if (s.r[disk.governor] > 0) ++(disk.grows(s.r) ? growing : full);
+    }
+  }
+  EXPECT_GT(full, 100);
+  EXPECT_GT(growing, 100);
 }
 
 TEST(TurningFriction, BallsInTheAirKeepTheirMomentum) {
