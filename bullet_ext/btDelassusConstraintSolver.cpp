@@ -183,14 +183,14 @@ void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount
   gatherContacts(w.group, manifolds, manifoldCount, info, dispatcher, w.report);
   gatherJoints(w.group, constraints, constraintCount, info, w.report);
   if (extension) extension->gatherRows(w.group, w.report);
-  gatherTurningFriction(w.group);
+  gatherTurningFriction(w.group, stockRollingFriction_);
   if (info.m_solverMode & SOLVER_USE_WARMSTARTING) {
     w.memory.recall(w.group);
     if (extension) extension->recall(w.group);
   }
   laps.end(w.report.secondsGather);
 
-  const bool heard = listener_ || troubleListener_;
+  const bool heard = listener_ || troubleListener_ || turningListener_;
   const Plan plan = makePlan(w.group, heard, economies, w.answer.assembler);
   startFromGuess(w.group, w.answer);
   w.workshop.clearCounts();
@@ -214,7 +214,8 @@ void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount
   w.events.clear();
   writeVelocities(w.group, w.answer);
   writePushes(w.group, w.pushes, info);
-  writeContacts(w.group, w.answer, w.report, plan.events ? &w.events : nullptr);
+  writeContacts(w.group, w.answer, w.report, plan.events ? &w.events : nullptr,
+                turningListener_ != nullptr);
   writeJoints(w.group, w.answer, info);
   if (extension) extension->writeBack(w.group, w.answer);
   w.report.events += static_cast<int>(w.events.size());
@@ -224,6 +225,7 @@ void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount
     for (const ContactEvent& event : w.events) {
       if (listener_ && event.from != event.to) listener_(event);
       if (troubleListener_ && event.trouble != Trouble::None) troubleListener_(event);
+      if (turningListener_ && !event.moment.isZero()) turningListener_(event);
     }
     laps.end(w.report.secondsListener);
   }
@@ -232,6 +234,8 @@ void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount
 void btDelassusConstraintSolver::setThreads(int threads) {
   workspace_->workshop.setThreads(threads);
 }
+
+void btDelassusConstraintSolver::setStockRollingFriction(bool on) { stockRollingFriction_ = on; }
 
 void btDelassusConstraintSolver::reset() {
   const int threads = workspace_->workshop.threads();
@@ -249,4 +253,9 @@ void btDelassusConstraintSolver::setContactListener(
 void btDelassusConstraintSolver::setTroubleListener(
     std::function<void(const ContactEvent&)> listener) {
   troubleListener_ = std::move(listener);
+}
+
+void btDelassusConstraintSolver::setTurningListener(
+    std::function<void(const ContactEvent&)> listener) {
+  turningListener_ = std::move(listener);
 }

@@ -49,6 +49,10 @@ void btDelassusMultiBodyConstraintSolver::setThreads(int threads) {
   parts_->rigid.setThreads(threads);
 }
 
+void btDelassusMultiBodyConstraintSolver::setStockRollingFriction(bool on) {
+  parts_->rigid.setStockRollingFriction(on);
+}
+
 void btDelassusMultiBodyConstraintSolver::reset() { parts_->rigid.reset(); }
 
 const StepReport& btDelassusMultiBodyConstraintSolver::report() const {
@@ -63,4 +67,9 @@ void btDelassusMultiBodyConstraintSolver::setContactListener(
 void btDelassusMultiBodyConstraintSolver::setTroubleListener(
     std::function<void(const ContactEvent&)> listener) {
   parts_->rigid.setTroubleListener(std::move(listener));
+}
+
+void btDelassusMultiBodyConstraintSolver::setTurningListener(
+    std::function<void(const ContactEvent&)> listener) {
+  parts_->rigid.setTurningListener(std::move(listener));
 }

@@ -40,8 +40,9 @@ class btDelassusMultiBodyConstraintSolver : public btMultiBodyConstraintSolver {
                            btMultiBodyConstraint** multiBodyConstraints,
                            int multiBodyConstraintCount, const btContactSolverInfo& info,
                            btIDebugDraw* debugDrawer, btDispatcher* dispatcher) override;
-  /// As that of btDelassusConstraintSolver.
+  /// As those of btDelassusConstraintSolver.
   void setThreads(int threads);
+  void setStockRollingFriction(bool on);
   /// Forgets the last step's report and the workspace.
   void reset() override;
   btConstraintSolverType getSolverType() const override { return BT_MULTIBODY_SOLVER; }
@@ -50,6 +51,7 @@ class btDelassusMultiBodyConstraintSolver : public btMultiBodyConstraintSolver {
   const delassus::StepReport& report() const;
   void setContactListener(std::function<void(const delassus::ContactEvent&)> listener);
   void setTroubleListener(std::function<void(const delassus::ContactEvent&)> listener);
+  void setTurningListener(std::function<void(const delassus::ContactEvent&)> listener);
 
  private:
   btDelassusMultiBodyConstraintSolver(const delassus::Options& options, btDelassusPrecision);

@@ -15,7 +15,11 @@ enum class Trouble : unsigned char {
   Incompatible,  ///< no motion meets its demand and those of others: the nearest one is taken
 };
 
-/// A contact whose mode is not what it was after the step before, or that is in trouble.
+/// A contact whose mode is not what it was after the step before, that is in trouble, or that resists turning.
+///
+/// What acts on body 0 is the `reaction` at its point and the `moment` of rolling and spinning friction; body 1 feels the
+/// opposite. Both are sums over the step: divided by it they are N and N·m. With the point's normal n, n·moment is the
+/// spinning part and the rest the rolling one.
 ///
 /// `manifold` and `point` are good during the call only: Bullet moves and removes points between
 /// steps. A point that the narrow phase has removed is not told here; Bullet's
@@ -25,6 +29,7 @@ struct ContactEvent {
   int point;  ///< index in the manifold
   Mode from, to;
   btVector3 reaction;  ///< on body 0 of the manifold, world axes, N·s
+  btVector3 moment;    ///< the same, N·m·s; zero without rolling and spinning friction
   Trouble trouble;     ///< the report says more in words
 };
 

@@ -136,9 +136,10 @@ void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
 ///     |τ_n| ≤ spinning r_n,   ‖τ_t‖ ≤ rolling r_n        (turning_friction.h; axes: contact_frame.h)
 ///
 /// Bullet's solver bounds these impulses by the coefficients themselves too, in N·m·s, so that a heavy body hardly feels
-/// them, and knows no spinning friction without rolling friction. A coefficient that is no number is none: Bullet's rule,
-/// κ_A μ_B + κ_B μ_A, makes that of a friction μ without limit.
-void gatherTurningFriction(Group& group);
+/// them, and knows no spinning friction without rolling friction. `asStock` has both of rigid bodies (those of links are as
+/// above in Bullet too). A coefficient that is no number is none: Bullet's rule, κ_A μ_B + κ_B μ_A, makes that of a friction
+/// μ without limit.
+void gatherTurningFriction(Group& group, bool asStock = false);
 
 /// How messages call an object: by its place in the world. Contacts and joints: by their bodies. A link: by its number and
 /// its multibody too, which is called by the name of its base, or by the place of its first collider.

@@ -14,6 +14,9 @@ constexpr double largestCoefficient = 1e3;
 // As in Bullet: a body that resists this little about an axis does not resist.
 constexpr double leastLength = 1e-3;
 
+// Of each point's load, N·s, that counts in Bullet's own solver: |τ| ≤ κ min(r_n, 1 N·s), by the step and not by the second.
+constexpr double stockMostLoad = 1;
+
 double coefficient(btScalar value) {
   return value > 0 ? std::min<double>(value, largestCoefficient) : 0;
 }
@@ -23,7 +26,7 @@ bool turns(const Group& group, int body) {
   return group.movable(body) && group.bodies[body].inverseInertia.any();
 }
 
-TurningFriction turningFrictionOf(const PointSource& source) {
+TurningFriction turningFrictionOf(const PointSource& source, bool asStock) {
   const btPersistentManifold& manifold = *source.manifold;
   const btManifoldPoint& point = manifold.getContactPoint(source.point);
   TurningFriction friction;
@@ -34,18 +37,24 @@ TurningFriction turningFrictionOf(const PointSource& source) {
         rollingAxes(point, rollingAnisotropyOf(*manifold.getBody0(), *manifold.getBody1()));
     if (friction.axes.norm() < leastLength) friction.rolling = 0;
   }
+  if (asStock) {
+    friction.mostLoad = stockMostLoad;
+    if (!(point.m_combinedRollingFriction > 0)) friction.spinning = 0;
+  }
   return friction;
 }
 
 }  // namespace
 
-void gatherTurningFriction(Group& group) {
+void gatherTurningFriction(Group& group, bool asStock) {
   if (group.turning == 0) return;
   const std::size_t others = group.rows.size();
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {
     const Contact& contact = group.contacts[i];
-    if (turns(group, contact.a) || turns(group, contact.b))
-      addRows(turningFrictionOf(group.contactSources[i]), contact, static_cast<int>(i), group.rows);
+    if (!turns(group, contact.a) && !turns(group, contact.b)) continue;
+    const bool rigid = !group.isLimb(contact.a) && !group.isLimb(contact.b);
+    addRows(turningFrictionOf(group.contactSources[i], asStock && rigid), contact,
+            static_cast<int>(i), group.rows);
   }
   group.turningRows = static_cast<int>(group.rows.size() - others);
 }

@@ -14,19 +14,36 @@ void count(Mode mode, StepReport& report) {
   ++(mode == Mode::Open ? report.open : mode == Mode::Stick ? report.stick : report.slide);
 }
 
-/// Notes the mode of a point; a change is counted. Changes and troubles are told if somebody listens.
-void changeMode(const PointSource& source, btManifoldPoint& point, Mode to, Trouble trouble,
-                const Mat3& frame, const Vec3& r, StepReport& report,
-                std::vector<ContactEvent>* events) {
+/// Notes the mode of a point and answers with the one before; a change is counted.
+Mode changeMode(btManifoldPoint& point, Mode to, StepReport& report) {
   const Mode from = rememberedMode(point);
   if (from != to) {
     rememberMode(point, to);
     ++report.modeChanges;
   }
-  if (events && (from != to || trouble != Trouble::None))
-    events->push_back(
-        {source.manifold, source.point, from, to, toBullet((frame * r).eval()), trouble});
+  return from;
 }
+
+/// The moments of contacts that are asked for in their order.
+class Moments {
+ public:
+  Moments(const Group& group, const Answer& answer)
+      : group_(group), answer_(answer), next_(group.rows.size() - group.turningRows) {}
+
+  /// Σ r_row axis over the rows of turning friction of contact `i`, N·m·s.
+  Vec3 of(int i) {
+    Vec3 sum = Vec3::Zero();
+    while (next_ < group_.rows.size() && group_.rows[next_].governor < i) ++next_;
+    for (; next_ < group_.rows.size() && group_.rows[next_].governor == i; ++next_)
+      sum += answer_.rows[next_] * group_.rows[next_].jacobianA.tail<3>().transpose();
+    return sum;
+  }
+
+ private:
+  const Group& group_;
+  const Answer& answer_;
+  std::size_t next_;
+};
 
 }  // namespace
 
@@ -53,7 +70,8 @@ void writePushes(const Group& group, const Pushes& pushes, const btContactSolver
 }
 
 void writeContacts(const Group& group, const Answer& answer, StepReport& report,
-                   std::vector<ContactEvent>* events) {
+                   std::vector<ContactEvent>* events, bool turning) {
+  Moments moments(group, answer);
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {
     const PointSource& source = group.contactSources[i];
     const Mat3& frame = group.contacts[i].frame;
@@ -64,14 +82,23 @@ void writeContacts(const Group& group, const Answer& answer, StepReport& report,
     point.m_appliedImpulseLateral2 = static_cast<btScalar>(r[2]);
     point.m_lateralFrictionDir1 = toBullet(frame.col(1));
     point.m_lateralFrictionDir2 = toBullet(frame.col(2));
-    count(answer.modes[i], report);
-    changeMode(source, point, answer.modes[i], answer.troubles[i], frame, r, report, events);
+    const Mode to = answer.modes[i], from = changeMode(point, to, report);
+    const Trouble trouble = answer.troubles[i];
+    count(to, report);
+    if (!events || (from == to && trouble == Trouble::None && !turning)) continue;
+    const Vec3 moment = moments.of(static_cast<int>(i));
+    if (from != to || trouble != Trouble::None || moment.any())
+      events->push_back({source.manifold, source.point, from, to, toBullet((frame * r).eval()),
+                         toBullet(moment), trouble});
   }
   for (const PointSource& source : group.idle) {
     btManifoldPoint& point = source.manifold->getContactPoint(source.point);
     point.m_appliedImpulse = point.m_appliedImpulseLateral1 = point.m_appliedImpulseLateral2 = 0;
-    changeMode(source, point, Mode::Open, source.trouble, Mat3::Identity(), Vec3::Zero(), report,
-               events);
+    const Mode from = changeMode(point, Mode::Open, report);
+    const btVector3 none(0, 0, 0);
+    if (events && (from != Mode::Open || source.trouble != Trouble::None))
+      events->push_back(
+          {source.manifold, source.point, from, Mode::Open, none, none, source.trouble});
   }
 }
 

@@ -99,6 +99,64 @@ TEST(Parity, Row24IsThatOfStockOnItsAxesBelowItsCap) {
     }
 }
 
+/// A ball that rolls and spins, as one step of a solver leaves it.
+struct Turned {
+  btVector3 velocity, rotation;
+};
+Turned oneStep(BulletWorld& world, double mass, double rolling, double spinning) {
+  world.addGround();
+  btRigidBody& ball = addBall(world, mass);
+  ball.setRollingFriction(btScalar(rolling));
+  ball.setSpinningFriction(btScalar(spinning));
+  roll(ball, {1, 0});
+  ball.setAngularVelocity(ball.getAngularVelocity() + vector(0, 3, 0));
+  world.info().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+  world.advance();
+  return {ball.getLinearVelocity(), ball.getAngularVelocity()};
+}
+
+// 6.1 kg weigh 1 N·s a step.
+TEST(Parity, Row24OptionHasTheBoundsOfStock) {
+  for (const double mass : {1.0, 6.0, 6.5, 100.0, 10000.0})
+    for (const double rolling : {0.01, 0.0})
+      for (const double spinning : {0.004, 0.0}) {
+        SCOPED_TRACE(::testing::Message() << mass << " " << rolling << " " << spinning);
+        DelassusWorld ours;
+        ours.delassus().setStockRollingFriction(true);
+        StockWorld stock;
+        const Turned turned = oneStep(ours, mass, rolling, spinning),
+                     stockTurned = oneStep(stock, mass, rolling, spinning);
+        EXPECT_LT((turned.velocity - stockTurned.velocity).length(), tolerance(1e-7, 1e-5));
+        EXPECT_LT((turned.rotation - stockTurned.rotation).length(), tolerance(1e-6, 1e-4));
+
+        DelassusWorld physical;
+        const Turned resisted = oneStep(physical, mass, rolling, spinning);
+        const bool alike =
+            mass * g * h < 1 ? rolling > 0 || spinning == 0 : rolling + spinning == 0;
+        EXPECT_EQ((resisted.rotation - turned.rotation).length() < tolerance(1e-6, 1e-4), alike);
+      }
+}
+
+TEST(Parity, Row24OptionLetsAHeavyBallRollOutAsInStock) {
+  // (I + m R²) Δω = κ · 1 N·s a step, for all loads above.
+  constexpr double kappa = 0.5, mass = 60;
+  constexpr double loss = kappa / (1.4 * mass * radius);
+  DelassusWorld world;
+  world.delassus().setStockRollingFriction(true);
+  world.addGround();
+  btRigidBody& ball = addBall(world, mass);
+  ball.setRollingFriction(btScalar(kappa));
+  double speed = 30.5 * loss;
+  roll(ball, {speed, 0});
+  for (int i = 0; i < 30; ++i) {
+    world.advance();
+    speed -= loss;
+    ASSERT_NEAR(speedOf(ball), speed, tolerance(1e-8, 1e-4)) << i;
+  }
+  world.advance(20);
+  EXPECT_LT(speedOf(ball), tolerance(1e-9, 1e-5));
+}
+
 TEST(Parity, Row24BallRestsOnASlopeUpToItsAngle) {
   constexpr double kappa = 0.02;
   const double limit = std::atan(kappa / radius);
