@@ -178,19 +178,28 @@ ModeCounts writtenModes(const btDiscreteDynamicsWorld& world) {
 }
 
 Tunnelling::Tunnelling(const World& world)
-    : world_(world), movable_(world.movableBodies()), wentThrough_(movable_.size(), 0) {}
+    : world_(world), movable_(world.movableBodies()), entered_(movable_.size(), nullptr) {}
 
 void Tunnelling::look() {
   const btCollisionObjectArray& objects = world_.dynamics().getCollisionObjectArray();
   for (int k = 0; k < objects.size(); ++k) {
     if (!objects[k]->isStaticOrKinematicObject()) continue;
     for (std::size_t i = 0; i < movable_.size(); ++i)
-      if (isInside(*objects[k], movable_[i]->getWorldTransform().getOrigin())) wentThrough_[i] = 1;
+      if (isInside(*objects[k], movable_[i]->getWorldTransform().getOrigin()))
+        entered_[i] = objects[k];
   }
 }
 
 int Tunnelling::bodies() const {
-  return int(std::count(wentThrough_.begin(), wentThrough_.end(), 1));
+  int count = 0;
+  for (std::size_t i = 0; i < movable_.size(); ++i) {
+    if (entered_[i] == nullptr) continue;
+    const btVector3& centre = movable_[i]->getWorldTransform().getOrigin();
+    const bool box = entered_[i]->getCollisionShape()->getShapeType() == BOX_SHAPE_PROXYTYPE;
+    const btVector3 fallen = centre - entered_[i]->getWorldTransform().getOrigin();
+    count += isInside(*entered_[i], centre) || (box && fallen.dot(movable_[i]->getGravity()) > 0);
+  }
+  return count;
 }
 
 Drift::Drift(const World& world) : bodies_(world.movableBodies()) {

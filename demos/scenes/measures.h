@@ -41,19 +41,20 @@ class Drift {
   std::vector<btVector3> start_;
 };
 
-/// Movable bodies whose centre of mass has been inside an immovable box or behind an immovable plane: they went through its
-/// surface. Whoever falls through a slab is seen in it, unless a step takes it right across.
+/// Movable bodies whose centre of mass has come into an immovable box or behind an immovable plane and is still there, or has
+/// left the box on its lower side. (What is thin and fast may dip in for some steps and be pushed out again.)
 class Tunnelling {
  public:
   explicit Tunnelling(const World& world);
-  /// Looks where the bodies are now.
+  /// Looks where the bodies are; call it after every step. Whoever falls through a slab is seen in it, unless a step takes it
+  /// right across.
   void look();
   int bodies() const;
 
  private:
   const World& world_;
   std::vector<btRigidBody*> movable_;
-  std::vector<char> wentThrough_;
+  std::vector<const btCollisionObject*> entered_;  ///< by each of them, last; or null
 };
 
 /// The reaction on body 0 that a solver wrote into a point, N·s. A stock solver with one friction direction leaves the second

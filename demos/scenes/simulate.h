@@ -36,7 +36,7 @@ struct RunSummary {
   double residualRms = 0, residualMax = 0;
   int stepsAbove = 0;              ///< of all, those with a residual above `strict`
   double penetrationMax = 0;       ///< m, over the run
-  int tunnelled = 0;               ///< bodies that have gone through a surface (measures.h)
+  int tunnelled = 0;               ///< bodies in or under what cannot move, at the end (measures.h)
   double kineticEnergy = 0;        ///< J, at the end
   double driftMax = 0;             ///< largest distance of any body from its start, over the run, m
   double jointErrorMax = 0;        ///< m, over the run
