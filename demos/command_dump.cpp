@@ -124,8 +124,9 @@ int dumpProblems(const DumpArguments& arguments) {
 
 void addDumpCommand(CLI::App& app, Action& chosen) {
   auto arguments = std::make_shared<DumpArguments>();
-  CLI::App* command =
-      app.add_subcommand("dump", "writes the problems of one step, an island a file");
+  CLI::App* command = app.add_subcommand("dump",
+                                         "writes the problems of one step, an island a file; rows "
+                                         "of joints beside contacts as contacts");
   command->add_option("subject", arguments->subject, "a built-in scene or a .bullet file")
       ->required()
       ->type_name("SCENE|FILE.bullet");

@@ -3,7 +3,6 @@
 #include <Eigen/QR>
 #include <cmath>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include "delassus/links.h"
@@ -56,12 +55,12 @@ void eliminate(const Sparse& W, const std::vector<Image>& images, const std::vec
   const auto count = static_cast<Eigen::Index>(equations.size());
   for (Eigen::Index k = 0; k < count; ++k) column[equations[k]] = static_cast<int>(k);
 
-  MatrixXd own = MatrixXd::Zero(count, count), felt(count, others.size() + 1);
-  felt.setZero();
+  const auto numberOfOthers = static_cast<Eigen::Index>(others.size());
+  MatrixXd own = MatrixXd::Zero(count, count), felt = MatrixXd::Zero(count, numberOfOthers + 1);
   for (Eigen::Index k = 0; k < count; ++k) {
     for (Sparse::InnerIterator w(W, equations[k]); w; ++w)
       if (w.value() != 0) (images[w.col()].place < 0 ? own : felt)(k, column[w.col()]) = w.value();
-    felt(k, felt.cols() - 1) = q[equations[k]];
+    felt(k, numberOfOthers) = q[equations[k]];
   }
   // Rows of joints are in m/s and in rad/s: what is dependent is asked in energy.
   const VectorXd scale =
@@ -74,7 +73,6 @@ void eliminate(const Sparse& W, const std::vector<Image>& images, const std::vec
   if ((own * answer.rightCols<1>() - demand).norm() > met * demand.norm())
     throw std::invalid_argument("no reactions meet the equations of its joints");
 
-  const auto numberOfOthers = static_cast<Eigen::Index>(others.size());
   const MatrixXd change = felt.leftCols(numberOfOthers).transpose() * answer;
   for (Eigen::Index i = 0; i < numberOfOthers; ++i) {
     q[others[i]] -= change(i, numberOfOthers);
