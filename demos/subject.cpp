@@ -1,5 +1,8 @@
 #include "demos/subject.h"
 
+#include <filesystem>
+#include <system_error>
+
 #include "bullet_ext/btDelassusConstraintSolver.h"
 #include "demos/report/child.h"
 #include "demos/scenes/bullet_file.h"
@@ -20,6 +23,10 @@ bool isFile(const std::string& name) {
 /// that a damaged file is told, and nothing worse.
 void rehearse(const std::string& file) {
   constexpr double patience = 60;  // seconds
+  // A damaged count asks for any memory; the pages that it gets cost seconds, and other processes theirs.
+  std::error_code ignored;
+  const double size = double(std::filesystem::file_size(file, ignored));
+  const double bytes = 5e8 + 100 * (ignored ? 0 : size);
   const auto work = [&file] {
     try {
       const LoadedFile loaded = loadBulletFile(file);
@@ -31,7 +38,7 @@ void rehearse(const std::string& file) {
     }
     return std::vector<double>();
   };
-  const report::ApartResult result = report::runApart(work, {patience});
+  const report::ApartResult result = report::runApart(work, {patience, bytes});
   if (result.ending != report::Ending::Done)
     throw BulletFileError(file + ": is damaged: " +
                           (result.ending == report::Ending::Crashed

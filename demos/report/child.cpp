@@ -141,7 +141,7 @@ ApartResult runApart(const std::function<std::vector<double>()>& work, const Lim
   result.ending = !inTime                                         ? Ending::TimeLimit
                   : WIFEXITED(status) && WEXITSTATUS(status) == 0 ? Ending::Done
                                                                   : Ending::Crashed;
-  if (result.ending == Ending::Done) {
+  if (result.ending == Ending::Done && !bytes.empty()) {
     result.numbers.resize(bytes.size() / sizeof(double));
     std::memcpy(result.numbers.data(), bytes.data(), result.numbers.size() * sizeof(double));
   }

@@ -93,7 +93,7 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
   summary.hz = settings.hz;
   summary.steps = std::max(1, stepsIn(settings.seconds, settings.hz));
   summary.bodies = int(world.movableBodies().size());
-  if (named.delassus() != nullptr) summary.regions.emplace();
+  if (named.delassus() != nullptr) summary.regions = RunSummary::Regions();
   const Drift drift(world);
   Tunnelling tunnelling(world);
   const int settled = summary.steps / 4;

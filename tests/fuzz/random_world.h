@@ -1,11 +1,14 @@
 #pragma once
 /// Worlds that nobody would build: any shapes, masses over twelve decades, joints anyhow, flags, broken numbers.
+///
+/// Of the arguments of a call at most one is drawn, or the call has braces: compilers differ in their order, and the same
+/// bytes are to make the same world.
 
 #include <limits>
 #include <memory>
 #include <vector>
 
-#include "tests/fuzz/fuzz.h"
+#include "tests/fuzz/byte_draws.h"
 #include "tests/support/bullet_world.h"
 
 namespace delassus::testing {
@@ -20,7 +23,7 @@ struct WorldTraits {
 
 class RandomWorld {
  public:
-  explicit RandomWorld(Random& random) : random_(random) {
+  explicit RandomWorld(ByteDraws& random) : random_(random) {
     setUpStep();
     if (chance(random, 0.8)) world_.addGround();
     traits_.bounces = chance(random, 0.2);
@@ -122,10 +125,11 @@ class RandomWorld {
   }
 
   void addBody(double decadesOfMass) {
-    const btVector3 place(some(-1.5, 1.5), some(0, 3), some(-1.5, 1.5));
+    const btVector3 place{some(-1.5, 1.5), some(0, 3), some(-1.5, 1.5)};
     const btScalar mass =
         chance(random_, 0.1) ? 0 : btScalar(decades(random_, -decadesOfMass, decadesOfMass));
-    btRigidBody& body = world_.addBody(someShape(), btTransform(someTurn(), place), mass);
+    std::unique_ptr<btCollisionShape> shape = someShape();
+    btRigidBody& body = world_.addBody(std::move(shape), btTransform(someTurn(), place), mass);
     bodies_.push_back(&body);
     body.setLinearVelocity(someVector(chance(random_, 0.1) ? 100 : 3));
     body.setAngularVelocity(someVector(3));
@@ -137,10 +141,15 @@ class RandomWorld {
     }
     if (chance(random_, 0.1))
       body.setCollisionFlags(body.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
-    if (chance(random_, 0.1))
-      body.setContactStiffnessAndDamping(btScalar(decades(random_, 1, 9)), some(0, 100));
+    if (chance(random_, 0.1)) {
+      const btScalar stiffness = btScalar(decades(random_, 1, 9));
+      body.setContactStiffnessAndDamping(stiffness, some(0, 100));
+    }
     if (chance(random_, 0.2)) body.setFlags(pick(random_, 0, 15));
-    if (chance(random_, 0.1)) body.setDamping(some(0, 1), some(0, 1));
+    if (chance(random_, 0.1)) {
+      const btScalar linear = some(0, 1);
+      body.setDamping(linear, some(0, 1));
+    }
     if (chance(random_, 0.1)) body.forceActivationState(pick(random_, 1, 5));
     if (!turning_) return;
     if (chance(random_, 0.5)) body.setRollingFriction(btScalar(decades(random_, -4, 1)));
@@ -154,7 +163,7 @@ class RandomWorld {
     traits_.joints = true;
     btRigidBody& a = *bodies_[pick(random_, 0, int(bodies_.size()) - 1)];
     btRigidBody& b = *bodies_[pick(random_, 0, int(bodies_.size()) - 1)];
-    const btTransform inA(someTurn(), someVector(1)), inB(someTurn(), someVector(1));
+    const btTransform inA{someTurn(), someVector(1)}, inB{someTurn(), someVector(1)};
     if (&a == &b) {
       world_.addJoint<btPoint2PointConstraint>(a, inA.getOrigin());
       return;
@@ -165,17 +174,24 @@ class RandomWorld {
         break;
       case 1: {
         auto& hinge = world_.addJoint<btHingeConstraint>(a, b, inA, inB);
-        if (chance(random_, 0.5)) hinge.setLimit(some(-1, 0), some(0, 1));
-        if (chance(random_, 0.5)) hinge.enableAngularMotor(true, some(-5, 5), some(0, 10));
+        if (chance(random_, 0.5)) {
+          const btScalar low = some(-1, 0);
+          hinge.setLimit(low, some(0, 1));
+        }
+        if (chance(random_, 0.5)) {
+          const btScalar speed = some(-5, 5);
+          hinge.enableAngularMotor(true, speed, some(0, 10));
+        }
         break;
       }
       case 2:
         world_.addJoint<btSliderConstraint>(a, b, inA, inB, true);
         break;
-      case 3:
-        world_.addJoint<btConeTwistConstraint>(a, b, inA, inB)
-            .setLimit(some(0, 1), some(0, 1), some(0, 1));
+      case 3: {
+        const btScalar swing1 = some(0, 1), swing2 = some(0, 1);
+        world_.addJoint<btConeTwistConstraint>(a, b, inA, inB).setLimit(swing1, swing2, some(0, 1));
         break;
+      }
       case 4: {
         auto& spring = world_.addJoint<btGeneric6DofSpring2Constraint>(a, b, inA, inB);
         const int axis = pick(random_, 0, 5);
@@ -194,7 +210,7 @@ class RandomWorld {
     }
   }
 
-  Random& random_;
+  ByteDraws& random_;
   DelassusWorld world_;
   WorldTraits traits_;
   bool turning_ = false;  ///< bodies resist rolling and spinning

@@ -1,15 +1,17 @@
-/// Damaged problem texts: each is refused in one line that names its place, or read as a problem that can be written,
-/// read again and solved.
+/// Damaged problem texts, in both formats: each is refused in one line that names its place, or read as a problem that can be
+/// written, read again and solved.
 
-#include <cstdio>
-#include <map>
+#include <iterator>
+#include <vector>
 
 #include "delassus/solver.h"
-#include "tests/fuzz/fuzz.h"
-#include "tests/support/problem_samples.h"
+#include "tests/fuzz/target.h"
+#include "tests/support/problem_texts.h"
 
 namespace delassus::testing {
 namespace {
+
+std::string seed(Random& random) { return chance(random, 0.5) ? test::contactText : test::rowText; }
 
 std::string anyWord(Random& random) {
   static const char* const words[] = {"nan",
@@ -93,35 +95,32 @@ std::string mutated(std::string text, Random& random) {
   return text;
 }
 
-TEST(ProblemTextFuzz, IsRefusedInOneLineOrReadAndSolved) {
-  std::map<std::string, int> shares;
-  const int rounds = fuzzRounds(4000);
-  for (int round = 0; round < rounds; ++round) {
-    Random random = fuzzRandom(round);
-    const std::string text =
-        mutated(chance(random, 0.5) ? test::contactText : test::rowText, random);
-    SCOPED_TRACE(::testing::Message() << "round " << round << ":\n" << text);
-    try {
-      const Problem problem = test::fromText(text);
-      test::expectSame(problem, test::fromText(test::toText(problem)));
-      const Solution solution = solve(problem);
-      EXPECT_EQ(solution.r.size(), problem.size());
-      EXPECT_TRUE(solution.r.allFinite());
-      ++shares["read, " + toString(solution.status)];
-    } catch (const ProblemTextError& error) {
-      const std::string what = error.what();
-      EXPECT_EQ(what.rfind("text:", 0), 0u) << what;
-      EXPECT_EQ(what.find('\n'), std::string::npos) << what;
-      EXPECT_LT(what.size(), 400u) << what;
-      ++shares["refused"];
-    }
-    if (::testing::Test::HasFailure()) return;
+Outcome ask(const std::string& text) {
+  Outcome outcome;
+  const auto expect = [&outcome](bool holds, const std::string& fault) {
+    if (!holds) outcome.faults.insert(fault);
+  };
+  try {
+    const Problem problem = test::fromText(text);
+    const std::string changed = test::difference(problem, test::fromText(test::toText(problem)));
+    expect(changed.empty(), "written and read again it differs in " + changed);
+    const Solution solution = solve(problem);
+    expect(solution.r.size() == problem.size(), "a reaction is missing");
+    expect(solution.r.allFinite(), "a reaction is not finite");
+    ++outcome.counts["read, " + toString(solution.status)];
+  } catch (const ProblemTextError& error) {
+    const std::string what = error.what();
+    expect(what.rfind("text:", 0) == 0, "no place in: " + what);
+    expect(what.find('\n') == std::string::npos, "more than a line: " + what);
+    expect(what.size() < 400, "too long: " + what);
+    ++outcome.counts["refused"];
   }
-  EXPECT_GT(shares["refused"], rounds / 4);
-  EXPECT_GT(shares["read, solved"], rounds / 100) << "not all are refused";
-  if (!isLongFuzz()) return;
-  for (const auto& [what, count] : shares) std::printf("%s %d\n", what.c_str(), count);
+  return outcome;
 }
 
 }  // namespace
+
+const Target target{"problem_text", ask,  seed,
+                    mutated,        4000, {{"refused", 0.25}, {"read, solved", 0.01}}};
+
 }  // namespace delassus::testing

@@ -1,0 +1,33 @@
+#pragma once
+/// What is fuzzed, and how it is asked. Each fuzz program is one target and one of two drivers: target_test.cpp, a short
+/// run that needs no special compiler, or libfuzzer.cpp, which searches for as long as it is let.
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "tests/fuzz/fuzz.h"
+
+namespace delassus::testing {
+
+/// What became of one input.
+struct Outcome {
+  std::set<std::string> faults;        ///< broken laws, in words; empty if nothing is wrong
+  std::map<std::string, long> counts;  ///< what happened, for the shares
+};
+
+struct Target {
+  const char* name;
+  Outcome (*ask)(const std::string& bytes);
+  std::string (*seed)(Random& random);
+  /// A few changes that are likelier to hurt than those of single bytes.
+  std::string (*mutated)(std::string bytes, Random& random);
+  int usualRounds;  ///< of the short run
+  /// Counts that a run reaches at least, each round on average: a target that refuses everything tests nothing.
+  std::map<std::string, double> least;
+};
+
+/// The one of this program.
+extern const Target target;
+
+}  // namespace delassus::testing

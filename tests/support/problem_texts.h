@@ -1,0 +1,89 @@
+#pragma once
+/// Two small problem texts; texts to problems and back; and whether two problems are the same, bit for bit.
+
+#include <cstring>
+#include <sstream>
+#include <string>
+
+#include "delassus/problem_text.h"
+
+namespace delassus::test {
+
+// Two contacts, the first block off the diagonal absent. Line numbers matter to the tests of errors.
+inline const char* const contactText =
+    "delassus-problem v1\n"         // 1
+    "# where it comes from\n"       // 2
+    "name two\n"                    // 3
+    "contacts 2\n"                  // 4
+    "blocks 3\n"                    // 5
+    "mu\n"                          // 6
+    "0.5\n"                         // 7
+    "0\n"                           // 8
+    "q\n"                           // 9
+    "-1 0.25 -0.125\n"              // 10
+    "1e-3 -0 3\n"                   // 11
+    "W\n"                           // 12
+    "0 0 2 .5 0 .5 1 0 0 0 1\n"     // 13
+    "1 0 0 0 0 0 0 0 0 0 1e-300\n"  // 14
+    "1 1 1 0 0 0 1 0 0 0 1\n"       // 15
+    "end\n";                        // 16
+
+inline const char* const rowText =
+    "lcp v1\n"      // 1
+    "name boxed\n"  // 2
+    "size 2\n"      // 3
+    "entries 3\n"   // 4
+    "bounds\n"      // 5
+    "-inf inf\n"    // 6
+    "-0.5 2\n"      // 7
+    "q\n"           // 8
+    "-1\n"          // 9
+    "3\n"           // 10
+    "M\n"           // 11
+    "0 0 0\n"       // 12
+    "1 0 -1\n"      // 13
+    "1 1 4\n"       // 14
+    "end\n";        // 15
+
+inline Problem fromText(const std::string& text) {
+  std::istringstream in(text);
+  return readProblem(in, "text");
+}
+
+inline std::string toText(const Problem& problem) {
+  std::ostringstream out;
+  writeProblem(out, problem);
+  return out.str();
+}
+
+/// Equal as bits: tells 0 from -0.
+template <class X>
+bool sameBits(const X* a, const X* b, Eigen::Index n) {
+  return n == 0 || std::memcmp(a, b, static_cast<std::size_t>(n) * sizeof(X)) == 0;
+}
+
+inline bool sameBits(const VectorXd& a, const VectorXd& b) {
+  return a.size() == b.size() && sameBits(a.data(), b.data(), a.size());
+}
+
+/// In what two problems differ, stored entries and all; empty if they are the same, bit for bit.
+inline std::string difference(const Problem& a, const Problem& b) {
+  const DelassusMatrix::Sparse &A = a.W.entries(), &B = b.W.entries();
+  const bool samePlaces = A.rows() == B.rows() && A.nonZeros() == B.nonZeros() &&
+                          sameBits(A.outerIndexPtr(), B.outerIndexPtr(), A.rows() + 1) &&
+                          sameBits(A.innerIndexPtr(), B.innerIndexPtr(), A.nonZeros());
+  std::string parts;
+  const auto compare = [&parts](const char* part, bool same) {
+    if (!same) parts += (parts.empty() ? "" : ", ") + std::string(part);
+  };
+  compare("name", a.name == b.name);
+  compare("q", sameBits(a.q, b.q));
+  compare("friction", sameBits(a.friction, b.friction));
+  compare("lower", sameBits(a.lower, b.lower));
+  compare("upper", sameBits(a.upper, b.upper));
+  compare("places in W", samePlaces);
+  compare("W", samePlaces && sameBits(A.valuePtr(), B.valuePtr(), A.nonZeros()));
+  return parts;
+}
+
+}  // namespace delassus::test
