@@ -39,21 +39,36 @@ std::unique_ptr<World> buildConveyor() {
   return world;
 }
 
+/// Depths of contacts are left as they are.
+std::unique_ptr<World> archWithoutRecovery() {
+  auto world = buildArch(21, 1);
+  world->dynamics().getSolverInfo().m_erp2 = 0;
+  return world;
+}
+
 }  // namespace
 
 SweepGroup longRunSweeps() {
-  Sweep arch = lasting("arch_long", "arch of 21 voussoirs", 0.02, {1, 10, 60, 600, 3600}, 6,
+  constexpr double archPatience = 100;
+  const std::vector<double> archTimes = {1, 10, 60, 600, 3600};
+  Sweep arch = lasting("arch_long", "arch of 21 voussoirs", 0.02, archTimes, archPatience,
                        [] { return buildArch(21, 1); });
   arch.remark =
-      "It creeps, in double precision by 1.5 cm in the first 400 s. An hour would take `delassus` "
-      "about ten minutes of the processor.";
+      "It creeps. Its stones would rest, but Bullet's narrow phase replaces some of the 88 points "
+      "of "
+      "its joints in most steps, by others, up to a millimetre deep. Recovery of these depths "
+      "(`m_erp2`) moves the stones, now and then a joint loses a corner, and friction brings "
+      "nothing "
+      "back. Without recovery (next) it settles once and stays.";
+  const Sweep unrecovered = lasting("arch_unrecovered", "arch of 21 voussoirs, `m_erp2` of 0", 0.02,
+                                    archTimes, archPatience, archWithoutRecovery);
   return {"long_runs",
           "Long runs",
           {lasting("cube", "one cube at rest", 1e-3, {1, 10, 100, 1000, 3600, 36000}, 8,
                    [] { return buildGridOfBoxes(1, 3); }),
            lasting("stack_40_long", "stack of forty boxes", 1e-3, {1, 10, 100, 600, 3600}, 20,
                    [] { return buildStack(40, 1); }),
-           arch,
+           arch, unrecovered,
            lasting("conveyor", "box on a running belt, kept by a stop", 1e-3,
                    {1, 10, 100, 600, 3600}, 6, buildConveyor)}};
 }
