@@ -16,7 +16,7 @@ void Anderson::start(const VectorXd& weights) {
 }
 
 void Anderson::next(const VectorXd& g, VectorXd& x) {
-  constexpr double growth = 2, regularisation = 1e-8;
+  constexpr double growth = 2, regularisation = 1e-8, farthest = 1e3;
   x = rootWeights_.cwiseProduct(g - x);  // f
   const double norm = x.norm();
   if (begun_ && norm > growth * last_) {
@@ -39,13 +39,15 @@ void Anderson::next(const VectorXd& g, VectorXd& x) {
   using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, memory, memory>;
   using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, memory, 1>;
   Small normal = products_.topLeftCorner(steps_, steps_);
-  // With ‖f‖² in it, what never ends is not extrapolated without end: reactions against demands that nothing can meet.
   normal.diagonal().array() += regularisation * (normal.trace() + norm * norm);
   SmallVector gamma(steps_);
   for (int j = 0; j < steps_; ++j) gamma[j] = changeF_[j].dot(f_);
   gamma = normal.ldlt().solve(gamma).eval();
   if (!gamma.allFinite()) return;
   for (int j = 0; j < steps_; ++j) x -= gamma[j] * changeG_[j];
+  // Reactions against demands that nothing can meet grow for ever; they are not to grow by powers.
+  const double length = rootWeights_.cwiseProduct(x - g).norm();
+  if (length > farthest * norm) x = g + (farthest * norm / length) * (x - g);
 }
 
 std::size_t Anderson::bytes() const {

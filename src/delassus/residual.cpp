@@ -69,9 +69,10 @@ void visitNaturalMap(const Problem& problem, const VectorXd& r, const VectorXd& 
   for (int i = 0; i < plainRows; ++i) {
     const int at = 3 * n + i;
     const double s = step(n + i);
-    const double x = r[at] - s * u[at];
-    visit(n + i, at, 1,
-          std::abs(r[at] - std::min(std::max(x, problem.lower[i]), problem.upper[i])));
+    // r − clamp(r − s u), written so that a large r does not swallow s u.
+    const double F =
+        std::max(std::min(s * u[at], r[at] - problem.lower[i]), r[at] - problem.upper[i]);
+    visit(n + i, at, 1, std::abs(F));
   }
   for (const Disk& disk : problem.disks) {
     const int k = disk.first - 2 * n;

@@ -294,6 +294,13 @@ TEST(FclibMeasures, AreTheirFormulas) {
   EXPECT_EQ(fclibMeasures(oneContact(W, Vec3::Zero(), 0.5), Vec3(1, 0, 0)).rel, infinity);
 }
 
+// A reaction that has grown without end says nothing of how well the demand is met.
+TEST(NaturalResidual, ALargeReactionHidesNoVelocity) {
+  const VectorXd r = VectorXd::Constant(1, 1e20), u = VectorXd::Constant(1, -3);
+  for (const double lower : {-infinity, 0.0})
+    EXPECT_EQ(naturalResidual(oneRow(0.5, -3, lower, infinity), r, u).max, 3);
+}
+
 /// The list of problems states `rel` at r = 0, in two digits, computed by others.
 TEST(FclibMeasures, AgreeWithThePublishedListAtRest) {
   if (test::sharedFolder().empty()) GTEST_SKIP() << test::noSharedFolder;

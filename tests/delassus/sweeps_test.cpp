@@ -1,4 +1,4 @@
-/// Block Gauss-Seidel with nonlinear conjugate gradients.
+/// Block Gauss-Seidel with Anderson's acceleration.
 #include "delassus/sweeps.h"
 
 #include <gtest/gtest.h>
