@@ -137,9 +137,9 @@ void Search::settle(const Problem& problem, const Options& options, double toler
     failures = trial_.residualRms < gain * lowest ? 0 : failures + 1;
     lowest = std::min(lowest, trial_.residualRms);
     // What does not help is tried with more around it.
-    const int patches = mendPatches(problem, options, tolerance, 3.0 / (1 + failures), trial_);
-    if (patches == 0) return;
-    best.patches += patches;
+    const int mended = mendPatches(problem, options, tolerance, 3.0 / (1 + failures), trial_);
+    if (mended == 0) return;
+    best.patches += mended;
     consider(problem, trial_, best);
   }
 }
@@ -185,16 +185,26 @@ int Search::mendPatches(const Problem& problem, const Options& options, double t
   return patches_.count();
 }
 
+/// Whether many of the parts are further than `error` from their law. Where contacts came and went in few places, sweeps would
+/// spread the change over the self-stress of the whole pile, which then has far to walk, in this step and in the next.
+bool Search::isWidespread(double error, const Solution& solution) {
+  constexpr double many = 0.1;
+  if (!(solution.residual > error)) return false;
+  map_.residuals(solution.r, solution.u, residuals_);
+  const auto disturbed = (residuals_.array() > error).count();
+  return static_cast<double>(disturbed) > many * static_cast<double>(residuals_.size());
+}
+
 /// From the likeliest start to the surest: the reactions of the last step, or without them the paper's forced motion, every
-/// approaching contact held, with reactions that start from zero. Sweeps and patches mend what came and went, as long as they
-/// gain; the walk finishes.
+/// approaching contact held, with reactions that start from zero. Where much came and went, sweeps and patches mend it as long
+/// as they gain; the walk finishes.
 template <class Motion>
 Outcome Search::walkOnce(ProximalNewton<Motion>& newton, const Problem& problem,
                          const Options& options, double tolerance, const VectorXd* guess,
                          Solution& best) {
   constexpr double knownRegion = 1e-6;
   // Shares of the demands that the last reactions leave open.
-  constexpr double disturbed = 1e-3, nearly = 1e-6;
+  constexpr double farWrong = 10, disturbed = 1e-3, nearly = 1e-6;
   constexpr int fewRegions = 8, firstTry = 32, secondTry = 90;
   const double demand = problem.q.cwiseAbs().maxCoeff();
   const auto settled = [](Outcome outcome) { return outcome != Outcome::Lost; };
@@ -218,7 +228,8 @@ Outcome Search::walkOnce(ProximalNewton<Motion>& newton, const Problem& problem,
         newton.walk(problem, tolerance, knownRegion, std::min(firstTry / 2, left()), best);
     if (settled(outcome)) return outcome;
   }
-  if (best.residual > disturbed * demand) settle(problem, options, keptShare * tolerance, best);
+  if (best.residual > farWrong * demand || isWidespread(disturbed * demand, best))
+    settle(problem, options, keptShare * tolerance, best);
   prepare();  // patches may have been at work here
   if (best.residual <= tolerance) {
     // Sweeps leave what is slow; one step in the region that they have found takes it away.

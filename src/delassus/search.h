@@ -71,6 +71,7 @@ class Search {
   void polishWith(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
                   double aim, Solution& best);
   void settle(const Problem& problem, const Options& options, double tolerance, Solution& best);
+  bool isWidespread(double error, const Solution& solution);
   void findPatches(double tolerance, double outstanding, const Solution& unsettled);
   int mendPatches(const Problem& problem, const Options& options, double tolerance,
                   double outstanding, Solution& unsettled);
