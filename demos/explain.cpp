@@ -49,8 +49,7 @@ std::vector<Cost> costsOf(const StepTotals& totals) {
       cost("solve", "solve", sum.secondsSolve,
            count("islands: with W", sum.matrices) + count(", by formula", sum.closedForms) +
                count(", walked", sum.walks) + count("; sweeps", sum.sweeps) +
-               count(", patches", sum.patches) + count(", regions", sum.regions) +
-               count(", factorisations", sum.factorisations)),
+               count(", regions", sum.regions) + count(", factorisations", sum.factorisations)),
       cost("push", "push", sum.secondsPush, count("islands", sum.pushIslands)),
       cost("write_back", "write back", sum.secondsWriteBack, count("events", sum.events)),
       cost("listener", "listener", sum.secondsListener, ""),

@@ -28,7 +28,18 @@ void ProximalNewton<Motion>::setProblem(const Problem& problem, const NaturalMap
   else
     compliance_.setZero(problem.size());
   G_.reset(problem);
+  forgetFactor();
+}
+
+template <class Motion>
+void ProximalNewton<Motion>::forgetFactor() {
   hasFactor_ = false;
+}
+
+template <class Motion>
+Motion& ProximalNewton<Motion>::motion() {
+  forgetFactor();
+  return motion_;
 }
 
 template <class Motion>

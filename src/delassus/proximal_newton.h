@@ -48,6 +48,9 @@ class ProximalNewton {
   void polish(const Problem& problem, double tolerance, double alpha, int regionBudget,
               Solution& best);
 
+  /// The space of the last problem, for other methods; what it has factored is forgotten here.
+  Motion& motion();
+
   std::size_t bytes() const {
     return motion_.bytes() + G_.bytes() + factored_.bytes() +
            bytesOf(scale_, l_, compliance_, center_, u_, r_, delta_, error_, step_, trialDelta_,
@@ -78,6 +81,7 @@ class ProximalNewton {
   void moveTo(double residual, Solution& best);
   bool growsInVain(const Problem& problem, double tolerance, double residual) const;
   void compromise(const Problem& problem, Solution& best);
+  void forgetFactor();
   const VectorXd& felt();
 
   const NaturalMap* map_ = nullptr;

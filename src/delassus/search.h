@@ -1,9 +1,7 @@
 #pragma once
 
-#include <memory>
-
+#include "delassus/interior_point.h"
 #include "delassus/options.h"
-#include "delassus/patches.h"
 #include "delassus/problem.h"
 #include "delassus/proximal_newton.h"
 #include "delassus/residual.h"
@@ -12,12 +10,10 @@
 
 namespace delassus {
 
-/// The search for the reactions of one problem after the other: by sweeps, by patches, from region to region. What has been found
-/// so far is `best`; nothing is lost that was better. Storage is used again.
+/// The search for the reactions of one problem after the other: by sweeps, from region to region, between their walls. What
+/// has been found so far is `best`; nothing is lost that was better. Storage is used again.
 class Search {
  public:
-  Search() : own_(std::make_unique<Walks>()), walks_(own_.get()) {}
-
   /// Before all else.
   void setProblem(const Problem& problem) { map_.setProblem(problem); }
   const NaturalMap& map() const { return map_; }
@@ -42,39 +38,33 @@ class Search {
   void polish(const Problem& problem, const Options& options, double aim, Solution& best);
 
   std::size_t bytes() const {
-    return map_.bytes() + sweeps_.bytes() + (own_ ? own_->bytes() : 0) + trial_.bytes() +
-           wandering_.bytes() + cold_.bytes() + felt_.bytes() + patches_.bytes() + patch_.bytes() +
-           patchAnswer_.bytes() + bytesOf(residuals_, patchStart_) +
-           (patchSearch_ ? patchSearch_->bytes() : 0);
+    return map_.bytes() + sweeps_.bytes() + bodies_.bytes() + factored_.bytes() + trial_.bytes() +
+           wandering_.bytes() + cold_.bytes() + felt_.bytes();
   }
 
  private:
-  struct Walks {
-    ProximalNewton<BodyMotion> bodies;
-    ProximalNewton<FactoredMotion> factored;
-    std::size_t bytes() const { return bodies.bytes() + factored.bytes(); }
+  template <class Motion>
+  struct Engines {
+    ProximalNewton<Motion> walk;
+    InteriorPoint<Motion> interior;
+    std::size_t bytes() const { return walk.bytes() + interior.bytes(); }
   };
 
-  /// For the patches of another search: it takes turns with that one.
-  explicit Search(Walks& walks) : walks_(&walks) {}
-
   template <class Motion>
-  Outcome walkTwice(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
+  Outcome walkTwice(Engines<Motion>& engines, const Problem& problem, const Options& options,
                     double tolerance, const VectorXd* guess, Solution& best);
   template <class Motion>
-  Outcome walkOnce(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
+  Outcome walkOnce(Engines<Motion>& engines, const Problem& problem, const Options& options,
                    double tolerance, const VectorXd* guess, Solution& best);
   template <class Motion>
-  Outcome wander(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
+  Outcome wander(Engines<Motion>& engines, const Problem& problem, const Options& options,
                  double tolerance, const VectorXd* guess, Solution& best);
   template <class Motion>
-  void polishWith(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
+  void polishWith(Engines<Motion>& engines, const Problem& problem, const Options& options,
                   double aim, Solution& best);
-  void settle(const Problem& problem, const Options& options, double tolerance, Solution& best);
-  bool isWidespread(double error, const Solution& solution);
-  void findPatches(double tolerance, double outstanding, const Solution& unsettled);
-  int mendPatches(const Problem& problem, const Options& options, double tolerance,
-                  double outstanding, Solution& unsettled);
+  void sweep(const Problem& problem, int count, Solution& best);
+  void sweepWhileItGains(const Problem& problem, const Options& options, double tolerance,
+                         Solution& best);
 
   /// Completes u and the residuals of a candidate r.
   void measure(const Problem& problem, Solution& candidate);
@@ -85,17 +75,10 @@ class Search {
 
   NaturalMap map_;
   Sweeps sweeps_;
-  std::unique_ptr<Walks> own_;  ///< none in a search for patches
-  Walks* walks_;
+  Engines<BodyMotion> bodies_;
+  Engines<FactoredMotion> factored_;
   Solution trial_, wandering_, cold_;
   VectorXd felt_;
-
-  Patches patches_;
-  std::unique_ptr<Search> patchSearch_;  ///< for the problems of patches
-  Problem patch_;
-  VectorXd patchStart_;
-  Solution patchAnswer_;
-  VectorXd residuals_;
 };
 
 }  // namespace delassus

@@ -2,8 +2,6 @@
 
 #include <vector>
 
-#include "delassus/anderson.h"
-#include "delassus/one_contact.h"
 #include "delassus/problem.h"
 
 namespace delassus {
@@ -13,12 +11,12 @@ class Sweeps {
  public:
   void setProblem(const Problem& problem);
 
-  /// `count` sweeps over all contacts and rows, each but the last followed by Anderson's acceleration. The reactions end in
-  /// their cones and bounds. What the last sweeps of this problem returned is gone on from with what they learnt.
+  /// `count` sweeps over all contacts and rows, each but the last followed by a step along the nonlinear conjugate gradient
+  /// of the sweeps (Silcowitz-Hansen, Niebe, Erleben 2010; algorithms §7.3). The reactions stay in their cones and bounds.
   void sweep(const Problem& problem, int count, VectorXd& r);
 
   std::size_t bytes() const {
-    return bytesOf(blocks_, diskBlocks_, diagonal_, y_, swept_) + accelerator_.bytes();
+    return bytesOf(blocks_, diskBlocks_, diagonal_, y_, before_, change_, direction_);
   }
 
  private:
@@ -28,15 +26,11 @@ class Sweeps {
   /// The reaction of disk `k` with the others held: u is what it sees with r.
   Vec2 nextOnDisk(const Problem& problem, int k, const VectorXd& r, const Vec2& u) const;
 
-  /// The next reaction of a contact, the others held: u is what it sees with r.
-  Vec3 nextOnCone(const Problem& problem, int contact, const Vec3& r, const Vec3& u) const;
-
-  std::vector<OneContact> blocks_;
+  std::vector<Mat3> blocks_;
   std::vector<Mat2> diskBlocks_;
   VectorXd diagonal_;
   VectorXd y_;
-  VectorXd swept_;  ///< by the last sweep
-  Anderson accelerator_;
+  VectorXd before_, change_, direction_;
 };
 
 }  // namespace delassus

@@ -55,7 +55,7 @@ TEST(MultiBodyContacts, BasesThatCannotBePushed) {
     if (kinematic) base.setBaseDynamicType(btCollisionObject::CF_KINEMATIC_OBJECT);
     const btVector3 velocity(kinematic ? btScalar(0.3) : 0, 0, 0);
     const btRigidBody& box = world.addCube(btVector3(0, btScalar(0.5), 0), 2);
-    for (int step = 0; step < 120; ++step) {
+    for (int step = 0; step < 90; ++step) {
       base.setBaseVel(velocity);
       world.advance();
     }

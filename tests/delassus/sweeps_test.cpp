@@ -1,4 +1,4 @@
-/// Block Gauss-Seidel with Anderson's acceleration.
+/// Block Gauss-Seidel with nonlinear conjugate gradients.
 #include "delassus/sweeps.h"
 
 #include <gtest/gtest.h>

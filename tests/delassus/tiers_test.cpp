@@ -2,6 +2,7 @@
 /// islands (Gauss' principle) and towers at rest.
 #include <gtest/gtest.h>
 
+#include "delassus/interior_point.h"
 #include "delassus/pivoting.h"
 #include "delassus/proximal_newton.h"
 #include "delassus/region.h"
@@ -35,6 +36,14 @@ class Tiers {
     newton.setProblem(problem_, map_);
     Solution best = startFrom(problem_, map_, VectorXd::Zero(problem_.size()));
     EXPECT_EQ(newton.walk(problem_, tolerance_, 1e-2, 400, best), Outcome::Reached);
+    return best.r;
+  }
+  VectorXd interiorPoint() {
+    BodyMotion motion;
+    motion.setProblem(problem_);
+    Solution best = startFrom(problem_, map_, VectorXd::Zero(problem_.size()));
+    InteriorPoint<BodyMotion>().solve(motion, problem_, map_, tolerance_, 100, best);
+    EXPECT_LE(best.residual, 1000 * tolerance_) << "interior point";
     return best.r;
   }
   VectorXd whole() {
@@ -71,11 +80,12 @@ TEST(Tiers, FrictionlessIslandsHaveOneMotion) {
     const VectorXd truth = tiers.pivoting();
     EXPECT_LT(motionDistance(island, truth, tiers.whole()), 1e-7);
     EXPECT_LT(motionDistance(island, truth, tiers.newton()), 1e-7);
+    EXPECT_LT(motionDistance(island, truth, tiers.interiorPoint()), 1e-7);
     EXPECT_LT(motionDistance(island, truth, tiers.sweeps()), 1e-7);
   }
 }
 
-// Large mass ratios are for the direct methods: pivoting, Newton.
+// Large mass ratios are for the direct methods: pivoting, both Newton methods.
 TEST(Tiers, MassRatiosOfAThousand) {
   Random random(92);
   for (int k = 0; k < 40; ++k) {
@@ -86,6 +96,7 @@ TEST(Tiers, MassRatiosOfAThousand) {
     const VectorXd truth = tiers.pivoting();
     EXPECT_LT(motionDistance(island, truth, tiers.whole()), 1e-7);
     EXPECT_LT(motionDistance(island, truth, tiers.newton()), 1e-7);
+    EXPECT_LT(motionDistance(island, truth, tiers.interiorPoint()), 1e-7);
   }
 }
 
@@ -123,6 +134,7 @@ TEST(Tiers, AHandfulOfContactsFindsTheRegionOfThePaper) {
     Tiers tiers(island.problem);
     EXPECT_LT(motionDistance(island, region.r, tiers.pivoting()), 1e-7);
     EXPECT_LT(motionDistance(island, region.r, tiers.whole()), 1e-7);
+    EXPECT_LT(motionDistance(island, region.r, tiers.interiorPoint()), 1e-6);
   }
 }
 
