@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing, with sudo when not root. Usage: setup.sh [tests] [checks]
-# Always those that build the libraries and the command; `tests` and `checks` add theirs.
+# Installs the Debian packages that are missing, with sudo when not root. Usage: setup.sh [tests] [checks] [fuzz]
+# Always those that build the libraries and the command; `tests`, `checks` and `fuzz` (libFuzzer) add theirs.
 set -euo pipefail
 
 packages=(g++ cmake ninja-build pkg-config libeigen3-dev libbullet-dev libbullet-extras-dev libcli11-dev
@@ -10,7 +10,8 @@ for group in "$@"; do
   case "$group" in
     tests) packages+=(libgtest-dev libgmock-dev) ;;
     checks) packages+=(clang-format clang-tidy python3) ;;
-    *) echo "setup.sh: no group '$group'; there are tests and checks" >&2; exit 2 ;;
+    fuzz) packages+=(clang libclang-rt-14-dev) ;;
+    *) echo "setup.sh: no group '$group'; there are tests, checks and fuzz" >&2; exit 2 ;;
   esac
 done
 

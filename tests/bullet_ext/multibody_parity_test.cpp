@@ -259,6 +259,7 @@ TEST(MultiBodyParity, TroubleNamesLinkAndMultiBody) {
   tree.setBaseName("arm");
   tree.getLink(1).m_linkName = "wrist";
   world.advance();
+  ASSERT_FALSE(world.report().messages.empty());
   EXPECT_EQ(
       world.report().messages[0].rfind("a constraint of link 1 'wrist' of multibody 'arm': ", 0),
       0u)

@@ -209,12 +209,10 @@ Sweep sleepStorm() {
   };
   sweep.remark =
       "In double precision the velocities of 1e-11 m/s that a solve leaves open a corner by 1e-13 "
-      "m, "
-      "and Bullet's box-box test, which knows only corners that overlap, puts another point in its "
-      "place: for a step the box stands on a part of its foot and tips, at up to 0.03 m/s (see the "
-      "feet). It pushes what sleeps on it, which has no weight until it wakes, and glides on for "
-      "as "
-      "long. Positions in single precision do not see such gaps.";
+      "m, and Bullet's box-box test, which knows only corners that overlap, puts another point in "
+      "its place: for a step the box stands on a part of its foot and tips, at up to 0.03 m/s (see "
+      "the feet). It pushes what sleeps on it, which has no weight until it wakes, and glides on "
+      "for as long. Positions in single precision do not see such gaps.";
   return sweep;
 }
 
