@@ -133,6 +133,7 @@ void btDelassusConstraintSolver::Workspace::countSolve(const Bench::Counts& work
   report.regions += work.regions + pushes.counts.regions;
   report.factorisations += work.factorisations + pushes.counts.factorisations;
   report.sweeps += work.sweeps + pushes.counts.sweeps;
+  report.patches += work.patches + pushes.counts.patches;
   report.obsoleteConstraints += answer.obsoleteConstraints;
   report.pushIslands += pushes.islands;
   report.pushUnsolved += pushes.counts.unsolved;

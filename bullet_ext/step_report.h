@@ -24,6 +24,7 @@ struct StepReport {
   int regions = 0;         ///< regions visited, pushes included
   int factorisations = 0;  ///< pushes included
   int sweeps = 0;          ///< pushes included
+  int patches = 0;         ///< parts of islands that were solved apart on the way, pushes included
   double residualMax = 0;  ///< natural residual, m/s
   double residualRms = 0;  ///< m/s, over contacts and rows
   int solved = 0, outOfBudget = 0, incompatible = 0, nonFinite = 0;  ///< islands by status

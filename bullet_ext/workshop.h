@@ -32,18 +32,20 @@ struct Bench {
 
   /// What was done here since the last Workshop::clearCounts().
   struct Counts {
-    int unsolved = 0, regions = 0, factorisations = 0, sweeps = 0;
+    int unsolved = 0, regions = 0, factorisations = 0, sweeps = 0, patches = 0;
     void add(const Solution& solved) {
       unsolved += solved.status != Status::Solved;
       regions += solved.regions;
       factorisations += solved.factorisations;
       sweeps += solved.sweeps;
+      patches += solved.patches;
     }
     void add(const Counts& other) {
       unsolved += other.unsolved;
       regions += other.regions;
       factorisations += other.factorisations;
       sweeps += other.sweeps;
+      patches += other.patches;
     }
   } counts;
 };

@@ -49,7 +49,8 @@ std::vector<Cost> costsOf(const StepTotals& totals) {
       cost("solve", "solve", sum.secondsSolve,
            count("islands: with W", sum.matrices) + count(", by formula", sum.closedForms) +
                count(", walked", sum.walks) + count("; sweeps", sum.sweeps) +
-               count(", regions", sum.regions) + count(", factorisations", sum.factorisations)),
+               count(", patches", sum.patches) + count(", regions", sum.regions) +
+               count(", factorisations", sum.factorisations)),
       cost("push", "push", sum.secondsPush, count("islands", sum.pushIslands)),
       cost("write_back", "write back", sum.secondsWriteBack, count("events", sum.events)),
       cost("listener", "listener", sum.secondsListener, ""),

@@ -121,7 +121,7 @@ void makeReady(const Island& island, Tier tier, Solution& solution) {
   solution.activeSet.disks.clear();
   solution.status = Status::Solved;
   solution.tier = tier;
-  solution.regions = solution.factorisations = solution.sweeps = 0;
+  solution.regions = solution.factorisations = solution.sweeps = solution.patches = 0;
   solution.blamed.clear();
 }
 

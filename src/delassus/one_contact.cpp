@@ -3,61 +3,64 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-
-#include "delassus/cone.h"
+#include <limits>
 
 namespace delassus {
-namespace {
 
-using Vec2 = Eigen::Vector2d;
-using Mat2 = Eigen::Matrix2d;
+OneContact::OneContact(const Mat3& W) : W_(W), inverse_(W.partialPivLu().inverse()) {}
 
-Vec3 slide(const Mat3& W, const Vec3& q, double mu) {
-  // Hold the normal: what remains is the tangential plane with its Schur complement S.
-  const Vec2 wnt = W.block<1, 2>(0, 1).transpose();
-  const Vec2 wtn = W.block<2, 1>(1, 0);
-  const Mat2 S = W.block<2, 2>(1, 1) - wtn * wnt.transpose() / W(0, 0);
-  const Vec2 c = q.tail<2>() - wtn * (q[0] / W(0, 0));
+Vec3 OneContact::solve(const Vec3& q, double friction, double slip) const {
+  if (q[0] >= 0) return Vec3::Zero();
+  if (friction <= 0) return {-q[0] / W_(0, 0), 0, 0};
 
-  const auto tangential = [&](double s) -> Vec2 {
-    const Mat2 Ss = S + s * Mat2::Identity();
-    const double det = Ss.determinant();
-    return Vec2(Ss(0, 1) * c[1] - Ss(1, 1) * c[0], Ss(1, 0) * c[0] - Ss(0, 0) * c[1]) / det;
-  };
-  const auto normal = [&](const Vec2& rt) { return -(q[0] + wnt.dot(rt)) / W(0, 0); };
+  const Vec3 stick = -(inverse_ * q);
+  const double most = friction * stick[0];
+  if (stick.allFinite() && stick[0] > 0 && stick.tail<2>().squaredNorm() <= most * most)
+    return stick;
+  return slide(q, friction, slip);
+}
 
-  // φ(s) = μ r_n − ‖r_t‖ is negative where it still sticks too much and positive for large s.
-  double low = 0, high = c.norm() / std::max(-mu * q[0] / W(0, 0), 1e-300) + W.norm();
-  const auto excess = [&](double s) {
-    const Vec2 rt = tangential(s);
-    return mu * normal(rt) - rt.norm();
-  };
-  for (int k = 0; k < 100 && !(excess(high) > 0); ++k) high *= 4;
+Vec3 OneContact::slide(const Vec3& q, double friction, double slip) const {
+  // The normal velocity is held; what remains is the tangential plane.
+  const double wnn = W_(0, 0), held = -q[0] / wnn;
+  const Vec2 wnt(W_(0, 1) / wnn, W_(0, 2) / wnn), wtn = W_.bottomLeftCorner<2, 1>();
+  const Mat2 S = W_.bottomRightCorner<2, 2>() - wtn * wnt.transpose();
+  const Vec2 c = q.tail<2>() + wtn * held;
 
-  double s = 0.5 * high;
-  {
-    // Start where the reaction would have the size that the normal alone allows.
-    const double scale = -mu * q[0] / W(0, 0);
-    const double first = c.norm() / scale - 0.5 * S.trace();
-    if (first > low && first < high) s = first;
+  // φ(s) = μ r_n − ‖r_t‖ is negative where it still sticks too much, at s = 0, and positive for large s.
+  double low = 0, high = std::numeric_limits<double>::infinity();
+  double s = slip;
+  if (!(s > 0)) {
+    // Where the reaction would have the size that the normal alone allows, or else somewhere.
+    const double size = c.norm() / (friction * held);
+    s = size - 0.5 * S.trace();
+    if (!(s > 0)) s = 0.5 * (size + W_.norm());
   }
-  constexpr int most = 80;
+  constexpr int most = 100;
+  constexpr double rounding = std::numeric_limits<double>::epsilon();
+  Vec2 rt;
+  double rn = 0, length = 0;
   for (int k = 0; k < most; ++k) {
-    const Vec2 rt = tangential(s);
-    const double rn = normal(rt), length = rt.norm();
-    const double phi = mu * rn - length;
+    const double a = S(0, 0) + s, d = S(1, 1) + s;
+    const double perDet = 1 / (a * d - S(0, 1) * S(1, 0));
+    const auto answer = [&](const Vec2& x) {
+      return Vec2((S(0, 1) * x[1] - d * x[0]) * perDet, (S(1, 0) * x[0] - a * x[1]) * perDet);
+    };
+    rt = answer(c);
+    rn = held - wnt.dot(rt);
+    length = std::sqrt(rt.squaredNorm());
+    const double phi = friction * rn - length;
     (phi < 0 ? low : high) = s;
-    if (std::abs(phi) <= 1e-16 * length || high - low <= 1e-16 * high) break;
+    if (std::abs(phi) <= rounding * length) break;
+    if (std::isfinite(high) && high - low <= rounding * high) break;
 
     // Newton on 1/‖r_t‖ − 1/(μ r_n), which is nearly linear in s.
-    double next = 0.5 * (low + high);
+    double next = std::isfinite(high) ? 0.5 * (low + high) : 4 * s;
     if (rn > 0 && length > 0) {
-      const Mat2 Ss = S + s * Mat2::Identity();
-      const Vec2 slope = -(Ss.inverse() * rt);
-      const double dLength = rt.dot(slope) / length;
-      const double dNormal = -wnt.dot(slope) / W(0, 0);
-      const double g = 1 / length - 1 / (mu * rn);
-      const double dg = -dLength / (length * length) + dNormal / (mu * rn * rn);
+      const Vec2 slope = answer(rt);
+      const double most2 = friction * rn * rn;
+      const double g = 1 / length - 1 / (friction * rn);
+      const double dg = -rt.dot(slope) / (length * length * length) - wnt.dot(slope) / most2;
       const double newton = s - g / dg;
       if (newton > low && newton < high) next = newton;
     }
@@ -65,23 +68,9 @@ Vec3 slide(const Mat3& W, const Vec3& q, double mu) {
     s = next;
   }
 
-  Vec2 rt = tangential(s);
-  const double rn = std::max(0.0, normal(rt));
-  const double length = rt.norm();
-  if (length > 0) rt *= mu * rn / length;
+  rn = std::max(0.0, rn);
+  if (length > 0) rt *= friction * rn / length;
   return {rn, rt[0], rt[1]};
-}
-
-}  // namespace
-
-Vec3 solveOneContact(const Mat3& W, const Vec3& q, double friction) {
-  if (q[0] >= 0) return Vec3::Zero();
-  if (friction <= 0) return {-q[0] / W(0, 0), 0, 0};
-
-  Vec3 stick = -W.partialPivLu().solve(q);
-  if (stick.allFinite() && stick[0] > 0 && std::hypot(stick[1], stick[2]) <= friction * stick[0])
-    return stick;
-  return slide(W, q, friction);
 }
 
 }  // namespace delassus

@@ -119,6 +119,13 @@ NaturalResidual NaturalMap::residual(const VectorXd& r, const VectorXd& u) const
   return residual;
 }
 
+void NaturalMap::residuals(const VectorXd& r, const VectorXd& u, VectorXd& each) const {
+  each.setZero(sizes_.size());
+  const auto step = [&](int k) { return 1 / sizes_[k]; };
+  visitNaturalMap(*problem_, r, u, step,
+                  [&](int k, int, int, double F) { each[k] = F * sizes_[k]; });
+}
+
 NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r, const VectorXd& u) {
   NaturalMap map;
   map.setProblem(problem);

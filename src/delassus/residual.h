@@ -20,8 +20,11 @@ class NaturalMap {
  public:
   /// Keeps a pointer to `problem`, which must outlive the measuring.
   void setProblem(const Problem& problem);
+  const Problem* problem() const { return problem_; }
 
   NaturalResidual residual(const VectorXd& r, const VectorXd& u) const;
+  /// ‖F‖/ρ one by one, m/s: of the contacts, then of the rows (of a disk in the place of its first).
+  void residuals(const VectorXd& r, const VectorXd& u, VectorXd& each) const;
   /// What round-off alone leaves in u = W r + q, m/s: a few ε of the largest W_aa r_a. A residual cannot be read finer.
   double roundOff(const VectorXd& r) const;
   const VectorXd& diagonal() const { return diagonal_; }  ///< of W

@@ -43,6 +43,13 @@ void makeFeasible(const Problem& problem, VectorXd& r) {
   for (const Disk& disk : problem.disks) disk.put(projectOnDisk(disk.of(r), disk.radiusAt(r)), r);
 }
 
+/// Few contacts for the motions of its bodies, and so little self-stress: spheres, not boxes.
+bool isHeap(const Problem& problem) {
+  constexpr int fewContacts = 20, perBody = 3;
+  return problem.W.inBodySpace() && problem.contacts() > fewContacts &&
+         problem.contacts() <= perBody * problem.W.bodySpace().bodies;
+}
+
 constexpr double unknownRegion = 1e-1;  ///< proximal weight
 
 /// How far a walk from here must look, by what is left to correct; at least `least`.
@@ -115,37 +122,104 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
   return Outcome::Incompatible;
 }
 
-void Search::sweep(const Problem& problem, int count, Solution& best) {
-  trial_.r = best.r;
-  sweeps_.setProblem(problem);
-  sweeps_.sweep(problem, count, trial_.r);
-  best.sweeps += count;
-  consider(problem, trial_, best);
-}
-
 void Search::sweepWhileItGains(const Problem& problem, const Options& options, double tolerance,
                                Solution& best) {
   constexpr int burst = 20;
   constexpr double gain = 0.7;
   double before = std::numeric_limits<double>::infinity();
+  machines_->sweeps.setProblem(problem);
   while (best.residual < gain * before && best.residual > tolerance &&
          best.sweeps + burst <= options.sweepBudget) {
     before = best.residual;
-    sweep(problem, burst, best);
+    trial_.r = best.r;
+    machines_->sweeps.sweep(problem, burst, trial_.r);
+    best.sweeps += burst;
+    consider(problem, trial_, best);
   }
 }
 
+/// Sweeps as long as they gain, and where they do not, patches: what settles in this way needs no factor of the whole island.
+/// The residual may rise on the way, since a wall that is met lets others go.
+void Search::settle(const Problem& problem, const Options& options, double tolerance,
+                    Solution& best) {
+  constexpr int burst = 20, patience = 6;
+  constexpr double gain = 0.7;
+  trial_.r = best.r;
+  trial_.residualRms = best.residualRms;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (int failures = 0; failures < patience;) {
+    double before;
+    machines_->sweeps.setProblem(problem);  // since patches may have been swept
+    do {
+      if (best.sweeps + burst > options.sweepBudget) return;
+      before = trial_.residualRms;
+      machines_->sweeps.sweepOn(problem, burst, trial_.r);
+      best.sweeps += burst;
+      consider(problem, trial_, best);
+      if (best.residual <= tolerance) return;
+    } while (trial_.residualRms < gain * before);
+    failures = trial_.residualRms < gain * lowest ? 0 : failures + 1;
+    lowest = std::min(lowest, trial_.residualRms);
+    // What does not help is tried with more around it.
+    const int mended = mendPatches(problem, options, tolerance, 3.0 / (1 + failures), trial_);
+    if (mended == 0) return;
+    best.patches += mended;
+    consider(problem, trial_, best);
+  }
+}
+
+/// The patches about the contacts whose residual is `outstanding` times the mean, or so many times more that no patch is as good as
+/// the island.
+void Search::findPatches(double tolerance, double outstanding, const Solution& unsettled) {
+  constexpr double largestShare = 0.5;
+  map_.residuals(unsettled.r, unsettled.u, residuals_);
+  const double largest = largestShare * static_cast<double>(residuals_.size());
+  double threshold = std::max(outstanding * unsettled.residualRms, tolerance);
+  const auto areSmall = [&] {
+    for (int k = 0; k < patches_.count(); ++k)
+      if (patches_.partsOf(k) > largest) return false;
+    return true;
+  };
+  for (;; threshold *= 2) {
+    patches_.find(*map_.problem(), residuals_, threshold);
+    if (areSmall()) return;
+  }
+}
+
+/// Solves the patches, and puts their reactions in the place of those in `unsettled`. Returns how many there were.
+int Search::mendPatches(const Problem& problem, const Options& options, double tolerance,
+                        double outstanding, Solution& unsettled) {
+  constexpr double accuracy = 0.1;
+  constexpr int fewParts = 20;  // whose walk costs no more than that of their patches
+  const int parts = problem.contacts() + problem.rows();
+  if (!own_ || parts <= fewParts || !problem.W.inBodySpace()) return 0;
+  findPatches(tolerance, outstanding, unsettled);
+  if (!patchSearch_) patchSearch_.reset(new Search(*machines_));
+  Options few = options;
+  few.newtonBudget = std::min(options.newtonBudget, 300);
+  few.sweepBudget = std::min(options.sweepBudget, 1000);
+  for (int k = 0; k < patches_.count(); ++k) {
+    patches_.cutOut(k, problem, unsettled.r, unsettled.u, patch_, patchStart_);
+    patchSearch_->setProblem(patch_);
+    patchAnswer_.start(patch_.q);
+    patchSearch_->offer(patch_, patchStart_, patchAnswer_);
+    patchSearch_->walk(patch_, few, accuracy * tolerance, &patchStart_, patchAnswer_);
+    patches_.putBack(k, problem, patchAnswer_.r, unsettled.r);
+  }
+  return patches_.count();
+}
+
 /// From the likeliest start to the surest: the reactions of the last step, or without them the paper's forced motion, every
-/// approaching contact held, with reactions that start from zero. Sweeps mend what came and went, as long as they gain; the
-/// walk finishes. Where it loses its way, many contacts are at a wall of their region: an interior point comes down between
-/// the walls, and the walk goes on from there.
+/// approaching contact held, with reactions that start from zero. Sweeps mend what came and went, as long as they gain, in
+/// heaps with patches; the walk finishes. Where it loses its way, many contacts are at a wall of their region: an interior
+/// point comes down between the walls, and the walk goes on from there.
 template <class Motion>
 Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const Options& options,
                          double tolerance, const VectorXd* guess, Solution& best) {
   constexpr double knownRegion = 1e-6;
   // Shares of the demands that the last reactions leave open.
   constexpr double disturbed = 1e-3, nearly = 1e-6;
-  constexpr int firstTry = 32, interiorSteps = 40, secondTry = 90;
+  constexpr int fewRegions = 8, firstTry = 32, interiorSteps = 40, secondTry = 90;
   const double demand = problem.q.cwiseAbs().maxCoeff();
   const auto settled = [](Outcome outcome) { return outcome != Outcome::Lost; };
   const auto left = [&] { return options.newtonBudget - best.regions; };
@@ -164,9 +238,19 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
         newton.walk(problem, tolerance, knownRegion, std::min(firstTry / 2, left()), best);
     if (settled(outcome)) return outcome;
   }
-  if (best.residual > disturbed * demand)
+  if (best.residual > disturbed * demand && isHeap(problem)) {
+    settle(problem, options, keptShare * tolerance, best);
+    newton.setProblem(problem, map_);  // patches were at work here
+    if (best.residual <= tolerance) {
+      // What sweeps leave is slow; one step in the region that they have found takes it away.
+      newton.polish(problem, polishedShare * tolerance, knownRegion, std::min(fewRegions, left()),
+                    best);
+      return Outcome::Reached;
+    }
+  } else if (best.residual > disturbed * demand) {
     sweepWhileItGains(problem, options, keptShare * tolerance, best);
-  if (best.residual <= tolerance) return Outcome::Reached;
+    if (best.residual <= tolerance) return Outcome::Reached;
+  }
   const double weight =
       best.residual <= nearly * demand ? knownRegion : proximalWeight(problem, best, 1e-2);
   Outcome outcome = newton.walk(problem, tolerance, weight, std::min(firstTry, left()), best);
@@ -182,13 +266,14 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
   return wander(engines, problem, options, tolerance, guess, best);
 }
 
-/// Two ways on, in turn. Sweeps from the best answer mend it and the walk goes on from there. And since what is near in
+/// Two ways on, in turn. Sweeps and patches mend the best answer and the walk goes on from there. And since what is near in
 /// residual may be far from any answer, sweeps set out anew from where the step began, go on whether or not they better
 /// the best answer, further each time, and a short walk is tried from wherever they are.
 template <class Motion>
 Outcome Search::wander(Engines<Motion>& engines, const Problem& problem, const Options& options,
                        double tolerance, const VectorXd* guess, Solution& best) {
-  constexpr int mending = 50, shortest = 100, longWalk = 100, shortWalk = 40;
+  ProximalNewton<Motion>& newton = engines.walk;
+  constexpr int shortest = 100, longWalk = 100, shortWalk = 40;
   const auto sweepsLeft = [&](int most) {
     return std::min(most, options.sweepBudget - best.sweeps);
   };
@@ -199,18 +284,20 @@ Outcome Search::wander(Engines<Motion>& engines, const Problem& problem, const O
   if (guess) wandering_.r = *guess;
   makeFeasible(problem, wandering_.r);
   for (int length = shortest; sweepsLeft(1) > 0 && regionsLeft(1) > 0; length *= 2) {
-    sweep(problem, sweepsLeft(mending), best);
-    Outcome outcome =
-        engines.walk.walk(problem, tolerance, unknownRegion, regionsLeft(longWalk), best);
+    settle(problem, options, keptShare * tolerance, best);
+    if (best.residual <= tolerance) return Outcome::Reached;
+    newton.setProblem(problem, map_);
+    Outcome outcome = newton.walk(problem, tolerance, unknownRegion, regionsLeft(longWalk), best);
     if (outcome != Outcome::Lost) return outcome;
 
     const int count = sweepsLeft(length);
-    sweeps_.sweep(problem, count, wandering_.r);
+    machines_->sweeps.setProblem(problem);
+    machines_->sweeps.sweep(problem, count, wandering_.r);
     best.sweeps += count;
     consider(problem, wandering_, best);
-    outcome = engines.walk.walkFrom(wandering_, problem, tolerance,
-                                    proximalWeight(problem, wandering_, 1e-4),
-                                    regionsLeft(shortWalk), best);
+    outcome =
+        newton.walkFrom(wandering_, problem, tolerance, proximalWeight(problem, wandering_, 1e-4),
+                        regionsLeft(shortWalk), best);
     if (outcome != Outcome::Lost) return outcome;
   }
   return Outcome::Lost;
@@ -236,17 +323,18 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Problem& problem, cons
   Outcome outcome = walkOnce(engines, problem, share, tolerance, guess, best);
   if (outcome != Outcome::Lost) return outcome;
 
-  cold_.r.setZero(problem.size());
+  cold_.start(problem.q);
   makeFeasible(problem, cold_.r);
-  cold_.residual = std::numeric_limits<double>::infinity();
   consider(problem, cold_, best);
   cold_.regions = best.regions;
   cold_.factorisations = best.factorisations;
   cold_.sweeps = best.sweeps;
+  cold_.patches = best.patches;
   outcome = walkOnce(engines, problem, options, tolerance, nullptr, cold_);
   best.regions = cold_.regions;
   best.factorisations = cold_.factorisations;
   best.sweeps = cold_.sweeps;
+  best.patches = cold_.patches;
   if (outcome == Outcome::Lost && !(cold_.residual < best.residual)) return outcome;
   best.r = cold_.r;
   best.u = cold_.u;
@@ -257,18 +345,19 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Problem& problem, cons
 
 Outcome Search::walk(const Problem& problem, const Options& options, double tolerance,
                      const VectorXd* guess, Solution& best) {
-  const Outcome outcome = problem.W.inBodySpace()
-                              ? walkTwice(bodies_, problem, options, tolerance, guess, best)
-                              : walkTwice(factored_, problem, options, tolerance, guess, best);
+  const Outcome outcome =
+      problem.W.inBodySpace()
+          ? walkTwice(machines_->bodies, problem, options, tolerance, guess, best)
+          : walkTwice(machines_->factored, problem, options, tolerance, guess, best);
   allow(problem, best);
   return outcome;
 }
 
 void Search::polish(const Problem& problem, const Options& options, double aim, Solution& best) {
   if (problem.W.inBodySpace())
-    polishWith(bodies_, problem, options, aim, best);
+    polishWith(machines_->bodies, problem, options, aim, best);
   else
-    polishWith(factored_, problem, options, aim, best);
+    polishWith(machines_->factored, problem, options, aim, best);
   allow(problem, best);
 }
 

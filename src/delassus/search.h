@@ -1,7 +1,10 @@
 #pragma once
 
+#include <memory>
+
 #include "delassus/interior_point.h"
 #include "delassus/options.h"
+#include "delassus/patches.h"
 #include "delassus/problem.h"
 #include "delassus/proximal_newton.h"
 #include "delassus/residual.h"
@@ -10,10 +13,12 @@
 
 namespace delassus {
 
-/// The search for the reactions of one problem after the other: by sweeps, from region to region, between their walls. What
-/// has been found so far is `best`; nothing is lost that was better. Storage is used again.
+/// The search for the reactions of one problem after the other: by sweeps, by patches, from region to region. What has been found
+/// so far is `best`; nothing is lost that was better. Storage is used again.
 class Search {
  public:
+  Search() : own_(std::make_unique<Machines>()), machines_(own_.get()) {}
+
   /// Before all else.
   void setProblem(const Problem& problem) { map_.setProblem(problem); }
   const NaturalMap& map() const { return map_; }
@@ -38,8 +43,10 @@ class Search {
   void polish(const Problem& problem, const Options& options, double aim, Solution& best);
 
   std::size_t bytes() const {
-    return map_.bytes() + sweeps_.bytes() + bodies_.bytes() + factored_.bytes() + trial_.bytes() +
-           wandering_.bytes() + cold_.bytes() + felt_.bytes();
+    return map_.bytes() + (own_ ? own_->bytes() : 0) + trial_.bytes() + wandering_.bytes() +
+           cold_.bytes() + felt_.bytes() + patches_.bytes() + patch_.bytes() +
+           patchAnswer_.bytes() + bytesOf(residuals_, patchStart_) +
+           (patchSearch_ ? patchSearch_->bytes() : 0);
   }
 
  private:
@@ -49,6 +56,15 @@ class Search {
     InteriorPoint<Motion> interior;
     std::size_t bytes() const { return walk.bytes() + interior.bytes(); }
   };
+  struct Machines {
+    Sweeps sweeps;
+    Engines<BodyMotion> bodies;
+    Engines<FactoredMotion> factored;
+    std::size_t bytes() const { return sweeps.bytes() + bodies.bytes() + factored.bytes(); }
+  };
+
+  /// For the patches of another search: it takes turns with that one.
+  explicit Search(Machines& machines) : machines_(&machines) {}
 
   template <class Motion>
   Outcome walkTwice(Engines<Motion>& engines, const Problem& problem, const Options& options,
@@ -62,9 +78,12 @@ class Search {
   template <class Motion>
   void polishWith(Engines<Motion>& engines, const Problem& problem, const Options& options,
                   double aim, Solution& best);
-  void sweep(const Problem& problem, int count, Solution& best);
+  void settle(const Problem& problem, const Options& options, double tolerance, Solution& best);
   void sweepWhileItGains(const Problem& problem, const Options& options, double tolerance,
                          Solution& best);
+  void findPatches(double tolerance, double outstanding, const Solution& unsettled);
+  int mendPatches(const Problem& problem, const Options& options, double tolerance,
+                  double outstanding, Solution& unsettled);
 
   /// Completes u and the residuals of a candidate r.
   void measure(const Problem& problem, Solution& candidate);
@@ -74,11 +93,17 @@ class Search {
   void allow(const Problem& problem, Solution& best);
 
   NaturalMap map_;
-  Sweeps sweeps_;
-  Engines<BodyMotion> bodies_;
-  Engines<FactoredMotion> factored_;
+  std::unique_ptr<Machines> own_;  ///< none in a search for patches
+  Machines* machines_;
   Solution trial_, wandering_, cold_;
   VectorXd felt_;
+
+  Patches patches_;
+  std::unique_ptr<Search> patchSearch_;  ///< for the problems of patches
+  Problem patch_;
+  VectorXd patchStart_;
+  Solution patchAnswer_;
+  VectorXd residuals_;
 };
 
 }  // namespace delassus

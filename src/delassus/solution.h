@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ enum class Tier : unsigned char {
   Kept,        ///< the guess keeps the law
   ClosedForm,  ///< one contact or one row
   Pivoting,    ///< rows alone, explicit W
-  Walk,        ///< sweeps, regions, interior point
+  Walk,        ///< sweeps, patches, regions
 };
 
 /// What the reactions of one island are, and how good they are.
@@ -41,9 +42,20 @@ struct Solution {
   int regions = 0;           ///< regions visited
   int factorisations = 0;
   int sweeps = 0;
+  int patches = 0;  ///< parts of the island that were solved apart, on the way
   /// First unknowns of the contacts and rows that keep it from being solved: those with incompatible
   /// demands or non-finite numbers; out of budget, the one with the largest residual.
   std::vector<int> blamed;
+
+  /// No reactions, u = q, of which nothing is known; no work done. Storage is kept.
+  void start(const VectorXd& q) {
+    r.setZero(q.size());
+    u = q;
+    startResidual = residual = residualRms = std::numeric_limits<double>::infinity();
+    regions = factorisations = sweeps = patches = 0;
+    tier = Tier::Free;
+    blamed.clear();
+  }
 
   std::size_t bytes() const {
     return bytesOf(r, u, activeSet.contacts, activeSet.rows, activeSet.disks, blamed);

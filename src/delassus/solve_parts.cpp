@@ -42,6 +42,7 @@ Solution solve(const Problem& problem, const Options& options) {
     whole.regions += s.regions;
     whole.factorisations += s.factorisations;
     whole.sweeps += s.sweeps;
+    whole.patches += s.patches;
     for (int blamed : s.blamed) whole.blamed.push_back(part.unknowns[blamed]);
   }
   if (parts > 0) whole.residualRms = std::sqrt(squares / parts);

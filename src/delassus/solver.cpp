@@ -61,11 +61,7 @@ Solution Solver::solve(const Problem& problem, const VectorXd& guess) {
 
 void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best) {
   Search& search = *search_;
-  best.r.setZero(problem.size());
-  best.u = problem.q;
-  best.startResidual = best.residual = best.residualRms = std::numeric_limits<double>::infinity();
-  best.regions = best.factorisations = best.sweeps = 0;
-  best.tier = Tier::Free;
+  best.start(problem.q);
   best.blamed = unfitParts(problem);
   if (!best.blamed.empty()) {
     best.status = Status::NonFinite;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "delassus/one_contact.h"
-
 namespace delassus {
 namespace {
 
@@ -16,7 +14,8 @@ double boundedRow(double r, double u, double diagonal, double lower, double uppe
 
 void Sweeps::setProblem(const Problem& problem) {
   blocks_.resize(problem.contacts());
-  for (int i = 0; i < problem.contacts(); ++i) blocks_[i] = problem.W.contactBlock(3 * i);
+  for (int i = 0; i < problem.contacts(); ++i)
+    blocks_[i] = OneContact(problem.W.contactBlock(3 * i));
   problem.W.diagonal(diagonal_);
   diskBlocks_.resize(problem.disks.size());
   for (std::size_t k = 0; k < problem.disks.size(); ++k) {
@@ -24,6 +23,15 @@ void Sweeps::setProblem(const Problem& problem) {
     diskBlocks_[k] = disk.unknowns == 2 ? problem.W.pairBlock(disk.first)
                                         : Mat2(diagonal_[disk.first] * Mat2::Identity());
   }
+  learnt_ = false;
+}
+
+Vec3 Sweeps::nextOnCone(const Problem& problem, int contact, const Vec3& r, const Vec3& u) const {
+  // Near the end the slip is what it was.
+  const double tangential = r.tail<2>().squaredNorm();
+  const double slip = tangential > 0 ? std::sqrt(u.tail<2>().squaredNorm() / tangential) : 0;
+  const OneContact& block = blocks_[contact];
+  return block.solve(u - block.W() * r, problem.friction[contact], slip);
 }
 
 Vec2 Sweeps::nextOnDisk(const Problem& problem, int k, const VectorXd& r, const Vec2& u) const {
@@ -37,24 +45,26 @@ Vec2 Sweeps::nextOnDisk(const Problem& problem, int k, const VectorXd& r, const 
 }
 
 void Sweeps::sweep(const Problem& problem, int count, VectorXd& r) {
-  direction_.setZero(r.size());
-  double lastEnergy = 0;
-  for (int k = 1; k < count; ++k) {
-    before_ = r;
-    sweepOnce(problem, r);
-    change_ = r - before_;
-    const double energy = change_.dot(diagonal_.cwiseProduct(change_));
-    const double beta = lastEnergy > 0 ? energy / lastEnergy : 2;
-    lastEnergy = energy;
-    if (beta > 1) {
-      direction_ = change_;
-    } else {
-      r += beta * direction_;
-      direction_ = beta * direction_ + change_;
-    }
+  learnt_ = false;
+  conjugate_.start(diagonal_);
+  hurry(conjugate_, problem, count, r);
+}
+
+void Sweeps::sweepOn(const Problem& problem, int count, VectorXd& r) {
+  if (!learnt_ || swept_ != r) anderson_.start(diagonal_);
+  learnt_ = true;
+  hurry(anderson_, problem, count, r);
+}
+
+template <class Acceleration>
+void Sweeps::hurry(Acceleration& acceleration, const Problem& problem, int count, VectorXd& r) {
+  for (int k = 0; k < count; ++k) {
+    swept_ = r;
+    sweepOnce(problem, swept_);
+    if (k + 1 < count) acceleration.next(swept_, r);
   }
   // The last sweep brings what overshot back into the cones.
-  if (count > 0) sweepOnce(problem, r);
+  if (count > 0) r = swept_;
 }
 
 void Sweeps::sweepOnce(const Problem& problem, VectorXd& r) {
@@ -74,8 +84,7 @@ void Sweeps::sweepBodies(const Problem& problem, VectorXd& r) {
     if (c.b >= 0) u.noalias() += c.Jb * y_.segment<6>(6 * c.b);
     const BodySpace::PartRange parts = space.partsOf(at);
     for (const BodySpace::Part& p : parts) u.noalias() += p.J * y_.segment<6>(6 * p.body);
-    const Vec3 next = solveOneContact(blocks_[i], u - blocks_[i] * r.segment<3>(at),
-                                      problem.friction[static_cast<int>(i)]);
+    const Vec3 next = nextOnCone(problem, static_cast<int>(i), r.segment<3>(at), u);
     const Vec3 dr = next - r.segment<3>(at);
     if (c.a >= 0) y_.segment<6>(6 * c.a).noalias() += c.Ja.transpose() * dr;
     if (c.b >= 0) y_.segment<6>(6 * c.b).noalias() += c.Jb.transpose() * dr;
@@ -129,9 +138,7 @@ void Sweeps::sweepEntries(const Problem& problem, VectorXd& r) {
     for (int k = 0; k < 3; ++k)
       for (DelassusMatrix::Sparse::InnerIterator it(W, at + k); it; ++it)
         u[k] += it.value() * r[it.col()];
-    const Vec3 next =
-        solveOneContact(blocks_[i], u - blocks_[i] * r.segment<3>(at), problem.friction[i]);
-    r.segment<3>(at) = next;
+    r.segment<3>(at) = nextOnCone(problem, i, r.segment<3>(at), u);
   }
   const auto velocityOf = [&](int unknown) {
     double u = problem.q[unknown];

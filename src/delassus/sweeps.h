@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "delassus/acceleration.h"
+#include "delassus/one_contact.h"
 #include "delassus/problem.h"
 
 namespace delassus {
@@ -11,26 +13,38 @@ class Sweeps {
  public:
   void setProblem(const Problem& problem);
 
-  /// `count` sweeps over all contacts and rows, each but the last followed by a step along the nonlinear conjugate gradient
-  /// of the sweeps (Silcowitz-Hansen, Niebe, Erleben 2010; algorithms §7.3). The reactions stay in their cones and bounds.
+  /// `count` sweeps over all contacts and rows, each but the last followed by a step of the conjugate gradient. The reactions
+  /// end in their cones and bounds.
   void sweep(const Problem& problem, int count, VectorXd& r);
 
+  /// The same with Anderson's acceleration. What its last sweeps of this problem returned is gone on from with what they learnt.
+  void sweepOn(const Problem& problem, int count, VectorXd& r);
+
   std::size_t bytes() const {
-    return bytesOf(blocks_, diskBlocks_, diagonal_, y_, before_, change_, direction_);
+    return bytesOf(blocks_, diskBlocks_, diagonal_, y_, swept_) + conjugate_.bytes() +
+           anderson_.bytes();
   }
 
  private:
+  template <class Acceleration>
+  void hurry(Acceleration& acceleration, const Problem& problem, int count, VectorXd& r);
   void sweepOnce(const Problem& problem, VectorXd& r);
   void sweepBodies(const Problem& problem, VectorXd& r);
   void sweepEntries(const Problem& problem, VectorXd& r);
   /// The reaction of disk `k` with the others held: u is what it sees with r.
   Vec2 nextOnDisk(const Problem& problem, int k, const VectorXd& r, const Vec2& u) const;
 
-  std::vector<Mat3> blocks_;
+  /// The next reaction of a contact, the others held: u is what it sees with r.
+  Vec3 nextOnCone(const Problem& problem, int contact, const Vec3& r, const Vec3& u) const;
+
+  std::vector<OneContact> blocks_;
   std::vector<Mat2> diskBlocks_;
   VectorXd diagonal_;
   VectorXd y_;
-  VectorXd before_, change_, direction_;
+  VectorXd swept_;       ///< by the last sweep
+  bool learnt_ = false;  ///< whether anderson_ knows how swept_ came about
+  ConjugateGradient conjugate_;
+  Anderson anderson_;
 };
 
 }  // namespace delassus

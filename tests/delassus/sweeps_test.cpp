@@ -1,20 +1,24 @@
-/// Block Gauss-Seidel with nonlinear conjugate gradients.
+/// Block Gauss-Seidel with both accelerations.
 #include "delassus/sweeps.h"
 
 #include <gtest/gtest.h>
 
 #include "delassus/one_contact.h"
 #include "tests/support/random_piles.h"
+#include "tests/support/turning_piles.h"
 
 namespace delassus {
 namespace {
 
 using namespace delassus::testing;
 
-VectorXd swept(const Problem& problem, int count, VectorXd r) {
+using Way = void (Sweeps::*)(const Problem& problem, int count, VectorXd& r);
+constexpr Way ways[] = {&Sweeps::sweep, &Sweeps::sweepOn};
+
+VectorXd swept(const Problem& problem, int count, VectorXd r, Way way = &Sweeps::sweep) {
   Sweeps sweeps;
   sweeps.setProblem(problem);
-  sweeps.sweep(problem, count, r);
+  (sweeps.*way)(problem, count, r);
   return r;
 }
 
@@ -41,9 +45,11 @@ TEST(Sweeps, ReactionsStayInTheirConesAndBounds) {
   for (int k = 0; k < 60; ++k) {
     const PileIsland island = towerWithRows(1 + k % 5, random);
     const VectorXd start = randomReactions(island.problem, 3, random);
-    for (const int count : {1, 2, 7, 20}) {
-      const VectorXd r = swept(island.problem, count, start);
-      EXPECT_LE(infeasibility(island.problem, r), 1e-15 * (1 + r.norm())) << count << " sweeps";
+    for (const Way way : ways) {
+      for (const int count : {1, 2, 7, 20}) {
+        const VectorXd r = swept(island.problem, count, start, way);
+        EXPECT_LE(infeasibility(island.problem, r), 1e-15 * (1 + r.norm())) << count << " sweeps";
+      }
     }
   }
 }
@@ -88,7 +94,8 @@ TEST(Sweeps, ASolutionIsAFixedPoint) {
     const PileIsland island = towerWithRows(1 + k % 2, random);
     const VectorXd r = swept(island.problem, 20000, VectorXd::Zero(island.problem.size()));
     ASSERT_LT(naturalResidual(island.problem, r).max, 1e-9);
-    EXPECT_LT((swept(island.problem, 5, r) - r).norm(), 1e-7 * (1 + r.norm())) << "tower " << k;
+    for (const Way way : ways)
+      EXPECT_LT((swept(island.problem, 5, r, way) - r).norm(), 1e-7 * (1 + r.norm())) << k;
   }
 }
 
@@ -131,19 +138,45 @@ TEST(Sweeps, RowsThatNothingMovesAreLeftAlone) {
   }
 }
 
-// One object for many islands: nothing of the last one shows.
+// One object for many islands, and for both ways in turn: nothing of the last one shows.
 TEST(Sweeps, HaveNoMemory) {
   Random random(48);
   const PileIsland large = towerWithRows(4, random), small = towerWithRows(1, random);
   const VectorXd start = VectorXd::Zero(small.problem.size());
   Sweeps used;
-  used.setProblem(large.problem);
-  VectorXd r = VectorXd::Zero(large.problem.size());
-  used.sweep(large.problem, 5, r);
-  used.setProblem(small.problem);
-  r = start;
-  used.sweep(small.problem, 5, r);
-  EXPECT_EQ(r, swept(small.problem, 5, start));
+  VectorXd r;
+  for (const Way last : ways) {
+    for (const Way way : ways) {
+      used.setProblem(large.problem);
+      r = VectorXd::Zero(large.problem.size());
+      (used.*last)(large.problem, 5, r);
+      used.setProblem(small.problem);
+      r = start;
+      (used.*last)(small.problem, 5, r);
+      r = start;
+      (used.*way)(small.problem, 5, r);
+      EXPECT_EQ(r, swept(small.problem, 5, start, way));
+    }
+  }
+}
+
+// What one call has learnt the next one uses: in small bites as few sweeps are needed as in one.
+TEST(Sweeps, AndersonsGoOnFromWhatTheyLearnt) {
+  Random random(49);
+  constexpr int bites = 8, bite = 10;
+  double inBites = 0, alone = 0;
+  for (int k = 0; k < 20; ++k) {
+    const Problem problem = PileIsland(makeHeap(12, 0.4, random)).problem;
+    Sweeps sweeps;
+    sweeps.setProblem(problem);
+    VectorXd r = VectorXd::Zero(problem.size());
+    for (int n = 0; n < bites; ++n) sweeps.sweepOn(problem, bite, r);
+    inBites += std::log10(naturalResidual(problem, r).max);
+    r.setZero();
+    for (int n = 0; n < bites; ++n) r = swept(problem, bite, r, &Sweeps::sweepOn);
+    alone += std::log10(naturalResidual(problem, r).max);
+  }
+  EXPECT_LT(inBites, alone);
 }
 
 }  // namespace

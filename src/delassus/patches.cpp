@@ -1,0 +1,189 @@
+#include "delassus/patches.h"
+
+#include <algorithm>
+
+namespace delassus {
+namespace {
+
+constexpr char touched = 2, neighbour = 1, settled = 0;
+
+/// First unknown of contact or row k.
+int unknownOf(int k, int contacts) { return k < contacts ? 3 * k : 2 * contacts + k; }
+
+/// Calls `visit` with every body that contact or row k moves.
+template <class Visit>
+void visitBodies(const Problem& problem, int k, Visit visit) {
+  const BodySpace& space = problem.W.bodySpace();
+  const int n = problem.contacts();
+  const int a = k < n ? space.contacts[k].a : space.rows[k - n].a;
+  const int b = k < n ? space.contacts[k].b : space.rows[k - n].b;
+  if (a >= 0) visit(a);
+  if (b >= 0) visit(b);
+  for (const BodySpace::Part& part : space.partsOf(unknownOf(k, n))) visit(part.body);
+}
+
+}  // namespace
+
+int Patches::rootOf(int body) {
+  while (parent_[body] != body) body = parent_[body] = parent_[parent_[body]];
+  return body;
+}
+
+/// Which bodies belong to a patch.
+void Patches::spread(const Problem& problem, const VectorXd& residuals, double unsettled) {
+  const int count = problem.contacts() + problem.rows();
+  reach_.assign(problem.W.bodySpace().bodies, settled);
+  for (int k = 0; k < count; ++k)
+    if (residuals[k] > unsettled)
+      visitBodies(problem, k, [&](int body) { reach_[body] = touched; });
+  for (int k = 0; k < count; ++k) {
+    bool near = false;
+    visitBodies(problem, k, [&](int body) { near = near || reach_[body] == touched; });
+    if (near)
+      visitBodies(problem, k, [&](int body) { reach_[body] = std::max(reach_[body], neighbour); });
+  }
+}
+
+/// Contacts and rows whose bodies all belong to a patch, and the patches that they make of them.
+void Patches::join(const Problem& problem) {
+  const int count = problem.contacts() + problem.rows();
+  parent_.resize(reach_.size());
+  for (std::size_t body = 0; body < reach_.size(); ++body) parent_[body] = static_cast<int>(body);
+  owner_.assign(count, -1);
+  for (int k = 0; k < count; ++k) {
+    int first = -1;
+    bool inside = true;
+    visitBodies(problem, k, [&](int body) {
+      inside = inside && reach_[body] != settled;
+      if (first < 0) first = body;
+    });
+    if (first < 0 || !inside) continue;
+    owner_[k] = first;
+    visitBodies(problem, k, [&](int body) { parent_[rootOf(body)] = rootOf(first); });
+  }
+  for (int& owner : owner_)
+    if (owner >= 0) owner = rootOf(owner);
+}
+
+/// A disk whose governor is held has no law of its own in a patch.
+void Patches::leaveOutDisks(const Problem& problem) {
+  const int n = problem.contacts();
+  for (const Disk& disk : problem.disks) {
+    const int governor = disk.governor < 3 * n ? disk.governor / 3 : disk.governor - 2 * n;
+    const int first = disk.first - 2 * n;
+    bool held = owner_[governor] < 0;
+    for (int k = first; k < first + disk.unknowns; ++k) held = held || owner_[k] < 0;
+    if (held) std::fill_n(owner_.begin() + first, disk.unknowns, -1);
+  }
+}
+
+/// parts_ and begin_ from owner_, the patches in the order of their first parts.
+void Patches::sort() {
+  place_.assign(reach_.size(), -1);
+  begin_.assign(1, 0);
+  for (const int owner : owner_) {
+    if (owner < 0) continue;
+    if (place_[owner] < 0) {
+      place_[owner] = count();
+      begin_.push_back(0);
+    }
+    ++begin_[place_[owner] + 1];
+  }
+  for (std::size_t patch = 1; patch < begin_.size(); ++patch) begin_[patch] += begin_[patch - 1];
+  parts_.resize(begin_.back());
+  // Filled from the ends, so that begin_ is left as it should be.
+  for (std::size_t k = owner_.size(); k-- > 0;)
+    if (owner_[k] >= 0) parts_[--begin_[place_[owner_[k]] + 1]] = static_cast<int>(k);
+  begin_.erase(begin_.begin());
+  begin_.push_back(static_cast<int>(parts_.size()));
+  std::fill(place_.begin(), place_.end(), -1);
+}
+
+void Patches::find(const Problem& problem, const VectorXd& residuals, double unsettled) {
+  spread(problem, residuals, unsettled);
+  join(problem);
+  leaveOutDisks(problem);
+  sort();
+}
+
+void Patches::cutOut(int patch, const Problem& problem, const VectorXd& r, const VectorXd& u,
+                     Problem& cut, VectorXd& reactions) {
+  const BodySpace& space = problem.W.bodySpace();
+  const int n = problem.contacts();
+  const int* first = parts_.data() + begin_[patch];
+  const int* last = parts_.data() + begin_[patch + 1];
+  const int contacts = static_cast<int>(std::lower_bound(first, last, n) - first);
+  const int rows = static_cast<int>(last - first) - contacts;
+  const int size = 3 * contacts + rows;
+
+  BodySpace& own = cut.W.refill(size);
+  own.contacts.clear();
+  own.rows.clear();
+  own.contacts.reserve(contacts);
+  own.rows.reserve(rows);
+  own.bodies = 0;
+  own.compliance.resize(size);
+  cut.q.resize(size);
+  cut.friction.resize(contacts);
+  cut.lower.resize(rows);
+  cut.upper.resize(rows);
+  cut.disks.clear();
+  cut.roundOff = problem.roundOff;
+  reactions.resize(size);
+  const auto numberOf = [&](int body) {
+    if (body < 0) return body;
+    if (place_[body] < 0) place_[body] = own.bodies++;
+    return place_[body];
+  };
+  std::size_t disk = 0;
+  for (int i = 0; i < contacts + rows; ++i) {
+    const int k = first[i], from = unknownOf(k, n), to = unknownOf(i, contacts);
+    const int unknowns = k < n ? 3 : 1;
+    if (k < n) {
+      own.contacts.push_back(space.contacts[k]);
+      own.contacts.back().a = numberOf(space.contacts[k].a);
+      own.contacts.back().b = numberOf(space.contacts[k].b);
+      cut.friction[i] = problem.friction[k];
+    } else {
+      own.rows.push_back(space.rows[k - n]);
+      own.rows.back().a = numberOf(space.rows[k - n].a);
+      own.rows.back().b = numberOf(space.rows[k - n].b);
+      cut.lower[i - contacts] = problem.lower[k - n];
+      cut.upper[i - contacts] = problem.upper[k - n];
+    }
+    for (const BodySpace::Part& part : space.partsOf(from)) {
+      own.parts.push_back(part);
+      own.parts.back().at = to;
+      own.parts.back().body = numberOf(part.body);
+    }
+    own.compliance.segment(to, unknowns) = space.compliance.segment(from, unknowns);
+    cut.q.segment(to, unknowns) = u.segment(from, unknowns);
+    reactions.segment(to, unknowns) = r.segment(from, unknowns);
+
+    while (disk < problem.disks.size() && problem.disks[disk].first < from) ++disk;
+    if (disk == problem.disks.size() || problem.disks[disk].first != from) continue;
+    Disk law = problem.disks[disk];
+    const int governor = law.governor < 3 * n ? law.governor / 3 : law.governor - 2 * n;
+    const int place = static_cast<int>(std::lower_bound(first, last, governor) - first);
+    law.governor = unknownOf(place, contacts);
+    law.first = to;
+    cut.disks.push_back(law);
+  }
+  for (int i = 0; i < contacts + rows; ++i)
+    visitBodies(problem, first[i], [&](int body) { place_[body] = -1; });
+  cut.W.multiply(reactions, felt_, moved_);
+  cut.q -= moved_;
+}
+
+void Patches::putBack(int patch, const Problem& problem, const VectorXd& reactions,
+                      VectorXd& r) const {
+  const int n = problem.contacts();
+  int to = 0;
+  for (int at = begin_[patch]; at < begin_[patch + 1]; ++at) {
+    const int unknowns = parts_[at] < n ? 3 : 1;
+    r.segment(unknownOf(parts_[at], n), unknowns) = reactions.segment(to, unknowns);
+    to += unknowns;
+  }
+}
+
+}  // namespace delassus

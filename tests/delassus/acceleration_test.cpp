@@ -1,0 +1,47 @@
+#include "delassus/acceleration.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "tests/support/random_problems.h"
+
+namespace delassus {
+namespace {
+
+// Affine maps of as many dimensions as steps are remembered: Krylov's subspace is the whole space then.
+TEST(Anderson, SolvesSmallAffineMaps) {
+  Random random(71);
+  constexpr int dimension = 4;
+  for (int k = 0; k < 50; ++k) {
+    const MatrixXd B = MatrixXd::Random(dimension, dimension);
+    const MatrixXd A = 0.9 / B.norm() * B;
+    const VectorXd b = normalVector(dimension, random);
+    const VectorXd exact = (MatrixXd::Identity(dimension, dimension) - A).fullPivLu().solve(b);
+    const VectorXd weights = VectorXd::Constant(dimension, uniform(random, 0.1, 10));
+    Anderson accelerator;
+    accelerator.start(weights);
+    VectorXd x = VectorXd::Zero(dimension), plain = x;
+    for (int step = 0; step < 12; ++step) {
+      accelerator.next(A * x + b, x);
+      plain = A * plain + b;
+    }
+    EXPECT_LT((x - exact).norm(), 1e-6 * exact.norm()) << k;
+    EXPECT_LT((x - exact).norm(), 0.1 * (plain - exact).norm() + 1e-12) << k;
+  }
+}
+
+// What goes on for ever, as reactions do against demands that nothing can meet, is hurried but not without bound.
+TEST(Anderson, ADriftStaysADrift) {
+  const VectorXd drift = VectorXd::Constant(3, 0.5);
+  Anderson accelerator;
+  accelerator.start(VectorXd::Ones(3));
+  VectorXd x = VectorXd::Zero(3);
+  constexpr int steps = 100;
+  for (int step = 0; step < steps; ++step) accelerator.next(x + drift, x);
+  EXPECT_GE(x.norm(), 0.99 * steps * drift.norm());
+  EXPECT_LE(x.norm(), 1e4 * steps * drift.norm());
+}
+
+}  // namespace
+}  // namespace delassus

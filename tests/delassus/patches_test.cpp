@@ -1,0 +1,131 @@
+#include "delassus/patches.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <set>
+
+#include "delassus/solver.h"
+#include "tests/support/random_piles.h"
+#include "tests/support/turning_piles.h"
+
+namespace delassus {
+namespace {
+
+using namespace delassus::testing;
+
+/// Balls on the ground, some with rolling and spinning friction, and two held together.
+Problem heap(int balls, Random& random) {
+  Pile pile = makeHeap(balls, 0.4, random);
+  Row joint;
+  joint.a = 0;
+  joint.b = 1;
+  joint.jacobianA << 1, 0, 0, 0, 0, 0;
+  joint.jacobianB << -1, 0, 0, 0, 0, 0;
+  pile.rows.push_back(joint);
+  resistTurning(pile, 0.1, random);
+  return PileIsland(pile).problem;
+}
+
+struct Cut {
+  Problem problem;
+  VectorXd reactions;
+};
+
+Cut cutOut(Patches& patches, int patch, const Problem& problem, const VectorXd& r) {
+  Cut cut;
+  patches.cutOut(patch, problem, r, problem.W * r + problem.q, cut.problem, cut.reactions);
+  return cut;
+}
+
+VectorXd residualsOf(const Problem& problem, const VectorXd& r) {
+  NaturalMap map;
+  map.setProblem(problem);
+  VectorXd residuals;
+  map.residuals(r, problem.W * r + problem.q, residuals);
+  return residuals;
+}
+
+TEST(Patches, WhatIsSettledHasNone) {
+  Random random(61);
+  const Problem problem = heap(12, random);
+  Patches patches;
+  patches.find(problem, VectorXd::Zero(problem.contacts() + problem.rows()), 0);
+  EXPECT_EQ(patches.count(), 0);
+}
+
+// In a tower of 12 boxes the first contact is below the first box, the last below the last.
+TEST(Patches, FarApartAreTwo) {
+  Random random(64);
+  const PileIsland island(makeTower(randomMasses(12, 2, random), 0.5, 0, random));
+  VectorXd residuals = VectorXd::Zero(island.problem.contacts());
+  Patches patches;
+  residuals[0] = 1;
+  patches.find(island.problem, residuals, 0.5);
+  ASSERT_EQ(patches.count(), 1);
+  EXPECT_EQ(patches.partsOf(0), 8);  // of the first box, and between it and its neighbour
+  residuals[residuals.size() - 1] = 1;
+  patches.find(island.problem, residuals, 0.5);
+  ASSERT_EQ(patches.count(), 2);
+  EXPECT_EQ(patches.partsOf(0), 8);
+  EXPECT_EQ(patches.partsOf(1), 8);  // the last two boxes, and between the second and its neighbour
+}
+
+// The others held, a part sees in its patch what it sees in the island: its velocities and so its residual.
+TEST(Patches, SeeTheIslandAsItIs) {
+  Random random(62);
+  int withDisks = 0;
+  for (int k = 0; k < 60; ++k) {
+    const Problem problem = heap(4 + k % 20, random);
+    const VectorXd r = randomReactions(problem, 0.2, random);
+    const VectorXd residuals = residualsOf(problem, r);
+    Patches patches;
+    patches.find(problem, residuals, uniform(random, 0.5, 1) * residuals.maxCoeff());
+    ASSERT_GE(patches.count(), 1);
+    double worst = 0;
+    int parts = 0;
+    for (int p = 0; p < patches.count(); ++p) {
+      const Cut cut = cutOut(patches, p, problem, r);
+      ASSERT_TRUE(unfitParts(cut.problem).empty());
+      EXPECT_EQ(patches.partsOf(p), cut.problem.contacts() + cut.problem.rows());
+      withDisks += !cut.problem.disks.empty();
+      worst = std::max(worst, residualsOf(cut.problem, cut.reactions).maxCoeff());
+      parts += patches.partsOf(p);
+    }
+    EXPECT_LE(parts, problem.contacts() + problem.rows());
+    EXPECT_NEAR(worst, residuals.maxCoeff(), 1e-9 * residuals.maxCoeff());
+  }
+  EXPECT_GT(withDisks, 20);
+}
+
+// Solved and put back, a patch keeps the law in the island, where nothing else has changed its reaction.
+TEST(Patches, AreSettledWhenSolved) {
+  Random random(63);
+  for (int k = 0; k < 40; ++k) {
+    const Problem problem = heap(4 + k % 20, random);
+    VectorXd r = Solver().solve(problem).r;
+    r.head<3>() += Vec3(0.3, 0.01, 0);
+    const double before = residualsOf(problem, r).maxCoeff();
+    Patches patches;
+    patches.find(problem, residualsOf(problem, r), 0.3 * before);
+    ASSERT_GE(patches.count(), 1);
+    std::set<int> changed;
+    for (int p = 0; p < patches.count(); ++p) {
+      const Cut cut = cutOut(patches, p, problem, r);
+      const Solution solution = Solver().solve(cut.problem, cut.reactions);
+      ASSERT_EQ(solution.status, Status::Solved);
+      const VectorXd old = r;
+      patches.putBack(p, problem, solution.r, r);
+      for (int at = 0; at < problem.size(); ++at)
+        EXPECT_TRUE(r[at] == old[at] || changed.insert(at).second) << "in two patches";
+      // Its own residual now, seen from the island.
+      const Cut after = cutOut(patches, p, problem, r);
+      EXPECT_LE(residualsOf(after.problem, after.reactions).maxCoeff(),
+                1e-7 * problem.q.cwiseAbs().maxCoeff());
+    }
+    EXPECT_LT(residualsOf(problem, r).maxCoeff(), before);
+  }
+}
+
+}  // namespace
+}  // namespace delassus
