@@ -1,6 +1,7 @@
 #include "delassus/acceleration.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 namespace delassus {
@@ -24,10 +25,11 @@ void ConjugateGradient::next(const VectorXd& g, VectorXd& x) {
   }
 }
 
-void Anderson::start(const VectorXd& weights) {
+void Anderson::start(const VectorXd& weights, int memory) {
   weights_ = &weights;
+  memory_ = std::min(memory, longest);
   // All memory is taken now, however few steps there will be.
-  for (int j = 0; j < memory; ++j) {
+  for (int j = 0; j < memory_; ++j) {
     changeG_[j].resize(weights.size());
     changeF_[j].resize(weights.size());
   }
@@ -42,8 +44,8 @@ void Anderson::next(const VectorXd& g, VectorXd& x) {
   if (begun_ && norm > growth * last_) {
     steps_ = oldest_ = 0;
   } else if (begun_) {
-    const int at = steps_ < memory ? steps_++ : oldest_;
-    if (steps_ == memory) oldest_ = (at + 1) % memory;
+    const int at = steps_ < memory_ ? steps_++ : oldest_;
+    if (steps_ == memory_) oldest_ = (at + 1) % memory_;
     changeG_[at] = g - g_;
     changeF_[at] = x - f_;
     for (int j = 0; j < steps_; ++j)
@@ -56,8 +58,8 @@ void Anderson::next(const VectorXd& g, VectorXd& x) {
   x = g;
   if (steps_ == 0) return;
 
-  using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, memory, memory>;
-  using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, memory, 1>;
+  using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, longest, longest>;
+  using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, longest, 1>;
   Small normal = products_.topLeftCorner(steps_, steps_);
   normal.diagonal().array() += regularisation * (normal.trace() + norm * norm);
   SmallVector gamma(steps_);
@@ -72,7 +74,7 @@ void Anderson::next(const VectorXd& g, VectorXd& x) {
 
 std::size_t Anderson::bytes() const {
   std::size_t sum = bytesOf(g_, f_);
-  for (int j = 0; j < memory; ++j) sum += bytesOf(changeG_[j], changeF_[j]);
+  for (int j = 0; j < longest; ++j) sum += bytesOf(changeG_[j], changeF_[j]);
   return sum;
 }
 

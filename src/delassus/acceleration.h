@@ -37,24 +37,26 @@ class ConjugateGradient {
 /// wrong: when f doubles, it is forgotten.
 class Anderson {
  public:
-  void start(const VectorXd& weights);
+  static constexpr int longest = 16;
+
+  /// `memory`: steps that are remembered, at most `longest`.
+  void start(const VectorXd& weights, int memory);
   void next(const VectorXd& g, VectorXd& x);
   std::size_t bytes() const;
 
  private:
-  static constexpr int memory = 4;
-
   double dot(const VectorXd& v, const VectorXd& w) const {
     return v.dot(weights_->cwiseProduct(w));
   }
 
   const VectorXd* weights_ = nullptr;
   VectorXd g_, f_;  ///< of the last step
-  std::array<VectorXd, memory> changeG_, changeF_;
-  Eigen::Matrix<double, memory, memory> products_;  ///< of the changeF_
-  double last_ = 0;                                 ///< ‖f‖ of the last step
-  int steps_ = 0;                                   ///< that are remembered
-  int oldest_ = 0;                                  ///< the one that is forgotten next
+  std::array<VectorXd, longest> changeG_, changeF_;
+  Eigen::Matrix<double, longest, longest> products_;  ///< of the changeF_
+  double last_ = 0;                                   ///< ‖f‖ of the last step
+  int memory_ = 0;
+  int steps_ = 0;   ///< that are remembered
+  int oldest_ = 0;  ///< the one that is forgotten next
   bool begun_ = false;
 };
 

@@ -143,6 +143,8 @@ void Search::sweepWhileItGains(const Problem& problem, const Options& options, d
 void Search::settle(const Problem& problem, const Options& options, double tolerance,
                     Solution& best) {
   constexpr int burst = 20, patience = 6;
+  // Half as many sweeps where all is remembered; elsewhere the memory is worth more than the time.
+  const int memory = isHeap(problem) ? Anderson::longest : 4;
   constexpr double gain = 0.7;
   trial_.r = best.r;
   trial_.residualRms = best.residualRms;
@@ -153,7 +155,7 @@ void Search::settle(const Problem& problem, const Options& options, double toler
     do {
       if (best.sweeps + burst > options.sweepBudget) return;
       before = trial_.residualRms;
-      machines_->sweeps.sweepOn(problem, burst, trial_.r);
+      machines_->sweeps.sweepOn(problem, burst, memory, trial_.r);
       best.sweeps += burst;
       consider(problem, trial_, best);
       if (best.residual <= tolerance) return;

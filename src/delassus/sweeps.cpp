@@ -50,8 +50,8 @@ void Sweeps::sweep(const Problem& problem, int count, VectorXd& r) {
   hurry(conjugate_, problem, count, r);
 }
 
-void Sweeps::sweepOn(const Problem& problem, int count, VectorXd& r) {
-  if (!learnt_ || swept_ != r) anderson_.start(diagonal_);
+void Sweeps::sweepOn(const Problem& problem, int count, int memory, VectorXd& r) {
+  if (!learnt_ || swept_ != r) anderson_.start(diagonal_, memory);
   learnt_ = true;
   hurry(anderson_, problem, count, r);
 }

@@ -17,8 +17,9 @@ class Sweeps {
   /// end in their cones and bounds.
   void sweep(const Problem& problem, int count, VectorXd& r);
 
-  /// The same with Anderson's acceleration. What its last sweeps of this problem returned is gone on from with what they learnt.
-  void sweepOn(const Problem& problem, int count, VectorXd& r);
+  /// The same with Anderson's acceleration, which remembers so many steps. What its last sweeps of this problem returned is gone
+  /// on from with what they learnt.
+  void sweepOn(const Problem& problem, int count, int memory, VectorXd& r);
 
   std::size_t bytes() const {
     return bytesOf(blocks_, diskBlocks_, diagonal_, y_, swept_) + conjugate_.bytes() +

@@ -20,7 +20,7 @@ TEST(Anderson, SolvesSmallAffineMaps) {
     const VectorXd exact = (MatrixXd::Identity(dimension, dimension) - A).fullPivLu().solve(b);
     const VectorXd weights = VectorXd::Constant(dimension, uniform(random, 0.1, 10));
     Anderson accelerator;
-    accelerator.start(weights);
+    accelerator.start(weights, dimension);
     VectorXd x = VectorXd::Zero(dimension), plain = x;
     for (int step = 0; step < 12; ++step) {
       accelerator.next(A * x + b, x);
@@ -33,9 +33,9 @@ TEST(Anderson, SolvesSmallAffineMaps) {
 
 // What goes on for ever, as reactions do against demands that nothing can meet, is hurried but not without bound.
 TEST(Anderson, ADriftStaysADrift) {
-  const VectorXd drift = VectorXd::Constant(3, 0.5);
+  const VectorXd drift = VectorXd::Constant(3, 0.5), weights = VectorXd::Ones(3);
   Anderson accelerator;
-  accelerator.start(VectorXd::Ones(3));
+  accelerator.start(weights, 4);
   VectorXd x = VectorXd::Zero(3);
   constexpr int steps = 100;
   for (int step = 0; step < steps; ++step) accelerator.next(x + drift, x);

@@ -12,13 +12,20 @@ namespace {
 
 using namespace delassus::testing;
 
-using Way = void (Sweeps::*)(const Problem& problem, int count, VectorXd& r);
-constexpr Way ways[] = {&Sweeps::sweep, &Sweeps::sweepOn};
+/// 0: conjugate gradient; otherwise Anderson's, with the steps that it remembers.
+constexpr int memories[] = {0, 4, Anderson::longest};
 
-VectorXd swept(const Problem& problem, int count, VectorXd r, Way way = &Sweeps::sweep) {
+void sweep(Sweeps& sweeps, const Problem& problem, int count, int memory, VectorXd& r) {
+  if (memory > 0)
+    sweeps.sweepOn(problem, count, memory, r);
+  else
+    sweeps.sweep(problem, count, r);
+}
+
+VectorXd swept(const Problem& problem, int count, VectorXd r, int memory = 0) {
   Sweeps sweeps;
   sweeps.setProblem(problem);
-  (sweeps.*way)(problem, count, r);
+  sweep(sweeps, problem, count, memory, r);
   return r;
 }
 
@@ -45,9 +52,9 @@ TEST(Sweeps, ReactionsStayInTheirConesAndBounds) {
   for (int k = 0; k < 60; ++k) {
     const PileIsland island = towerWithRows(1 + k % 5, random);
     const VectorXd start = randomReactions(island.problem, 3, random);
-    for (const Way way : ways) {
+    for (const int memory : memories) {
       for (const int count : {1, 2, 7, 20}) {
-        const VectorXd r = swept(island.problem, count, start, way);
+        const VectorXd r = swept(island.problem, count, start, memory);
         EXPECT_LE(infeasibility(island.problem, r), 1e-15 * (1 + r.norm())) << count << " sweeps";
       }
     }
@@ -94,8 +101,8 @@ TEST(Sweeps, ASolutionIsAFixedPoint) {
     const PileIsland island = towerWithRows(1 + k % 2, random);
     const VectorXd r = swept(island.problem, 20000, VectorXd::Zero(island.problem.size()));
     ASSERT_LT(naturalResidual(island.problem, r).max, 1e-9);
-    for (const Way way : ways)
-      EXPECT_LT((swept(island.problem, 5, r, way) - r).norm(), 1e-7 * (1 + r.norm())) << k;
+    for (const int memory : memories)
+      EXPECT_LT((swept(island.problem, 5, r, memory) - r).norm(), 1e-7 * (1 + r.norm())) << k;
   }
 }
 
@@ -138,24 +145,24 @@ TEST(Sweeps, RowsThatNothingMovesAreLeftAlone) {
   }
 }
 
-// One object for many islands, and for both ways in turn: nothing of the last one shows.
+// One object for many islands, and with any acceleration in turn: nothing of the last one shows.
 TEST(Sweeps, HaveNoMemory) {
   Random random(48);
   const PileIsland large = towerWithRows(4, random), small = towerWithRows(1, random);
   const VectorXd start = VectorXd::Zero(small.problem.size());
   Sweeps used;
   VectorXd r;
-  for (const Way last : ways) {
-    for (const Way way : ways) {
+  for (const int last : memories) {
+    for (const int memory : memories) {
       used.setProblem(large.problem);
       r = VectorXd::Zero(large.problem.size());
-      (used.*last)(large.problem, 5, r);
+      sweep(used, large.problem, 5, last, r);
       used.setProblem(small.problem);
       r = start;
-      (used.*last)(small.problem, 5, r);
+      sweep(used, small.problem, 5, last, r);
       r = start;
-      (used.*way)(small.problem, 5, r);
-      EXPECT_EQ(r, swept(small.problem, 5, start, way));
+      sweep(used, small.problem, 5, memory, r);
+      EXPECT_EQ(r, swept(small.problem, 5, start, memory));
     }
   }
 }
@@ -163,17 +170,17 @@ TEST(Sweeps, HaveNoMemory) {
 // What one call has learnt the next one uses: in small bites as few sweeps are needed as in one.
 TEST(Sweeps, AndersonsGoOnFromWhatTheyLearnt) {
   Random random(49);
-  constexpr int bites = 8, bite = 10;
+  constexpr int bites = 8, bite = 10, memory = 4;
   double inBites = 0, alone = 0;
   for (int k = 0; k < 20; ++k) {
     const Problem problem = PileIsland(makeHeap(12, 0.4, random)).problem;
     Sweeps sweeps;
     sweeps.setProblem(problem);
     VectorXd r = VectorXd::Zero(problem.size());
-    for (int n = 0; n < bites; ++n) sweeps.sweepOn(problem, bite, r);
+    for (int n = 0; n < bites; ++n) sweeps.sweepOn(problem, bite, memory, r);
     inBites += std::log10(naturalResidual(problem, r).max);
     r.setZero();
-    for (int n = 0; n < bites; ++n) r = swept(problem, bite, r, &Sweeps::sweepOn);
+    for (int n = 0; n < bites; ++n) r = swept(problem, bite, r, memory);
     alone += std::log10(naturalResidual(problem, r).max);
   }
   EXPECT_LT(inBites, alone);
