@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "delassus/cone.h"
+
 namespace delassus {
 namespace {
 
@@ -72,6 +74,15 @@ std::vector<int> unfitParts(const Problem& problem) {
   std::sort(unfit.begin(), unfit.end());
   unfit.erase(std::unique(unfit.begin(), unfit.end()), unfit.end());
   return unfit;
+}
+
+void makeFeasible(const Problem& problem, VectorXd& r) {
+  const int n = problem.contacts();
+  for (int i = 0; i < n; ++i)
+    r.segment<3>(3 * i) = projectOnCone(r.segment<3>(3 * i), problem.friction[i]);
+  for (int i = 0; i < problem.rows(); ++i)
+    r[3 * n + i] = std::clamp(r[3 * n + i], problem.lower[i], problem.upper[i]);
+  for (const Disk& disk : problem.disks) disk.put(projectOnDisk(disk.of(r), disk.radiusAt(r)), r);
 }
 
 }  // namespace delassus

@@ -40,4 +40,7 @@ struct Problem {
 /// before the disks. Ascending.
 std::vector<int> unfitParts(const Problem& problem);
 
+/// Moves reactions into the cones, bounds and disks: each to the nearest that is allowed, those of disks last.
+void makeFeasible(const Problem& problem, VectorXd& r);
+
 }  // namespace delassus

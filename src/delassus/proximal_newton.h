@@ -48,6 +48,16 @@ class ProximalNewton {
   void polish(const Problem& problem, double tolerance, double alpha, int regionBudget,
               Solution& best);
 
+  /// Alternating directions (ADMM) for the same law, from `best`, which they improve until its residual is at most `tolerance`:
+  /// true; or until `budget` iterations are spent or gain too little (Carpentier, Le Lidec, Montaut 2024; algorithms §6.8):
+  ///
+  ///     x ← (W + A)⁻¹ (A y + z − q − s),    y ← P(x − A⁻¹ z),    z ← z − A (x − y),    s = μ‖z_t‖ n,    A = ρ W_aa
+  ///
+  /// with P the Euclidean projection on cones, bounds and disks. In a fixed point x = y and z = W y + q + s: the exact law.
+  /// One factor serves all iterations: contacts at rest that squeeze each other settle for the price of a few regions. Where
+  /// bodies collide or slide it is slow. Iterations are counted as sweeps.
+  bool alternate(const Problem& problem, double tolerance, int budget, Solution& best);
+
   /// The space of the last problem, for other methods; what it has factored is forgotten here.
   Motion& motion();
 
@@ -79,6 +89,7 @@ class ProximalNewton {
   double measure(const Problem& problem);
   /// r_ is the next center, and the best answer if `residual` is the smallest.
   void moveTo(double residual, Solution& best);
+  void alternateOnce(const Problem& problem);
   bool growsInVain(const Problem& problem, double tolerance, double residual) const;
   void compromise(const Problem& problem, Solution& best);
   void forgetFactor();

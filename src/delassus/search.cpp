@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "delassus/cone.h"
 #include "delassus/pivoting.h"
 
 namespace delassus {
@@ -31,16 +30,6 @@ void forceActiveSet(const Problem& problem, ActiveSet& set) {
 bool hasOneRegion(const Problem& problem) {
   return problem.contacts() == 0 && problem.lower.array().isInf().all() &&
          problem.upper.array().isInf().all();
-}
-
-/// Moves reactions into the cones, bounds and disks.
-void makeFeasible(const Problem& problem, VectorXd& r) {
-  const int n = problem.contacts();
-  for (int i = 0; i < n; ++i)
-    r.segment<3>(3 * i) = projectOnCone(r.segment<3>(3 * i), problem.friction[i]);
-  for (int i = 0; i < problem.rows(); ++i)
-    r[3 * n + i] = std::clamp(r[3 * n + i], problem.lower[i], problem.upper[i]);
-  for (const Disk& disk : problem.disks) disk.put(projectOnDisk(disk.of(r), disk.radiusAt(r)), r);
 }
 
 /// Few contacts for the motions of its bodies, and so little self-stress: spheres, not boxes.
@@ -211,58 +200,66 @@ int Search::mendPatches(const Problem& problem, const Options& options, double t
   return patches_.count();
 }
 
-/// From the likeliest start to the surest: the reactions of the last step, or without them the paper's forced motion, every
-/// approaching contact held, with reactions that start from zero. Sweeps mend what came and went, as long as they gain, in
-/// heaps with patches; the walk finishes. Where it loses its way, many contacts are at a wall of their region: an interior
-/// point comes down between the walls, and the walk goes on from there.
+/// From the likeliest start to the surest. Without reactions of a last step: the paper's forced motion, every approaching contact
+/// held, with reactions that start from zero, then alternating directions. With them: sweeps mend what came and went, as long
+/// as they gain, in heaps with patches; the walk finishes. Where it loses its way, many contacts are at a wall of their
+/// region: alternating directions bring those to rest that squeeze each other, an interior point comes down between the
+/// walls, and the walk goes on from there.
 template <class Motion>
 Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const Options& options,
                          double tolerance, const VectorXd* guess, Solution& best) {
   constexpr double knownRegion = 1e-6;
   // Shares of the demands that the last reactions leave open.
   constexpr double disturbed = 1e-3, nearly = 1e-6;
-  constexpr int fewRegions = 8, firstTry = 32, interiorSteps = 40, secondTry = 90;
+  constexpr int fewRegions = 8, firstTry = 16, interiorSteps = 40, secondTry = 90;
+  constexpr int alternations = 300;
   const double demand = problem.q.cwiseAbs().maxCoeff();
+  const double aim = keptShare * tolerance;
   const auto settled = [](Outcome outcome) { return outcome != Outcome::Lost; };
-  const auto left = [&] { return options.newtonBudget - best.regions; };
+  const auto left = [&](int most) { return std::min(most, options.newtonBudget - best.regions); };
 
   ProximalNewton<Motion>& newton = engines.walk;
   newton.setProblem(problem, map_);
   newton.keepFactors(options.economies.factors);
+  // What first-order methods leave is slow; one step in the region that they have found takes it away.
+  const auto finish = [&] {
+    newton.polish(problem, polishedShare * tolerance, knownRegion, left(fewRegions), best);
+    return Outcome::Reached;
+  };
+  const auto alternate = [&] {
+    return newton.alternate(problem, aim, std::min(alternations, options.sweepBudget - best.sweeps),
+                            best);
+  };
+  Outcome outcome;
   if (!guess) {
     forceActiveSet(problem, best.activeSet);
-    const Outcome outcome = newton.walkFromRegion(problem, tolerance, knownRegion,
-                                                  std::min(firstTry / 2, left()), best);
+    outcome = newton.walkFromRegion(problem, tolerance, knownRegion, left(firstTry), best);
     if (settled(outcome)) return outcome;
   }
   if (options.economies.oneRegion && hasOneRegion(problem)) {
-    const Outcome outcome =
-        newton.walk(problem, tolerance, knownRegion, std::min(firstTry / 2, left()), best);
+    outcome = newton.walk(problem, tolerance, knownRegion, left(firstTry), best);
     if (settled(outcome)) return outcome;
+  } else if (!guess && alternate()) {
+    return finish();
   }
   if (best.residual > disturbed * demand && isHeap(problem)) {
-    settle(problem, options, keptShare * tolerance, best);
+    settle(problem, options, aim, best);
     newton.setProblem(problem, map_);  // patches were at work here
-    if (best.residual <= tolerance) {
-      // What sweeps leave is slow; one step in the region that they have found takes it away.
-      newton.polish(problem, polishedShare * tolerance, knownRegion, std::min(fewRegions, left()),
-                    best);
-      return Outcome::Reached;
-    }
+    if (best.residual <= tolerance) return finish();
   } else if (best.residual > disturbed * demand) {
-    sweepWhileItGains(problem, options, keptShare * tolerance, best);
-    if (best.residual <= tolerance) return Outcome::Reached;
+    sweepWhileItGains(problem, options, aim, best);
+    if (best.residual <= tolerance) return finish();
   }
   const double weight =
       best.residual <= nearly * demand ? knownRegion : proximalWeight(problem, best, 1e-2);
-  Outcome outcome = newton.walk(problem, tolerance, weight, std::min(firstTry, left()), best);
+  outcome = newton.walk(problem, tolerance, weight, left(firstTry), best);
   if (settled(outcome)) return outcome;
 
-  if (engines.interior.solve(newton.motion(), problem, map_, tolerance,
-                             std::min(interiorSteps, left()), best))
+  if (alternate()) return finish();
+  if (engines.interior.solve(newton.motion(), problem, map_, tolerance, left(interiorSteps), best))
     return Outcome::Reached;
-  outcome = newton.walk(problem, tolerance, proximalWeight(problem, best, 1e-4),
-                        std::min(secondTry, left()), best);
+  outcome =
+      newton.walk(problem, tolerance, proximalWeight(problem, best, 1e-4), left(secondTry), best);
   if (settled(outcome)) return outcome;
 
   return wander(engines, problem, options, tolerance, guess, best);

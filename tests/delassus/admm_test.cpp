@@ -1,0 +1,86 @@
+/// Alternating directions alone.
+#include <gtest/gtest.h>
+
+#include "delassus/proximal_newton.h"
+#include "delassus/solver.h"
+#include "tests/support/random_piles.h"
+#include "tests/support/turning_piles.h"
+
+namespace delassus {
+namespace {
+
+using namespace delassus::testing;
+
+template <class Motion>
+bool alternate(const Problem& problem, double tolerance, int budget, Solution& best) {
+  NaturalMap map;
+  map.setProblem(problem);
+  best = startFrom(problem, map, best.r.size() > 0 ? best.r : VectorXd::Zero(problem.size()));
+  ProximalNewton<Motion> engine;
+  engine.setProblem(problem, map);
+  return engine.alternate(problem, tolerance, budget, best);
+}
+
+// Eight contacts a box squeeze each other, which takes many regions to unravel and hardly any alternation.
+TEST(Alternating, BringsPyramidsToRest) {
+  Random random(121);
+  for (const int base : {2, 5, 8}) {
+    const PileIsland island(makePyramid(base, 0.5, 0, 1, random));
+    const double tolerance = 1e-10 * island.problem.q.cwiseAbs().maxCoeff();
+    Solution best;
+    EXPECT_TRUE(alternate<BodyMotion>(island.problem, tolerance, 200, best)) << base;
+    EXPECT_LE(naturalResidual(island.problem, best.r).max, tolerance);
+    EXPECT_LE(infeasibility(island.problem, best.r), 1e-14 * best.r.norm());
+    EXPECT_LE(best.factorisations, 1);
+    EXPECT_LE(best.sweeps, 200);
+  }
+}
+
+// Whatever moves, with rows, with disks, in either motion space: the answer keeps the cones and is never worse than the start.
+TEST(Alternating, LosesNothing) {
+  Random random(122);
+  for (int k = 0; k < 40; ++k) {
+    Pile pile = makeHeap(3 + k % 8, 0.4, random);
+    Row motor;
+    motor.a = 0;
+    motor.jacobianA << 0, 0, 0, 0, 0, 1;
+    motor.target = 1;
+    motor.lower = -0.1, motor.upper = 0.1;
+    pile.rows.push_back(motor);
+    if (k % 2) resistTurning(pile, 0.1, random);
+    const Problem problem = PileIsland(pile).problem;
+    Solution best;
+    best.r = randomReactions(problem, 0.3, random);
+    const double before = naturalResidual(problem, best.r).max;
+    const bool reached = alternate<BodyMotion>(problem, 1e-8, 300, best);
+    const double after = naturalResidual(problem, best.r).max;
+    EXPECT_LE(after, before);
+    EXPECT_EQ(reached, after <= 1e-8);
+    Solution explicitly;
+    explicitly.r = VectorXd::Zero(problem.size());
+    const Problem entries = withEntries(problem);
+    const double atRest = naturalResidual(entries, explicitly.r).max;
+    alternate<FactoredMotion>(entries, 1e-8, 300, explicitly);
+    EXPECT_LE(naturalResidual(entries, explicitly.r).max, atRest);
+    EXPECT_LE(infeasibility(entries, explicitly.r), 1e-13 * (1 + explicitly.r.norm()));
+  }
+}
+
+// A solution is a fixed point: it is known as one at the first look.
+TEST(Alternating, StaysAtASolution) {
+  Random random(123);
+  for (int k = 0; k < 20; ++k) {
+    Pile pile = makeHeap(3 + k % 8, 0.4, random);
+    if (k % 2) resistTurning(pile, 0.1, random);
+    const Problem problem = PileIsland(pile).problem;
+    const Solution solved = Solver().solve(problem);
+    ASSERT_EQ(solved.status, Status::Solved);
+    Solution best;
+    best.r = solved.r;
+    EXPECT_TRUE(alternate<BodyMotion>(problem, 1e-7, 10, best));
+    EXPECT_LT((best.r - solved.r).norm(), 1e-5 * (1 + solved.r.norm()));
+  }
+}
+
+}  // namespace
+}  // namespace delassus
