@@ -1,5 +1,6 @@
 #include "demos/scenes/bullet_file.h"
 
+#include <btBulletDynamicsCommon.h>
 #include <btBulletWorldImporter.h>
 
 #include <cstdint>
@@ -47,6 +48,28 @@ void checkChunks(const std::string& path, const std::string& bytes) {
                         " bytes, without a whole 'DNA1' chunk at its end)");
 }
 
+/// Bullet asks a hull for its farthest point, and reads nowhere where it has none, but only once something comes near.
+bool hasPoints(const btCollisionShape& shape) {
+  if (shape.isCompound()) {
+    const auto& compound = static_cast<const btCompoundShape&>(shape);
+    for (int i = 0; i < compound.getNumChildShapes(); ++i)
+      if (!hasPoints(*compound.getChildShape(i))) return false;
+    return true;
+  }
+  if (shape.getShapeType() == CONVEX_HULL_SHAPE_PROXYTYPE)
+    return static_cast<const btConvexHullShape&>(shape).getNumPoints() > 0;
+  if (shape.getShapeType() == MULTI_SPHERE_SHAPE_PROXYTYPE)
+    return static_cast<const btMultiSphereShape&>(shape).getSphereCount() > 0;
+  return true;
+}
+
+void checkShapes(const std::string& path, const btCollisionObjectArray& objects) {
+  for (int i = 0; i < objects.size(); ++i)
+    if (!hasPoints(*objects[i]->getCollisionShape()))
+      throw BulletFileError(path + ": is damaged: the shape of object " + std::to_string(i) +
+                            " has no points");
+}
+
 std::string describe(const btVector3& v) {
   std::ostringstream text;
   text << "(" << v.x() << ", " << v.y() << ", " << v.z() << ")";
@@ -81,6 +104,7 @@ LoadedFile loadBulletFile(const std::string& path) {
     throw BulletFileError(path +
                           ": Bullet's importer cannot read it (damaged, or of another version)");
   loaded.world->keep(importer);
+  checkShapes(path, dynamics.getCollisionObjectArray());
 
   const std::string inFile = describe(dynamics.getSolverInfo());
   dynamics.getSolverInfo() = usual;

@@ -68,6 +68,23 @@ TEST_F(BulletFile, keepsGravityButNotTheSolverSettingsAndSaysSo) {
   EXPECT_NE(notes.find("erp2 0.8"), std::string::npos) << notes;
 }
 
+// Found by fuzzing: Bullet reads from nowhere when something comes near such a shape, some steps later.
+TEST_F(BulletFile, refusesShapesWithoutPoints) {
+  btConvexHullShape hull;
+  btCompoundShape compound;
+  compound.addChildShape(btTransform::getIdentity(), &hull);
+  for (btCollisionShape* shape : std::initializer_list<btCollisionShape*>{&hull, &compound}) {
+    btRigidBody body(1, nullptr, shape, btVector3(1, 1, 1));
+    const auto original = buildStack(1, 1);
+    original->dynamics().addRigidBody(&body);
+    const std::string path = write("hollow.bullet", serialised(*original));
+    original->dynamics().removeRigidBody(&body);
+    const std::string complaint = complaintAbout(path);
+    EXPECT_NE(complaint.find("has no points"), std::string::npos) << complaint;
+    EXPECT_NE(complaint.find("hollow.bullet"), std::string::npos) << complaint;
+  }
+}
+
 TEST_F(BulletFile, namesWhatCannotBeRead) {
   const std::string missing = (folder_ / "no" / "such.bullet").string();
   EXPECT_NE(complaintAbout(missing).find(missing), std::string::npos);
