@@ -13,7 +13,7 @@ Vec3 OneContact::solve(const Vec3& q, double friction, double slip) const {
   if (q[0] >= 0) return Vec3::Zero();
   if (friction <= 0) return {-q[0] / W_(0, 0), 0, 0};
 
-  const Vec3 stick = -(inverse_ * q);
+  Vec3 stick = -(inverse_ * q);
   const double most = friction * stick[0];
   if (stick.allFinite() && stick[0] > 0 && stick.tail<2>().squaredNorm() <= most * most)
     return stick;
