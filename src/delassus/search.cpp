@@ -39,6 +39,12 @@ bool isHeap(const Problem& problem) {
          problem.contacts() <= perBody * problem.W.bodySpace().bodies;
 }
 
+/// In a large pile of boxes a patch is as hard as the whole.
+bool patchesPay(const Problem& problem) {
+  constexpr int fewParts = 200;
+  return isHeap(problem) || problem.contacts() + problem.rows() <= fewParts;
+}
+
 constexpr double unknownRegion = 1e-1;  ///< proximal weight
 
 /// How far a walk from here must look, by what is left to correct; at least `least`.
@@ -248,7 +254,7 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
     if (best.residual <= tolerance) return finish();
   } else if (best.residual > disturbed * demand) {
     sweepWhileItGains(problem, options, aim, best);
-    if (best.residual <= tolerance) return finish();
+    if (best.residual <= tolerance) return Outcome::Reached;
   }
   const double weight =
       best.residual <= nearly * demand ? knownRegion : proximalWeight(problem, best, 1e-2);
@@ -283,7 +289,10 @@ Outcome Search::wander(Engines<Motion>& engines, const Problem& problem, const O
   if (guess) wandering_.r = *guess;
   makeFeasible(problem, wandering_.r);
   for (int length = shortest; sweepsLeft(1) > 0 && regionsLeft(1) > 0; length *= 2) {
-    settle(problem, options, keptShare * tolerance, best);
+    if (patchesPay(problem))
+      settle(problem, options, keptShare * tolerance, best);
+    else
+      sweepWhileItGains(problem, options, keptShare * tolerance, best);
     if (best.residual <= tolerance) return Outcome::Reached;
     newton.setProblem(problem, map_);
     Outcome outcome = newton.walk(problem, tolerance, unknownRegion, regionsLeft(longWalk), best);
