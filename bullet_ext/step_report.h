@@ -23,7 +23,7 @@ struct StepReport {
   int matrices = 0;        ///< problems whose W was built, no pushes
   int regions = 0;         ///< regions visited, pushes included
   int factorisations = 0;  ///< pushes included
-  int sweeps = 0;          ///< pushes included
+  int sweeps = 0;          ///< and alternations; pushes included
   int patches = 0;         ///< parts of islands that were solved apart on the way, pushes included
   double residualMax = 0;  ///< natural residual, m/s
   double residualRms = 0;  ///< m/s, over contacts and rows

@@ -32,6 +32,7 @@ bool ProximalNewton<Motion>::alternate(const Problem& problem, double tolerance,
                                        Solution& best) {
   constexpr int between = 10;  // iterations from one look at the residual to the next
   constexpr int mostIdle = 6;  // looks at which it is not halved: then little more will come
+  if (budget < between) return false;
   setWeights(rho);
   const int n = problem.contacts();
   for (int i = 0; i < n; ++i) G_.contacts[i] = l_.segment<3>(3 * i).asDiagonal();

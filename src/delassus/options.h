@@ -11,9 +11,10 @@ constexpr double keptShare = 1e-1, polishedShare = 1e-4;
 
 struct Options {
   double tolerance = 1e-8;  ///< natural residual to reach, relative to the largest |q|; > 0
-  int newtonBudget = 1200;  ///< most regions visited per island; work, never time
-  int sweepBudget = 4000;   ///< most block Gauss-Seidel sweeps per island
-  double guessShare = 1;    ///< a guess within this share of the tolerance is kept as it is
+  /// Most regions visited per island. Budgets count work, never time; that in a patch of an island by what it costs beside the island's.
+  int newtonBudget = 1800;
+  int sweepBudget = 6000;  ///< most block Gauss-Seidel sweeps, and alternations, per island
+  double guessShare = 1;   ///< a guess within this share of the tolerance is kept as it is
   Economies economies;
 };
 

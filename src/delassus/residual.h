@@ -20,7 +20,6 @@ class NaturalMap {
  public:
   /// Keeps a pointer to `problem`, which must outlive the measuring.
   void setProblem(const Problem& problem);
-  const Problem* problem() const { return problem_; }
 
   NaturalResidual residual(const VectorXd& r, const VectorXd& u) const;
   /// ‖F‖/ρ one by one, m/s: of the contacts, then of the rows (of a disk in the place of its first).

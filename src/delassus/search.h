@@ -81,9 +81,10 @@ class Search {
   void settle(const Problem& problem, const Options& options, double tolerance, Solution& best);
   void sweepWhileItGains(const Problem& problem, const Options& options, double tolerance,
                          Solution& best);
-  void findPatches(double tolerance, double outstanding, const Solution& unsettled);
-  int mendPatches(const Problem& problem, const Options& options, double tolerance,
-                  double outstanding, Solution& unsettled);
+  void findPatches(const Problem& problem, double tolerance, double outstanding,
+                   const Solution& unsettled);
+  bool mendPatches(const Problem& problem, const Options& options, double tolerance,
+                   double outstanding, Solution& unsettled, Solution& best);
 
   /// Completes u and the residuals of a candidate r.
   void measure(const Problem& problem, Solution& candidate);

@@ -39,9 +39,8 @@ struct Solution {
   double startResidual = 0;  ///< natural residual of the guess, m/s; infinite without one
   double residual = 0;       ///< natural residual, largest over contacts, rows and disks, m/s
   double residualRms = 0;    ///< its root mean square, m/s
-  int regions = 0;           ///< regions visited
-  int factorisations = 0;
-  int sweeps = 0;
+  /// Work, that in patches by what it costs beside the island's: regions visited, factors made, sweeps and alternations over all.
+  int regions = 0, factorisations = 0, sweeps = 0;
   int patches = 0;  ///< parts of the island that were solved apart, on the way
   /// First unknowns of the contacts and rows that keep it from being solved: those with incompatible
   /// demands or non-finite numbers; out of budget, the one with the largest residual.

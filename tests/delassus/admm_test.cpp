@@ -41,12 +41,7 @@ TEST(Alternating, LosesNothing) {
   Random random(122);
   for (int k = 0; k < 40; ++k) {
     Pile pile = makeHeap(3 + k % 8, 0.4, random);
-    Row motor;
-    motor.a = 0;
-    motor.jacobianA << 0, 0, 0, 0, 0, 1;
-    motor.target = 1;
-    motor.lower = -0.1, motor.upper = 0.1;
-    pile.rows.push_back(motor);
+    pile.rows.push_back(makeWeakMotor());
     if (k % 2) resistTurning(pile, 0.1, random);
     const Problem problem = PileIsland(pile).problem;
     Solution best;

@@ -25,12 +25,7 @@ PileIsland randomIsland(int k, double massRatio, double friction, Random& random
   if (k % 4 == 1)
     for (Contact& c : pile.contacts) c.target[0] = uniform(random, 0, 0.2);
   if (k % 4 == 2) {
-    Row motor;
-    motor.a = 0;
-    motor.jacobianA << 0, 0, 0, 0, 0, 1;
-    motor.target = 1;
-    motor.lower = -0.1, motor.upper = 0.1;
-    pile.rows.push_back(motor);
+    pile.rows.push_back(makeWeakMotor());
     Row spring;
     spring.a = static_cast<int>(pile.bodies.size()) - 1;
     spring.jacobianA << 1, 0, 0, 0, 0.5, 0;

@@ -33,12 +33,7 @@ VectorXd swept(const Problem& problem, int count, VectorXd r, int memory = 0) {
 PileIsland towerWithRows(int height, Random& random) {
   Pile pile = makeTower(randomMasses(height, 10, random), 0, 0.3, random);
   mixFriction(pile, 1, random);
-  Row motor;
-  motor.a = 0;
-  motor.jacobianA << 0, 0, 0, 0, 0, 1;
-  motor.target = 1;
-  motor.lower = -0.1, motor.upper = 0.1;
-  pile.rows.push_back(motor);
+  pile.rows.push_back(makeWeakMotor());
   Row joint;
   joint.a = height - 1;
   joint.jacobianA << 1, 0, 0, 0, 0.5, 0;

@@ -37,6 +37,16 @@ inline Contact makeRestingPoint(int above, int below, const Vec3& armAbove, cons
   return c;
 }
 
+/// Turns body 0 at 1 rad/s about the vertical with at most 0.1 N·m·s.
+inline Row makeWeakMotor() {
+  Row motor;
+  motor.a = 0;
+  motor.jacobianA << 0, 0, 0, 0, 0, 1;
+  motor.target = 1;
+  motor.lower = -0.1, motor.upper = 0.1;
+  return motor;
+}
+
 /// A tower of unit boxes on the ground, four corners each, after one step of gravity; `masses` from the bottom up.
 /// Random velocities of up to `disturbance` m/s (rad/s) are added.
 inline Pile makeTower(const std::vector<double>& masses, double friction, double disturbance,
