@@ -61,6 +61,19 @@ TEST(Alternating, LosesNothing) {
   }
 }
 
+// Where contacts slide, De Saxcé's shift has to find the slip: bodies stay on the ground, and friction is at the edge of its cone.
+TEST(Alternating, LetsBodiesSlide) {
+  Random random(124);
+  for (int k = 0; k < 10; ++k) {
+    Pile pile = makeTower({1}, uniform(random, 0.1, 0.5), 0, random);
+    pile.bodies[0].velocity[0] += 3;
+    const Problem problem = PileIsland(pile).problem;
+    Solution best;
+    alternate<BodyMotion>(problem, 1e-12, 3000, best);
+    EXPECT_LT(best.residual, 1e-2 * problem.q.cwiseAbs().maxCoeff()) << k;
+  }
+}
+
 // A solution is a fixed point: it is known as one at the first look.
 TEST(Alternating, StaysAtASolution) {
   Random random(123);

@@ -162,6 +162,46 @@ TEST(Sweeps, HaveNoMemory) {
   }
 }
 
+// Anderson's steps speak of one problem and of the sweeps before: where another hand was in between they are forgotten.
+TEST(Sweeps, AndersonsForgetWhatIsOfAnotherProblemOrOtherSweeps) {
+  Random random(50);
+  for (int k = 0; k < 10; ++k) {
+    const auto makeProblem = [&] {
+      return PileIsland(makeTower({1, 2, 3}, 0.5, 0.3, random)).problem;
+    };
+    const Problem problem = makeProblem(), other = makeProblem();
+    ASSERT_EQ(problem.size(), other.size());
+    Sweeps used;
+    used.setProblem(other);
+    VectorXd r = VectorXd::Zero(problem.size());
+    used.sweepOn(other, 5, 4, r);
+    used.setProblem(problem);
+    VectorXd expected = swept(problem, 5, r, 4);
+    used.sweepOn(problem, 5, 4, r);
+    EXPECT_EQ(r, expected);
+    used.sweep(problem, 5, r);
+    expected = swept(problem, 5, r, 4);
+    used.sweepOn(problem, 5, 4, r);
+    EXPECT_EQ(r, expected);
+  }
+}
+
+// Sweeps in one call are accelerated, sweeps in calls of one are not.
+TEST(Sweeps, TheConjugateGradientHurriesThem) {
+  Random random(51);
+  for (const int height : {4, 8, 16}) {
+    const Problem problem =
+        PileIsland(makeTower(randomMasses(height, 1, random), 0.5, 0, random)).problem;
+    constexpr int count = 60;
+    const VectorXd start = VectorXd::Zero(problem.size());
+    VectorXd plain = start;
+    for (int n = 0; n < count; ++n) plain = swept(problem, 1, plain);
+    EXPECT_LT(naturalResidual(problem, swept(problem, count, start)).max,
+              0.3 * naturalResidual(problem, plain).max)
+        << height;
+  }
+}
+
 // What one call has learnt the next one uses: in small bites as few sweeps are needed as in one.
 TEST(Sweeps, AndersonsGoOnFromWhatTheyLearnt) {
   Random random(49);
