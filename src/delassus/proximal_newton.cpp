@@ -352,6 +352,20 @@ void ProximalNewton<Motion>::polish(const Problem& problem, double tolerance, do
 }
 
 template <class Motion>
+bool ProximalNewton<Motion>::yield(const Problem& problem, double tolerance, double alpha,
+                                   int regionBudget, Solution& best) {
+  center_.setZero(problem.size());
+  u_ = problem.q;
+  r_ = center_;
+  setTolerance(tolerance);
+  setWeights(alpha);
+  if (solveProximal(problem, regionBudget, best, nullptr) == Inner::Failed) return false;
+  best.residual = std::numeric_limits<double>::infinity();
+  moveTo(measure(problem), best);
+  return true;
+}
+
+template <class Motion>
 Outcome ProximalNewton<Motion>::converge(const Problem& problem, double tolerance, double alpha,
                                          int regionBudget, bool fromRegion, double residual,
                                          Solution& best) {

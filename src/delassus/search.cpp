@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "delassus/farkas.h"
 #include "delassus/pivoting.h"
 
 namespace delassus {
@@ -226,8 +227,8 @@ bool Search::mendPatches(const Problem& problem, const Options& options, double 
 /// From the likeliest start to the surest. Without reactions of a last step: the paper's forced motion, every approaching contact
 /// held, with reactions that start from zero, then alternating directions. With them: sweeps mend what came and went, as long
 /// as they gain, in heaps with patches; the walk finishes. Where it loses its way, many contacts are at a wall of their
-/// region: alternating directions bring those to rest that squeeze each other, an interior point comes down between the
-/// walls, and the walk goes on from there.
+/// region: alternating directions bring those to rest that squeeze each other, demands that nothing can meet are found out, an
+/// interior point comes down between the walls, and the walk goes on from there.
 template <class Motion>
 Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const Options& options,
                          double tolerance, const VectorXd* guess, Solution& best) {
@@ -279,6 +280,8 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
   if (settled(outcome)) return outcome;
 
   if (alternate()) return finish();
+  if (provesIncompatible(engines, problem, tolerance, left(secondTry), best))
+    return Outcome::Incompatible;
   if (engines.interior.solve(newton.motion(), problem, map_, tolerance, left(interiorSteps), best))
     return Outcome::Reached;
   outcome =
@@ -286,6 +289,42 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
   if (settled(outcome)) return outcome;
 
   return wander(engines, problem, options, tolerance, guess, best);
+}
+
+/// Whether no motion meets the demands, or none that is in any proportion to them; then `best` is the compromise, that of bodies a
+/// little compliant where they touch, friction included, and names those that quarrel.
+template <class Motion>
+bool Search::provesIncompatible(Engines<Motion>& engines, const Problem& problem, double tolerance,
+                                int regionBudget, Solution& best) {
+  // Times the motion that the hardest demand alone asks for. Less proves nothing: a wedge of a microradian that holds a ball
+  // demands a millionth of what the ball needs.
+  constexpr double proportion = 1e8;
+  constexpr double hardly = 1e-10;  // compliance, relative to W_aa
+  constexpr double compromises[] = {1e-6, 1e-4, 1e-2};
+  constexpr double negligible = 0.1;  // share of the largest push, in the norm of its energy
+  const Problem demands = demandsAlone(problem);
+  NaturalMap map;
+  map.setProblem(demands);
+  Solution pushed;
+  pushed.start(demands.q);
+  ProximalNewton<Motion>& newton = engines.walk;
+  newton.setProblem(demands, map);
+  bool proven = newton.yield(demands, tolerance, hardly, regionBudget, pushed);
+  proven =
+      proven && leastMotion(demands, pushed.r) > proportion * hardestAlone(demands, map.diagonal());
+  best.regions += pushed.regions;
+  best.factorisations += pushed.factorisations;
+  newton.setProblem(problem, map_);
+  if (!proven) return false;
+
+  for (const double compliance : compromises)
+    if (newton.yield(problem, tolerance, compliance, regionBudget, best)) break;
+  const VectorXd shares = map.diagonal().cwiseSqrt().cwiseProduct(pushed.r).cwiseAbs();
+  const double least = negligible * shares.maxCoeff();
+  best.blamed.clear();
+  for (int at = 0; at < problem.size(); ++at)
+    if (shares[at] > least) best.blamed.push_back(at);
+  return true;
 }
 
 /// Two ways on, in turn. Sweeps and patches mend the best answer and the walk goes on from there. And since what is near in

@@ -73,5 +73,36 @@ TEST(NotSolved, IncompatibleContactsAreToldInEveryStep) {
   }
 }
 
+// The same through Bullet's own narrow phase, with friction, on a row of boxes and a bystander.
+TEST(NotSolved, APressThatClosesOnBoxesSaysSoAndTheyStay) {
+  BulletWorld world(std::make_unique<btDelassusConstraintSolver>());
+  world.addGround();
+  constexpr int count = 3;
+  std::vector<btRigidBody*> boxes;
+  for (int i = 0; i < count; ++i) boxes.push_back(&world.addCube({btScalar(i), btScalar(0.5), 0}));
+  btRigidBody& bystander = world.addCube({1, btScalar(0.5), 5});
+  btRigidBody* jaws[2];
+  for (int k = 0; k < 2; ++k) {
+    jaws[k] = &world.addCube({btScalar(k == 0 ? -1 : count), btScalar(0.5), 0}, 0);
+    jaws[k]->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+    jaws[k]->setActivationState(DISABLE_DEACTIVATION);
+  }
+  constexpr double speed = 0.1;
+  int said = 0;
+  for (int step = 1; step <= 12; ++step) {
+    for (int k = 0; k < 2; ++k) {
+      const double way = speed * step * BulletWorld::step;
+      const double x = k == 0 ? -1 + way : count - way;
+      jaws[k]->setWorldTransform(BulletWorld::at({btScalar(x), btScalar(0.5), 0}));
+    }
+    world.advance();
+    said += world.report().incompatible;
+    EXPECT_EQ(world.report().outOfBudget, 0) << step;
+    for (const btRigidBody* box : boxes) EXPECT_LT(box->getLinearVelocity().length(), 2 * speed);
+    EXPECT_LT(bystander.getLinearVelocity().length(), 1e-6);
+  }
+  EXPECT_GE(said, 10);
+}
+
 }  // namespace
 }  // namespace delassus::testing

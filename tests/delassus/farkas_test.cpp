@@ -1,0 +1,106 @@
+/// The proof that demands are incompatible, or violent.
+#include "delassus/farkas.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "delassus/solver.h"
+#include "tests/support/random_piles.h"
+#include "tests/support/turning_piles.h"
+
+namespace delassus {
+namespace {
+
+using namespace delassus::testing;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A tower of boxes whose floor rises and whose ceiling, tilted by so much, comes down, each at 1 m/s. Its corners alone touch.
+Pile makePressed(int height, double friction, double tilt, double disturbance, Random& random) {
+  Pile pile = makeTower(std::vector<double>(height, 1.0), friction, disturbance, random);
+  for (int i = 0; i < 4; ++i) pile.contacts[i].target[0] = 1;
+  for (const double x : {-0.5, 0.5})
+    for (const double y : {-0.5, 0.5}) {
+      Contact c = makeRestingPoint(height - 1, fixedWorld, {x, y, 0.5}, Vec3::Zero(), friction);
+      c.frame.col(0) = Vec3(std::sin(tilt), 0, -std::cos(tilt));
+      c.frame.col(1) = Vec3(std::cos(tilt), 0, std::sin(tilt));
+      c.frame.col(2) = Vec3(0, -1, 0);
+      c.target[0] = 1;
+      pile.contacts.push_back(c);
+    }
+  return pile;
+}
+
+// No reactions prove more than is true, and those of the motion itself prove all of it.
+TEST(Farkas, TheBoundIsBelowEveryMotionAndReachedByTheLeast) {
+  Random random(201);
+  for (int k = 0; k < 40; ++k) {
+    Pile pile = withoutFriction(makeTower(randomMasses(1 + k % 5, 10, random), 0, 0.5, random));
+    for (Contact& c : pile.contacts) c.target[0] = uniform(random, 0, 1);
+    const Problem problem = PileIsland(pile).problem;
+    const Problem demands = demandsAlone(problem);
+    const Solution least = Solver().solve(problem);
+    ASSERT_EQ(least.status, Status::Solved);
+    const double motion = std::sqrt(least.r.dot(problem.W * least.r));
+    EXPECT_NEAR(leastMotion(demands, least.r), motion, 1e-6 * motion);
+    for (int i = 0; i < 20; ++i) {
+      const VectorXd r = randomReactions(demands, 1, random);
+      EXPECT_LE(leastMotion(demands, r), motion * (1 + 1e-9));
+    }
+  }
+}
+
+// Friction, motors and disks ask for nothing that they would not give up.
+TEST(Farkas, WhatIsBoundedDemandsNothing) {
+  Random random(202);
+  Pile pile = makeTower({1, 1}, 0.5, 0.1, random);
+  pile.rows.push_back(makeWeakMotor());
+  Row stop;
+  stop.a = 0;
+  stop.lower = -3;
+  pile.rows.push_back(stop);
+  resistTurning(pile, 0.1, random);
+  const Problem problem = PileIsland(pile).problem;
+  const Problem demands = demandsAlone(problem);
+  EXPECT_EQ(demands.size(), problem.size());
+  EXPECT_TRUE(demands.disks.empty());
+  EXPECT_EQ(demands.friction.cwiseAbs().sum(), 0);
+  for (int i = 0; i < problem.rows(); ++i) {
+    const bool isStop = problem.lower[i] == -3;
+    EXPECT_EQ(demands.lower[i], 0) << i;
+    EXPECT_EQ(demands.upper[i], isStop ? infinity : 0) << i;
+  }
+}
+
+// Walls that come together, with friction: named at once, all of them, and the boxes stay between them.
+TEST(Farkas, PressedBoxesAreIncompatible) {
+  Random random(203);
+  for (const double friction : {0.3, 1.0})
+    for (const int height : {1, 2, 5, 10})
+      for (const double tilt : {0.0, 1e-10})
+        for (const double disturbance : {0.0, 0.1}) {
+          const PileIsland island(makePressed(height, friction, tilt, disturbance, random));
+          const Solution solution = Solver().solve(island.problem);
+          EXPECT_EQ(solution.status, Status::Incompatible) << height << " boxes, tilt " << tilt;
+          EXPECT_EQ(static_cast<int>(solution.blamed.size()), island.problem.contacts());
+          EXPECT_LE(infeasibility(island.problem, solution.r), 1e-12 * solution.r.norm());
+          EXPECT_LT(solution.regions, 200);
+          // Both walls share what is missing with the faces between the boxes.
+          const double share = 2.0 / (height + 1);
+          for (int i = 0; i < island.problem.contacts(); ++i)
+            EXPECT_NEAR(solution.u[3 * i], -share, 0.5 * share) << i;
+        }
+}
+
+// A wedge that can slip out does.
+TEST(Farkas, WhatCanEscapeIsSolved) {
+  Random random(204);
+  for (const double tilt : {0.1, 0.3}) {
+    const PileIsland island(makePressed(1, 0.02, tilt, 0.1, random));
+    EXPECT_EQ(Solver().solve(island.problem).status, Status::Solved) << tilt;
+  }
+}
+
+}  // namespace
+}  // namespace delassus
