@@ -7,7 +7,7 @@ namespace delassus {
 namespace {
 
 // Smaller, and what is squeezed takes long to find its reactions; larger, and all others do.
-constexpr double rho = 1e-2;
+constexpr double rho = 3e-3;
 
 }  // namespace
 

@@ -40,10 +40,10 @@ bool isHeap(const Problem& problem) {
          problem.contacts() <= perBody * problem.W.bodySpace().bodies;
 }
 
-/// In a large pile of boxes a patch is as hard as the whole.
-bool patchesPay(const Problem& problem) {
+/// Boxes: a patch is as hard as the whole, and regions are dear.
+bool isLargePile(const Problem& problem) {
   constexpr int fewParts = 200;
-  return isHeap(problem) || problem.contacts() + problem.rows() <= fewParts;
+  return !isHeap(problem) && problem.contacts() + problem.rows() > fewParts;
 }
 
 constexpr double unknownRegion = 1e-1;  ///< proximal weight
@@ -226,7 +226,8 @@ bool Search::mendPatches(const Problem& problem, const Options& options, double 
 
 /// From the likeliest start to the surest. Without reactions of a last step: the paper's forced motion, every approaching contact
 /// held, with reactions that start from zero, then alternating directions. With them: sweeps mend what came and went, as long
-/// as they gain, in heaps with patches; the walk finishes. Where it loses its way, many contacts are at a wall of their
+/// as they gain, in heaps with patches; in large piles alternating directions share the loads anew among contacts that squeeze
+/// each other, for the price of one factor; the walk finishes. Where it loses its way, many contacts are at a wall of their
 /// region: alternating directions bring those to rest that squeeze each other, demands that nothing can meet are found out, an
 /// interior point comes down between the walls, and the walk goes on from there.
 template <class Motion>
@@ -274,6 +275,8 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
     sweepWhileItGains(problem, options, aim, best);
     if (best.residual <= tolerance) return Outcome::Reached;
   }
+  // Not in small islands, whose regions are cheap: the walk stays nearer to the last reactions where there are several answers.
+  if (guess && isLargePile(problem) && best.residual > tolerance && alternate()) return finish();
   const double weight =
       best.residual <= nearly * demand ? knownRegion : proximalWeight(problem, best, 1e-2);
   outcome = newton.walk(problem, tolerance, weight, left(firstTry), best);
@@ -345,10 +348,10 @@ Outcome Search::wander(Engines<Motion>& engines, const Problem& problem, const O
   if (guess) wandering_.r = *guess;
   makeFeasible(problem, wandering_.r);
   for (int length = shortest; sweepsLeft(1) > 0 && regionsLeft(1) > 0; length *= 2) {
-    if (patchesPay(problem))
-      settle(problem, options, keptShare * tolerance, best);
-    else
+    if (isLargePile(problem))
       sweepWhileItGains(problem, options, keptShare * tolerance, best);
+    else
+      settle(problem, options, keptShare * tolerance, best);
     if (best.residual <= tolerance) return Outcome::Reached;
     newton.setProblem(problem, map_);
     Outcome outcome = newton.walk(problem, tolerance, unknownRegion, regionsLeft(longWalk), best);
