@@ -1,25 +1,30 @@
 #pragma once
 
-#include "delassus/problem.h"
+#include "delassus/proximal_newton.h"
 
 namespace delassus {
 
-/// Farkas' lemma: a proof that demands are incompatible, or that only a violent motion meets them.
+/// Farkas' lemma: a proof that demands are incompatible, for W in body space.
 ///
 /// Whatever friction does, contacts demand u_n ≥ 0, rows with one bound u ≥ 0 or u ≤ 0, and rows without bounds u = 0. Let r push
 /// at such demands alone, in their sense. A motion v that meets them has 0 ≤ r·(J v + q), and therefore
 ///
 ///     |v|_M  ≥  −r·q / √(r·W r)
 ///
-/// Kinetic energy ½|v|²_M; |v|_M in √J.
+/// with ½|v|²_M the kinetic energy, |v|_M in √J. Reactions that push and move nothing prove that there is no such motion.
 
-/// The problem of those demands alone: no tangents, no motors, no disks. Same unknowns.
+/// The problem of those demands alone: no tangents, no motors, no disks. Same unknowns, q = 0 in the place of the others.
 Problem demandsAlone(const Problem& problem);
 
-/// The right side: ∞ if r moves nothing, 0 if it proves nothing.
+/// The right side, less what rounding may have added to it; 0 if r proves nothing.
 double leastMotion(const Problem& demands, const VectorXd& r);
 
-/// |v|_M of the motion that meets the hardest of these demands if it is alone: max |q_i|/√W_ii.
-double hardestAlone(const Problem& demands, const VectorXd& diagonal);
+/// |v|_M of the motion that meets the hardest of these demands if it is alone: the largest |u_i|/√W_ii missing at u = q.
+double hardestAlone(const Problem& demands);
+
+/// Reactions that prove that nothing meets the demands of `problem`, or nothing in any proportion to them; empty if none are
+/// found. Takes the region budget and counts in `count`; `newton` forgets its problem.
+VectorXd findQuarrel(ProximalNewton<BodyMotion>& newton, const Problem& problem, double tolerance,
+                     int& regionBudget, Solution& count);
 
 }  // namespace delassus

@@ -275,53 +275,6 @@ Outcome ProximalNewton<Motion>::walkFromRegion(const Problem& problem, double to
   return converge(problem, tolerance, alpha, regionBudget, true, unknown, best);
 }
 
-/// Incompatible demands let the reactions grow without end, by the same d each time, along which no body moves: J̃ᵀ d = 0.
-/// The motion is then the compromise, nearest to the demands in least squares, weighted by the W_aa. Contacts with friction
-/// and disks have no part in it: what is squeezed may slip out, u_n = −μ |u_t| being no demand at all.
-template <class Motion>
-bool ProximalNewton<Motion>::growsInVain(const Problem& problem, double tolerance,
-                                         double residual) const {
-  const VectorXd d = r_ - center_;
-  const int frictional = 3 * problem.contacts(), plainRows = problem.disksBegin() - frictional;
-  VectorXd open = d.cwiseQuotient(l_);
-  auto demands = open.segment(frictional, plainRows);
-  if (plainRows == 0 || demands.cwiseAbs().maxCoeff() < 0.1 * residual) return false;
-  demands.setZero();
-  if (open.cwiseAbs().maxCoeff() > 1e-6 * residual) return false;
-  VectorXd y, moved;
-  motion_.impulse(d, y);
-  motion_.relativeVelocity(y, moved);
-  // Neither a tolerance beside which the residual is small nor the rounding of reactions that are large proves anything.
-  const double still = std::min(tolerance, map_->roundOff(r_));
-  return moved.cwiseAbs().maxCoeff() <= std::max(still, 1e-6 * residual);
-}
-
-/// Takes the part along d = r − center out of the reactions, and names those whose demands it was.
-template <class Motion>
-void ProximalNewton<Motion>::compromise(const Problem& problem, Solution& best) {
-  const VectorXd d = r_ - center_;
-  const VectorXd open = scale_.cwiseProduct(d);
-  best.r = center_ - d * (open.dot(center_) / open.dot(d));
-  // Where a bound or a disk needs a share of d, the reactions stay as large as they have grown.
-  const auto rows = best.r.tail(problem.rows()).array();
-  const auto narrow = [&](const Disk& disk) {
-    return disk.of(best.r).norm() > (1 + 1e-9) * disk.radiusAt(best.r);
-  };
-  if ((rows < problem.lower.array()).any() || (rows > problem.upper.array()).any() ||
-      std::any_of(problem.disks.begin(), problem.disks.end(), narrow))
-    best.r = r_;
-  best.u = problem.W * best.r + problem.q;
-  best.residual = map_->residual(best.r, best.u).max;
-  // Compared in √J: the units of a row must not decide whether it is named.
-  const VectorXd shares = scale_.cwiseSqrt().cwiseProduct(d);
-  const double largest = shares.cwiseAbs().maxCoeff();
-  best.blamed.clear();
-  for (int i = 0; i < problem.contacts(); ++i)
-    if (shares.segment<3>(3 * i).norm() > 0.1 * largest) best.blamed.push_back(3 * i);
-  for (int at = 3 * problem.contacts(); at < problem.size(); ++at)
-    if (std::abs(shares[at]) > 0.1 * largest) best.blamed.push_back(at);
-}
-
 template <class Motion>
 double ProximalNewton<Motion>::measure(const Problem& problem) {
   problem.W.multiply(r_, felt_, trialU_);
@@ -349,20 +302,6 @@ void ProximalNewton<Motion>::polish(const Problem& problem, double tolerance, do
   setWeights(alpha);
   if (solveProximal(problem, regionBudget, best, nullptr) == Inner::Failed) return;
   moveTo(measure(problem), best);
-}
-
-template <class Motion>
-bool ProximalNewton<Motion>::yield(const Problem& problem, double tolerance, double alpha,
-                                   int regionBudget, Solution& best) {
-  center_.setZero(problem.size());
-  u_ = problem.q;
-  r_ = center_;
-  setTolerance(tolerance);
-  setWeights(alpha);
-  if (solveProximal(problem, regionBudget, best, nullptr) == Inner::Failed) return false;
-  best.residual = std::numeric_limits<double>::infinity();
-  moveTo(measure(problem), best);
-  return true;
 }
 
 template <class Motion>

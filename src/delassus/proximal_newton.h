@@ -50,7 +50,7 @@ class ProximalNewton {
 
   /// The answer if all were compliant by `alpha` W_aa: where demands are incompatible, that is a compromise. Takes the place of
   /// `best`, u and residual being those of the problem itself. False if it is not found within the budget.
-  bool yield(const Problem& problem, double tolerance, double alpha, int regionBudget,
+  bool yield(const Problem& problem, double tolerance, double alpha, int& regionBudget,
              Solution& best);
 
   /// Alternating directions (ADMM) for the same law, from `best`, which they improve until its residual is at most `tolerance`:

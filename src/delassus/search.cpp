@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "delassus/farkas.h"
+#include "delassus/pile_kind.h"
 #include "delassus/pivoting.h"
 
 namespace delassus {
@@ -31,19 +33,6 @@ void forceActiveSet(const Problem& problem, ActiveSet& set) {
 bool hasOneRegion(const Problem& problem) {
   return problem.contacts() == 0 && problem.lower.array().isInf().all() &&
          problem.upper.array().isInf().all();
-}
-
-/// Few contacts for the motions of its bodies, and so little self-stress: spheres, not boxes.
-bool isHeap(const Problem& problem) {
-  constexpr int fewContacts = 20, perBody = 3;
-  return problem.W.inBodySpace() && problem.contacts() > fewContacts &&
-         problem.contacts() <= perBody * problem.W.bodySpace().bodies;
-}
-
-/// Boxes: a patch is as hard as the whole, and regions are dear.
-bool isLargePile(const Problem& problem) {
-  constexpr int fewParts = 200;
-  return !isHeap(problem) && problem.contacts() + problem.rows() > fewParts;
 }
 
 constexpr double unknownRegion = 1e-1;  ///< proximal weight
@@ -118,112 +107,6 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
   return Outcome::Incompatible;
 }
 
-void Search::sweepWhileItGains(const Problem& problem, const Options& options, double tolerance,
-                               Solution& best) {
-  constexpr int burst = 20;
-  constexpr double gain = 0.7;
-  double before = std::numeric_limits<double>::infinity();
-  machines_->sweeps.setProblem(problem);
-  while (best.residual < gain * before && best.residual > tolerance &&
-         best.sweeps + burst <= options.sweepBudget) {
-    before = best.residual;
-    trial_.r = best.r;
-    machines_->sweeps.sweep(problem, burst, trial_.r);
-    best.sweeps += burst;
-    consider(problem, trial_, best);
-  }
-}
-
-/// Sweeps as long as they gain, and where they do not, patches: what settles in this way needs no factor of the whole island.
-/// The residual may rise on the way, since a wall that is met lets others go.
-void Search::settle(const Problem& problem, const Options& options, double tolerance,
-                    Solution& best) {
-  constexpr int burst = 20, patience = 6;
-  // Half as many sweeps where all is remembered; elsewhere the memory is worth more than the time.
-  const int memory = isHeap(problem) ? Anderson::longest : 4;
-  constexpr double gain = 0.7;
-  trial_.r = best.r;
-  measure(problem, trial_);
-  double lowest = std::numeric_limits<double>::infinity();
-  for (int failures = 0; failures < patience;) {
-    double before;
-    machines_->sweeps.setProblem(problem);  // since patches may have been swept
-    do {
-      if (best.sweeps + burst > options.sweepBudget) return;
-      before = trial_.residualRms;
-      machines_->sweeps.sweepOn(problem, burst, memory, trial_.r);
-      best.sweeps += burst;
-      consider(problem, trial_, best);
-      if (best.residual <= tolerance) return;
-    } while (trial_.residualRms < gain * before);
-    failures = trial_.residualRms < gain * lowest ? 0 : failures + 1;
-    lowest = std::min(lowest, trial_.residualRms);
-    // What does not help is tried with more around it.
-    if (!mendPatches(problem, options, tolerance, 3.0 / (1 + failures), trial_, best)) return;
-    consider(problem, trial_, best);
-  }
-}
-
-/// The patches about the contacts whose residual is `outstanding` times the mean, or so many times more that no patch is as good as
-/// the island.
-void Search::findPatches(const Problem& problem, double tolerance, double outstanding,
-                         const Solution& unsettled) {
-  constexpr double largestShare = 0.25;
-  map_.residuals(unsettled.r, unsettled.u, residuals_);
-  const double largest = largestShare * static_cast<double>(residuals_.size());
-  double threshold = std::max(outstanding * unsettled.residualRms, tolerance);
-  const auto areSmall = [&] {
-    for (int k = 0; k < patches_.count(); ++k)
-      if (patches_.partsOf(k) > largest) return false;
-    return true;
-  };
-  for (;; threshold *= 2) {
-    patches_.find(problem, residuals_, threshold);
-    if (areSmall()) return;
-  }
-}
-
-/// Solves the patches, and puts their reactions in the place of those in `unsettled`. Their work is counted in `best`: a sweep by the
-/// patch's share of the island, a region by its share to the power 3/2, as a factor costs in a flat pile (George 1973). False if
-/// there were no patches, or no work is left.
-bool Search::mendPatches(const Problem& problem, const Options& options, double tolerance,
-                         double outstanding, Solution& unsettled, Solution& best) {
-  constexpr double accuracy = 0.1;
-  constexpr int fewParts = 20;  // whose walk costs no more than that of their patches
-  constexpr double mostRegions = 300, mostSweeps = 1000;
-  const int parts = problem.contacts() + problem.rows();
-  if (!own_ || parts <= fewParts || !problem.W.inBodySpace()) return false;
-  findPatches(problem, tolerance, outstanding, unsettled);
-  if (!patchSearch_) patchSearch_.reset(new Search(*machines_));
-  double regions = 0, factorisations = 0, sweeps = 0;
-  int mended = 0;
-  for (int k = 0; k < patches_.count(); ++k) {
-    const double share = static_cast<double>(patches_.partsOf(k)) / parts;
-    const double factorShare = share * std::sqrt(share);
-    const double regionsLeft = options.newtonBudget - best.regions - regions;
-    const double sweepsLeft = options.sweepBudget - best.sweeps - sweeps;
-    if (!(regionsLeft > 0 && sweepsLeft > 0)) break;
-    Options few = options;
-    few.newtonBudget = static_cast<int>(std::min(mostRegions, regionsLeft / factorShare));
-    few.sweepBudget = static_cast<int>(std::min(mostSweeps, sweepsLeft / share));
-    patches_.cutOut(k, problem, unsettled.r, unsettled.u, patch_, patchStart_);
-    patchSearch_->setProblem(patch_);
-    patchAnswer_.start(patch_.q);
-    patchSearch_->offer(patch_, patchStart_, patchAnswer_);
-    patchSearch_->walk(patch_, few, accuracy * tolerance, &patchStart_, patchAnswer_);
-    patches_.putBack(k, problem, patchAnswer_.r, unsettled.r);
-    regions += factorShare * patchAnswer_.regions;
-    factorisations += factorShare * patchAnswer_.factorisations;
-    sweeps += share * patchAnswer_.sweeps;
-    ++mended;
-  }
-  best.patches += mended;
-  best.regions += static_cast<int>(regions);
-  best.factorisations += static_cast<int>(factorisations);
-  best.sweeps += static_cast<int>(sweeps);
-  return mended > 0;
-}
-
 /// From the likeliest start to the surest. Without reactions of a last step: the paper's forced motion, every approaching contact
 /// held, with reactions that start from zero, then alternating directions. With them: sweeps mend what came and went, as long
 /// as they gain, in heaps with patches; in large piles alternating directions share the loads anew among contacts that squeeze
@@ -283,8 +166,7 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
   if (settled(outcome)) return outcome;
 
   if (alternate()) return finish();
-  if (provesIncompatible(engines, problem, tolerance, left(secondTry), best))
-    return Outcome::Incompatible;
+  if (compromise(engines, problem, tolerance, left(secondTry), best)) return Outcome::Incompatible;
   if (engines.interior.solve(newton.motion(), problem, map_, tolerance, left(interiorSteps), best))
     return Outcome::Reached;
   outcome =
@@ -294,40 +176,28 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
   return wander(engines, problem, options, tolerance, guess, best);
 }
 
-/// Whether no motion meets the demands, or none that is in any proportion to them; then `best` is the compromise, that of bodies a
-/// little compliant where they touch, friction included, and names those that quarrel.
+/// Where demands are proven incompatible, `best` is the compromise, that of bodies a little compliant where they touch, friction
+/// included, and names those that quarrel. Explicit entries tell it by reactions that grow (ProximalNewton::converge).
 template <class Motion>
-bool Search::provesIncompatible(Engines<Motion>& engines, const Problem& problem, double tolerance,
-                                int regionBudget, Solution& best) {
-  // Times the motion that the hardest demand alone asks for. Less proves nothing: a wedge of a microradian that holds a ball
-  // demands a millionth of what the ball needs.
-  constexpr double proportion = 1e8;
-  constexpr double hardly = 1e-10;  // compliance, relative to W_aa
-  constexpr double compromises[] = {1e-6, 1e-4, 1e-2};
+bool Search::compromise(Engines<Motion>& engines, const Problem& problem, double tolerance,
+                        int regionBudget, Solution& best) {
+  constexpr double compliances[] = {1e-6, 1e-4, 1e-2};  // relative to W_aa
   constexpr double negligible = 0.1;  // share of the largest push, in the norm of its energy
-  const Problem demands = demandsAlone(problem);
-  NaturalMap map;
-  map.setProblem(demands);
-  Solution pushed;
-  pushed.start(demands.q);
-  ProximalNewton<Motion>& newton = engines.walk;
-  newton.setProblem(demands, map);
-  bool proven = newton.yield(demands, tolerance, hardly, regionBudget, pushed);
-  proven =
-      proven && leastMotion(demands, pushed.r) > proportion * hardestAlone(demands, map.diagonal());
-  best.regions += pushed.regions;
-  best.factorisations += pushed.factorisations;
-  newton.setProblem(problem, map_);
-  if (!proven) return false;
-
-  for (const double compliance : compromises)
-    if (newton.yield(problem, tolerance, compliance, regionBudget, best)) break;
-  const VectorXd shares = map.diagonal().cwiseSqrt().cwiseProduct(pushed.r).cwiseAbs();
-  const double least = negligible * shares.maxCoeff();
-  best.blamed.clear();
-  for (int at = 0; at < problem.size(); ++at)
-    if (shares[at] > least) best.blamed.push_back(at);
-  return true;
+  if constexpr (std::is_same_v<Motion, BodyMotion>) {
+    ProximalNewton<Motion>& newton = engines.walk;
+    const VectorXd quarrel = findQuarrel(newton, problem, tolerance, regionBudget, best);
+    newton.setProblem(problem, map_);
+    if (quarrel.size() == 0) return false;
+    for (const double compliance : compliances)
+      if (newton.yield(problem, tolerance, compliance, regionBudget, best)) break;
+    const VectorXd shares = map_.diagonal().cwiseSqrt().cwiseProduct(quarrel).cwiseAbs();
+    const double least = negligible * shares.maxCoeff();
+    best.blamed.clear();
+    for (int at = 0; at < problem.size(); ++at)
+      if (shares[at] > least) best.blamed.push_back(at);
+    return true;
+  }
+  return false;
 }
 
 /// Two ways on, in turn. Sweeps and patches mend the best answer and the walk goes on from there. And since what is near in

@@ -73,8 +73,8 @@ class Search {
   Outcome walkOnce(Engines<Motion>& engines, const Problem& problem, const Options& options,
                    double tolerance, const VectorXd* guess, Solution& best);
   template <class Motion>
-  bool provesIncompatible(Engines<Motion>& engines, const Problem& problem, double tolerance,
-                          int regionBudget, Solution& best);
+  bool compromise(Engines<Motion>& engines, const Problem& problem, double tolerance,
+                  int regionBudget, Solution& best);
   template <class Motion>
   Outcome wander(Engines<Motion>& engines, const Problem& problem, const Options& options,
                  double tolerance, const VectorXd* guess, Solution& best);

@@ -1,0 +1,117 @@
+/// What the search does before a walk: sweeps, and patches where they do not help.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "delassus/pile_kind.h"
+#include "delassus/search.h"
+
+namespace delassus {
+
+void Search::sweepWhileItGains(const Problem& problem, const Options& options, double tolerance,
+                               Solution& best) {
+  constexpr int burst = 20;
+  constexpr double gain = 0.7;
+  double before = std::numeric_limits<double>::infinity();
+  machines_->sweeps.setProblem(problem);
+  while (best.residual < gain * before && best.residual > tolerance &&
+         best.sweeps + burst <= options.sweepBudget) {
+    before = best.residual;
+    trial_.r = best.r;
+    machines_->sweeps.sweep(problem, burst, trial_.r);
+    best.sweeps += burst;
+    consider(problem, trial_, best);
+  }
+}
+
+/// Sweeps as long as they gain, and where they do not, patches: what settles in this way needs no factor of the whole island.
+/// The residual may rise on the way, since a wall that is met lets others go.
+void Search::settle(const Problem& problem, const Options& options, double tolerance,
+                    Solution& best) {
+  constexpr int burst = 20, patience = 6;
+  // Half as many sweeps where all is remembered; elsewhere the memory is worth more than the time.
+  const int memory = isHeap(problem) ? Anderson::longest : 4;
+  constexpr double gain = 0.7;
+  trial_.r = best.r;
+  measure(problem, trial_);
+  double lowest = std::numeric_limits<double>::infinity();
+  for (int failures = 0; failures < patience;) {
+    double before;
+    machines_->sweeps.setProblem(problem);  // since patches may have been swept
+    do {
+      if (best.sweeps + burst > options.sweepBudget) return;
+      before = trial_.residualRms;
+      machines_->sweeps.sweepOn(problem, burst, memory, trial_.r);
+      best.sweeps += burst;
+      consider(problem, trial_, best);
+      if (best.residual <= tolerance) return;
+    } while (trial_.residualRms < gain * before);
+    failures = trial_.residualRms < gain * lowest ? 0 : failures + 1;
+    lowest = std::min(lowest, trial_.residualRms);
+    // What does not help is tried with more around it.
+    if (!mendPatches(problem, options, tolerance, 3.0 / (1 + failures), trial_, best)) return;
+    consider(problem, trial_, best);
+  }
+}
+
+/// The patches about the contacts whose residual is `outstanding` times the mean, or so many times more that no patch is as good as
+/// the island.
+void Search::findPatches(const Problem& problem, double tolerance, double outstanding,
+                         const Solution& unsettled) {
+  constexpr double largestShare = 0.25;
+  map_.residuals(unsettled.r, unsettled.u, residuals_);
+  const double largest = largestShare * static_cast<double>(residuals_.size());
+  double threshold = std::max(outstanding * unsettled.residualRms, tolerance);
+  const auto areSmall = [&] {
+    for (int k = 0; k < patches_.count(); ++k)
+      if (patches_.partsOf(k) > largest) return false;
+    return true;
+  };
+  for (;; threshold *= 2) {
+    patches_.find(problem, residuals_, threshold);
+    if (areSmall()) return;
+  }
+}
+
+/// Solves the patches, and puts their reactions in the place of those in `unsettled`. Their work is counted in `best`: a sweep by the
+/// patch's share of the island, a region by its share to the power 3/2, as a factor costs in a flat pile (George 1973). False if
+/// there were no patches, or no work is left.
+bool Search::mendPatches(const Problem& problem, const Options& options, double tolerance,
+                         double outstanding, Solution& unsettled, Solution& best) {
+  constexpr double accuracy = 0.1;
+  constexpr int fewParts = 20;  // whose walk costs no more than that of their patches
+  constexpr double mostRegions = 300, mostSweeps = 1000;
+  const int parts = problem.contacts() + problem.rows();
+  if (!own_ || parts <= fewParts || !problem.W.inBodySpace()) return false;
+  findPatches(problem, tolerance, outstanding, unsettled);
+  if (!patchSearch_) patchSearch_.reset(new Search(*machines_));
+  double regions = 0, factorisations = 0, sweeps = 0;
+  int mended = 0;
+  for (int k = 0; k < patches_.count(); ++k) {
+    const double share = static_cast<double>(patches_.partsOf(k)) / parts;
+    const double factorShare = share * std::sqrt(share);
+    const double regionsLeft = options.newtonBudget - best.regions - regions;
+    const double sweepsLeft = options.sweepBudget - best.sweeps - sweeps;
+    if (!(regionsLeft > 0 && sweepsLeft > 0)) break;
+    Options few = options;
+    few.newtonBudget = static_cast<int>(std::min(mostRegions, regionsLeft / factorShare));
+    few.sweepBudget = static_cast<int>(std::min(mostSweeps, sweepsLeft / share));
+    patches_.cutOut(k, problem, unsettled.r, unsettled.u, patch_, patchStart_);
+    patchSearch_->setProblem(patch_);
+    patchAnswer_.start(patch_.q);
+    patchSearch_->offer(patch_, patchStart_, patchAnswer_);
+    patchSearch_->walk(patch_, few, accuracy * tolerance, &patchStart_, patchAnswer_);
+    patches_.putBack(k, problem, patchAnswer_.r, unsettled.r);
+    regions += factorShare * patchAnswer_.regions;
+    factorisations += factorShare * patchAnswer_.factorisations;
+    sweeps += share * patchAnswer_.sweeps;
+    ++mended;
+  }
+  best.patches += mended;
+  best.regions += static_cast<int>(regions);
+  best.factorisations += static_cast<int>(factorisations);
+  best.sweeps += static_cast<int>(sweeps);
+  return mended > 0;
+}
+
+}  // namespace delassus
