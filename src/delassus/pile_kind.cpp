@@ -4,8 +4,10 @@ namespace delassus {
 
 bool isHeap(const Problem& problem) {
   constexpr int fewContacts = 20, perBody = 3;
-  return problem.W.inBodySpace() && problem.contacts() > fewContacts &&
-         problem.contacts() <= perBody * problem.W.bodySpace().bodies;
+  constexpr int manyContacts = 1000, perBodyOfMany = 6;
+  const int n = problem.contacts();
+  if (!problem.W.inBodySpace() || n <= fewContacts) return false;
+  return n <= (n > manyContacts ? perBodyOfMany : perBody) * problem.W.bodySpace().bodies;
 }
 
 bool isLargePile(const Problem& problem) {

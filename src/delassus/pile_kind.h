@@ -4,10 +4,11 @@
 
 namespace delassus {
 
-/// Few contacts for the motions of its bodies, and so little self-stress: spheres, not boxes.
+/// Few contacts for the motions of its bodies, and so little self-stress: spheres, and of thousands of contacts, whose regions cost
+/// more than what patches leave undone, tumbling boxes too; not boxes at rest.
 bool isHeap(const Problem& problem);
 
-/// Boxes: a patch is as hard as the whole, and regions are dear.
+/// Boxes at rest: a patch is as hard as the whole, and regions are dear.
 bool isLargePile(const Problem& problem);
 
 }  // namespace delassus
