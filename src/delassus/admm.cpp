@@ -30,8 +30,8 @@ void ProximalNewton<Motion>::alternateOnce(const Problem& problem) {
 template <class Motion>
 bool ProximalNewton<Motion>::alternate(const Problem& problem, double tolerance, int budget,
                                        Solution& best) {
-  constexpr int between = 10;  // iterations from one look at the residual to the next
-  constexpr int mostIdle = 6;  // looks at which it is not halved: then little more will come
+  constexpr int between = 5;    // iterations from one look at the residual to the next
+  constexpr int mostIdle = 12;  // looks at which it is not halved: then little more will come
   if (budget < between) return false;
   setWeights(rho);
   const int n = problem.contacts();

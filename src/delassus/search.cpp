@@ -107,8 +107,9 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
   return Outcome::Incompatible;
 }
 
-/// From the likeliest start to the surest. Without reactions of a last step: the paper's forced motion, every approaching contact
-/// held, with reactions that start from zero, then alternating directions. With them: sweeps mend what came and went, as long
+/// From the likeliest start to the surest. Without reactions of a last step: but in large piles, which share their loads in more
+/// regions than one, the paper's forced motion, every approaching contact held, with reactions that start from zero; then
+/// alternating directions. With them: sweeps mend what came and went, as long
 /// as they gain, in heaps with patches; in large piles alternating directions share the loads anew among contacts that squeeze
 /// each other, for the price of one factor; the walk finishes. Where it loses its way, many contacts are at a wall of their
 /// region: alternating directions bring those to rest that squeeze each other, demands that nothing can meet are found out, an
@@ -139,7 +140,7 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
                             best);
   };
   Outcome outcome;
-  if (!guess) {
+  if (!guess && !isLargePile(problem)) {
     forceActiveSet(problem, best.activeSet);
     outcome = newton.walkFromRegion(problem, tolerance, knownRegion, left(firstTry), best);
     if (settled(outcome)) return outcome;
