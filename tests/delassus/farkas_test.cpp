@@ -52,6 +52,24 @@ TEST(Farkas, TheBoundIsBelowEveryMotionAndReachedByTheLeast) {
   }
 }
 
+// A self-stress does no work in any motion: however large, its rounding proves nothing either.
+TEST(Farkas, SelfStressProvesNothing) {
+  Random random(206);
+  for (int k = 0; k < 60; ++k) {
+    const Pile pile = withoutFriction(makePressed(1 + k % 5, 0, 0, 1e-3, 0, random));
+    const Problem problem = PileIsland(pile).problem;
+    const Solution least = Solver().solve(problem);
+    ASSERT_EQ(least.status, Status::Solved);
+    const double motion = std::sqrt(least.r.dot(problem.W * least.r));
+    VectorXd stress = VectorXd::Zero(problem.size());
+    for (int i = 0; i < problem.contacts(); ++i) stress[3 * i] = 1;
+    for (int i = 0; i < problem.rows(); ++i) stress[3 * problem.contacts() + i] = 1;
+    ASSERT_LT((problem.W * stress).norm(), 1e-12);
+    const VectorXd r = std::pow(10.0, k % 12) * uniform(random, 1, 10) * stress;
+    EXPECT_LE(leastMotion(demandsAlone(problem), r), motion) << k;
+  }
+}
+
 // Friction, motors and disks ask for nothing that they would not give up.
 TEST(Farkas, WhatIsBoundedDemandsNothing) {
   Random random(202);
