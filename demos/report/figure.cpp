@@ -19,16 +19,6 @@ constexpr int fontSize = 12, titleHeight = 40;
 // Room for tics and names of the axes around a panel, and for the names at the ends of curves, in pixels.
 constexpr int leftRoom = 74, rightRoom = 16, topRoom = 30, bottomRoom = 52;
 
-/// gnuplot's braces, underscores and the like are letters here.
-std::string literal(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return '"' + out + '"';
-}
-
 std::string number(double value) {
   char word[32];
   std::snprintf(word, sizeof word, "%.6g", value);
@@ -253,6 +243,15 @@ void writePanel(std::ostream& script, const Figure& figure, std::size_t index) {
 }
 
 }  // namespace
+
+std::string literal(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '"' || c == '\\' || c == '`') out += '\\';
+    out += c;
+  }
+  return '"' + out + '"';
+}
 
 std::string familyColour(const std::string& family) {
   static const std::map<std::string, std::string> colours{

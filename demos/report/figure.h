@@ -48,6 +48,9 @@ std::string drawScript(const std::string& script, const std::filesystem::path& f
 /// Columns for that many small panels: about square, at most four.
 int panelColumns(std::size_t panels);
 
+/// `text` in gnuplot's double quotes, letter by letter: what stands between backticks would be run as a command of the shell.
+std::string literal(const std::string& text);
+
 /// The script alone.
 std::string gnuplotScript(const Figure& figure, const std::string& name);
 

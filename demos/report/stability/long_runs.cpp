@@ -58,7 +58,7 @@ SweepGroup longRunSweeps() {
       "of its joints in most steps, by others, up to a millimetre deep. Recovery of these depths "
       "(`m_erp2`) moves the stones, now and then a joint loses a corner, and friction brings "
       "nothing back. Without recovery (next) it settles once and stays.";
-  const Sweep unrecovered = lasting("arch_unrecovered", "arch of 21 voussoirs, `m_erp2` of 0", 0.02,
+  const Sweep unrecovered = lasting("arch_unrecovered", "arch of 21 voussoirs, m_erp2 of 0", 0.02,
                                     archTimes, archPatience, archWithoutRecovery);
   return {"long_runs",
           "Long runs",

@@ -104,9 +104,8 @@ Sweep onePoint() {
   sweep.axis = "boxes";
   sweep.law = "none is faster than 50 m/s within 1 s";
   sweep.remark =
-      "n boxes in one place are n²/2 pairs, all squeezed: `delassus` walks to the end of its "
-      "budget, "
-      "tenths of seconds a step, and says so.";
+      "n boxes in one place are n²/2 pairs, all squeezed: from 16 boxes on `delassus` may walk to "
+      "the end of its budget, tenths of seconds a step, and says so.";
   sweep.allowed = 50;
   sweep.values = {2, 3, 5, 8, 12, 16, 24, 32};
   sweep.build = [](double count) {

@@ -51,7 +51,7 @@ class Script {
   void label(double x, double y, const std::string& words, const char* side,
              const std::string& colour, int size = fontSize) {
     if (words.empty()) return;
-    text_ << "set label \"" << words << "\" at screen " << across(x) << ", screen " << down(y)
+    text_ << "set label " << literal(words) << " at screen " << across(x) << ", screen " << down(y)
           << ' ' << side << " front noenhanced textcolor rgb '" << colour
           << "' font sprintf(\"DejaVu Sans,%g\", scale * " << size << ")\n";
   }

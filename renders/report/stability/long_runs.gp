@@ -1,7 +1,7 @@
 # Draws long_runs.svg and long_runs.png: gnuplot long_runs.gp
 do for [kind in "svg png"] {
-if (kind eq "svg") { scale = 1.0; set terminal svg size 1280,542 font 'DejaVu Sans,12' background '#ffffff' }
-if (kind eq "png") { scale = 0.75; set terminal pngcairo size 1280,542 font 'DejaVu Sans,9' background '#ffffff' }
+if (kind eq "svg") { scale = 1.0; set terminal svg size 1280,778 font 'DejaVu Sans,12' background '#ffffff' }
+if (kind eq "png") { scale = 0.75; set terminal pngcairo size 1280,778 font 'DejaVu Sans,9' background '#ffffff' }
 set output "long_runs.".kind
 unset border
 unset tics
@@ -12,331 +12,416 @@ set tmargin 0
 set bmargin 0
 set xrange [0:1]
 set yrange [0:1]
-set label "Long runs" at screen 0.5, screen 0.96679 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 14)
-set object 1 rectangle from screen 0.015625, screen 0.900369 to screen 0.0296875, screen 0.933579 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set label "holds" at screen 0.034375, screen 0.916974 left front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 12)
-set object 2 rectangle from screen 0.0820312, screen 0.900369 to screen 0.0960938, screen 0.933579 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.0890625, screen 0.916974 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "holds and says so" at screen 0.100781, screen 0.916974 left front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 12)
-set object 3 rectangle from screen 0.217813, screen 0.900369 to screen 0.231875, screen 0.933579 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.224844, screen 0.916974 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "fails and says so" at screen 0.236563, screen 0.916974 left front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 12)
-set object 4 rectangle from screen 0.353594, screen 0.900369 to screen 0.367656, screen 0.933579 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.360625, screen 0.916974 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "fails" at screen 0.372344, screen 0.916974 left front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 12)
-set object 5 rectangle from screen 0.42, screen 0.900369 to screen 0.434063, screen 0.933579 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.427031, screen 0.916974 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "too slow" at screen 0.43875, screen 0.916974 left front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 12)
-set object 6 rectangle from screen 0.50375, screen 0.900369 to screen 0.517813, screen 0.933579 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#000000' lw 1
-set label "#" at screen 0.510781, screen 0.916974 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "crashes" at screen 0.5225, screen 0.916974 left front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 12)
-set label "one cube at rest" at screen 0.009375, screen 0.843173 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
-set label "delassus double" at screen 0.126562, screen 0.797048 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 7 rectangle from screen 0.132812, screen 0.778598 to screen 0.191927, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 8 rectangle from screen 0.191927, screen 0.778598 to screen 0.251042, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 9 rectangle from screen 0.251042, screen 0.778598 to screen 0.310156, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 10 rectangle from screen 0.310156, screen 0.778598 to screen 0.369271, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 11 rectangle from screen 0.369271, screen 0.778598 to screen 0.428385, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 12 rectangle from screen 0.428385, screen 0.778598 to screen 0.4875, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set label "delassus float" at screen 0.126562, screen 0.760148 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 13 rectangle from screen 0.132812, screen 0.741697 to screen 0.191927, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 14 rectangle from screen 0.191927, screen 0.741697 to screen 0.251042, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 15 rectangle from screen 0.251042, screen 0.741697 to screen 0.310156, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 16 rectangle from screen 0.310156, screen 0.741697 to screen 0.369271, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 17 rectangle from screen 0.369271, screen 0.741697 to screen 0.428385, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 18 rectangle from screen 0.428385, screen 0.741697 to screen 0.4875, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set label "si:10 double" at screen 0.126562, screen 0.723247 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 19 rectangle from screen 0.132812, screen 0.704797 to screen 0.191927, screen 0.741697 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 20 rectangle from screen 0.191927, screen 0.704797 to screen 0.251042, screen 0.741697 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 21 rectangle from screen 0.251042, screen 0.704797 to screen 0.310156, screen 0.741697 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.280599, screen 0.723247 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 22 rectangle from screen 0.310156, screen 0.704797 to screen 0.369271, screen 0.741697 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.339714, screen 0.723247 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 23 rectangle from screen 0.369271, screen 0.704797 to screen 0.428385, screen 0.741697 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.398828, screen 0.723247 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 24 rectangle from screen 0.428385, screen 0.704797 to screen 0.4875, screen 0.741697 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.457943, screen 0.723247 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "si:10 float" at screen 0.126562, screen 0.686347 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 25 rectangle from screen 0.132812, screen 0.667897 to screen 0.191927, screen 0.704797 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 26 rectangle from screen 0.191927, screen 0.667897 to screen 0.251042, screen 0.704797 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 27 rectangle from screen 0.251042, screen 0.667897 to screen 0.310156, screen 0.704797 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 28 rectangle from screen 0.310156, screen 0.667897 to screen 0.369271, screen 0.704797 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 29 rectangle from screen 0.369271, screen 0.667897 to screen 0.428385, screen 0.704797 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.398828, screen 0.686347 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 30 rectangle from screen 0.428385, screen 0.667897 to screen 0.4875, screen 0.704797 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.457943, screen 0.686347 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "si:1000 double" at screen 0.126562, screen 0.649446 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 31 rectangle from screen 0.132812, screen 0.630996 to screen 0.191927, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 32 rectangle from screen 0.191927, screen 0.630996 to screen 0.251042, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 33 rectangle from screen 0.251042, screen 0.630996 to screen 0.310156, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 34 rectangle from screen 0.310156, screen 0.630996 to screen 0.369271, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 35 rectangle from screen 0.369271, screen 0.630996 to screen 0.428385, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 36 rectangle from screen 0.428385, screen 0.630996 to screen 0.4875, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.457943, screen 0.649446 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "si:1000 float" at screen 0.126562, screen 0.612546 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 37 rectangle from screen 0.132812, screen 0.594096 to screen 0.191927, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 38 rectangle from screen 0.191927, screen 0.594096 to screen 0.251042, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 39 rectangle from screen 0.251042, screen 0.594096 to screen 0.310156, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 40 rectangle from screen 0.310156, screen 0.594096 to screen 0.369271, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 41 rectangle from screen 0.369271, screen 0.594096 to screen 0.428385, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 42 rectangle from screen 0.428385, screen 0.594096 to screen 0.4875, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.457943, screen 0.612546 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "dantzig:1e-6 double" at screen 0.126562, screen 0.575646 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 43 rectangle from screen 0.132812, screen 0.557196 to screen 0.191927, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 44 rectangle from screen 0.191927, screen 0.557196 to screen 0.251042, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 45 rectangle from screen 0.251042, screen 0.557196 to screen 0.310156, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 46 rectangle from screen 0.310156, screen 0.557196 to screen 0.369271, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 47 rectangle from screen 0.369271, screen 0.557196 to screen 0.428385, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 48 rectangle from screen 0.428385, screen 0.557196 to screen 0.4875, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set label "dantzig:1e-6 float" at screen 0.126562, screen 0.538745 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 49 rectangle from screen 0.132812, screen 0.520295 to screen 0.191927, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 50 rectangle from screen 0.191927, screen 0.520295 to screen 0.251042, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 51 rectangle from screen 0.251042, screen 0.520295 to screen 0.310156, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 52 rectangle from screen 0.310156, screen 0.520295 to screen 0.369271, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 53 rectangle from screen 0.369271, screen 0.520295 to screen 0.428385, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 54 rectangle from screen 0.428385, screen 0.520295 to screen 0.4875, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set label "1" at screen 0.16237, screen 0.501845 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "10" at screen 0.221484, screen 0.501845 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "100" at screen 0.280599, screen 0.501845 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "1000" at screen 0.339714, screen 0.501845 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "3600" at screen 0.398828, screen 0.501845 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "36000" at screen 0.457943, screen 0.501845 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "simulated time, s" at screen 0.310156, screen 0.468635 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "stack of forty boxes" at screen 0.509375, screen 0.843173 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
-set label "delassus double" at screen 0.626563, screen 0.797048 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 55 rectangle from screen 0.632812, screen 0.778598 to screen 0.70375, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 56 rectangle from screen 0.70375, screen 0.778598 to screen 0.774687, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 57 rectangle from screen 0.774687, screen 0.778598 to screen 0.845625, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 58 rectangle from screen 0.845625, screen 0.778598 to screen 0.916563, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 59 rectangle from screen 0.916563, screen 0.778598 to screen 0.9875, screen 0.815498 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set label "delassus float" at screen 0.626563, screen 0.760148 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 60 rectangle from screen 0.632812, screen 0.741697 to screen 0.70375, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 61 rectangle from screen 0.70375, screen 0.741697 to screen 0.774687, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 62 rectangle from screen 0.774687, screen 0.741697 to screen 0.845625, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 63 rectangle from screen 0.845625, screen 0.741697 to screen 0.916563, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 64 rectangle from screen 0.916563, screen 0.741697 to screen 0.9875, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.952031, screen 0.760148 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "si:10 double" at screen 0.626563, screen 0.723247 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 65 rectangle from screen 0.632812, screen 0.704797 to screen 0.70375, screen 0.741697 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.668281, screen 0.723247 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 66 rectangle from screen 0.70375, screen 0.704797 to screen 0.774687, screen 0.741697 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.739219, screen 0.723247 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 67 rectangle from screen 0.774687, screen 0.704797 to screen 0.845625, screen 0.741697 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.810156, screen 0.723247 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 68 rectangle from screen 0.845625, screen 0.704797 to screen 0.916563, screen 0.741697 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.881094, screen 0.723247 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 69 rectangle from screen 0.916563, screen 0.704797 to screen 0.9875, screen 0.741697 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.952031, screen 0.723247 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "si:10 float" at screen 0.626563, screen 0.686347 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 70 rectangle from screen 0.632812, screen 0.667897 to screen 0.70375, screen 0.704797 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.668281, screen 0.686347 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 71 rectangle from screen 0.70375, screen 0.667897 to screen 0.774687, screen 0.704797 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.739219, screen 0.686347 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 72 rectangle from screen 0.774687, screen 0.667897 to screen 0.845625, screen 0.704797 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.810156, screen 0.686347 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 73 rectangle from screen 0.845625, screen 0.667897 to screen 0.916563, screen 0.704797 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.881094, screen 0.686347 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 74 rectangle from screen 0.916563, screen 0.667897 to screen 0.9875, screen 0.704797 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.952031, screen 0.686347 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "si:1000 double" at screen 0.626563, screen 0.649446 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 75 rectangle from screen 0.632812, screen 0.630996 to screen 0.70375, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.668281, screen 0.649446 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 76 rectangle from screen 0.70375, screen 0.630996 to screen 0.774687, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.739219, screen 0.649446 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 77 rectangle from screen 0.774687, screen 0.630996 to screen 0.845625, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.810156, screen 0.649446 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 78 rectangle from screen 0.845625, screen 0.630996 to screen 0.916563, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.881094, screen 0.649446 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 79 rectangle from screen 0.916563, screen 0.630996 to screen 0.9875, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.952031, screen 0.649446 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "si:1000 float" at screen 0.626563, screen 0.612546 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 80 rectangle from screen 0.632812, screen 0.594096 to screen 0.70375, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.668281, screen 0.612546 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 81 rectangle from screen 0.70375, screen 0.594096 to screen 0.774687, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.739219, screen 0.612546 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 82 rectangle from screen 0.774687, screen 0.594096 to screen 0.845625, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.810156, screen 0.612546 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 83 rectangle from screen 0.845625, screen 0.594096 to screen 0.916563, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.881094, screen 0.612546 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 84 rectangle from screen 0.916563, screen 0.594096 to screen 0.9875, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.952031, screen 0.612546 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "dantzig:1e-6 double" at screen 0.626563, screen 0.575646 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 85 rectangle from screen 0.632812, screen 0.557196 to screen 0.70375, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 86 rectangle from screen 0.70375, screen 0.557196 to screen 0.774687, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 87 rectangle from screen 0.774687, screen 0.557196 to screen 0.845625, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.810156, screen 0.575646 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 88 rectangle from screen 0.845625, screen 0.557196 to screen 0.916563, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.881094, screen 0.575646 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 89 rectangle from screen 0.916563, screen 0.557196 to screen 0.9875, screen 0.594096 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.952031, screen 0.575646 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "dantzig:1e-6 float" at screen 0.626563, screen 0.538745 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 90 rectangle from screen 0.632812, screen 0.520295 to screen 0.70375, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 91 rectangle from screen 0.70375, screen 0.520295 to screen 0.774687, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.739219, screen 0.538745 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 92 rectangle from screen 0.774687, screen 0.520295 to screen 0.845625, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.810156, screen 0.538745 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 93 rectangle from screen 0.845625, screen 0.520295 to screen 0.916563, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.881094, screen 0.538745 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 94 rectangle from screen 0.916563, screen 0.520295 to screen 0.9875, screen 0.557196 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.952031, screen 0.538745 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "1" at screen 0.668281, screen 0.501845 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "10" at screen 0.739219, screen 0.501845 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "100" at screen 0.810156, screen 0.501845 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "600" at screen 0.881094, screen 0.501845 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "3600" at screen 0.952031, screen 0.501845 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "simulated time, s" at screen 0.810156, screen 0.468635 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "arch of 21 voussoirs" at screen 0.009375, screen 0.407749 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
-set label "delassus double" at screen 0.126562, screen 0.361624 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 95 rectangle from screen 0.132812, screen 0.343173 to screen 0.20375, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 96 rectangle from screen 0.20375, screen 0.343173 to screen 0.274688, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.239219, screen 0.361624 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 97 rectangle from screen 0.274688, screen 0.343173 to screen 0.345625, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.310156, screen 0.361624 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 98 rectangle from screen 0.345625, screen 0.343173 to screen 0.416562, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.381094, screen 0.361624 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 99 rectangle from screen 0.416563, screen 0.343173 to screen 0.4875, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.452031, screen 0.361624 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "delassus float" at screen 0.126562, screen 0.324723 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 100 rectangle from screen 0.132812, screen 0.306273 to screen 0.20375, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 101 rectangle from screen 0.20375, screen 0.306273 to screen 0.274688, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 102 rectangle from screen 0.274688, screen 0.306273 to screen 0.345625, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.310156, screen 0.324723 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 103 rectangle from screen 0.345625, screen 0.306273 to screen 0.416562, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.381094, screen 0.324723 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 104 rectangle from screen 0.416563, screen 0.306273 to screen 0.4875, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.452031, screen 0.324723 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "si:10 double" at screen 0.126562, screen 0.287823 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 105 rectangle from screen 0.132812, screen 0.269373 to screen 0.20375, screen 0.306273 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.168281, screen 0.287823 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 106 rectangle from screen 0.20375, screen 0.269373 to screen 0.274688, screen 0.306273 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.239219, screen 0.287823 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 107 rectangle from screen 0.274688, screen 0.269373 to screen 0.345625, screen 0.306273 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.310156, screen 0.287823 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 108 rectangle from screen 0.345625, screen 0.269373 to screen 0.416562, screen 0.306273 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.381094, screen 0.287823 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 109 rectangle from screen 0.416563, screen 0.269373 to screen 0.4875, screen 0.306273 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.452031, screen 0.287823 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "si:10 float" at screen 0.126562, screen 0.250923 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 110 rectangle from screen 0.132812, screen 0.232472 to screen 0.20375, screen 0.269373 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.168281, screen 0.250923 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 111 rectangle from screen 0.20375, screen 0.232472 to screen 0.274688, screen 0.269373 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.239219, screen 0.250923 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 112 rectangle from screen 0.274688, screen 0.232472 to screen 0.345625, screen 0.269373 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.310156, screen 0.250923 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 113 rectangle from screen 0.345625, screen 0.232472 to screen 0.416562, screen 0.269373 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.381094, screen 0.250923 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 114 rectangle from screen 0.416563, screen 0.232472 to screen 0.4875, screen 0.269373 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.452031, screen 0.250923 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "si:1000 double" at screen 0.126562, screen 0.214022 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 115 rectangle from screen 0.132812, screen 0.195572 to screen 0.20375, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.168281, screen 0.214022 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 116 rectangle from screen 0.20375, screen 0.195572 to screen 0.274688, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.239219, screen 0.214022 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 117 rectangle from screen 0.274688, screen 0.195572 to screen 0.345625, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.310156, screen 0.214022 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 118 rectangle from screen 0.345625, screen 0.195572 to screen 0.416562, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.381094, screen 0.214022 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 119 rectangle from screen 0.416563, screen 0.195572 to screen 0.4875, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.452031, screen 0.214022 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "si:1000 float" at screen 0.126562, screen 0.177122 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 120 rectangle from screen 0.132812, screen 0.158672 to screen 0.20375, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.168281, screen 0.177122 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 121 rectangle from screen 0.20375, screen 0.158672 to screen 0.274688, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.239219, screen 0.177122 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 122 rectangle from screen 0.274688, screen 0.158672 to screen 0.345625, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.310156, screen 0.177122 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 123 rectangle from screen 0.345625, screen 0.158672 to screen 0.416562, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.381094, screen 0.177122 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 124 rectangle from screen 0.416563, screen 0.158672 to screen 0.4875, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.452031, screen 0.177122 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "dantzig:1e-6 double" at screen 0.126562, screen 0.140221 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 125 rectangle from screen 0.132812, screen 0.121771 to screen 0.20375, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.168281, screen 0.140221 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 126 rectangle from screen 0.20375, screen 0.121771 to screen 0.274688, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.239219, screen 0.140221 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 127 rectangle from screen 0.274688, screen 0.121771 to screen 0.345625, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.310156, screen 0.140221 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 128 rectangle from screen 0.345625, screen 0.121771 to screen 0.416562, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.381094, screen 0.140221 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 129 rectangle from screen 0.416563, screen 0.121771 to screen 0.4875, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.452031, screen 0.140221 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "dantzig:1e-6 float" at screen 0.126562, screen 0.103321 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 130 rectangle from screen 0.132812, screen 0.0848708 to screen 0.20375, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.168281, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 131 rectangle from screen 0.20375, screen 0.0848708 to screen 0.274688, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.239219, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 132 rectangle from screen 0.274688, screen 0.0848708 to screen 0.345625, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.310156, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 133 rectangle from screen 0.345625, screen 0.0848708 to screen 0.416562, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.381094, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 134 rectangle from screen 0.416563, screen 0.0848708 to screen 0.4875, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.452031, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "1" at screen 0.168281, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "10" at screen 0.239219, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "60" at screen 0.310156, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "600" at screen 0.381094, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "3600" at screen 0.452031, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "simulated time, s" at screen 0.310156, screen 0.0332103 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "box on a running belt, kept by a stop" at screen 0.509375, screen 0.407749 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
-set label "delassus double" at screen 0.626563, screen 0.361624 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 135 rectangle from screen 0.632812, screen 0.343173 to screen 0.70375, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 136 rectangle from screen 0.70375, screen 0.343173 to screen 0.774687, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 137 rectangle from screen 0.774687, screen 0.343173 to screen 0.845625, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 138 rectangle from screen 0.845625, screen 0.343173 to screen 0.916563, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 139 rectangle from screen 0.916563, screen 0.343173 to screen 0.9875, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set label "delassus float" at screen 0.626563, screen 0.324723 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 140 rectangle from screen 0.632812, screen 0.306273 to screen 0.70375, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 141 rectangle from screen 0.70375, screen 0.306273 to screen 0.774687, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 142 rectangle from screen 0.774687, screen 0.306273 to screen 0.845625, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 143 rectangle from screen 0.845625, screen 0.306273 to screen 0.916563, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 144 rectangle from screen 0.916563, screen 0.306273 to screen 0.9875, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set label "si:10 double" at screen 0.626563, screen 0.287823 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 145 rectangle from screen 0.632812, screen 0.269373 to screen 0.70375, screen 0.306273 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 146 rectangle from screen 0.70375, screen 0.269373 to screen 0.774687, screen 0.306273 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 147 rectangle from screen 0.774687, screen 0.269373 to screen 0.845625, screen 0.306273 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 148 rectangle from screen 0.845625, screen 0.269373 to screen 0.916563, screen 0.306273 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 149 rectangle from screen 0.916563, screen 0.269373 to screen 0.9875, screen 0.306273 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set label "si:10 float" at screen 0.626563, screen 0.250923 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 150 rectangle from screen 0.632812, screen 0.232472 to screen 0.70375, screen 0.269373 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 151 rectangle from screen 0.70375, screen 0.232472 to screen 0.774687, screen 0.269373 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 152 rectangle from screen 0.774687, screen 0.232472 to screen 0.845625, screen 0.269373 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 153 rectangle from screen 0.845625, screen 0.232472 to screen 0.916563, screen 0.269373 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 154 rectangle from screen 0.916563, screen 0.232472 to screen 0.9875, screen 0.269373 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set label "si:1000 double" at screen 0.626563, screen 0.214022 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 155 rectangle from screen 0.632812, screen 0.195572 to screen 0.70375, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 156 rectangle from screen 0.70375, screen 0.195572 to screen 0.774687, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 157 rectangle from screen 0.774687, screen 0.195572 to screen 0.845625, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 158 rectangle from screen 0.845625, screen 0.195572 to screen 0.916563, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 159 rectangle from screen 0.916563, screen 0.195572 to screen 0.9875, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set label "si:1000 float" at screen 0.626563, screen 0.177122 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 160 rectangle from screen 0.632812, screen 0.158672 to screen 0.70375, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 161 rectangle from screen 0.70375, screen 0.158672 to screen 0.774687, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 162 rectangle from screen 0.774687, screen 0.158672 to screen 0.845625, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 163 rectangle from screen 0.845625, screen 0.158672 to screen 0.916563, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 164 rectangle from screen 0.916563, screen 0.158672 to screen 0.9875, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set label "dantzig:1e-6 double" at screen 0.626563, screen 0.140221 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 165 rectangle from screen 0.632812, screen 0.121771 to screen 0.70375, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 166 rectangle from screen 0.70375, screen 0.121771 to screen 0.774687, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 167 rectangle from screen 0.774687, screen 0.121771 to screen 0.845625, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 168 rectangle from screen 0.845625, screen 0.121771 to screen 0.916563, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 169 rectangle from screen 0.916563, screen 0.121771 to screen 0.9875, screen 0.158672 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set label "dantzig:1e-6 float" at screen 0.626563, screen 0.103321 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 170 rectangle from screen 0.632812, screen 0.0848708 to screen 0.70375, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.668281, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 171 rectangle from screen 0.70375, screen 0.0848708 to screen 0.774687, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.739219, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 172 rectangle from screen 0.774687, screen 0.0848708 to screen 0.845625, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.810156, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 173 rectangle from screen 0.845625, screen 0.0848708 to screen 0.916563, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.881094, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 174 rectangle from screen 0.916563, screen 0.0848708 to screen 0.9875, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.952031, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "1" at screen 0.668281, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "10" at screen 0.739219, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "100" at screen 0.810156, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "600" at screen 0.881094, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "3600" at screen 0.952031, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "simulated time, s" at screen 0.810156, screen 0.0332103 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "Long runs" at screen 0.5, screen 0.976864 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 14)
+set object 1 rectangle from screen 0.015625, screen 0.930591 to screen 0.0296875, screen 0.953728 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "holds" at screen 0.034375, screen 0.942159 left front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 12)
+set object 2 rectangle from screen 0.0820312, screen 0.930591 to screen 0.0960938, screen 0.953728 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.0890625, screen 0.942159 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "holds and says so" at screen 0.100781, screen 0.942159 left front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 12)
+set object 3 rectangle from screen 0.217813, screen 0.930591 to screen 0.231875, screen 0.953728 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.224844, screen 0.942159 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "fails and says so" at screen 0.236563, screen 0.942159 left front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 12)
+set object 4 rectangle from screen 0.353594, screen 0.930591 to screen 0.367656, screen 0.953728 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.360625, screen 0.942159 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "fails" at screen 0.372344, screen 0.942159 left front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 12)
+set object 5 rectangle from screen 0.42, screen 0.930591 to screen 0.434063, screen 0.953728 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.427031, screen 0.942159 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "too slow" at screen 0.43875, screen 0.942159 left front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 12)
+set object 6 rectangle from screen 0.50375, screen 0.930591 to screen 0.517813, screen 0.953728 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#000000' lw 1
+set label "#" at screen 0.510781, screen 0.942159 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "crashes" at screen 0.5225, screen 0.942159 left front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 12)
+set label "one cube at rest" at screen 0.009375, screen 0.890746 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
+set label "delassus double" at screen 0.126562, screen 0.858612 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 7 rectangle from screen 0.132812, screen 0.845758 to screen 0.191927, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 8 rectangle from screen 0.191927, screen 0.845758 to screen 0.251042, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 9 rectangle from screen 0.251042, screen 0.845758 to screen 0.310156, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 10 rectangle from screen 0.310156, screen 0.845758 to screen 0.369271, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 11 rectangle from screen 0.369271, screen 0.845758 to screen 0.428385, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 12 rectangle from screen 0.428385, screen 0.845758 to screen 0.4875, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "delassus float" at screen 0.126562, screen 0.832905 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 13 rectangle from screen 0.132812, screen 0.820051 to screen 0.191927, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 14 rectangle from screen 0.191927, screen 0.820051 to screen 0.251042, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 15 rectangle from screen 0.251042, screen 0.820051 to screen 0.310156, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 16 rectangle from screen 0.310156, screen 0.820051 to screen 0.369271, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 17 rectangle from screen 0.369271, screen 0.820051 to screen 0.428385, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 18 rectangle from screen 0.428385, screen 0.820051 to screen 0.4875, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "si:10 double" at screen 0.126562, screen 0.807198 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 19 rectangle from screen 0.132812, screen 0.794344 to screen 0.191927, screen 0.820051 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 20 rectangle from screen 0.191927, screen 0.794344 to screen 0.251042, screen 0.820051 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 21 rectangle from screen 0.251042, screen 0.794344 to screen 0.310156, screen 0.820051 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.280599, screen 0.807198 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 22 rectangle from screen 0.310156, screen 0.794344 to screen 0.369271, screen 0.820051 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.339714, screen 0.807198 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 23 rectangle from screen 0.369271, screen 0.794344 to screen 0.428385, screen 0.820051 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.398828, screen 0.807198 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 24 rectangle from screen 0.428385, screen 0.794344 to screen 0.4875, screen 0.820051 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.457943, screen 0.807198 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "si:10 float" at screen 0.126562, screen 0.781491 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 25 rectangle from screen 0.132812, screen 0.768638 to screen 0.191927, screen 0.794344 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 26 rectangle from screen 0.191927, screen 0.768638 to screen 0.251042, screen 0.794344 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 27 rectangle from screen 0.251042, screen 0.768638 to screen 0.310156, screen 0.794344 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 28 rectangle from screen 0.310156, screen 0.768638 to screen 0.369271, screen 0.794344 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 29 rectangle from screen 0.369271, screen 0.768638 to screen 0.428385, screen 0.794344 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.398828, screen 0.781491 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 30 rectangle from screen 0.428385, screen 0.768638 to screen 0.4875, screen 0.794344 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.457943, screen 0.781491 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "si:1000 double" at screen 0.126562, screen 0.755784 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 31 rectangle from screen 0.132812, screen 0.742931 to screen 0.191927, screen 0.768638 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 32 rectangle from screen 0.191927, screen 0.742931 to screen 0.251042, screen 0.768638 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 33 rectangle from screen 0.251042, screen 0.742931 to screen 0.310156, screen 0.768638 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 34 rectangle from screen 0.310156, screen 0.742931 to screen 0.369271, screen 0.768638 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 35 rectangle from screen 0.369271, screen 0.742931 to screen 0.428385, screen 0.768638 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 36 rectangle from screen 0.428385, screen 0.742931 to screen 0.4875, screen 0.768638 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.457943, screen 0.755784 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "si:1000 float" at screen 0.126562, screen 0.730077 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 37 rectangle from screen 0.132812, screen 0.717224 to screen 0.191927, screen 0.742931 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 38 rectangle from screen 0.191927, screen 0.717224 to screen 0.251042, screen 0.742931 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 39 rectangle from screen 0.251042, screen 0.717224 to screen 0.310156, screen 0.742931 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 40 rectangle from screen 0.310156, screen 0.717224 to screen 0.369271, screen 0.742931 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 41 rectangle from screen 0.369271, screen 0.717224 to screen 0.428385, screen 0.742931 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 42 rectangle from screen 0.428385, screen 0.717224 to screen 0.4875, screen 0.742931 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.457943, screen 0.730077 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "dantzig:1e-6 double" at screen 0.126562, screen 0.70437 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 43 rectangle from screen 0.132812, screen 0.691517 to screen 0.191927, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 44 rectangle from screen 0.191927, screen 0.691517 to screen 0.251042, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 45 rectangle from screen 0.251042, screen 0.691517 to screen 0.310156, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 46 rectangle from screen 0.310156, screen 0.691517 to screen 0.369271, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 47 rectangle from screen 0.369271, screen 0.691517 to screen 0.428385, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 48 rectangle from screen 0.428385, screen 0.691517 to screen 0.4875, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "dantzig:1e-6 float" at screen 0.126562, screen 0.678663 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 49 rectangle from screen 0.132812, screen 0.66581 to screen 0.191927, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 50 rectangle from screen 0.191927, screen 0.66581 to screen 0.251042, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 51 rectangle from screen 0.251042, screen 0.66581 to screen 0.310156, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 52 rectangle from screen 0.310156, screen 0.66581 to screen 0.369271, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 53 rectangle from screen 0.369271, screen 0.66581 to screen 0.428385, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 54 rectangle from screen 0.428385, screen 0.66581 to screen 0.4875, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "1" at screen 0.16237, screen 0.652956 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "10" at screen 0.221484, screen 0.652956 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "100" at screen 0.280599, screen 0.652956 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "1000" at screen 0.339714, screen 0.652956 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "3600" at screen 0.398828, screen 0.652956 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "36000" at screen 0.457943, screen 0.652956 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "simulated time, s" at screen 0.310156, screen 0.62982 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "stack of forty boxes" at screen 0.509375, screen 0.890746 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
+set label "delassus double" at screen 0.626563, screen 0.858612 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 55 rectangle from screen 0.632812, screen 0.845758 to screen 0.70375, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 56 rectangle from screen 0.70375, screen 0.845758 to screen 0.774687, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 57 rectangle from screen 0.774687, screen 0.845758 to screen 0.845625, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 58 rectangle from screen 0.845625, screen 0.845758 to screen 0.916563, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 59 rectangle from screen 0.916563, screen 0.845758 to screen 0.9875, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "delassus float" at screen 0.626563, screen 0.832905 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 60 rectangle from screen 0.632812, screen 0.820051 to screen 0.70375, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 61 rectangle from screen 0.70375, screen 0.820051 to screen 0.774687, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 62 rectangle from screen 0.774687, screen 0.820051 to screen 0.845625, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 63 rectangle from screen 0.845625, screen 0.820051 to screen 0.916563, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 64 rectangle from screen 0.916563, screen 0.820051 to screen 0.9875, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.952031, screen 0.832905 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "si:10 double" at screen 0.626563, screen 0.807198 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 65 rectangle from screen 0.632812, screen 0.794344 to screen 0.70375, screen 0.820051 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.668281, screen 0.807198 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 66 rectangle from screen 0.70375, screen 0.794344 to screen 0.774687, screen 0.820051 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.739219, screen 0.807198 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 67 rectangle from screen 0.774687, screen 0.794344 to screen 0.845625, screen 0.820051 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.810156, screen 0.807198 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 68 rectangle from screen 0.845625, screen 0.794344 to screen 0.916563, screen 0.820051 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.881094, screen 0.807198 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 69 rectangle from screen 0.916563, screen 0.794344 to screen 0.9875, screen 0.820051 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.952031, screen 0.807198 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "si:10 float" at screen 0.626563, screen 0.781491 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 70 rectangle from screen 0.632812, screen 0.768638 to screen 0.70375, screen 0.794344 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.668281, screen 0.781491 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 71 rectangle from screen 0.70375, screen 0.768638 to screen 0.774687, screen 0.794344 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.739219, screen 0.781491 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 72 rectangle from screen 0.774687, screen 0.768638 to screen 0.845625, screen 0.794344 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.810156, screen 0.781491 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 73 rectangle from screen 0.845625, screen 0.768638 to screen 0.916563, screen 0.794344 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.881094, screen 0.781491 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 74 rectangle from screen 0.916563, screen 0.768638 to screen 0.9875, screen 0.794344 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.952031, screen 0.781491 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "si:1000 double" at screen 0.626563, screen 0.755784 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 75 rectangle from screen 0.632812, screen 0.742931 to screen 0.70375, screen 0.768638 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.668281, screen 0.755784 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 76 rectangle from screen 0.70375, screen 0.742931 to screen 0.774687, screen 0.768638 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.739219, screen 0.755784 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 77 rectangle from screen 0.774687, screen 0.742931 to screen 0.845625, screen 0.768638 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.810156, screen 0.755784 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 78 rectangle from screen 0.845625, screen 0.742931 to screen 0.916563, screen 0.768638 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.881094, screen 0.755784 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 79 rectangle from screen 0.916563, screen 0.742931 to screen 0.9875, screen 0.768638 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.952031, screen 0.755784 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "si:1000 float" at screen 0.626563, screen 0.730077 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 80 rectangle from screen 0.632812, screen 0.717224 to screen 0.70375, screen 0.742931 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.668281, screen 0.730077 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 81 rectangle from screen 0.70375, screen 0.717224 to screen 0.774687, screen 0.742931 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.739219, screen 0.730077 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 82 rectangle from screen 0.774687, screen 0.717224 to screen 0.845625, screen 0.742931 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.810156, screen 0.730077 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 83 rectangle from screen 0.845625, screen 0.717224 to screen 0.916563, screen 0.742931 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.881094, screen 0.730077 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 84 rectangle from screen 0.916563, screen 0.717224 to screen 0.9875, screen 0.742931 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.952031, screen 0.730077 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "dantzig:1e-6 double" at screen 0.626563, screen 0.70437 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 85 rectangle from screen 0.632812, screen 0.691517 to screen 0.70375, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 86 rectangle from screen 0.70375, screen 0.691517 to screen 0.774687, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 87 rectangle from screen 0.774687, screen 0.691517 to screen 0.845625, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.810156, screen 0.70437 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 88 rectangle from screen 0.845625, screen 0.691517 to screen 0.916563, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.881094, screen 0.70437 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 89 rectangle from screen 0.916563, screen 0.691517 to screen 0.9875, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.952031, screen 0.70437 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "dantzig:1e-6 float" at screen 0.626563, screen 0.678663 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 90 rectangle from screen 0.632812, screen 0.66581 to screen 0.70375, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 91 rectangle from screen 0.70375, screen 0.66581 to screen 0.774687, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.739219, screen 0.678663 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 92 rectangle from screen 0.774687, screen 0.66581 to screen 0.845625, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.810156, screen 0.678663 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 93 rectangle from screen 0.845625, screen 0.66581 to screen 0.916563, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.881094, screen 0.678663 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 94 rectangle from screen 0.916563, screen 0.66581 to screen 0.9875, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.952031, screen 0.678663 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "1" at screen 0.668281, screen 0.652956 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "10" at screen 0.739219, screen 0.652956 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "100" at screen 0.810156, screen 0.652956 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "600" at screen 0.881094, screen 0.652956 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "3600" at screen 0.952031, screen 0.652956 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "simulated time, s" at screen 0.810156, screen 0.62982 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "arch of 21 voussoirs" at screen 0.009375, screen 0.587404 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
+set label "delassus double" at screen 0.126562, screen 0.55527 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 95 rectangle from screen 0.132812, screen 0.542416 to screen 0.20375, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 96 rectangle from screen 0.20375, screen 0.542416 to screen 0.274688, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.239219, screen 0.55527 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 97 rectangle from screen 0.274688, screen 0.542416 to screen 0.345625, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.310156, screen 0.55527 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 98 rectangle from screen 0.345625, screen 0.542416 to screen 0.416562, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.381094, screen 0.55527 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 99 rectangle from screen 0.416563, screen 0.542416 to screen 0.4875, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.452031, screen 0.55527 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "delassus float" at screen 0.126562, screen 0.529563 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 100 rectangle from screen 0.132812, screen 0.51671 to screen 0.20375, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 101 rectangle from screen 0.20375, screen 0.51671 to screen 0.274688, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 102 rectangle from screen 0.274688, screen 0.51671 to screen 0.345625, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.310156, screen 0.529563 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 103 rectangle from screen 0.345625, screen 0.51671 to screen 0.416562, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.381094, screen 0.529563 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 104 rectangle from screen 0.416563, screen 0.51671 to screen 0.4875, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.452031, screen 0.529563 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "si:10 double" at screen 0.126562, screen 0.503856 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 105 rectangle from screen 0.132812, screen 0.491003 to screen 0.20375, screen 0.51671 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.168281, screen 0.503856 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 106 rectangle from screen 0.20375, screen 0.491003 to screen 0.274688, screen 0.51671 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.239219, screen 0.503856 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 107 rectangle from screen 0.274688, screen 0.491003 to screen 0.345625, screen 0.51671 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.310156, screen 0.503856 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 108 rectangle from screen 0.345625, screen 0.491003 to screen 0.416562, screen 0.51671 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.381094, screen 0.503856 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 109 rectangle from screen 0.416563, screen 0.491003 to screen 0.4875, screen 0.51671 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.452031, screen 0.503856 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "si:10 float" at screen 0.126562, screen 0.478149 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 110 rectangle from screen 0.132812, screen 0.465296 to screen 0.20375, screen 0.491003 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.168281, screen 0.478149 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 111 rectangle from screen 0.20375, screen 0.465296 to screen 0.274688, screen 0.491003 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.239219, screen 0.478149 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 112 rectangle from screen 0.274688, screen 0.465296 to screen 0.345625, screen 0.491003 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.310156, screen 0.478149 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 113 rectangle from screen 0.345625, screen 0.465296 to screen 0.416562, screen 0.491003 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.381094, screen 0.478149 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 114 rectangle from screen 0.416563, screen 0.465296 to screen 0.4875, screen 0.491003 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.452031, screen 0.478149 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "si:1000 double" at screen 0.126562, screen 0.452442 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 115 rectangle from screen 0.132812, screen 0.439589 to screen 0.20375, screen 0.465296 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.168281, screen 0.452442 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 116 rectangle from screen 0.20375, screen 0.439589 to screen 0.274688, screen 0.465296 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.239219, screen 0.452442 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 117 rectangle from screen 0.274688, screen 0.439589 to screen 0.345625, screen 0.465296 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.310156, screen 0.452442 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 118 rectangle from screen 0.345625, screen 0.439589 to screen 0.416562, screen 0.465296 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.381094, screen 0.452442 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 119 rectangle from screen 0.416563, screen 0.439589 to screen 0.4875, screen 0.465296 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.452031, screen 0.452442 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "si:1000 float" at screen 0.126562, screen 0.426735 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 120 rectangle from screen 0.132812, screen 0.413882 to screen 0.20375, screen 0.439589 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.168281, screen 0.426735 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 121 rectangle from screen 0.20375, screen 0.413882 to screen 0.274688, screen 0.439589 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.239219, screen 0.426735 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 122 rectangle from screen 0.274688, screen 0.413882 to screen 0.345625, screen 0.439589 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.310156, screen 0.426735 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 123 rectangle from screen 0.345625, screen 0.413882 to screen 0.416562, screen 0.439589 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.381094, screen 0.426735 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 124 rectangle from screen 0.416563, screen 0.413882 to screen 0.4875, screen 0.439589 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.452031, screen 0.426735 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "dantzig:1e-6 double" at screen 0.126562, screen 0.401028 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 125 rectangle from screen 0.132812, screen 0.388175 to screen 0.20375, screen 0.413882 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.168281, screen 0.401028 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 126 rectangle from screen 0.20375, screen 0.388175 to screen 0.274688, screen 0.413882 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.239219, screen 0.401028 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 127 rectangle from screen 0.274688, screen 0.388175 to screen 0.345625, screen 0.413882 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.310156, screen 0.401028 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 128 rectangle from screen 0.345625, screen 0.388175 to screen 0.416562, screen 0.413882 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.381094, screen 0.401028 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 129 rectangle from screen 0.416563, screen 0.388175 to screen 0.4875, screen 0.413882 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.452031, screen 0.401028 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "dantzig:1e-6 float" at screen 0.126562, screen 0.375321 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 130 rectangle from screen 0.132812, screen 0.362468 to screen 0.20375, screen 0.388175 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.168281, screen 0.375321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 131 rectangle from screen 0.20375, screen 0.362468 to screen 0.274688, screen 0.388175 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.239219, screen 0.375321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 132 rectangle from screen 0.274688, screen 0.362468 to screen 0.345625, screen 0.388175 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.310156, screen 0.375321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 133 rectangle from screen 0.345625, screen 0.362468 to screen 0.416562, screen 0.388175 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.381094, screen 0.375321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 134 rectangle from screen 0.416563, screen 0.362468 to screen 0.4875, screen 0.388175 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.452031, screen 0.375321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "1" at screen 0.168281, screen 0.349614 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "10" at screen 0.239219, screen 0.349614 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "60" at screen 0.310156, screen 0.349614 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "600" at screen 0.381094, screen 0.349614 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "3600" at screen 0.452031, screen 0.349614 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "simulated time, s" at screen 0.310156, screen 0.326478 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "arch of 21 voussoirs, m_erp2 of 0" at screen 0.509375, screen 0.587404 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
+set label "delassus double" at screen 0.626563, screen 0.55527 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 135 rectangle from screen 0.632812, screen 0.542416 to screen 0.70375, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 136 rectangle from screen 0.70375, screen 0.542416 to screen 0.774687, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 137 rectangle from screen 0.774687, screen 0.542416 to screen 0.845625, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 138 rectangle from screen 0.845625, screen 0.542416 to screen 0.916563, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 139 rectangle from screen 0.916563, screen 0.542416 to screen 0.9875, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "delassus float" at screen 0.626563, screen 0.529563 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 140 rectangle from screen 0.632812, screen 0.51671 to screen 0.70375, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 141 rectangle from screen 0.70375, screen 0.51671 to screen 0.774687, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 142 rectangle from screen 0.774687, screen 0.51671 to screen 0.845625, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 143 rectangle from screen 0.845625, screen 0.51671 to screen 0.916563, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 144 rectangle from screen 0.916563, screen 0.51671 to screen 0.9875, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "si:10 double" at screen 0.626563, screen 0.503856 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 145 rectangle from screen 0.632812, screen 0.491003 to screen 0.70375, screen 0.51671 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.668281, screen 0.503856 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 146 rectangle from screen 0.70375, screen 0.491003 to screen 0.774687, screen 0.51671 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.739219, screen 0.503856 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 147 rectangle from screen 0.774687, screen 0.491003 to screen 0.845625, screen 0.51671 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.810156, screen 0.503856 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 148 rectangle from screen 0.845625, screen 0.491003 to screen 0.916563, screen 0.51671 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.881094, screen 0.503856 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 149 rectangle from screen 0.916563, screen 0.491003 to screen 0.9875, screen 0.51671 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.952031, screen 0.503856 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "si:10 float" at screen 0.626563, screen 0.478149 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 150 rectangle from screen 0.632812, screen 0.465296 to screen 0.70375, screen 0.491003 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.668281, screen 0.478149 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 151 rectangle from screen 0.70375, screen 0.465296 to screen 0.774687, screen 0.491003 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.739219, screen 0.478149 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 152 rectangle from screen 0.774687, screen 0.465296 to screen 0.845625, screen 0.491003 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.810156, screen 0.478149 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 153 rectangle from screen 0.845625, screen 0.465296 to screen 0.916563, screen 0.491003 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.881094, screen 0.478149 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 154 rectangle from screen 0.916563, screen 0.465296 to screen 0.9875, screen 0.491003 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.952031, screen 0.478149 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "si:1000 double" at screen 0.626563, screen 0.452442 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 155 rectangle from screen 0.632812, screen 0.439589 to screen 0.70375, screen 0.465296 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.668281, screen 0.452442 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 156 rectangle from screen 0.70375, screen 0.439589 to screen 0.774687, screen 0.465296 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.739219, screen 0.452442 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 157 rectangle from screen 0.774687, screen 0.439589 to screen 0.845625, screen 0.465296 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.810156, screen 0.452442 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 158 rectangle from screen 0.845625, screen 0.439589 to screen 0.916563, screen 0.465296 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.881094, screen 0.452442 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 159 rectangle from screen 0.916563, screen 0.439589 to screen 0.9875, screen 0.465296 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.952031, screen 0.452442 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "si:1000 float" at screen 0.626563, screen 0.426735 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 160 rectangle from screen 0.632812, screen 0.413882 to screen 0.70375, screen 0.439589 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.668281, screen 0.426735 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 161 rectangle from screen 0.70375, screen 0.413882 to screen 0.774687, screen 0.439589 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.739219, screen 0.426735 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 162 rectangle from screen 0.774687, screen 0.413882 to screen 0.845625, screen 0.439589 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.810156, screen 0.426735 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 163 rectangle from screen 0.845625, screen 0.413882 to screen 0.916563, screen 0.439589 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.881094, screen 0.426735 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 164 rectangle from screen 0.916563, screen 0.413882 to screen 0.9875, screen 0.439589 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.952031, screen 0.426735 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "dantzig:1e-6 double" at screen 0.626563, screen 0.401028 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 165 rectangle from screen 0.632812, screen 0.388175 to screen 0.70375, screen 0.413882 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.668281, screen 0.401028 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 166 rectangle from screen 0.70375, screen 0.388175 to screen 0.774687, screen 0.413882 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.739219, screen 0.401028 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 167 rectangle from screen 0.774687, screen 0.388175 to screen 0.845625, screen 0.413882 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.810156, screen 0.401028 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 168 rectangle from screen 0.845625, screen 0.388175 to screen 0.916563, screen 0.413882 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.881094, screen 0.401028 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 169 rectangle from screen 0.916563, screen 0.388175 to screen 0.9875, screen 0.413882 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.952031, screen 0.401028 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "dantzig:1e-6 float" at screen 0.626563, screen 0.375321 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 170 rectangle from screen 0.632812, screen 0.362468 to screen 0.70375, screen 0.388175 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.668281, screen 0.375321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 171 rectangle from screen 0.70375, screen 0.362468 to screen 0.774687, screen 0.388175 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.739219, screen 0.375321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 172 rectangle from screen 0.774687, screen 0.362468 to screen 0.845625, screen 0.388175 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.810156, screen 0.375321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 173 rectangle from screen 0.845625, screen 0.362468 to screen 0.916563, screen 0.388175 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.881094, screen 0.375321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 174 rectangle from screen 0.916563, screen 0.362468 to screen 0.9875, screen 0.388175 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.952031, screen 0.375321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "1" at screen 0.668281, screen 0.349614 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "10" at screen 0.739219, screen 0.349614 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "60" at screen 0.810156, screen 0.349614 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "600" at screen 0.881094, screen 0.349614 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "3600" at screen 0.952031, screen 0.349614 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "simulated time, s" at screen 0.810156, screen 0.326478 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "box on a running belt, kept by a stop" at screen 0.009375, screen 0.284062 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
+set label "delassus double" at screen 0.126562, screen 0.251928 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 175 rectangle from screen 0.132812, screen 0.239075 to screen 0.20375, screen 0.264781 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 176 rectangle from screen 0.20375, screen 0.239075 to screen 0.274688, screen 0.264781 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 177 rectangle from screen 0.274688, screen 0.239075 to screen 0.345625, screen 0.264781 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 178 rectangle from screen 0.345625, screen 0.239075 to screen 0.416562, screen 0.264781 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 179 rectangle from screen 0.416563, screen 0.239075 to screen 0.4875, screen 0.264781 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "delassus float" at screen 0.126562, screen 0.226221 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 180 rectangle from screen 0.132812, screen 0.213368 to screen 0.20375, screen 0.239075 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 181 rectangle from screen 0.20375, screen 0.213368 to screen 0.274688, screen 0.239075 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 182 rectangle from screen 0.274688, screen 0.213368 to screen 0.345625, screen 0.239075 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 183 rectangle from screen 0.345625, screen 0.213368 to screen 0.416562, screen 0.239075 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 184 rectangle from screen 0.416563, screen 0.213368 to screen 0.4875, screen 0.239075 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "si:10 double" at screen 0.126562, screen 0.200514 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 185 rectangle from screen 0.132812, screen 0.187661 to screen 0.20375, screen 0.213368 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 186 rectangle from screen 0.20375, screen 0.187661 to screen 0.274688, screen 0.213368 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 187 rectangle from screen 0.274688, screen 0.187661 to screen 0.345625, screen 0.213368 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 188 rectangle from screen 0.345625, screen 0.187661 to screen 0.416562, screen 0.213368 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 189 rectangle from screen 0.416563, screen 0.187661 to screen 0.4875, screen 0.213368 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "si:10 float" at screen 0.126562, screen 0.174807 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 190 rectangle from screen 0.132812, screen 0.161954 to screen 0.20375, screen 0.187661 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 191 rectangle from screen 0.20375, screen 0.161954 to screen 0.274688, screen 0.187661 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 192 rectangle from screen 0.274688, screen 0.161954 to screen 0.345625, screen 0.187661 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 193 rectangle from screen 0.345625, screen 0.161954 to screen 0.416562, screen 0.187661 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 194 rectangle from screen 0.416563, screen 0.161954 to screen 0.4875, screen 0.187661 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "si:1000 double" at screen 0.126562, screen 0.1491 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 195 rectangle from screen 0.132812, screen 0.136247 to screen 0.20375, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 196 rectangle from screen 0.20375, screen 0.136247 to screen 0.274688, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 197 rectangle from screen 0.274688, screen 0.136247 to screen 0.345625, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 198 rectangle from screen 0.345625, screen 0.136247 to screen 0.416562, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 199 rectangle from screen 0.416563, screen 0.136247 to screen 0.4875, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "si:1000 float" at screen 0.126562, screen 0.123393 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 200 rectangle from screen 0.132812, screen 0.11054 to screen 0.20375, screen 0.136247 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 201 rectangle from screen 0.20375, screen 0.11054 to screen 0.274688, screen 0.136247 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 202 rectangle from screen 0.274688, screen 0.11054 to screen 0.345625, screen 0.136247 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 203 rectangle from screen 0.345625, screen 0.11054 to screen 0.416562, screen 0.136247 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 204 rectangle from screen 0.416563, screen 0.11054 to screen 0.4875, screen 0.136247 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "dantzig:1e-6 double" at screen 0.126562, screen 0.0976864 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 205 rectangle from screen 0.132812, screen 0.0848329 to screen 0.20375, screen 0.11054 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 206 rectangle from screen 0.20375, screen 0.0848329 to screen 0.274688, screen 0.11054 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 207 rectangle from screen 0.274688, screen 0.0848329 to screen 0.345625, screen 0.11054 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 208 rectangle from screen 0.345625, screen 0.0848329 to screen 0.416562, screen 0.11054 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 209 rectangle from screen 0.416563, screen 0.0848329 to screen 0.4875, screen 0.11054 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "dantzig:1e-6 float" at screen 0.126562, screen 0.0719794 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 210 rectangle from screen 0.132812, screen 0.059126 to screen 0.20375, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.168281, screen 0.0719794 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 211 rectangle from screen 0.20375, screen 0.059126 to screen 0.274688, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.239219, screen 0.0719794 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 212 rectangle from screen 0.274688, screen 0.059126 to screen 0.345625, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.310156, screen 0.0719794 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 213 rectangle from screen 0.345625, screen 0.059126 to screen 0.416562, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.381094, screen 0.0719794 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 214 rectangle from screen 0.416563, screen 0.059126 to screen 0.4875, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.452031, screen 0.0719794 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "1" at screen 0.168281, screen 0.0462725 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "10" at screen 0.239219, screen 0.0462725 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "100" at screen 0.310156, screen 0.0462725 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "600" at screen 0.381094, screen 0.0462725 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "3600" at screen 0.452031, screen 0.0462725 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "simulated time, s" at screen 0.310156, screen 0.0231362 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 plot NaN
 unset object
 unset label

@@ -39,11 +39,9 @@ set object 10 rectangle from screen 0.239219, screen 0.904 to screen 0.274687, s
 set object 11 rectangle from screen 0.274688, screen 0.904 to screen 0.310156, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 12 rectangle from screen 0.310156, screen 0.904 to screen 0.345625, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 13 rectangle from screen 0.345625, screen 0.904 to screen 0.381094, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 14 rectangle from screen 0.381094, screen 0.904 to screen 0.416563, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.398828, screen 0.912 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 14 rectangle from screen 0.381094, screen 0.904 to screen 0.416563, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 15 rectangle from screen 0.416563, screen 0.904 to screen 0.452031, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 16 rectangle from screen 0.452031, screen 0.904 to screen 0.4875, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.469766, screen 0.912 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 16 rectangle from screen 0.452031, screen 0.904 to screen 0.4875, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.126562, screen 0.896 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 17 rectangle from screen 0.132812, screen 0.888 to screen 0.168281, screen 0.904 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 18 rectangle from screen 0.168281, screen 0.888 to screen 0.20375, screen 0.904 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -203,7 +201,8 @@ set object 102 rectangle from screen 0.810156, screen 0.888 to screen 0.845625, 
 set object 103 rectangle from screen 0.845625, screen 0.888 to screen 0.881094, screen 0.904 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 104 rectangle from screen 0.881094, screen 0.888 to screen 0.916563, screen 0.904 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 105 rectangle from screen 0.916563, screen 0.888 to screen 0.952031, screen 0.904 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 106 rectangle from screen 0.952031, screen 0.888 to screen 0.9875, screen 0.904 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 106 rectangle from screen 0.952031, screen 0.888 to screen 0.9875, screen 0.904 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.969766, screen 0.896 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 double" at screen 0.626563, screen 0.88 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 107 rectangle from screen 0.632812, screen 0.872 to screen 0.668281, screen 0.888 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.650547, screen 0.88 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
@@ -339,10 +338,8 @@ set object 170 rectangle from screen 0.239219, screen 0.7152 to screen 0.274687,
 set object 171 rectangle from screen 0.274688, screen 0.7152 to screen 0.310156, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 172 rectangle from screen 0.310156, screen 0.7152 to screen 0.345625, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 173 rectangle from screen 0.345625, screen 0.7152 to screen 0.381094, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 174 rectangle from screen 0.381094, screen 0.7152 to screen 0.416563, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.398828, screen 0.7232 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 175 rectangle from screen 0.416563, screen 0.7152 to screen 0.452031, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.434297, screen 0.7232 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 174 rectangle from screen 0.381094, screen 0.7152 to screen 0.416563, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 175 rectangle from screen 0.416563, screen 0.7152 to screen 0.452031, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 176 rectangle from screen 0.452031, screen 0.7152 to screen 0.4875, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.126562, screen 0.7072 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 177 rectangle from screen 0.132812, screen 0.6992 to screen 0.168281, screen 0.7152 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -497,8 +494,8 @@ set object 251 rectangle from screen 0.774687, screen 0.7152 to screen 0.810156,
 set label "x" at screen 0.792422, screen 0.7232 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 252 rectangle from screen 0.810156, screen 0.7152 to screen 0.845625, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.827891, screen 0.7232 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 253 rectangle from screen 0.845625, screen 0.7152 to screen 0.881094, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.863359, screen 0.7232 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 253 rectangle from screen 0.845625, screen 0.7152 to screen 0.881094, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.863359, screen 0.7232 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 254 rectangle from screen 0.881094, screen 0.7152 to screen 0.916563, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
 set label "!" at screen 0.898828, screen 0.7232 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 255 rectangle from screen 0.916563, screen 0.7152 to screen 0.952031, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
@@ -516,8 +513,8 @@ set object 261 rectangle from screen 0.774687, screen 0.6992 to screen 0.810156,
 set label "x" at screen 0.792422, screen 0.7072 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 262 rectangle from screen 0.810156, screen 0.6992 to screen 0.845625, screen 0.7152 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.827891, screen 0.7072 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 263 rectangle from screen 0.845625, screen 0.6992 to screen 0.881094, screen 0.7152 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.863359, screen 0.7072 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 263 rectangle from screen 0.845625, screen 0.6992 to screen 0.881094, screen 0.7152 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.863359, screen 0.7072 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 264 rectangle from screen 0.881094, screen 0.6992 to screen 0.916563, screen 0.7152 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
 set label "!" at screen 0.898828, screen 0.7072 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 265 rectangle from screen 0.916563, screen 0.6992 to screen 0.952031, screen 0.7152 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
@@ -960,8 +957,10 @@ set object 474 rectangle from screen 0.239219, screen 0.3376 to screen 0.274687,
 set object 475 rectangle from screen 0.274688, screen 0.3376 to screen 0.310156, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 476 rectangle from screen 0.310156, screen 0.3376 to screen 0.345625, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 477 rectangle from screen 0.345625, screen 0.3376 to screen 0.381094, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 478 rectangle from screen 0.381094, screen 0.3376 to screen 0.416563, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 479 rectangle from screen 0.416563, screen 0.3376 to screen 0.452031, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 478 rectangle from screen 0.381094, screen 0.3376 to screen 0.416563, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.398828, screen 0.3456 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 479 rectangle from screen 0.416563, screen 0.3376 to screen 0.452031, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.434297, screen 0.3456 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 480 rectangle from screen 0.452031, screen 0.3376 to screen 0.4875, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.126562, screen 0.3296 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 481 rectangle from screen 0.132812, screen 0.3216 to screen 0.168281, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -1238,14 +1237,15 @@ set object 635 rectangle from screen 0.335491, screen 0.1488 to screen 0.386161,
 set object 636 rectangle from screen 0.386161, screen 0.1488 to screen 0.43683, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 637 rectangle from screen 0.43683, screen 0.1488 to screen 0.4875, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.126562, screen 0.1408 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 638 rectangle from screen 0.132812, screen 0.1328 to screen 0.183482, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.158147, screen 0.1408 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 638 rectangle from screen 0.132812, screen 0.1328 to screen 0.183482, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 639 rectangle from screen 0.183482, screen 0.1328 to screen 0.234152, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 640 rectangle from screen 0.234152, screen 0.1328 to screen 0.284821, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 641 rectangle from screen 0.284821, screen 0.1328 to screen 0.335491, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 642 rectangle from screen 0.335491, screen 0.1328 to screen 0.386161, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 643 rectangle from screen 0.386161, screen 0.1328 to screen 0.43683, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 644 rectangle from screen 0.43683, screen 0.1328 to screen 0.4875, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 643 rectangle from screen 0.386161, screen 0.1328 to screen 0.43683, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.411496, screen 0.1408 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 644 rectangle from screen 0.43683, screen 0.1328 to screen 0.4875, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.462165, screen 0.1408 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 double" at screen 0.126562, screen 0.1248 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 645 rectangle from screen 0.132812, screen 0.1168 to screen 0.183482, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 646 rectangle from screen 0.183482, screen 0.1168 to screen 0.234152, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1

@@ -359,12 +359,10 @@ set object 215 rectangle from screen 0.632812, screen 0.629191 to screen 0.67714
 set object 216 rectangle from screen 0.677148, screen 0.629191 to screen 0.721484, screen 0.648915 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 217 rectangle from screen 0.721484, screen 0.629191 to screen 0.76582, screen 0.648915 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 218 rectangle from screen 0.76582, screen 0.629191 to screen 0.810156, screen 0.648915 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 219 rectangle from screen 0.810156, screen 0.629191 to screen 0.854492, screen 0.648915 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.832324, screen 0.639053 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 219 rectangle from screen 0.810156, screen 0.629191 to screen 0.854492, screen 0.648915 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 220 rectangle from screen 0.854492, screen 0.629191 to screen 0.898828, screen 0.648915 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.87666, screen 0.639053 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 221 rectangle from screen 0.898828, screen 0.629191 to screen 0.943164, screen 0.648915 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.920996, screen 0.639053 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 221 rectangle from screen 0.898828, screen 0.629191 to screen 0.943164, screen 0.648915 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 222 rectangle from screen 0.943164, screen 0.629191 to screen 0.9875, screen 0.648915 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.965332, screen 0.639053 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 double" at screen 0.626563, screen 0.619329 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
@@ -736,8 +734,7 @@ set label "1" at screen 0.462165, screen 0.035503 center front noenhanced textco
 set label "coefficient of restitution" at screen 0.310156, screen 0.0177515 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "nine stacks of three boxes put to sleep and woken in turn" at screen 0.509375, screen 0.217949 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
 set label "delassus double" at screen 0.626563, screen 0.193294 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 447 rectangle from screen 0.632812, screen 0.183432 to screen 0.683482, screen 0.203156 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.658147, screen 0.193294 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 447 rectangle from screen 0.632812, screen 0.183432 to screen 0.683482, screen 0.203156 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 448 rectangle from screen 0.683482, screen 0.183432 to screen 0.734152, screen 0.203156 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 449 rectangle from screen 0.734152, screen 0.183432 to screen 0.784821, screen 0.203156 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 450 rectangle from screen 0.784821, screen 0.183432 to screen 0.835491, screen 0.203156 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1

@@ -54,15 +54,13 @@ set object 22 rectangle from screen 0.132812, screen 0.698997 to screen 0.20375,
 set object 23 rectangle from screen 0.20375, screen 0.698997 to screen 0.274688, screen 0.732441 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 24 rectangle from screen 0.274688, screen 0.698997 to screen 0.345625, screen 0.732441 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 25 rectangle from screen 0.345625, screen 0.698997 to screen 0.416562, screen 0.732441 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 26 rectangle from screen 0.416563, screen 0.698997 to screen 0.4875, screen 0.732441 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.452031, screen 0.715719 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 26 rectangle from screen 0.416563, screen 0.698997 to screen 0.4875, screen 0.732441 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "40 boxes" at screen 0.126562, screen 0.682274 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 27 rectangle from screen 0.132812, screen 0.665552 to screen 0.20375, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 28 rectangle from screen 0.20375, screen 0.665552 to screen 0.274688, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 29 rectangle from screen 0.274688, screen 0.665552 to screen 0.345625, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 30 rectangle from screen 0.345625, screen 0.665552 to screen 0.416562, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 31 rectangle from screen 0.416563, screen 0.665552 to screen 0.4875, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.452031, screen 0.682274 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 31 rectangle from screen 0.416563, screen 0.665552 to screen 0.4875, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "1" at screen 0.168281, screen 0.648829 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "100" at screen 0.239219, screen 0.648829 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "10000" at screen 0.310156, screen 0.648829 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)

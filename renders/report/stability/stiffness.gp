@@ -704,8 +704,7 @@ set object 514 rectangle from screen 0.26582, screen 0.183432 to screen 0.310156
 set object 515 rectangle from screen 0.310156, screen 0.183432 to screen 0.354492, screen 0.203156 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 516 rectangle from screen 0.354492, screen 0.183432 to screen 0.398828, screen 0.203156 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 517 rectangle from screen 0.398828, screen 0.183432 to screen 0.443164, screen 0.203156 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 518 rectangle from screen 0.443164, screen 0.183432 to screen 0.4875, screen 0.203156 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.465332, screen 0.193294 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 518 rectangle from screen 0.443164, screen 0.183432 to screen 0.4875, screen 0.203156 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.126562, screen 0.17357 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 519 rectangle from screen 0.132812, screen 0.163708 to screen 0.177148, screen 0.183432 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 520 rectangle from screen 0.177148, screen 0.163708 to screen 0.221484, screen 0.183432 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1

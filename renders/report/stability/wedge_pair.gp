@@ -54,8 +54,10 @@ set object 21 rectangle from screen 0.274688, screen 0.765886 to screen 0.310156
 set object 22 rectangle from screen 0.310156, screen 0.765886 to screen 0.345625, screen 0.799331 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 23 rectangle from screen 0.345625, screen 0.765886 to screen 0.381094, screen 0.799331 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 24 rectangle from screen 0.381094, screen 0.765886 to screen 0.416563, screen 0.799331 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 25 rectangle from screen 0.416563, screen 0.765886 to screen 0.452031, screen 0.799331 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 26 rectangle from screen 0.452031, screen 0.765886 to screen 0.4875, screen 0.799331 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 25 rectangle from screen 0.416563, screen 0.765886 to screen 0.452031, screen 0.799331 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.434297, screen 0.782609 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 26 rectangle from screen 0.452031, screen 0.765886 to screen 0.4875, screen 0.799331 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.469766, screen 0.782609 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "μ = 0.3" at screen 0.126562, screen 0.749164 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 27 rectangle from screen 0.132812, screen 0.732441 to screen 0.168281, screen 0.765886 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 28 rectangle from screen 0.168281, screen 0.732441 to screen 0.20375, screen 0.765886 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -65,8 +67,10 @@ set object 31 rectangle from screen 0.274688, screen 0.732441 to screen 0.310156
 set object 32 rectangle from screen 0.310156, screen 0.732441 to screen 0.345625, screen 0.765886 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 33 rectangle from screen 0.345625, screen 0.732441 to screen 0.381094, screen 0.765886 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 34 rectangle from screen 0.381094, screen 0.732441 to screen 0.416563, screen 0.765886 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 35 rectangle from screen 0.416563, screen 0.732441 to screen 0.452031, screen 0.765886 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 36 rectangle from screen 0.452031, screen 0.732441 to screen 0.4875, screen 0.765886 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 35 rectangle from screen 0.416563, screen 0.732441 to screen 0.452031, screen 0.765886 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.434297, screen 0.749164 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 36 rectangle from screen 0.452031, screen 0.732441 to screen 0.4875, screen 0.765886 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.469766, screen 0.749164 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "μ = 1" at screen 0.126562, screen 0.715719 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 37 rectangle from screen 0.132812, screen 0.698997 to screen 0.168281, screen 0.732441 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 38 rectangle from screen 0.168281, screen 0.698997 to screen 0.20375, screen 0.732441 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -76,8 +80,10 @@ set object 41 rectangle from screen 0.274688, screen 0.698997 to screen 0.310156
 set object 42 rectangle from screen 0.310156, screen 0.698997 to screen 0.345625, screen 0.732441 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 43 rectangle from screen 0.345625, screen 0.698997 to screen 0.381094, screen 0.732441 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 44 rectangle from screen 0.381094, screen 0.698997 to screen 0.416563, screen 0.732441 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 45 rectangle from screen 0.416563, screen 0.698997 to screen 0.452031, screen 0.732441 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 46 rectangle from screen 0.452031, screen 0.698997 to screen 0.4875, screen 0.732441 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 45 rectangle from screen 0.416563, screen 0.698997 to screen 0.452031, screen 0.732441 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.434297, screen 0.715719 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 46 rectangle from screen 0.452031, screen 0.698997 to screen 0.4875, screen 0.732441 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.469766, screen 0.715719 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "μ = 3" at screen 0.126562, screen 0.682274 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 47 rectangle from screen 0.132812, screen 0.665552 to screen 0.168281, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 48 rectangle from screen 0.168281, screen 0.665552 to screen 0.20375, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -87,8 +93,10 @@ set object 51 rectangle from screen 0.274688, screen 0.665552 to screen 0.310156
 set object 52 rectangle from screen 0.310156, screen 0.665552 to screen 0.345625, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 53 rectangle from screen 0.345625, screen 0.665552 to screen 0.381094, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 54 rectangle from screen 0.381094, screen 0.665552 to screen 0.416563, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 55 rectangle from screen 0.416563, screen 0.665552 to screen 0.452031, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 56 rectangle from screen 0.452031, screen 0.665552 to screen 0.4875, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 55 rectangle from screen 0.416563, screen 0.665552 to screen 0.452031, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.434297, screen 0.682274 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 56 rectangle from screen 0.452031, screen 0.665552 to screen 0.4875, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.469766, screen 0.682274 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "0.3" at screen 0.150547, screen 0.648829 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "0.1" at screen 0.186016, screen 0.648829 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "0.01" at screen 0.221484, screen 0.648829 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
