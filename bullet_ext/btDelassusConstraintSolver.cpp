@@ -7,6 +7,7 @@
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "bullet_ext/extension.h"
 #include "bullet_ext/gather.h"
+#include "bullet_ext/geometric_stiffness.h"
 #include "bullet_ext/memory.h"
 #include "bullet_ext/plan.h"
 #include "bullet_ext/push.h"
@@ -88,6 +89,7 @@ struct btDelassusConstraintSolver::Workspace {
   Workshop workshop;
   Group group;
   Memory memory;
+  GeometricStiffness stiffness;
   Answer answer;
   Pushes pushes;
   std::vector<ContactEvent> events;
@@ -108,6 +110,7 @@ struct btDelassusConstraintSolver::Workspace {
 void btDelassusConstraintSolver::Workspace::release() {
   workshop.clear();
   group = Group();
+  stiffness = GeometricStiffness();
   answer = Answer();
   pushes = Pushes();
   events = {};
@@ -137,9 +140,9 @@ void btDelassusConstraintSolver::Workspace::countSolve(const Bench::Counts& work
   report.obsoleteConstraints += answer.obsoleteConstraints;
   report.pushIslands += pushes.islands;
   report.pushUnsolved += pushes.counts.unsolved;
-  report.workspaceBytes =
-      std::max(report.workspaceBytes, group.bytes() + memory.bytes() + answer.bytes() +
-                                          pushes.bytes() + workshop.bytes() + bytesOf(events));
+  report.workspaceBytes = std::max(
+      report.workspaceBytes, group.bytes() + memory.bytes() + stiffness.bytes() + answer.bytes() +
+                                 pushes.bytes() + workshop.bytes() + bytesOf(events));
 }
 
 btDelassusConstraintSolver::btDelassusConstraintSolver(const Options& options, btDelassusPrecision)
@@ -187,6 +190,7 @@ void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount
   if (info.m_solverMode & SOLVER_USE_WARMSTARTING) {
     w.memory.recall(w.group);
     if (extension) extension->recall(w.group);
+    if (geometricStiffness_) w.report.stiffened += w.stiffness.stiffen(w.group, info);
   }
   laps.end(w.report.secondsGather);
 
@@ -236,6 +240,8 @@ void btDelassusConstraintSolver::setThreads(int threads) {
 }
 
 void btDelassusConstraintSolver::setStockRollingFriction(bool on) { stockRollingFriction_ = on; }
+
+void btDelassusConstraintSolver::setGeometricStiffness(bool on) { geometricStiffness_ = on; }
 
 void btDelassusConstraintSolver::reset() {
   const int threads = workspace_->workshop.threads();

@@ -48,6 +48,12 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   /// weighs more than 1 N·s of load a step (6 kg on one point at 60 Hz) then rolls on as it does there. Off at first:
   /// |τ| ≤ κ r_n, whatever the load and the step.
   void setStockRollingFriction(bool on);
+  /// Has light bodies in taut joints (a rope of links under a heavy load) turn no faster than the step can follow: such bodies,
+  /// and no others, turn as if held by implicit springs of their geometric stiffness under the last step's forces
+  /// (geometric_stiffness.h). Joints hold as well; swings lose some energy, in proportion to the step. Needs
+  /// SOLVER_USE_WARMSTARTING, has no effect in a solver pool; report().stiffened counts. Off at first: such ropes gain energy
+  /// and tear, with any solver, unless steps are shorter.
+  void setGeometricStiffness(bool on);
   /// Forgets the last step's report and the workspace.
   void reset() override;
   /// BT_MLCP_SOLVER: of Bullet's names the nearest. Contacts and joints are one mixed
@@ -81,5 +87,5 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   struct Workspace;
   std::unique_ptr<Workspace> workspace_;
   std::function<void(const delassus::ContactEvent&)> listener_, troubleListener_, turningListener_;
-  bool stockRollingFriction_ = false;
+  bool stockRollingFriction_ = false, geometricStiffness_ = false;
 };

@@ -53,6 +53,10 @@ void btDelassusMultiBodyConstraintSolver::setStockRollingFriction(bool on) {
   parts_->rigid.setStockRollingFriction(on);
 }
 
+void btDelassusMultiBodyConstraintSolver::setGeometricStiffness(bool on) {
+  parts_->rigid.setGeometricStiffness(on);
+}
+
 void btDelassusMultiBodyConstraintSolver::reset() { parts_->rigid.reset(); }
 
 const StepReport& btDelassusMultiBodyConstraintSolver::report() const {

@@ -43,6 +43,7 @@ class btDelassusMultiBodyConstraintSolver : public btMultiBodyConstraintSolver {
   /// As those of btDelassusConstraintSolver.
   void setThreads(int threads);
   void setStockRollingFriction(bool on);
+  void setGeometricStiffness(bool on);  ///< of rigid bodies
   /// Forgets the last step's report and the workspace.
   void reset() override;
   btConstraintSolverType getSolverType() const override { return BT_MULTIBODY_SOLVER; }

@@ -30,6 +30,7 @@ struct StepReport {
   int solved = 0, outOfBudget = 0, incompatible = 0, nonFinite = 0;  ///< islands by status
   int leftOut =
       0;  ///< bodies, contacts, rows and steps that were solved around: not finite or absurd
+  int stiffened = 0;     ///< bodies that setGeometricStiffness had turn more slowly
   int pushIslands = 0;   ///< islands of the split-impulse problem, not counted in `islands`
   int pushUnsolved = 0;  ///< those of them that ended without status solved
   int obsoleteConstraints =

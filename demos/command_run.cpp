@@ -21,6 +21,7 @@ struct RunArguments {
   double seconds = 0;  ///< 0: the scene's own
   double hz = 0;       ///< 0: the scene's own
   int threads = 1;
+  bool geometricStiffness = false;
   bool json = false;
   bool explain = false;
 };
@@ -142,6 +143,7 @@ int runSubject(const RunArguments& arguments) {
   std::optional<Law> law;
   for (NamedSolver& solver : solvers) {
     solver.setThreads(arguments.threads);
+    solver.setGeometricStiffness(arguments.geometricStiffness);
     Subject subject = openSubject(arguments.subject);
     RunSettings settings{arguments.seconds > 0 ? arguments.seconds : subject.seconds,
                          arguments.hz > 0 ? arguments.hz : subject.hz, subject.law};
@@ -203,6 +205,9 @@ void addRunCommand(CLI::App& app, Action& chosen) {
                    "delassus: threads that solve islands side by side; the motion is the same")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
+  command->add_flag(
+      "--geometric-stiffness", arguments->geometricStiffness,
+      "delassus: light bodies in taut joints turn no faster than the step can follow");
   command->add_flag("--explain", arguments->explain,
                     "what the scene asks of delassus, what a step is made of therefore, and what "
                     "each part costs");

@@ -43,7 +43,8 @@ std::vector<Cost> costsOf(const StepTotals& totals) {
     return Cost{key, name, 1e6 * totals.aStep(seconds), work};
   };
   return {
-      cost("gather", "gather", sum.secondsGather, ""),
+      cost("gather", "gather", sum.secondsGather,
+           sum.stiffened > 0 ? count("bodies stiffened", sum.stiffened) : ""),
       cost("plan", "plan and check", sum.secondsPlan,
            count("islands: free", sum.freeIslands) + count(", kept", sum.keptIslands)),
       cost("solve", "solve", sum.secondsSolve,

@@ -102,6 +102,10 @@ void NamedSolver::setThreads(int threads) {
   if (delassus_ != nullptr) delassus_->setThreads(threads);
 }
 
+void NamedSolver::setGeometricStiffness(bool on) {
+  if (delassus_ != nullptr) delassus_->setGeometricStiffness(on);
+}
+
 int NamedSolver::fallbacks() const { return mlcp_ != nullptr ? mlcp_->getNumFallbacks() : 0; }
 
 std::vector<std::string> splitNames(const std::string& list) {

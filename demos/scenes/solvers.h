@@ -44,6 +44,8 @@ class NamedSolver {
 
   /// Has our solver use so many threads; Bullet's have one.
   void setThreads(int threads);
+  /// Has our solver slow what turns too fast for the step; Bullet's cannot.
+  void setGeometricStiffness(bool on);
 
   /// The solver itself if it is ours, else null.
   const btDelassusConstraintSolver* delassus() const { return delassus_; }

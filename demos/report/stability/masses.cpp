@@ -78,7 +78,28 @@ Sweep chainSubsteps() {
   return sweep;
 }
 
-/// The second one, which takes no time.
+/// The second one.
+Sweep geometricChain() {
+  Sweep sweep = chain(20);
+  sweep.name = "chain_20_geometric";
+  sweep.title = "the same chain of 20 with geometric stiffness (delassus), 60 steps a second";
+  sweep.limit = 0;
+  sweep.build = [](double ratio) {
+    Trial trial = hungChain({20, ratio, 60}, 2);
+    trial.geometricStiffness = true;
+    return trial;
+  };
+  sweep.remark =
+      "Another remedy: `setGeometricStiffness(true)`. Each link turns as if implicit springs of "
+      "the "
+      "stiffness that the last step's tension gives it held it, and no other body does. It costs "
+      "no "
+      "time, and a swing 2 % of its energy a second at 60 Hz, less in shorter steps. The stock "
+      "solvers have nothing of the kind.";
+  return sweep;
+}
+
+/// The third one, which serves all solvers.
 Sweep stiffenedChain() {
   Sweep sweep = chain(20);
   sweep.name = "chain_20_stiffened";
@@ -86,12 +107,10 @@ Sweep stiffenedChain() {
   sweep.limit = 0;
   sweep.build = [](double ratio) { return hungChain({20, ratio, chainRate, 1, 1, true}, 2); };
   sweep.remark =
-      "The other remedy is geometric stiffness, lumped: h² T l/3 is added to the moments of "
-      "inertia "
-      "of the links across them (`setMassProps`), T the largest tension. It slows only the turning "
-      "that the step cannot follow (ω h < √3), and costs no time. It must be known how taut the "
-      "chain "
-      "gets.";
+      "A remedy for any solver: h² T l/3 is added to the moments of inertia of the links across "
+      "them "
+      "(`setMassProps`), T the largest tension. It slows only the turning that the step cannot "
+      "follow (ω h < √3), and costs no time. It must be known how taut the chain gets.";
   return sweep;
 }
 
@@ -175,7 +194,7 @@ SweepGroup massSweeps() {
   return {"masses",
           "Mass ratio",
           {heavyTop(10, 300), heavyTopWithSlop(), heavyTop(40, 120), chain(20), chain(100),
-           chainSubsteps(), stiffenedChain(), press(), anisotropy()}};
+           chainSubsteps(), geometricChain(), stiffenedChain(), press(), anisotropy()}};
 }
 
 }  // namespace demos::report::stability

@@ -16,6 +16,7 @@ struct Trial {
   double timeStep = 1.0 / 60;  ///< s
   /// How wrong the world is now, in the unit of the law of its sweep; asked after each step, with the time since the start.
   std::function<double(double time)> error;
+  bool geometricStiffness = false;  ///< of delassus; the others have none
 };
 
 /// One thing made harder and harder, all else as it was.

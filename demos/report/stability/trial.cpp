@@ -129,6 +129,7 @@ std::vector<double> live(const Sweep& sweep, double value, const Method& method,
 
   std::vector<double> numbers(measured.size(), 0), milliseconds;
   const bool ours = named.delassus() != nullptr;
+  named.setGeometricStiffness(trial.geometricStiffness);
   btConstraintSolver& solver = ours ? static_cast<btConstraintSolver&>(timed) : judged;
   world.setSolver(solver);
   for (int step = 0; step < trial.steps; ++step) {
@@ -166,7 +167,9 @@ std::vector<double> live(const Sweep& sweep, double value, const Method& method,
   }
   numbers[Fallbacks] = named.fallbacks();
   StepError last;
-  if (plan.lastCertificateLimit > 0 && processorSeconds() - start <= secondsLimit)
+  // Of a stiffened step the problem is another one than that of its bodies.
+  if (plan.lastCertificateLimit > 0 && !trial.geometricStiffness &&
+      processorSeconds() - start <= secondsLimit)
     last = stepError(trial, solver, cfm, [&plan](const StepProblem& problem) {
       return 3 * problem.contacts() + problem.rows() <= mostRefined
                  ? certify(problem, plan.lastCertificateLimit, mostRefined)

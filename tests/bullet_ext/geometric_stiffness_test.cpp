@@ -1,0 +1,240 @@
+/// Light bodies in taut joints: held by an inertia that their step can follow, and only where it could not.
+
+#include "bullet_ext/geometric_stiffness.h"
+
+#include <BulletDynamics/ConstraintSolver/btContactSolverInfo.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <functional>
+
+#include "bullet_ext/convert.h"
+#include "bullet_ext/gather.h"
+#include "tests/support/bullet_world.h"
+
+namespace delassus::testing {
+namespace {
+
+constexpr double linkLength = 0.5;
+
+/// Twenty links of 1 kg and a ball, let go from 30 degrees beside the vertical.
+struct Rope : DelassusWorld {
+  static constexpr int links = 20;
+  static constexpr double swing = M_PI / 6;
+
+  Rope(double ballMass, bool stiffness) : ball(ballMass) {
+    delassus().setGeometricStiffness(stiffness);
+    const btVector3 along(btScalar(std::sin(swing)), -btScalar(std::cos(swing)), 0);
+    const btQuaternion turn(btVector3(0, 0, 1),
+                            btScalar(swing - M_PI / 2));  // turns e_x to `along`
+    const btVector3 end(btScalar(0.5 * linkLength), 0, 0);
+    btRigidBody* above = nullptr;
+    const auto hang = [&](btRigidBody& body, const btVector3& pivot) {
+      if (above)
+        addJoint<btPoint2PointConstraint>(*above, body, end, pivot);
+      else
+        addJoint<btPoint2PointConstraint>(body, pivot);
+      body.setCollisionFlags(btCollisionObject::CF_NO_CONTACT_RESPONSE);  // neighbours overlap
+      above = &body;
+      hung.push_back(&body);
+    };
+    for (int i = 0; i < links; ++i)
+      hang(addBody(std::make_unique<btBoxShape>(btVector3(end.x(), btScalar(0.03), btScalar(0.03))),
+                   btTransform(turn, along * btScalar((i + 0.5) * linkLength)), 1),
+           -end);
+    const btScalar radius = btScalar(0.3);
+    hang(addBody(std::make_unique<btSphereShape>(radius),
+                 btTransform(turn, along * (btScalar(links * linkLength) + radius)),
+                 btScalar(ballMass)),
+         btVector3(-radius, 0, 0));
+    start = energy();
+  }
+
+  double energy() const {
+    double sum = 0;
+    for (const btRigidBody* body : hung)
+      sum += (0.5 * body->getLinearVelocity().length2() +
+              gravity * body->getCenterOfMassPosition().y()) /
+                 body->getInvMass() +
+             0.5 * body->getAngularVelocity().dot(body->getInvInertiaTensorWorld().inverse() *
+                                                  body->getAngularVelocity());
+    return sum;
+  }
+  /// Energy gained over that of the swing.
+  double gain() const {
+    return (energy() - start) / (gravity * ball * links * linkLength * (1 - std::cos(swing)));
+  }
+  /// Distance of the ends of neighbours, m.
+  double gap() const {
+    double worst = 0;
+    for (int i = 1; i <= links; ++i) {
+      const double x = i < links ? -0.5 * linkLength : -0.3;
+      const btVector3 upper = hung[i - 1]->getWorldTransform() * btVector3(0.5 * linkLength, 0, 0);
+      worst = std::max<double>(
+          worst, (upper - hung[i]->getWorldTransform() * btVector3(x, 0, 0)).length());
+    }
+    return worst;
+  }
+  /// Steps of two seconds, as long as it holds.
+  bool holds() {
+    int most = 0;
+    for (int i = 0; i < 120; ++i) {
+      advance();
+      most = std::max(most, report().stiffened);
+      if (!(gain() < 0.05 && gap() < 0.05 * linkLength)) return false;
+    }
+    mostStiffened = most;
+    return true;
+  }
+
+  double ball, start;
+  int mostStiffened = 0;
+  std::vector<btRigidBody*> hung;
+};
+
+TEST(GeometricStiffness, HoldsRopesThatStepsCannotFollow) {
+  // ω h = √(12 T/(m l)) h is 8, 800 and 8000.
+  for (const double ball : {1e3, 1e7, 1e9}) {
+    EXPECT_FALSE(Rope(ball, false).holds()) << ball;
+    Rope rope(ball, true);
+    EXPECT_TRUE(rope.holds()) << ball << ": gain " << rope.gain() << ", gap " << rope.gap();
+    EXPECT_EQ(rope.mostStiffened, Rope::links);
+  }
+}
+
+TEST(GeometricStiffness, LeavesAloneWhatStepsFollow) {
+  Rope with(1, true), without(1, false);
+  for (Rope* rope : {&with, &without}) {
+    (*rope)->setGravity(btVector3(0, btScalar(-0.1), 0));  // ω h = 0.13
+    for (btRigidBody* body : rope->hung) body->setGravity((*rope)->getGravity());
+    rope->advance(60);
+  }
+  EXPECT_EQ(with.report().stiffened, 0);
+  for (std::size_t i = 0; i < with.hung.size(); ++i)
+    EXPECT_EQ((with.hung[i]->getCenterOfMassPosition() - without.hung[i]->getCenterOfMassPosition())
+                  .length2(),
+              0)
+        << i;
+}
+
+/// A plate whose two joints pull at it with 900 N·s along its length.
+using Join = std::function<void(DelassusWorld&, btRigidBody&, const btVector3& pivot)>;
+struct PulledPlate {
+  DelassusWorld world;
+  bullet::Group group;
+  StepReport report;
+  btRigidBody& plate =
+      world.addBox(btVector3(1, btScalar(0.5), btScalar(0.1)), btVector3(0, 5, 0), 3);
+  double pull = 900;  ///< N·s
+
+  explicit PulledPlate(const Join& join = hinge) {
+    for (const int x : {-1, 1}) join(world, plate, btVector3(btScalar(x), 0, 0));
+    // Six-dof joints have no rows where they are met to the last bit.
+    plate.translate(btVector3(1, 1, 1) * btScalar(1e-3));
+  }
+  static void hinge(DelassusWorld& world, btRigidBody& body, const btVector3& pivot) {
+    world.addJoint<btHingeConstraint>(body, pivot, btVector3(0, pivot.x(), 1).normalized());
+  }
+  /// Gathers as the solver does, the reactions of the last step being those of the pull.
+  void gather() {
+    btCollisionObject* body = &plate;
+    bullet::gatherBodies(group, &body, 1, world.info(), report);
+    std::vector<btTypedConstraint*> joints;
+    for (int i = 0; i < world->getNumConstraints(); ++i) joints.push_back(world->getConstraint(i));
+    bullet::gatherJoints(group, joints.data(), static_cast<int>(joints.size()), world.info(),
+                         report);
+    group.rowGuess.clear();
+    for (const bullet::JointSource& joint : group.joints)
+      for (int i = joint.firstRow; i < joint.firstRow + joint.rowCount; ++i) {
+        const double sign = joint.firstRow == 0 ? -1 : 1;
+        const Row& row = group.rows[i];
+        const double along = row.a >= 0 ? row.jacobianA[0] : row.jacobianB[0];
+        group.rowGuess.push_back(sign * pull * along);
+      }
+  }
+  int stiffen() {
+    world.info().m_timeStep = BulletWorld::step;
+    gather();
+    return bullet::GeometricStiffness().stiffen(group, world.info());
+  }
+};
+
+constexpr double needed = 2 * BulletWorld::step * 900;  // 30 kg m²
+
+/// Of two pulls of impulse p at arms ±a along x the stiffness h² K is 2 h p a about y and z.
+void expectInertiaOfSprings(PulledPlate& pulled) {
+  const Mat3 inertia = bullet::toCore(pulled.plate.getInvInertiaTensorWorld()).inverse();
+  EXPECT_EQ(pulled.stiffen(), 1);
+  const Mat3 expected = inertia + Mat3(Vec3(0, needed, needed).asDiagonal());
+  EXPECT_LT((pulled.group.bodies[0].inverseInertia.inverse() - expected).norm(),
+            100 * precision * needed);
+}
+
+TEST(GeometricStiffness, HasItFromJointsOfEveryKind) {
+  const auto frame = [](const btVector3& pivot) { return DelassusWorld::at(pivot); };
+  const std::vector<Join> kinds{
+      PulledPlate::hinge,
+      [](DelassusWorld& world, btRigidBody& body, const btVector3& pivot) {
+        world.addJoint<btPoint2PointConstraint>(body, pivot);
+      },
+      [&](DelassusWorld& world, btRigidBody& body, const btVector3& pivot) {
+        world.addJoint<btConeTwistConstraint>(body, frame(pivot));
+      },
+      [&](DelassusWorld& world, btRigidBody& body, const btVector3& pivot) {
+        world.addJoint<btGeneric6DofConstraint>(body, frame(pivot), false);
+      },
+      [&](DelassusWorld& world, btRigidBody& body, const btVector3& pivot) {
+        world.addJoint<btGeneric6DofSpring2Constraint>(body, frame(pivot));
+      }};
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    SCOPED_TRACE(kind);
+    PulledPlate pulled(kinds[kind]);
+    expectInertiaOfSprings(pulled);
+  }
+}
+
+TEST(GeometricStiffness, HasNoneOfWhatPushes) {
+  PulledPlate pulled;
+  pulled.pull = -pulled.pull;
+  EXPECT_EQ(pulled.stiffen(), 0);
+}
+
+TEST(GeometricStiffness, IsNeverWithoutNumbers) {
+  for (const double pull : {1e100, 1e153, 1e300, double(INFINITY), std::nan("")}) {
+    PulledPlate pulled;
+    pulled.plate.setMassProps(3, btVector3(1, 1, 1) * btScalar(1e-10));
+    pulled.plate.updateInertiaTensor();
+    pulled.pull = pull;
+    pulled.stiffen();
+    const Body& body = pulled.group.bodies[0];
+    EXPECT_TRUE(body.inverseInertia.allFinite() && body.velocity.allFinite()) << pull;
+  }
+}
+
+TEST(GeometricStiffness, KeepsAngularMomentumAndTorque) {
+  PulledPlate pulled;
+  const btVector3 turning(1, 2, 3), torque(7, 8, 9);
+  pulled.plate.setFlags(0);  // no gyroscopic terms
+  pulled.plate.setAngularVelocity(turning);
+  pulled.plate.applyTorque(torque);
+  const Mat3 inertia = bullet::toCore(pulled.plate.getInvInertiaTensorWorld()).inverse();
+  pulled.stiffen();
+  const Body& body = pulled.group.bodies[0];
+  const Vec3 momentum =
+      inertia * bullet::toCore(turning) + bullet::toCore(torque) * BulletWorld::step;
+  EXPECT_LT((body.inverseInertia.inverse() * body.velocity.tail<3>() - momentum).norm(),
+            100 * precision * needed);
+}
+
+TEST(GeometricStiffness, KeepsLockedAxesLocked) {
+  PulledPlate pulled;
+  pulled.plate.setAngularFactor(btVector3(1, 0, 1));
+  EXPECT_EQ(pulled.stiffen(), 1);
+  const Mat3& inverse = pulled.group.bodies[0].inverseInertia;
+  EXPECT_LT(inverse.row(1).norm() + inverse.col(1).norm(), 10 * precision);
+  EXPECT_NEAR(inverse(2, 2), 1 / (3.0 / 12 * (2 * 2 + 1) + needed), 100 * precision);
+}
+
+}  // namespace
+}  // namespace delassus::testing
