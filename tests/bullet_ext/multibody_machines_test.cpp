@@ -171,5 +171,25 @@ TEST(MultiBodyMachines, SameBitsEveryTime) {
   EXPECT_EQ(std::memcmp(once.data(), again.data(), once.size() * sizeof(btScalar)), 0);
 }
 
+/// Three links of 10 g and a ball of 100 kg, hung up.
+TEST(MultiBodyMachines, RopesOfRigidBodiesAreStiffenedToo) {
+  DelassusMultiBodyWorld world;
+  dynamic_cast<btDelassusMultiBodyConstraintSolver&>(world.solver()).setGeometricStiffness(true);
+  const btVector3 half(btScalar(0.05), btScalar(0.25), btScalar(0.05)), end(0, half.y(), 0);
+  btRigidBody* above = nullptr;
+  for (int i = 0; i < 4; ++i) {
+    const bool link = i < 3;
+    btRigidBody& body = world.addBox(half, -i * 2 * end, btScalar(link ? 0.01 : 100));
+    body.setCollisionFlags(btCollisionObject::CF_NO_CONTACT_RESPONSE);
+    if (above)
+      world.addJoint<btPoint2PointConstraint>(*above, body, -end, end);
+    else
+      world.addJoint<btPoint2PointConstraint>(body, end);
+    above = &body;
+  }
+  world.advance(2);
+  EXPECT_EQ(world.report().stiffened, 3);
+}
+
 }  // namespace
 }  // namespace delassus::testing
