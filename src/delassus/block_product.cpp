@@ -7,7 +7,8 @@ using Four = double __attribute__((vector_size(32), aligned(8), may_alias));
 
 }  // namespace
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+// What chooses between the clones runs before a thread sanitizer does, and is instrumented all the same: it would crash.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
 __attribute__((target_clones("avx2", "default")))
 #endif
 void subtractProducts(const Mat6* blocks, const int* row, int count, const Mat6& B,

@@ -948,7 +948,7 @@ set label "32" at screen 0.87666, screen 0.4064 center front noenhanced textcolo
 set label "64" at screen 0.920996, screen 0.4064 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "128" at screen 0.965332, screen 0.4064 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "substeps" at screen 0.810156, screen 0.392 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "the same chain of 20, its links stiffened against turning, 240 steps a second" at screen 0.009375, screen 0.3656 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
+set label "the same chain of 20 with geometric stiffness (delassus), 60 steps a second" at screen 0.009375, screen 0.3656 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
 set label "delassus double" at screen 0.126562, screen 0.3456 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 471 rectangle from screen 0.132812, screen 0.3376 to screen 0.168281, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 472 rectangle from screen 0.168281, screen 0.3376 to screen 0.20375, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -961,7 +961,8 @@ set object 478 rectangle from screen 0.381094, screen 0.3376 to screen 0.416563,
 set label "o" at screen 0.398828, screen 0.3456 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 479 rectangle from screen 0.416563, screen 0.3376 to screen 0.452031, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.434297, screen 0.3456 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 480 rectangle from screen 0.452031, screen 0.3376 to screen 0.4875, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 480 rectangle from screen 0.452031, screen 0.3376 to screen 0.4875, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.469766, screen 0.3456 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "delassus float" at screen 0.126562, screen 0.3296 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 481 rectangle from screen 0.132812, screen 0.3216 to screen 0.168281, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 482 rectangle from screen 0.168281, screen 0.3216 to screen 0.20375, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -974,10 +975,13 @@ set object 488 rectangle from screen 0.381094, screen 0.3216 to screen 0.416563,
 set label "o" at screen 0.398828, screen 0.3296 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 489 rectangle from screen 0.416563, screen 0.3216 to screen 0.452031, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.434297, screen 0.3296 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 490 rectangle from screen 0.452031, screen 0.3216 to screen 0.4875, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 490 rectangle from screen 0.452031, screen 0.3216 to screen 0.4875, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.469766, screen 0.3296 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 double" at screen 0.126562, screen 0.3136 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 491 rectangle from screen 0.132812, screen 0.3056 to screen 0.168281, screen 0.3216 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 492 rectangle from screen 0.168281, screen 0.3056 to screen 0.20375, screen 0.3216 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 491 rectangle from screen 0.132812, screen 0.3056 to screen 0.168281, screen 0.3216 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.150547, screen 0.3136 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 492 rectangle from screen 0.168281, screen 0.3056 to screen 0.20375, screen 0.3216 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.186016, screen 0.3136 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 493 rectangle from screen 0.20375, screen 0.3056 to screen 0.239219, screen 0.3216 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.221484, screen 0.3136 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 494 rectangle from screen 0.239219, screen 0.3056 to screen 0.274687, screen 0.3216 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -995,8 +999,10 @@ set label "x" at screen 0.434297, screen 0.3136 center front noenhanced textcolo
 set object 500 rectangle from screen 0.452031, screen 0.3056 to screen 0.4875, screen 0.3216 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.469766, screen 0.3136 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 float" at screen 0.126562, screen 0.2976 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 501 rectangle from screen 0.132812, screen 0.2896 to screen 0.168281, screen 0.3056 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 502 rectangle from screen 0.168281, screen 0.2896 to screen 0.20375, screen 0.3056 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 501 rectangle from screen 0.132812, screen 0.2896 to screen 0.168281, screen 0.3056 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.150547, screen 0.2976 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 502 rectangle from screen 0.168281, screen 0.2896 to screen 0.20375, screen 0.3056 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.186016, screen 0.2976 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 503 rectangle from screen 0.20375, screen 0.2896 to screen 0.239219, screen 0.3056 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.221484, screen 0.2976 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 504 rectangle from screen 0.239219, screen 0.2896 to screen 0.274687, screen 0.3056 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -1016,8 +1022,10 @@ set label "x" at screen 0.469766, screen 0.2976 center front noenhanced textcolo
 set label "si:1000 double" at screen 0.126562, screen 0.2816 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 511 rectangle from screen 0.132812, screen 0.2736 to screen 0.168281, screen 0.2896 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 512 rectangle from screen 0.168281, screen 0.2736 to screen 0.20375, screen 0.2896 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 513 rectangle from screen 0.20375, screen 0.2736 to screen 0.239219, screen 0.2896 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 514 rectangle from screen 0.239219, screen 0.2736 to screen 0.274687, screen 0.2896 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 513 rectangle from screen 0.20375, screen 0.2736 to screen 0.239219, screen 0.2896 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.221484, screen 0.2816 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 514 rectangle from screen 0.239219, screen 0.2736 to screen 0.274687, screen 0.2896 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.256953, screen 0.2816 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 515 rectangle from screen 0.274688, screen 0.2736 to screen 0.310156, screen 0.2896 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.292422, screen 0.2816 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 516 rectangle from screen 0.310156, screen 0.2736 to screen 0.345625, screen 0.2896 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -1033,8 +1041,10 @@ set label "x" at screen 0.469766, screen 0.2816 center front noenhanced textcolo
 set label "si:1000 float" at screen 0.126562, screen 0.2656 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 521 rectangle from screen 0.132812, screen 0.2576 to screen 0.168281, screen 0.2736 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 522 rectangle from screen 0.168281, screen 0.2576 to screen 0.20375, screen 0.2736 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 523 rectangle from screen 0.20375, screen 0.2576 to screen 0.239219, screen 0.2736 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 524 rectangle from screen 0.239219, screen 0.2576 to screen 0.274687, screen 0.2736 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 523 rectangle from screen 0.20375, screen 0.2576 to screen 0.239219, screen 0.2736 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.221484, screen 0.2656 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 524 rectangle from screen 0.239219, screen 0.2576 to screen 0.274687, screen 0.2736 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.256953, screen 0.2656 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 525 rectangle from screen 0.274688, screen 0.2576 to screen 0.310156, screen 0.2736 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.292422, screen 0.2656 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 526 rectangle from screen 0.310156, screen 0.2576 to screen 0.345625, screen 0.2736 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -1050,9 +1060,12 @@ set label "x" at screen 0.469766, screen 0.2656 center front noenhanced textcolo
 set label "dantzig:1e-6 double" at screen 0.126562, screen 0.2496 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 531 rectangle from screen 0.132812, screen 0.2416 to screen 0.168281, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 532 rectangle from screen 0.168281, screen 0.2416 to screen 0.20375, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 533 rectangle from screen 0.20375, screen 0.2416 to screen 0.239219, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 534 rectangle from screen 0.239219, screen 0.2416 to screen 0.274687, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 535 rectangle from screen 0.274688, screen 0.2416 to screen 0.310156, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 533 rectangle from screen 0.20375, screen 0.2416 to screen 0.239219, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.221484, screen 0.2496 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 534 rectangle from screen 0.239219, screen 0.2416 to screen 0.274687, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.256953, screen 0.2496 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 535 rectangle from screen 0.274688, screen 0.2416 to screen 0.310156, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.292422, screen 0.2496 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 536 rectangle from screen 0.310156, screen 0.2416 to screen 0.345625, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.327891, screen 0.2496 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 537 rectangle from screen 0.345625, screen 0.2416 to screen 0.381094, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -1066,9 +1079,12 @@ set label "x" at screen 0.469766, screen 0.2496 center front noenhanced textcolo
 set label "dantzig:1e-6 float" at screen 0.126562, screen 0.2336 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 541 rectangle from screen 0.132812, screen 0.2256 to screen 0.168281, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 542 rectangle from screen 0.168281, screen 0.2256 to screen 0.20375, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 543 rectangle from screen 0.20375, screen 0.2256 to screen 0.239219, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 544 rectangle from screen 0.239219, screen 0.2256 to screen 0.274687, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 545 rectangle from screen 0.274688, screen 0.2256 to screen 0.310156, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 543 rectangle from screen 0.20375, screen 0.2256 to screen 0.239219, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.221484, screen 0.2336 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 544 rectangle from screen 0.239219, screen 0.2256 to screen 0.274687, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.256953, screen 0.2336 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 545 rectangle from screen 0.274688, screen 0.2256 to screen 0.310156, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.292422, screen 0.2336 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 546 rectangle from screen 0.310156, screen 0.2256 to screen 0.345625, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.327891, screen 0.2336 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 547 rectangle from screen 0.345625, screen 0.2256 to screen 0.381094, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -1090,7 +1106,7 @@ set label "1e7" at screen 0.398828, screen 0.2176 center front noenhanced textco
 set label "1e8" at screen 0.434297, screen 0.2176 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "1e9" at screen 0.469766, screen 0.2176 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "mass of the ball over that of a link" at screen 0.310156, screen 0.2032 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "27 boxes of 1 kg, 3 x 3 x 3, under a plate" at screen 0.509375, screen 0.3656 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
+set label "the same chain of 20, its links stiffened against turning, 240 steps a second" at screen 0.509375, screen 0.3656 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
 set label "delassus double" at screen 0.626563, screen 0.3456 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 551 rectangle from screen 0.632812, screen 0.3376 to screen 0.668281, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 552 rectangle from screen 0.668281, screen 0.3376 to screen 0.70375, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -1099,8 +1115,10 @@ set object 554 rectangle from screen 0.739219, screen 0.3376 to screen 0.774687,
 set object 555 rectangle from screen 0.774687, screen 0.3376 to screen 0.810156, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 556 rectangle from screen 0.810156, screen 0.3376 to screen 0.845625, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 557 rectangle from screen 0.845625, screen 0.3376 to screen 0.881094, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 558 rectangle from screen 0.881094, screen 0.3376 to screen 0.916563, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 559 rectangle from screen 0.916563, screen 0.3376 to screen 0.952031, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 558 rectangle from screen 0.881094, screen 0.3376 to screen 0.916563, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.898828, screen 0.3456 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 559 rectangle from screen 0.916563, screen 0.3376 to screen 0.952031, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.934297, screen 0.3456 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 560 rectangle from screen 0.952031, screen 0.3376 to screen 0.9875, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.626563, screen 0.3296 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 561 rectangle from screen 0.632812, screen 0.3216 to screen 0.668281, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -1110,8 +1128,10 @@ set object 564 rectangle from screen 0.739219, screen 0.3216 to screen 0.774687,
 set object 565 rectangle from screen 0.774687, screen 0.3216 to screen 0.810156, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 566 rectangle from screen 0.810156, screen 0.3216 to screen 0.845625, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 567 rectangle from screen 0.845625, screen 0.3216 to screen 0.881094, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 568 rectangle from screen 0.881094, screen 0.3216 to screen 0.916563, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 569 rectangle from screen 0.916563, screen 0.3216 to screen 0.952031, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 568 rectangle from screen 0.881094, screen 0.3216 to screen 0.916563, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.898828, screen 0.3296 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 569 rectangle from screen 0.916563, screen 0.3216 to screen 0.952031, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.934297, screen 0.3296 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 570 rectangle from screen 0.952031, screen 0.3216 to screen 0.9875, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:10 double" at screen 0.626563, screen 0.3136 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 571 rectangle from screen 0.632812, screen 0.3056 to screen 0.668281, screen 0.3216 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -1191,31 +1211,32 @@ set object 612 rectangle from screen 0.668281, screen 0.2416 to screen 0.70375, 
 set object 613 rectangle from screen 0.70375, screen 0.2416 to screen 0.739219, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 614 rectangle from screen 0.739219, screen 0.2416 to screen 0.774687, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 615 rectangle from screen 0.774687, screen 0.2416 to screen 0.810156, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 616 rectangle from screen 0.810156, screen 0.2416 to screen 0.845625, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 617 rectangle from screen 0.845625, screen 0.2416 to screen 0.881094, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.863359, screen 0.2496 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 618 rectangle from screen 0.881094, screen 0.2416 to screen 0.916563, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.898828, screen 0.2496 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 619 rectangle from screen 0.916563, screen 0.2416 to screen 0.952031, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.934297, screen 0.2496 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 620 rectangle from screen 0.952031, screen 0.2416 to screen 0.9875, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.969766, screen 0.2496 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 616 rectangle from screen 0.810156, screen 0.2416 to screen 0.845625, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.827891, screen 0.2496 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 617 rectangle from screen 0.845625, screen 0.2416 to screen 0.881094, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.863359, screen 0.2496 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 618 rectangle from screen 0.881094, screen 0.2416 to screen 0.916563, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.898828, screen 0.2496 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 619 rectangle from screen 0.916563, screen 0.2416 to screen 0.952031, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.934297, screen 0.2496 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 620 rectangle from screen 0.952031, screen 0.2416 to screen 0.9875, screen 0.2576 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.969766, screen 0.2496 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "dantzig:1e-6 float" at screen 0.626563, screen 0.2336 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 621 rectangle from screen 0.632812, screen 0.2256 to screen 0.668281, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 622 rectangle from screen 0.668281, screen 0.2256 to screen 0.70375, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 623 rectangle from screen 0.70375, screen 0.2256 to screen 0.739219, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 624 rectangle from screen 0.739219, screen 0.2256 to screen 0.774687, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 625 rectangle from screen 0.774687, screen 0.2256 to screen 0.810156, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 626 rectangle from screen 0.810156, screen 0.2256 to screen 0.845625, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.827891, screen 0.2336 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 627 rectangle from screen 0.845625, screen 0.2256 to screen 0.881094, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.863359, screen 0.2336 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 628 rectangle from screen 0.881094, screen 0.2256 to screen 0.916563, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.898828, screen 0.2336 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 629 rectangle from screen 0.916563, screen 0.2256 to screen 0.952031, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.934297, screen 0.2336 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 630 rectangle from screen 0.952031, screen 0.2256 to screen 0.9875, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.969766, screen 0.2336 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 626 rectangle from screen 0.810156, screen 0.2256 to screen 0.845625, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.827891, screen 0.2336 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 627 rectangle from screen 0.845625, screen 0.2256 to screen 0.881094, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.863359, screen 0.2336 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 628 rectangle from screen 0.881094, screen 0.2256 to screen 0.916563, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.898828, screen 0.2336 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 629 rectangle from screen 0.916563, screen 0.2256 to screen 0.952031, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.934297, screen 0.2336 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 630 rectangle from screen 0.952031, screen 0.2256 to screen 0.9875, screen 0.2416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.969766, screen 0.2336 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "1" at screen 0.650547, screen 0.2176 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "10" at screen 0.686016, screen 0.2176 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "100" at screen 0.721484, screen 0.2176 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
@@ -1226,88 +1247,225 @@ set label "1e6" at screen 0.863359, screen 0.2176 center front noenhanced textco
 set label "1e7" at screen 0.898828, screen 0.2176 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "1e8" at screen 0.934297, screen 0.2176 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "1e9" at screen 0.969766, screen 0.2176 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "mass of the plate over that of a box" at screen 0.810156, screen 0.2032 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "tilted box spinning at 6 rad/s on the ground, one moment of inertia smaller" at screen 0.009375, screen 0.1768 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
+set label "mass of the ball over that of a link" at screen 0.810156, screen 0.2032 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "27 boxes of 1 kg, 3 x 3 x 3, under a plate" at screen 0.009375, screen 0.1768 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
 set label "delassus double" at screen 0.126562, screen 0.1568 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 631 rectangle from screen 0.132812, screen 0.1488 to screen 0.183482, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 632 rectangle from screen 0.183482, screen 0.1488 to screen 0.234152, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 633 rectangle from screen 0.234152, screen 0.1488 to screen 0.284821, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 634 rectangle from screen 0.284821, screen 0.1488 to screen 0.335491, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 635 rectangle from screen 0.335491, screen 0.1488 to screen 0.386161, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 636 rectangle from screen 0.386161, screen 0.1488 to screen 0.43683, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 637 rectangle from screen 0.43683, screen 0.1488 to screen 0.4875, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 631 rectangle from screen 0.132812, screen 0.1488 to screen 0.168281, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 632 rectangle from screen 0.168281, screen 0.1488 to screen 0.20375, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 633 rectangle from screen 0.20375, screen 0.1488 to screen 0.239219, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 634 rectangle from screen 0.239219, screen 0.1488 to screen 0.274687, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 635 rectangle from screen 0.274688, screen 0.1488 to screen 0.310156, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 636 rectangle from screen 0.310156, screen 0.1488 to screen 0.345625, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 637 rectangle from screen 0.345625, screen 0.1488 to screen 0.381094, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 638 rectangle from screen 0.381094, screen 0.1488 to screen 0.416563, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 639 rectangle from screen 0.416563, screen 0.1488 to screen 0.452031, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 640 rectangle from screen 0.452031, screen 0.1488 to screen 0.4875, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.126562, screen 0.1408 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 638 rectangle from screen 0.132812, screen 0.1328 to screen 0.183482, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 639 rectangle from screen 0.183482, screen 0.1328 to screen 0.234152, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 640 rectangle from screen 0.234152, screen 0.1328 to screen 0.284821, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 641 rectangle from screen 0.284821, screen 0.1328 to screen 0.335491, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 642 rectangle from screen 0.335491, screen 0.1328 to screen 0.386161, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 643 rectangle from screen 0.386161, screen 0.1328 to screen 0.43683, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.411496, screen 0.1408 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 644 rectangle from screen 0.43683, screen 0.1328 to screen 0.4875, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.462165, screen 0.1408 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 641 rectangle from screen 0.132812, screen 0.1328 to screen 0.168281, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 642 rectangle from screen 0.168281, screen 0.1328 to screen 0.20375, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 643 rectangle from screen 0.20375, screen 0.1328 to screen 0.239219, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 644 rectangle from screen 0.239219, screen 0.1328 to screen 0.274687, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 645 rectangle from screen 0.274688, screen 0.1328 to screen 0.310156, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 646 rectangle from screen 0.310156, screen 0.1328 to screen 0.345625, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 647 rectangle from screen 0.345625, screen 0.1328 to screen 0.381094, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 648 rectangle from screen 0.381094, screen 0.1328 to screen 0.416563, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 649 rectangle from screen 0.416563, screen 0.1328 to screen 0.452031, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 650 rectangle from screen 0.452031, screen 0.1328 to screen 0.4875, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:10 double" at screen 0.126562, screen 0.1248 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 645 rectangle from screen 0.132812, screen 0.1168 to screen 0.183482, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 646 rectangle from screen 0.183482, screen 0.1168 to screen 0.234152, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 647 rectangle from screen 0.234152, screen 0.1168 to screen 0.284821, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 648 rectangle from screen 0.284821, screen 0.1168 to screen 0.335491, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 649 rectangle from screen 0.335491, screen 0.1168 to screen 0.386161, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 650 rectangle from screen 0.386161, screen 0.1168 to screen 0.43683, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 651 rectangle from screen 0.43683, screen 0.1168 to screen 0.4875, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 651 rectangle from screen 0.132812, screen 0.1168 to screen 0.168281, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 652 rectangle from screen 0.168281, screen 0.1168 to screen 0.20375, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 653 rectangle from screen 0.20375, screen 0.1168 to screen 0.239219, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.221484, screen 0.1248 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 654 rectangle from screen 0.239219, screen 0.1168 to screen 0.274687, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.256953, screen 0.1248 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 655 rectangle from screen 0.274688, screen 0.1168 to screen 0.310156, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.292422, screen 0.1248 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 656 rectangle from screen 0.310156, screen 0.1168 to screen 0.345625, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.327891, screen 0.1248 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 657 rectangle from screen 0.345625, screen 0.1168 to screen 0.381094, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.363359, screen 0.1248 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 658 rectangle from screen 0.381094, screen 0.1168 to screen 0.416563, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.398828, screen 0.1248 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 659 rectangle from screen 0.416563, screen 0.1168 to screen 0.452031, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.434297, screen 0.1248 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 660 rectangle from screen 0.452031, screen 0.1168 to screen 0.4875, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.469766, screen 0.1248 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 float" at screen 0.126562, screen 0.1088 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 652 rectangle from screen 0.132812, screen 0.1008 to screen 0.183482, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 653 rectangle from screen 0.183482, screen 0.1008 to screen 0.234152, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 654 rectangle from screen 0.234152, screen 0.1008 to screen 0.284821, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 655 rectangle from screen 0.284821, screen 0.1008 to screen 0.335491, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 656 rectangle from screen 0.335491, screen 0.1008 to screen 0.386161, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 657 rectangle from screen 0.386161, screen 0.1008 to screen 0.43683, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 658 rectangle from screen 0.43683, screen 0.1008 to screen 0.4875, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 661 rectangle from screen 0.132812, screen 0.1008 to screen 0.168281, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 662 rectangle from screen 0.168281, screen 0.1008 to screen 0.20375, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 663 rectangle from screen 0.20375, screen 0.1008 to screen 0.239219, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.221484, screen 0.1088 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 664 rectangle from screen 0.239219, screen 0.1008 to screen 0.274687, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.256953, screen 0.1088 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 665 rectangle from screen 0.274688, screen 0.1008 to screen 0.310156, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.292422, screen 0.1088 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 666 rectangle from screen 0.310156, screen 0.1008 to screen 0.345625, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.327891, screen 0.1088 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 667 rectangle from screen 0.345625, screen 0.1008 to screen 0.381094, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.363359, screen 0.1088 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 668 rectangle from screen 0.381094, screen 0.1008 to screen 0.416563, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.398828, screen 0.1088 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 669 rectangle from screen 0.416563, screen 0.1008 to screen 0.452031, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.434297, screen 0.1088 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 670 rectangle from screen 0.452031, screen 0.1008 to screen 0.4875, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.469766, screen 0.1088 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:1000 double" at screen 0.126562, screen 0.0928 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 659 rectangle from screen 0.132812, screen 0.0848 to screen 0.183482, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 660 rectangle from screen 0.183482, screen 0.0848 to screen 0.234152, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 661 rectangle from screen 0.234152, screen 0.0848 to screen 0.284821, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 662 rectangle from screen 0.284821, screen 0.0848 to screen 0.335491, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 663 rectangle from screen 0.335491, screen 0.0848 to screen 0.386161, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 664 rectangle from screen 0.386161, screen 0.0848 to screen 0.43683, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 665 rectangle from screen 0.43683, screen 0.0848 to screen 0.4875, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 671 rectangle from screen 0.132812, screen 0.0848 to screen 0.168281, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 672 rectangle from screen 0.168281, screen 0.0848 to screen 0.20375, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 673 rectangle from screen 0.20375, screen 0.0848 to screen 0.239219, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 674 rectangle from screen 0.239219, screen 0.0848 to screen 0.274687, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 675 rectangle from screen 0.274688, screen 0.0848 to screen 0.310156, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.292422, screen 0.0928 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 676 rectangle from screen 0.310156, screen 0.0848 to screen 0.345625, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.327891, screen 0.0928 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 677 rectangle from screen 0.345625, screen 0.0848 to screen 0.381094, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.363359, screen 0.0928 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 678 rectangle from screen 0.381094, screen 0.0848 to screen 0.416563, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.398828, screen 0.0928 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 679 rectangle from screen 0.416563, screen 0.0848 to screen 0.452031, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.434297, screen 0.0928 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 680 rectangle from screen 0.452031, screen 0.0848 to screen 0.4875, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.469766, screen 0.0928 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:1000 float" at screen 0.126562, screen 0.0768 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 666 rectangle from screen 0.132812, screen 0.0688 to screen 0.183482, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 667 rectangle from screen 0.183482, screen 0.0688 to screen 0.234152, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 668 rectangle from screen 0.234152, screen 0.0688 to screen 0.284821, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 669 rectangle from screen 0.284821, screen 0.0688 to screen 0.335491, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 670 rectangle from screen 0.335491, screen 0.0688 to screen 0.386161, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 671 rectangle from screen 0.386161, screen 0.0688 to screen 0.43683, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 672 rectangle from screen 0.43683, screen 0.0688 to screen 0.4875, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 681 rectangle from screen 0.132812, screen 0.0688 to screen 0.168281, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 682 rectangle from screen 0.168281, screen 0.0688 to screen 0.20375, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 683 rectangle from screen 0.20375, screen 0.0688 to screen 0.239219, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 684 rectangle from screen 0.239219, screen 0.0688 to screen 0.274687, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 685 rectangle from screen 0.274688, screen 0.0688 to screen 0.310156, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.292422, screen 0.0768 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 686 rectangle from screen 0.310156, screen 0.0688 to screen 0.345625, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.327891, screen 0.0768 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 687 rectangle from screen 0.345625, screen 0.0688 to screen 0.381094, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.363359, screen 0.0768 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 688 rectangle from screen 0.381094, screen 0.0688 to screen 0.416563, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.398828, screen 0.0768 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 689 rectangle from screen 0.416563, screen 0.0688 to screen 0.452031, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.434297, screen 0.0768 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 690 rectangle from screen 0.452031, screen 0.0688 to screen 0.4875, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.469766, screen 0.0768 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "dantzig:1e-6 double" at screen 0.126562, screen 0.0608 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 673 rectangle from screen 0.132812, screen 0.0528 to screen 0.183482, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 674 rectangle from screen 0.183482, screen 0.0528 to screen 0.234152, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 675 rectangle from screen 0.234152, screen 0.0528 to screen 0.284821, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 676 rectangle from screen 0.284821, screen 0.0528 to screen 0.335491, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 677 rectangle from screen 0.335491, screen 0.0528 to screen 0.386161, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 678 rectangle from screen 0.386161, screen 0.0528 to screen 0.43683, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 679 rectangle from screen 0.43683, screen 0.0528 to screen 0.4875, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 691 rectangle from screen 0.132812, screen 0.0528 to screen 0.168281, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 692 rectangle from screen 0.168281, screen 0.0528 to screen 0.20375, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 693 rectangle from screen 0.20375, screen 0.0528 to screen 0.239219, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 694 rectangle from screen 0.239219, screen 0.0528 to screen 0.274687, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 695 rectangle from screen 0.274688, screen 0.0528 to screen 0.310156, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 696 rectangle from screen 0.310156, screen 0.0528 to screen 0.345625, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 697 rectangle from screen 0.345625, screen 0.0528 to screen 0.381094, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.363359, screen 0.0608 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 698 rectangle from screen 0.381094, screen 0.0528 to screen 0.416563, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.398828, screen 0.0608 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 699 rectangle from screen 0.416563, screen 0.0528 to screen 0.452031, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.434297, screen 0.0608 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 700 rectangle from screen 0.452031, screen 0.0528 to screen 0.4875, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.469766, screen 0.0608 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "dantzig:1e-6 float" at screen 0.126562, screen 0.0448 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 680 rectangle from screen 0.132812, screen 0.0368 to screen 0.183482, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 681 rectangle from screen 0.183482, screen 0.0368 to screen 0.234152, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.208817, screen 0.0448 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 682 rectangle from screen 0.234152, screen 0.0368 to screen 0.284821, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.259487, screen 0.0448 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 683 rectangle from screen 0.284821, screen 0.0368 to screen 0.335491, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.310156, screen 0.0448 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 684 rectangle from screen 0.335491, screen 0.0368 to screen 0.386161, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.360826, screen 0.0448 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 685 rectangle from screen 0.386161, screen 0.0368 to screen 0.43683, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.411496, screen 0.0448 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 686 rectangle from screen 0.43683, screen 0.0368 to screen 0.4875, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.462165, screen 0.0448 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set label "1" at screen 0.158147, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "10" at screen 0.208817, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "100" at screen 0.259487, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "1000" at screen 0.310156, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "10000" at screen 0.360826, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "1e5" at screen 0.411496, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "1e6" at screen 0.462165, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
-set label "largest over smallest moment of inertia" at screen 0.310156, screen 0.0144 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 701 rectangle from screen 0.132812, screen 0.0368 to screen 0.168281, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 702 rectangle from screen 0.168281, screen 0.0368 to screen 0.20375, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 703 rectangle from screen 0.20375, screen 0.0368 to screen 0.239219, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 704 rectangle from screen 0.239219, screen 0.0368 to screen 0.274687, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 705 rectangle from screen 0.274688, screen 0.0368 to screen 0.310156, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 706 rectangle from screen 0.310156, screen 0.0368 to screen 0.345625, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.327891, screen 0.0448 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 707 rectangle from screen 0.345625, screen 0.0368 to screen 0.381094, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.363359, screen 0.0448 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 708 rectangle from screen 0.381094, screen 0.0368 to screen 0.416563, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.398828, screen 0.0448 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 709 rectangle from screen 0.416563, screen 0.0368 to screen 0.452031, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.434297, screen 0.0448 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 710 rectangle from screen 0.452031, screen 0.0368 to screen 0.4875, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.469766, screen 0.0448 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "1" at screen 0.150547, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "10" at screen 0.186016, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "100" at screen 0.221484, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "1000" at screen 0.256953, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "10000" at screen 0.292422, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "1e5" at screen 0.327891, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "1e6" at screen 0.363359, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "1e7" at screen 0.398828, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "1e8" at screen 0.434297, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "1e9" at screen 0.469766, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "mass of the plate over that of a box" at screen 0.310156, screen 0.0144 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "tilted box spinning at 6 rad/s on the ground, one moment of inertia smaller" at screen 0.509375, screen 0.1768 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
+set label "delassus double" at screen 0.626563, screen 0.1568 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 711 rectangle from screen 0.632812, screen 0.1488 to screen 0.683482, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 712 rectangle from screen 0.683482, screen 0.1488 to screen 0.734152, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 713 rectangle from screen 0.734152, screen 0.1488 to screen 0.784821, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 714 rectangle from screen 0.784821, screen 0.1488 to screen 0.835491, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 715 rectangle from screen 0.835491, screen 0.1488 to screen 0.886161, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 716 rectangle from screen 0.886161, screen 0.1488 to screen 0.93683, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 717 rectangle from screen 0.93683, screen 0.1488 to screen 0.9875, screen 0.1648 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "delassus float" at screen 0.626563, screen 0.1408 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 718 rectangle from screen 0.632812, screen 0.1328 to screen 0.683482, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 719 rectangle from screen 0.683482, screen 0.1328 to screen 0.734152, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 720 rectangle from screen 0.734152, screen 0.1328 to screen 0.784821, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 721 rectangle from screen 0.784821, screen 0.1328 to screen 0.835491, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 722 rectangle from screen 0.835491, screen 0.1328 to screen 0.886161, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 723 rectangle from screen 0.886161, screen 0.1328 to screen 0.93683, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.911496, screen 0.1408 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 724 rectangle from screen 0.93683, screen 0.1328 to screen 0.9875, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.962165, screen 0.1408 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "si:10 double" at screen 0.626563, screen 0.1248 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 725 rectangle from screen 0.632812, screen 0.1168 to screen 0.683482, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 726 rectangle from screen 0.683482, screen 0.1168 to screen 0.734152, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 727 rectangle from screen 0.734152, screen 0.1168 to screen 0.784821, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 728 rectangle from screen 0.784821, screen 0.1168 to screen 0.835491, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 729 rectangle from screen 0.835491, screen 0.1168 to screen 0.886161, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 730 rectangle from screen 0.886161, screen 0.1168 to screen 0.93683, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 731 rectangle from screen 0.93683, screen 0.1168 to screen 0.9875, screen 0.1328 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "si:10 float" at screen 0.626563, screen 0.1088 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 732 rectangle from screen 0.632812, screen 0.1008 to screen 0.683482, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 733 rectangle from screen 0.683482, screen 0.1008 to screen 0.734152, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 734 rectangle from screen 0.734152, screen 0.1008 to screen 0.784821, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 735 rectangle from screen 0.784821, screen 0.1008 to screen 0.835491, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 736 rectangle from screen 0.835491, screen 0.1008 to screen 0.886161, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 737 rectangle from screen 0.886161, screen 0.1008 to screen 0.93683, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 738 rectangle from screen 0.93683, screen 0.1008 to screen 0.9875, screen 0.1168 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "si:1000 double" at screen 0.626563, screen 0.0928 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 739 rectangle from screen 0.632812, screen 0.0848 to screen 0.683482, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 740 rectangle from screen 0.683482, screen 0.0848 to screen 0.734152, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 741 rectangle from screen 0.734152, screen 0.0848 to screen 0.784821, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 742 rectangle from screen 0.784821, screen 0.0848 to screen 0.835491, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 743 rectangle from screen 0.835491, screen 0.0848 to screen 0.886161, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 744 rectangle from screen 0.886161, screen 0.0848 to screen 0.93683, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 745 rectangle from screen 0.93683, screen 0.0848 to screen 0.9875, screen 0.1008 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "si:1000 float" at screen 0.626563, screen 0.0768 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 746 rectangle from screen 0.632812, screen 0.0688 to screen 0.683482, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 747 rectangle from screen 0.683482, screen 0.0688 to screen 0.734152, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 748 rectangle from screen 0.734152, screen 0.0688 to screen 0.784821, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 749 rectangle from screen 0.784821, screen 0.0688 to screen 0.835491, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 750 rectangle from screen 0.835491, screen 0.0688 to screen 0.886161, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 751 rectangle from screen 0.886161, screen 0.0688 to screen 0.93683, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 752 rectangle from screen 0.93683, screen 0.0688 to screen 0.9875, screen 0.0848 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "dantzig:1e-6 double" at screen 0.626563, screen 0.0608 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 753 rectangle from screen 0.632812, screen 0.0528 to screen 0.683482, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 754 rectangle from screen 0.683482, screen 0.0528 to screen 0.734152, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 755 rectangle from screen 0.734152, screen 0.0528 to screen 0.784821, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 756 rectangle from screen 0.784821, screen 0.0528 to screen 0.835491, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 757 rectangle from screen 0.835491, screen 0.0528 to screen 0.886161, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 758 rectangle from screen 0.886161, screen 0.0528 to screen 0.93683, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 759 rectangle from screen 0.93683, screen 0.0528 to screen 0.9875, screen 0.0688 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set label "dantzig:1e-6 float" at screen 0.626563, screen 0.0448 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 760 rectangle from screen 0.632812, screen 0.0368 to screen 0.683482, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 761 rectangle from screen 0.683482, screen 0.0368 to screen 0.734152, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.708817, screen 0.0448 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 762 rectangle from screen 0.734152, screen 0.0368 to screen 0.784821, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.759487, screen 0.0448 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 763 rectangle from screen 0.784821, screen 0.0368 to screen 0.835491, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.810156, screen 0.0448 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 764 rectangle from screen 0.835491, screen 0.0368 to screen 0.886161, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.860826, screen 0.0448 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 765 rectangle from screen 0.886161, screen 0.0368 to screen 0.93683, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.911496, screen 0.0448 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 766 rectangle from screen 0.93683, screen 0.0368 to screen 0.9875, screen 0.0528 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.962165, screen 0.0448 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set label "1" at screen 0.658147, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "10" at screen 0.708817, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "100" at screen 0.759487, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "1000" at screen 0.810156, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "10000" at screen 0.860826, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "1e5" at screen 0.911496, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "1e6" at screen 0.962165, screen 0.0288 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
+set label "largest over smallest moment of inertia" at screen 0.810156, screen 0.0144 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 plot NaN
 unset object
 unset label

@@ -33,7 +33,7 @@ TEST(LongRunsSlow, stackOfFortySlow) { expectToLast("stack_40_long", 3600); }
 // Two minutes: its hour takes three to twenty of the processor.
 TEST(LongRunsSlow, archSlow) { expectToLast("arch_long", 120); }
 
-// What makes the arch creep is the recovery of depths that the narrow phase brings in.
+// What moves the arch is the recovery of depths that the narrow phase brings in.
 TEST(LongRunsSlow, archWithoutRecoveryStaysWhereItSettledSlow) {
   constexpr double settled = 20, rate = 60;
   NamedSolver named("delassus");
