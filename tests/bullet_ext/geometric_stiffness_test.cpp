@@ -181,6 +181,10 @@ TEST(GeometricStiffness, HasItFromJointsOfEveryKind) {
       [&](DelassusWorld& world, btRigidBody& body, const btVector3& pivot) {
         world.addJoint<btConeTwistConstraint>(body, frame(pivot));
       },
+      [](DelassusWorld& world, btRigidBody& body, const btVector3& pivot) {
+        const btQuaternion across(btVector3(0, 1, 0), btScalar(M_PI / 2));  // slides along z
+        world.addJoint<btSliderConstraint>(body, btTransform(across, pivot), true);
+      },
       [&](DelassusWorld& world, btRigidBody& body, const btVector3& pivot) {
         world.addJoint<btGeneric6DofConstraint>(body, frame(pivot), false);
       },
