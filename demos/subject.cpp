@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "bullet_ext/btDelassusConstraintSolver.h"
+#include "demos/crash.h"
 #include "demos/report/child.h"
 #include "demos/scenes/bullet_file.h"
 #include "demos/scenes/catalogue.h"
@@ -20,7 +21,7 @@ bool isFile(const std::string& name) {
 }
 
 /// Bullet's importer follows what a file says into any memory. Loading and the first steps are tried in a process apart, so
-/// that a damaged file is told, and nothing worse.
+/// that a damaged file is told, and nothing worse. What lies in that memory may differ here: see blameCrashesOn.
 void rehearse(const std::string& file) {
   constexpr double patience = 60;  // seconds
   // A damaged count asks for any memory; the pages that it gets cost seconds, and other processes theirs.
@@ -48,7 +49,7 @@ void rehearse(const std::string& file) {
 
 }  // namespace
 
-Subject openSubject(const std::string& name) {
+Subject loadSubject(const std::string& name) {
   if (!isFile(name)) {
     const SceneDescription& scene = findScene(name);
     return {scene.name, scene.build(), scene.seconds, scene.hz, {}, scene.law};
@@ -57,6 +58,11 @@ Subject openSubject(const std::string& name) {
   rehearse(name);
   LoadedFile file = loadBulletFile(name);
   return {name, std::move(file.world), usualSeconds, usualHz, std::move(file.notes), std::nullopt};
+}
+
+Subject openSubject(const std::string& name) {
+  if (isFile(name)) blameCrashesOn(name);
+  return loadSubject(name);
 }
 
 const char* precisionName() { return sizeof(btScalar) == sizeof(double) ? "double" : "float"; }

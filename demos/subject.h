@@ -21,6 +21,9 @@ struct Subject {
 
 /// `name` is a file if it ends in ".bullet" or has a slash in it, else a scene.
 /// Throws UnknownScene or BulletFileError.
+Subject loadSubject(const std::string& name);
+
+/// The same for a command: from here on, a crash is blamed on the file, if it is one.
 Subject openSubject(const std::string& name);
 
 /// "double" or "float": the precision of the Bullet library in this build.

@@ -11,6 +11,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <vector>
+
+#include "tests/support/shared_data.h"
 
 namespace {
 
@@ -109,6 +112,23 @@ TEST_F(Command, namesAFileThatCannotBeRead) {
     EXPECT_NE(outcome.err.find(path), std::string::npos) << outcome.err;
     EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
   }
+}
+
+/// What a damaged file breaks may break at any later time.
+TEST_F(Command, blamesACrashOnTheFile) {
+  const std::vector<std::filesystem::path> worlds =
+      delassus::test::sharedFiles("worlds", {".bullet"});
+  if (worlds.empty()) GTEST_SKIP() << delassus::test::noSharedFolder;
+  const std::string path = worlds.front();
+  const std::string line = "timeout --preserve-status --signal=SEGV 0.5 " DELASSUS_COMMAND
+                           " run --seconds 1e4 " +
+                           path + " >" + file("out") + " 2>" + file("err");
+  const int answer = std::system(line.c_str());
+  ASSERT_TRUE(WIFEXITED(answer));
+  EXPECT_EQ(WEXITSTATUS(answer), 1);
+  const std::string error = read(file("err"));
+  EXPECT_NE(error.find(path + ": crashes"), std::string::npos) << error;
+  EXPECT_EQ(lines(error), 1) << error;
 }
 
 TEST_F(Command, explainsWhatAStepIsMadeOf) {

@@ -1,7 +1,7 @@
 /// Damaged .bullet files, taken as `delassus run FILE.bullet` takes them: each is refused in one line, or steps.
 ///
 /// Bullet's importer trusts what it reads and may crash. The command rehearses in a process of its own for that reason, and
-/// so does this target, since it opens files by the same call. What is asked here is that nothing passes the rehearsal and
+/// so does this target, since it loads files by the same call. What is asked here is that nothing passes the rehearsal and
 /// crashes, or hangs, afterwards.
 
 #include <unistd.h>
@@ -63,7 +63,7 @@ Outcome ask(const std::string& bytes) {
   Outcome outcome;
   try {
     demos::NamedSolver solver("delassus");
-    const demos::Subject subject = demos::openSubject(path);
+    const demos::Subject subject = demos::loadSubject(path);
     demos::simulate(*subject.world, solver, {0.2, subject.hz}, [](double) {});
     ++outcome.counts["run"];
   } catch (const demos::BulletFileError& error) {
