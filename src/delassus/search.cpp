@@ -120,7 +120,7 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
   constexpr double knownRegion = 1e-6;
   // Shares of the demands that the last reactions leave open.
   constexpr double disturbed = 1e-3, nearly = 1e-6;
-  constexpr int fewRegions = 8, firstTry = 16, interiorSteps = 40, secondTry = 90;
+  constexpr int fewRegions = 8, firstTry = 16, proof = 90, interiorSteps = 40, secondTry = 400;
   constexpr int alternations = 300;
   const double demand = problem.q.cwiseAbs().maxCoeff();
   const double aim = keptShare * tolerance;
@@ -167,7 +167,7 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
   if (settled(outcome)) return outcome;
 
   if (alternate()) return finish();
-  if (compromise(engines, problem, tolerance, left(secondTry), best)) return Outcome::Incompatible;
+  if (compromise(engines, problem, tolerance, left(proof), best)) return Outcome::Incompatible;
   if (engines.interior.solve(newton.motion(), problem, map_, tolerance, left(interiorSteps), best))
     return Outcome::Reached;
   outcome =
@@ -208,7 +208,7 @@ template <class Motion>
 Outcome Search::wander(Engines<Motion>& engines, const Problem& problem, const Options& options,
                        double tolerance, const VectorXd* guess, Solution& best) {
   ProximalNewton<Motion>& newton = engines.walk;
-  constexpr int shortest = 100, longWalk = 100, shortWalk = 40;
+  constexpr int shortest = 100, longWalk = 400, shortWalk = 40;
   const auto sweepsLeft = [&](int most) {
     return std::min(most, options.sweepBudget - best.sweeps);
   };
