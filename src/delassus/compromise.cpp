@@ -10,6 +10,9 @@ namespace delassus {
 /// Incompatible demands let the reactions grow without end, by the same d each time, along which no body moves: J̃ᵀ d = 0.
 /// The motion is then the compromise, nearest to the demands in least squares, weighted by the W_aa. Contacts with friction
 /// and disks have no part in it: what is squeezed may slip out, u_n = −μ |u_t| being no demand at all.
+///
+/// It is proven by Farkas' bound: a motion that meets all demands has an energy norm of at least −d·u/√(d·W d), and that is beyond
+/// any that the demands could ask for. Nearly singular W with compatible demands let reactions grow long, too.
 template <class Motion>
 bool ProximalNewton<Motion>::growsInVain(const Problem& problem, double tolerance,
                                          double residual) const {
@@ -25,7 +28,13 @@ bool ProximalNewton<Motion>::growsInVain(const Problem& problem, double toleranc
   motion_.relativeVelocity(y, moved);
   // Neither a tolerance beside which the residual is small nor the rounding of reactions that are large proves anything.
   const double still = std::min(tolerance, map_->roundOff(r_));
-  return moved.cwiseAbs().maxCoeff() <= std::max(still, 1e-6 * residual);
+  if (moved.cwiseAbs().maxCoeff() > std::max(still, 1e-6 * residual)) return false;
+
+  constexpr double impossible = 1e5, rounding = 64 * std::numeric_limits<double>::epsilon();
+  const double energy =
+      std::abs(d.dot(moved)) + rounding * d.cwiseAbs2().dot(scale_);  // that of W is known no finer
+  const double asked = problem.q.cwiseAbs().cwiseQuotient(scale_.cwiseSqrt()).maxCoeff();
+  return -d.dot(trialU_) > impossible * asked * std::sqrt(energy);
 }
 
 /// Takes the part along d = r − center out of the reactions, and names those whose demands it was.
