@@ -26,7 +26,8 @@ void tellAndLeave(int) {
 
 void blameCrashesOn(const std::string& file) {
   const std::string text =
-      "delassus: " + file + ": crashes Bullet or this program: the file is damaged, or one of them has an error\n";
+      "delassus: " + file +
+      ": crashes Bullet or this program: the file is damaged, or one of them has an error\n";
   length = std::min(text.size(), longest);
   std::memcpy(line, text.data(), length);
 

@@ -30,7 +30,7 @@ bool ProximalNewton<Motion>::growsInVain(const Problem& problem, double toleranc
   const double still = std::min(tolerance, map_->roundOff(r_));
   if (moved.cwiseAbs().maxCoeff() > std::max(still, 1e-6 * residual)) return false;
 
-  constexpr double impossible = 1e5, rounding = 64 * std::numeric_limits<double>::epsilon();
+  constexpr double impossible = 1e3, rounding = 64 * std::numeric_limits<double>::epsilon();
   const double energy =
       std::abs(d.dot(moved)) + rounding * d.cwiseAbs2().dot(scale_);  // that of W is known no finer
   const double asked = problem.q.cwiseAbs().cwiseQuotient(scale_.cwiseSqrt()).maxCoeff();
