@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "LinearMath/btScalar.h"
-#include "bullet_ext/body_table.h"
+#include "bullet_ext/address_table.h"
 #include "bullet_ext/contact_event.h"
 #include "bullet_ext/step_report.h"
 #include "delassus/articulation.h"
@@ -83,7 +83,7 @@ struct Group {
   Articulation articulation;                      ///< what an Extension has added
   std::vector<MultiBodyRowSource> multiBodyRows;  ///< the same, in the order of the rows
 
-  BodyTable indexOf;
+  AddressTable indexOf;
   std::vector<InfoRow> asked;  ///< of the joint that is being gathered
 
   void clear();

@@ -62,23 +62,23 @@ Memory::Owner Memory::ownerOf(const JointSource& joint, double impulse) {
   return {&constraint, &constraint.getRigidBodyA(), &constraint.getRigidBodyB(), impulse, 0, 0};
 }
 
-/// The entry of `wanted`, searched from where the last one was found: arrays keep most of their order between steps.
-const Memory::Owner* Memory::find(const std::vector<Owner>& owners, const Owner& wanted,
-                                  std::size_t& cursor) {
-  for (std::size_t k = 0; k < owners.size(); ++k) {
-    const std::size_t i = (cursor + k) % owners.size();
-    if (!owners[i].isSame(wanted)) continue;
-    cursor = i + 1;
-    return &owners[i];
-  }
-  return nullptr;
+void Memory::Owners::clear() {
+  list_.clear();
+  indexOf_.clear();
+  indexed_ = 0;
+}
+
+const Memory::Owner* Memory::Owners::find(const Owner& wanted) {
+  for (; indexed_ < list_.size(); ++indexed_)
+    indexOf_.insert(list_[indexed_].object, static_cast<int>(indexed_));
+  const int* index = indexOf_.find(wanted.object);
+  return index && list_[*index].isSame(wanted) ? &list_[*index] : nullptr;
 }
 
 void Memory::nextStep() {
   announced_ = true;
   std::swap(last_, now_);
   now_.clear();
-  manifoldCursor_ = turnerCursor_ = jointCursor_ = 0;
 }
 
 /// Gives each point that is fresh, or that is not, the nearest point of the last step that is left.
@@ -149,7 +149,8 @@ void Memory::keepWrench(Group& group, int begin, int end, const Owner& owner) co
   const Vec6 share = factor.solve(missing);
   bool inCones = true;
   for (int i = begin; i < end; ++i) inCones = add(i, share) && inCones;
-  constexpr int rounds = 20;
+  // A point that is alone has no others to leave it anything.
+  const int rounds = end - begin > 1 ? 20 : 0;
   for (int k = 0; k < rounds && !inCones; ++k)
     for (int i = begin; i < end; ++i) add(i, factor.solve(missing));
 }
@@ -158,8 +159,7 @@ void Memory::recallPoints(Group& group, int begin, int end) {
   int fresh = 0;
   for (int i = begin; i < end; ++i) fresh += isFresh(pointOf(group.contactSources[i]));
   if (fresh == 0) return;
-  const Owner* owner =
-      find(last_.manifolds, ownerOf(*group.contactSources[begin].manifold), manifoldCursor_);
+  const Owner* owner = last_.manifolds.find(ownerOf(*group.contactSources[begin].manifold));
   if (!owner) return;
   // Points that stayed claim their own past; what is left goes to the fresh ones.
   claim(group, begin, end, *owner, false);
@@ -191,7 +191,7 @@ void Memory::recall(Group& group) {
 
   group.rowGuess.assign(group.rows.size(), 0);
   for (const JointSource& joint : group.joints) {
-    const Owner* owner = find(last_.joints, ownerOf(joint, joint.lastImpulse), jointCursor_);
+    const Owner* owner = last_.joints.find(ownerOf(joint, joint.lastImpulse));
     // A limit or motor that came or went shifts the rows: then they start from zero.
     if (!owner || owner->end - owner->begin != joint.rowCount) continue;
     for (int i = 0; i < joint.rowCount; ++i)
@@ -218,7 +218,7 @@ void Memory::recallTurns(Group& group) {
       contact = group.rows[row].governor;
       if (group.contactSources[contact].manifold != manifold) {
         manifold = group.contactSources[contact].manifold;
-        owner = find(last_.turners, ownerOf(*manifold), turnerCursor_);
+        owner = last_.turners.find(ownerOf(*manifold));
       }
       turn = owner ? nearestTurn(*owner, armOf(group, group.contacts[contact])) : nullptr;
     }
@@ -234,10 +234,10 @@ void Memory::keepTurns(const Group& group, const Answer& answer) {
       contact = group.rows[row].governor;
       if (group.contactSources[contact].manifold != manifold) {
         manifold = group.contactSources[contact].manifold;
-        Owner& owner = now_.turners.emplace_back(ownerOf(*manifold));
+        Owner& owner = now_.turners.add(ownerOf(*manifold));
         owner.begin = owner.end = static_cast<int>(now_.turns.size());
       }
-      ++now_.turners.back().end;
+      ++now_.turners.last().end;
       now_.turns.push_back({armOf(group, group.contacts[contact]), Vec3::Zero()});
     }
     now_.turns.back().reaction[placeOf(group.rows, row)] = answer.rows[row];
@@ -255,7 +255,7 @@ void Memory::keep(const Group& group, const Answer& answer) {
       const Vec3& reaction = answer.contacts[i];
       now_.points.push_back({armOf(group, c), reaction, c.frame * reaction, false});
     }
-    Owner& owner = now_.manifolds.emplace_back(ownerOf(*group.contactSources[begin].manifold));
+    Owner& owner = now_.manifolds.add(ownerOf(*group.contactSources[begin].manifold));
     owner.begin = first;
     owner.end = first + end - begin;
   }
@@ -265,7 +265,7 @@ void Memory::keep(const Group& group, const Answer& answer) {
   for (const JointSource& joint : group.joints) {
     const auto first = static_cast<int>(now_.rows.size());
     for (int i = 0; i < joint.rowCount; ++i) now_.rows.push_back(answer.rows[joint.firstRow + i]);
-    Owner& owner = now_.joints.emplace_back(ownerOf(joint, writtenImpulse(joint, answer)));
+    Owner& owner = now_.joints.add(ownerOf(joint, writtenImpulse(joint, answer)));
     owner.begin = first;
     owner.end = first + joint.rowCount;
   }
@@ -276,8 +276,9 @@ std::size_t Memory::bytes() const {
   const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
   std::size_t sum = 0;
   for (const Step* step : {&last_, &now_})
-    sum += of(step->manifolds) + of(step->turners) + of(step->joints) + of(step->points) +
-           of(step->turns) + of(step->rows) + step->restless.capacity() * sizeof(void*);
+    sum += step->manifolds.bytes() + step->turners.bytes() + step->joints.bytes() +
+           of(step->points) + of(step->turns) + of(step->rows) +
+           step->restless.capacity() * sizeof(void*);
   return sum + restless_.bytes();
 }
 

@@ -43,13 +43,28 @@ class Memory {
     Vec3 impulse;   ///< the same in the world, N·s
     bool taken;     ///< by a point of this step
   };
+  /// Those of one kind.
+  class Owners {
+   public:
+    void clear();
+    Owner& add(const Owner& owner) { return list_.emplace_back(owner); }
+    Owner& last() { return list_.back(); }
+    /// The one that is the same as `wanted`, or null.
+    const Owner* find(const Owner& wanted);
+    std::size_t bytes() const { return list_.capacity() * sizeof(Owner) + indexOf_.bytes(); }
+
+   private:
+    std::vector<Owner> list_;
+    AddressTable indexOf_;  ///< of the first so many, by object: where all rests nobody asks
+    std::size_t indexed_ = 0;
+  };
   /// Of a contact that resists turning.
   struct Turn {
     Vec3 arm;       ///< as above
     Vec3 reaction;  ///< spinning, then rolling about its two axes, N·m·s
   };
   struct Step {
-    std::vector<Owner> manifolds, turners, joints;
+    Owners manifolds, turners, joints;
     std::vector<Point> points;
     std::vector<Turn> turns;
     std::vector<double> rows;
@@ -59,8 +74,6 @@ class Memory {
 
   static Owner ownerOf(const btPersistentManifold& manifold);
   static Owner ownerOf(const JointSource& joint, double impulse);
-  static const Owner* find(const std::vector<Owner>& owners, const Owner& wanted,
-                           std::size_t& cursor);
   void recallRestless(Group& group);
   void recallPoints(Group& group, int begin, int end);
   const Turn* nearestTurn(const Owner& owner, const Vec3& arm) const;
@@ -71,8 +84,7 @@ class Memory {
 
   bool announced_ = false;
   Step last_, now_;
-  BodyTable restless_;
-  std::size_t manifoldCursor_ = 0, turnerCursor_ = 0, jointCursor_ = 0;
+  AddressTable restless_;
 };
 
 }  // namespace delassus::bullet

@@ -28,9 +28,7 @@ void addReportCommand(CLI::App& app, Action& chosen) {
   command->add_option("--scenes", arguments->scenes, "which (default: those the report names)")
       ->delimiter(',')
       ->type_name("NAME,...");
-  command
-      ->add_option("--solvers", arguments->solvers,
-                   "which, as in 'run', or delassus/N: at most N regions and N sweeps")
+  command->add_option("--solvers", arguments->solvers, "which, as in 'run'")
       ->delimiter(',')
       ->type_name("NAME,...");
   command

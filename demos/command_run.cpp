@@ -188,7 +188,8 @@ void addRunCommand(CLI::App& app, Action& chosen) {
       ->type_name("SCENE|FILE.bullet");
   command
       ->add_option("--solver", arguments->solvers,
-                   "one or more, with commas between: delassus, delassus:TOL, si:N, si2:N, nncg:N, "
+                   "one or more, with commas between: delassus, delassus:TOL, delassus/N, si:N, "
+                   "si2:N, nncg:N, "
                    "dantzig, dantzig:CFM, lemke, pgs:N")
       ->type_name("NAME[,NAME]")
       ->capture_default_str();

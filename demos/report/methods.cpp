@@ -1,7 +1,6 @@
 #include "demos/report/methods.h"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 
 #include "bullet_ext/btDelassusConstraintSolver.h"
@@ -14,16 +13,6 @@ namespace demos::report {
 using delassus::Vec6;
 
 namespace {
-
-/// The budget in "delassus/N", or 0.
-int budgetIn(const std::string& name) {
-  const std::string start = "delassus/";
-  if (name.compare(0, start.size(), start) != 0) return 0;
-  int budget = 0;
-  const char* end = name.data() + name.size();
-  const auto [stop, error] = std::from_chars(name.data() + start.size(), end, budget);
-  return error == std::errc() && stop == end ? budget : 0;
-}
 
 /// The numbers of a MethodRun before the motion and the memory begin.
 constexpr std::size_t headLength = 12;
@@ -66,7 +55,7 @@ MethodRun unpacked(const std::vector<double>& numbers, std::size_t bodies) {
 std::vector<double> solveRepeatedly(const Method& method, const CapturedStep& step,
                                     const StepProblem& problem, const StepMemory& memory,
                                     const Timing& timing) {
-  NamedSolver named = method.build();
+  NamedSolver named(method.name);
   btContactSolverInfo info = *step.info;
   named.configure(info);
   writeMemory(step, memory);
@@ -126,17 +115,9 @@ std::vector<double> solveRepeatedly(const Method& method, const CapturedStep& st
 
 }  // namespace
 
-NamedSolver Method::build() const {
-  const int budget = budgetIn(name);
-  if (budget == 0) return NamedSolver(name);
-  delassus::Options options;
-  options.newtonBudget = options.sweepBudget = budget;
-  return NamedSolver(name, options);
-}
-
 Method methodNamed(const std::string& name) {
   Method method{name, name.substr(0, name.find_first_of(":/"))};
-  method.build();  // throws UnknownSolver now rather than in an hour
+  NamedSolver{name};  // throws UnknownSolver now rather than in an hour
   return method;
 }
 

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "delassus/options.h"
 #include "demos/report/step_problem.h"
 #include "demos/scenes/solvers.h"
 
@@ -12,11 +11,8 @@ namespace demos::report {
 
 /// One way to solve a step: a solver with its settings. Those of one family differ in how much work they do.
 struct Method {
-  std::string
-      name;  ///< as in `run`; "delassus/N" is delassus with a budget of N regions and N sweeps an island
+  std::string name;    ///< as in `run`
   std::string family;  ///< delassus, si, si2, nncg, pgs, dantzig or lemke
-
-  NamedSolver build() const;
 };
 
 Method methodNamed(const std::string& name);

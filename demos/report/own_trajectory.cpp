@@ -48,7 +48,7 @@ std::vector<double> live(const SceneDescription& scene, const Method& method, in
                          double secondsLimit) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  NamedSolver named = method.build();
+  NamedSolver named(method.name);
   const std::unique_ptr<World> world = scene.build();
   named.configure(world->dynamics().getSolverInfo());
   TimedSolver timed(named.solver());

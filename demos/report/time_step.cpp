@@ -79,7 +79,7 @@ std::vector<KnownMotion> knownMotions() {
 }
 
 std::vector<double> errorAt(const KnownMotion& known, const Method& method, double rate) {
-  NamedSolver named = method.build();
+  NamedSolver named(method.name);
   const std::unique_ptr<World> world = findScene(known.scene).build();
   const auto measure = known.measure(*world);
   named.configure(world->dynamics().getSolverInfo());

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "demos/scenes/builders.h"
@@ -7,6 +8,11 @@ namespace demos {
 namespace {
 
 const btVector3 unitBox = vec3(unitHalf, unitHalf, unitHalf);
+
+/// Ground beyond both ends of what is `length` long and stands in the middle.
+void addGroundUnder(World& world, double length) {
+  addGround(world, usualFriction, std::max(usualGround, length));
+}
 
 }  // namespace
 
@@ -48,7 +54,7 @@ std::unique_ptr<World> buildStack(int count, double topMass) {
 std::unique_ptr<World> buildPyramid(int base) {
   constexpr double spacing = 1.05;
   auto world = std::make_unique<World>();
-  addGround(*world);
+  addGroundUnder(*world, base * spacing);
   for (int row = 0; row < base; ++row)
     for (int i = 0; i < base - row; ++i) {
       const double x = (i - 0.5 * (base - row - 1)) * spacing;
@@ -61,7 +67,7 @@ std::unique_ptr<World> buildWall(int columns, int rows) {
   // A quarter brick of shift keeps the centre of every end brick over the brick below it.
   constexpr double length = 2, headJoint = 0.02, shift = length / 4;
   auto world = std::make_unique<World>();
-  addGround(*world);
+  addGroundUnder(*world, columns * (length + headJoint));
   for (int row = 0; row < rows; ++row)
     for (int i = 0; i < columns; ++i) {
       const double x = (i - 0.5 * (columns - 1)) * (length + headJoint) + (row % 2) * shift;

@@ -14,8 +14,11 @@ constexpr double usualFriction = 0.5;
 /// The default of all scenes: half size 0.5 m, 1 kg.
 constexpr double unitHalf = 0.5;
 
+/// Half the side of the ground of most scenes, m.
+constexpr double usualGround = 50;
+
 /// A slab whose upper face is the plane y = 0; `mu` is the friction that bodies of the same surface find on it.
-btRigidBody& addGround(World& world, double mu = usualFriction, double halfSize = 50);
+btRigidBody& addGround(World& world, double mu = usualFriction, double halfSize = usualGround);
 
 /// A box of `mass` kg centred at (x, y, z), with friction `mu` against its like.
 btRigidBody& addBox(World& world, const btVector3& halfSize, btScalar mass, const btTransform& pose,

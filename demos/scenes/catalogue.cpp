@@ -108,12 +108,12 @@ void addBoxScenes(std::vector<SceneDescription>& scenes) {
                     [] { return buildStack(10, 1000); }});
   scenes.push_back({"stack_40", "forty boxes one on the other", 10, seenFrom(30, 22, 55, 20),
                     "stands within 0.5 mm for 10 s", [] { return buildStack(40, 1); }});
-  for (const int base : {10, 20, 50}) {
+  for (const int base : {10, 20, 50, 100}) {
     const std::string count = std::to_string(base);
     scenes.push_back(
         {"pyramid_" + count,
          "flat pyramid of " + std::to_string(base * (base + 1) / 2) + " boxes on a row of " + count,
-         base == 50 ? 3.0 : 5.0, seenFrom(0.3 * base, 0.7 * base, 2 * base, 0.4 * base), "stands",
+         base >= 50 ? 3.0 : 5.0, seenFrom(0.3 * base, 0.7 * base, 2 * base, 0.4 * base), "stands",
          [base] { return buildPyramid(base); }});
   }
   scenes.push_back({"wall_20x10", "wall of 200 bricks of 2 kg, head joints open", 5,

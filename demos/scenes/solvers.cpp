@@ -6,6 +6,7 @@
 #include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
 #include <BulletDynamics/MLCPSolvers/btSolveProjectedGaussSeidel.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -18,11 +19,11 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& name) {
   throw UnknownSolver("there is no solver '" + name +
-                      "'; there are delassus, delassus:TOL, si:N, si2:N, nncg:N, dantzig, "
-                      "dantzig:CFM, lemke and pgs:N");
+                      "'; there are delassus, delassus:TOL, delassus/N, si:N, si2:N, "
+                      "nncg:N, dantzig, dantzig:CFM, lemke and pgs:N");
 }
 
-/// The name's part after the colon, as a count of at least one.
+/// The name's part after the mark, as a count of at least one.
 int countIn(const std::string& name, const std::string& argument) {
   int count = 0;
   const char* end = argument.data() + argument.size();
@@ -31,7 +32,7 @@ int countIn(const std::string& name, const std::string& argument) {
   return count;
 }
 
-/// The name's part after the colon, as a number greater than zero.
+/// The name's part after the mark, as a number greater than zero.
 double numberIn(const std::string& name, const std::string& argument) {
   char* stop = nullptr;
   const double number = std::strtod(argument.c_str(), &stop);
@@ -42,14 +43,22 @@ double numberIn(const std::string& name, const std::string& argument) {
 }  // namespace
 
 NamedSolver::NamedSolver(const std::string& name) : name_(name) {
-  const std::size_t colon = name.find(':');
-  const bool hasArgument = colon != std::string::npos;
-  const std::string kind = name.substr(0, colon);
-  const std::string argument = hasArgument ? name.substr(colon + 1) : "";
+  const std::size_t mark = name.find_first_of(":/");
+  const bool hasArgument = mark != std::string::npos;
+  const bool hasBudget = hasArgument && name[mark] == '/';
+  const std::string kind = name.substr(0, mark);
+  const std::string argument = hasArgument ? name.substr(mark + 1) : "";
+  if (hasBudget && kind != "delassus") refuse(name);
 
   if (kind == "delassus") {
+    constexpr int sweepsOfRegion = 20;  // what a region costs in small piles; more in large ones
     delassus::Options options;
-    if (hasArgument) options.tolerance = numberIn(name, argument);
+    if (hasBudget) {
+      options.sweepBudget = countIn(name, argument);
+      options.newtonBudget = std::max(1, options.sweepBudget / sweepsOfRegion);
+    } else if (hasArgument) {
+      options.tolerance = numberIn(name, argument);
+    }
     auto solver = std::make_unique<btDelassusConstraintSolver>(options);
     delassus_ = solver.get();
     solver_ = std::move(solver);

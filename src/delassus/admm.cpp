@@ -1,5 +1,6 @@
 /// Alternating directions, with the vectors of the walk: x is r_, y is center_, z is u_.
 #include <cmath>
+#include <limits>
 
 #include "delassus/proximal_newton.h"
 
@@ -30,8 +31,10 @@ void ProximalNewton<Motion>::alternateOnce(const Problem& problem) {
 template <class Motion>
 bool ProximalNewton<Motion>::alternate(const Problem& problem, double tolerance, int budget,
                                        Solution& best) {
-  constexpr int between = 5;    // iterations from one look at the residual to the next
-  constexpr int mostIdle = 12;  // looks at which it is not halved: then little more will come
+  constexpr int between = 5;  // iterations from one look at the residual to the next
+  // Looks at which its mean is not halved: then little more will come. The largest is no measure of that: it stays where it is
+  // while tall piles find out, layer by layer, what they carry.
+  constexpr int mostIdle = 24;
   if (budget < between) return false;
   setWeights(rho);
   const int n = problem.contacts();
@@ -45,22 +48,23 @@ bool ProximalNewton<Motion>::alternate(const Problem& problem, double tolerance,
   u_ = best.u;
   for (int i = 0; i < n; ++i)
     u_[3 * i] += problem.friction[i] * std::hypot(u_[3 * i + 1], u_[3 * i + 2]);
-  double mark = best.residual;
+  double mark = std::numeric_limits<double>::infinity();
   for (int k = 1, idle = 0; k <= budget && idle < mostIdle; ++k) {
     alternateOnce(problem);
     ++best.sweeps;
     if (k % between != 0) continue;
     problem.W.multiply(center_, felt_, trialU_);
     trialU_ += problem.q;
-    const double residual = map_->residual(center_, trialU_).max;
-    if (residual < best.residual) {
+    const NaturalResidual residual = map_->residual(center_, trialU_);
+    if (residual.max < best.residual) {
       best.r = center_;
       best.u = trialU_;
-      best.residual = residual;
+      best.residual = residual.max;
+      best.residualRms = residual.rms;
     }
     if (best.residual <= tolerance) return true;
     ++idle;
-    if (residual < 0.5 * mark) mark = residual, idle = 0;
+    if (residual.rms < 0.5 * mark) mark = residual.rms, idle = 0;
   }
   return false;
 }

@@ -318,6 +318,8 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
     setWeights(alpha);
     const Solution* region = fromRegion && outer == 0 ? &best : nullptr;
     if (solveProximal(problem, regionBudget, best, region) == Inner::Failed) {
+      // Where the budget ends, what is half done may be better than nothing.
+      if (regionBudget <= 0) moveTo(measure(problem), best);
       if (best.residual <= tolerance) return Outcome::Reached;
       if (fromRegion || regionBudget <= 0 || ++failures > mostFailures || alpha >= largest)
         return Outcome::Lost;

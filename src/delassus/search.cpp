@@ -36,6 +36,10 @@ bool hasOneRegion(const Problem& problem) {
 }
 
 constexpr double unknownRegion = 1e-1;  ///< proximal weight
+constexpr int alternations = 300;       ///< what brings a large pile to rest
+
+/// With so few sweeps none are to be lost on what may gain nothing.
+bool isHurried(const Options& options) { return options.sweepBudget < alternations; }
 
 /// How far a walk from here must look, by what is left to correct; at least `least`.
 double proximalWeight(const Problem& problem, const Solution& from, double least) {
@@ -121,12 +125,18 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
   // Shares of the demands that the last reactions leave open.
   constexpr double disturbed = 1e-3, nearly = 1e-6;
   constexpr int fewRegions = 8, firstTry = 16, proof = 90, interiorSteps = 40, secondTry = 400;
-  constexpr int alternations = 300;
   const double demand = problem.q.cwiseAbs().maxCoeff();
   const double aim = keptShare * tolerance;
   const auto settled = [](Outcome outcome) { return outcome != Outcome::Lost; };
   const auto left = [&](int most) { return std::min(most, options.newtonBudget - best.regions); };
 
+  const bool hurried = isHurried(options);
+  // What so few regions can do: settle a small island or a pile that keeps most of its region, but no heap.
+  const int least = isHeap(problem) ? firstTry : 1;
+  if (hurried && left(least) < least) {
+    sweepAll(problem, options, aim, best);
+    return best.residual <= tolerance ? Outcome::Reached : Outcome::Lost;
+  }
   ProximalNewton<Motion>& newton = engines.walk;
   newton.setProblem(problem, map_);
   newton.keepFactors(options.economies.factors);
@@ -136,7 +146,8 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
     return Outcome::Reached;
   };
   const auto alternate = [&] {
-    return newton.alternate(problem, aim, std::min(alternations, options.sweepBudget - best.sweeps),
+    return !hurried &&
+           newton.alternate(problem, aim, std::min(alternations, options.sweepBudget - best.sweeps),
                             best);
   };
   Outcome outcome;
@@ -151,7 +162,10 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
   } else if (!guess && alternate()) {
     return finish();
   }
-  if (best.residual > disturbed * demand && isHeap(problem)) {
+  if (hurried) {
+    sweepAll(problem, options, aim, best);
+    if (best.residual <= tolerance) return Outcome::Reached;
+  } else if (best.residual > disturbed * demand && isHeap(problem)) {
     settle(problem, options, aim, best);
     newton.setProblem(problem, map_);  // patches were at work here
     if (best.residual <= tolerance) return finish();
@@ -254,7 +268,8 @@ void Search::polishWith(Engines<Motion>& engines, const Problem& problem, const 
 template <class Motion>
 Outcome Search::walkTwice(Engines<Motion>& engines, const Problem& problem, const Options& options,
                           double tolerance, const VectorXd* guess, Solution& best) {
-  if (!guess) return walkOnce(engines, problem, options, tolerance, nullptr, best);
+  if (!guess || isHurried(options))
+    return walkOnce(engines, problem, options, tolerance, guess, best);
   Options share = options;
   share.newtonBudget -= 3 * options.newtonBudget / 8;
   share.sweepBudget -= options.sweepBudget / 2;

@@ -82,6 +82,7 @@ class Search {
   void polishWith(Engines<Motion>& engines, const Problem& problem, const Options& options,
                   double aim, Solution& best);
   void settle(const Problem& problem, const Options& options, double tolerance, Solution& best);
+  void sweepAll(const Problem& problem, const Options& options, double tolerance, Solution& best);
   void sweepWhileItGains(const Problem& problem, const Options& options, double tolerance,
                          Solution& best);
   void findPatches(const Problem& problem, double tolerance, double outstanding,

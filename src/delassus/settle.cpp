@@ -8,6 +8,21 @@
 
 namespace delassus {
 
+/// All sweeps that there are, one after the other, whether or not they gain: the best of them is at least as good as sequential
+/// impulses that stop there.
+void Search::sweepAll(const Problem& problem, const Options& options, double tolerance,
+                      Solution& best) {
+  constexpr int burst = 10;
+  trial_.r = best.r;
+  machines_->sweeps.setProblem(problem);
+  while (best.sweeps < options.sweepBudget && best.residual > tolerance) {
+    const int count = std::min(burst, options.sweepBudget - best.sweeps);
+    machines_->sweeps.sweep(problem, count, trial_.r);
+    best.sweeps += count;
+    consider(problem, trial_, best);
+  }
+}
+
 void Search::sweepWhileItGains(const Problem& problem, const Options& options, double tolerance,
                                Solution& best) {
   constexpr int burst = 20;

@@ -120,7 +120,7 @@ std::vector<double> live(const Sweep& sweep, double value, const Method& method,
   const double start = processorSeconds();
   Trial trial = sweep.build(value);
   World& world = *trial.world;
-  NamedSolver named = method.build();
+  NamedSolver named(method.name);
   const btScalar cfm = world.dynamics().getSolverInfo().m_globalCfm;
   named.configure(world.dynamics().getSolverInfo());
   TimedSolver timed(named.solver());

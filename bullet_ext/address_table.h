@@ -4,16 +4,14 @@
 #include <cstdint>
 #include <vector>
 
-class btCollisionObject;
-
 namespace delassus::bullet {
 
-/// The index that each object of a group has been given, for look-up only: nothing follows the
+/// The index that each object (a body of a group, a manifold, a joint) has been given, for look-up only: nothing follows the
 /// order of addresses.
 ///
 /// A table of its own, since the scratch number that Bullet keeps in an object is shared by threads
 /// where the object is a kinematic body. Open addressing; allocates only when it grows.
-class BodyTable {
+class AddressTable {
  public:
   /// Forgets all objects.
   void clear() {
@@ -22,30 +20,31 @@ class BodyTable {
   }
 
   /// The index of `object`, or null if it has none.
-  const int* find(const btCollisionObject* object) const {
+  const int* find(const void* object) const {
     if (slots_.empty()) return nullptr;
     const Slot& slot = slots_[place(object)];
     return slot.generation == generation_ ? &slot.index : nullptr;
   }
 
-  /// Gives an index to an object that has none.
-  void insert(const btCollisionObject* object, int index) {
+  /// Gives an index to an object, in the place of the one that it may have.
+  void insert(const void* object, int index) {
     if (2 * (count_ + 1) > slots_.size()) grow();
-    slots_[place(object)] = {object, generation_, index};
-    ++count_;
+    Slot& slot = slots_[place(object)];
+    count_ += slot.generation != generation_;
+    slot = {object, generation_, index};
   }
 
   std::size_t bytes() const { return slots_.capacity() * sizeof(Slot); }
 
  private:
   struct Slot {
-    const btCollisionObject* object = nullptr;
+    const void* object = nullptr;
     std::uint64_t generation = 0;  ///< taken if it is that of the table
     int index = 0;
   };
 
   /// Where the object is, or the free slot where it would be. At least half of the slots are free.
-  std::size_t place(const btCollisionObject* object) const {
+  std::size_t place(const void* object) const {
     const std::size_t mask = slots_.size() - 1;
     // Fibonacci hashing: the golden ratio spreads addresses that differ by multiples of a size.
     std::size_t i = (reinterpret_cast<std::uintptr_t>(object) * 0x9E3779B97F4A7C15u >> 32) & mask;

@@ -1,0 +1,50 @@
+/// A budget is never spent in vain: what it buys is at least what stock's sequential impulses make of the same step with as
+/// many sweeps.
+#include <gtest/gtest.h>
+
+#include "demos/scenes/catalogue.h"
+#include "demos/scenes/judge.h"
+#include "demos/scenes/solvers.h"
+
+namespace demos {
+namespace {
+
+/// The verdict on the solver called `name` in the step after `steps` exact ones: all see the same world and the same
+/// impulses of the step before.
+Verdict judgeStep(const SceneDescription& scene, int steps, const std::string& name) {
+  const auto world = scene.build();
+  NamedSolver exact("delassus"), tried(name);
+  world->setSolver(exact.solver());
+  for (int i = 0; i < steps; ++i) world->step(1 / scene.hz);
+  JudgedSolver judged(tried.solver(), world->dynamics().getSolverInfo().m_globalCfm);
+  tried.configure(world->dynamics().getSolverInfo());
+  world->setSolver(judged);
+  world->step(1 / scene.hz);
+  const Verdict verdict = judged.takeVerdict();
+  world->setSolver(exact.solver());
+  return verdict;
+}
+
+class Anytime : public testing::TestWithParam<const char*> {};
+
+TEST_P(Anytime, isNoWorseThanSequentialImpulsesWithAsManySweeps) {
+  constexpr double rounding = 1e-9, alike = 1.1;
+  const SceneDescription& scene = findScene(GetParam());
+  for (const int steps : {0, 1, 30, 60})
+    for (const int sweeps : {10, 30, 100}) {
+      const std::string budget = std::to_string(sweeps);
+      const Verdict ours = judgeStep(scene, steps, "delassus/" + budget);
+      const Verdict stock = judgeStep(scene, steps, "si:" + budget);
+      EXPECT_LE(ours.rms(), alike * stock.rms() + rounding) << steps << " steps, " << sweeps;
+      EXPECT_LE(ours.max, alike * stock.max + rounding) << steps << " steps, " << sweeps;
+    }
+}
+
+// Not the first step of `incline`: where all of a body slides one way, stock's friction along that line is the easier law.
+INSTANTIATE_TEST_SUITE_P(catalogue, Anytime,
+                         testing::Values("stack_10", "stack_10_heavy_top", "pyramid_10", "arch",
+                                         "card_house", "box_headings", "domino_run", "gripper",
+                                         "ragdolls", "heavy_ball_chain", "wall_and_ball"));
+
+}  // namespace
+}  // namespace demos
