@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing, with sudo when not root. Usage: setup.sh [tests] [checks] [fuzz]
-# Always those that build the libraries and the command; `tests`, `checks` and `fuzz` (libFuzzer) add theirs.
+# Installs the Debian packages that are missing, with sudo when not root. Usage: setup.sh [tests] [checks] [fuzz] [peers]
+# Always those that build the libraries and the command; `tests`, `checks`, `fuzz` (libFuzzer) and `peers` (the benchmark
+# against the solvers of others) add theirs.
 set -euo pipefail
 
 packages=(g++ cmake ninja-build pkg-config libeigen3-dev libbullet-dev libbullet-extras-dev libcli11-dev
@@ -11,7 +12,8 @@ for group in "$@"; do
     tests) packages+=(libgtest-dev libgmock-dev) ;;
     checks) packages+=(clang-format clang-tidy python3) ;;
     fuzz) packages+=(clang libclang-rt-14-dev) ;;
-    *) echo "setup.sh: no group '$group'; there are tests, checks and fuzz" >&2; exit 2 ;;
+    peers) packages+=(libsiconos-numerics-dev) ;;
+    *) echo "setup.sh: no group '$group'; there are tests, checks, fuzz and peers" >&2; exit 2 ;;
   esac
 done
 

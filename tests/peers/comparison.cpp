@@ -1,0 +1,125 @@
+#include "tests/peers/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/peers/measured.h"
+#include "tests/peers/ours.h"
+
+namespace delassus::peers {
+
+namespace {
+
+using demos::report::Ending;
+
+/// A peer in the form in which it was seen to reach the tolerance.
+struct Candidate {
+  std::string name;
+  Contestant contestant;
+  double seconds;
+};
+
+/// How a peer fared in one storage.
+struct Trial {
+  std::optional<Candidate> candidate;
+  Ending ending = Ending::Done;  ///< of the last solve
+};
+
+/// The coarsest of the peer's own tolerances with which it meets ours: a finer one walks the same way and further.
+Trial findTolerance(const Problem& problem, const Peer& peer, const std::string& storage,
+                    double tolerance, double secondsLimit) {
+  constexpr int coarsest = 4, finest = 14;  // decades
+  constexpr double glance = 2e-3;           // seconds of repeats: this only chooses who has turns
+  for (int decade = coarsest; decade <= finest; ++decade) {
+    const Contestant contestant = peer.with(storage, std::pow(10.0, -decade));
+    const Measured measured = measure(problem, contestant, secondsLimit, glance);
+    if (measured.meets(tolerance))
+      return {Candidate{peer.name + ", " + storage, contestant, median(measured.seconds)}};
+    // What it cannot reach, or not in time, it cannot exceed.
+    if (measured.ending != Ending::Done || !measured.satisfied) return {{}, measured.ending};
+  }
+  return {};
+}
+
+std::optional<Candidate> findStorage(const Problem& problem, const Peer& peer,
+                                     const Conditions& conditions) {
+  std::optional<Candidate> best;
+  for (const std::string& storage : peer.storages(problem)) {
+    // From here on a storage is of use only if it is faster; a process apart takes some time of its own.
+    constexpr double overhead = 0.5;  // seconds
+    const double secondsLimit = best ? std::min(conditions.secondsLimit, best->seconds + overhead)
+                                     : conditions.secondsLimit;
+    const auto [found, ending] =
+        findTolerance(problem, peer, storage, conditions.tolerance, secondsLimit);
+    if (found && (!best || found->seconds < best->seconds)) best = found;
+    // It loses its way whatever the storage, and not for want of a few seconds.
+    if (!best && ending == Ending::TimeLimit) break;
+  }
+  return best;
+}
+
+/// Those that may turn out to be the fastest, when they have turns with us.
+std::vector<Candidate> chooseFinalists(std::vector<Candidate> candidates) {
+  constexpr double nearlyAsFast = 1.5;
+  constexpr std::size_t most = 3;
+  std::sort(candidates.begin(), candidates.end(),
+            [](const Candidate& a, const Candidate& b) { return a.seconds < b.seconds; });
+  while (candidates.size() > most ||
+         (!candidates.empty() &&
+          candidates.back().seconds > nearlyAsFast * candidates.front().seconds))
+    candidates.pop_back();
+  return candidates;
+}
+
+/// Median seconds of each; nothing of one that missed the tolerance in any of its turns. In turn, so that what else the machine
+/// does hits them alike.
+std::vector<std::optional<double>> takeTurns(const Problem& problem,
+                                             const std::vector<Contestant>& contestants,
+                                             const Conditions& conditions) {
+  constexpr double turn = 0.02, enough = 2;  // seconds
+  constexpr int mostRounds = 15;
+  std::vector<std::vector<double>> seconds(contestants.size());
+  std::vector<bool> missed(contestants.size());
+  double spent = 0;
+  for (int round = 0; round < mostRounds && spent < enough; ++round)
+    for (std::size_t i = 0; i < contestants.size(); ++i) {
+      if (missed[i]) continue;
+      const Measured measured = measure(problem, contestants[i], conditions.secondsLimit, turn);
+      missed[i] = !measured.meets(conditions.tolerance);
+      spent += measured.secondsInAll;
+      if (!missed[i]) seconds[i].push_back(median(measured.seconds));
+    }
+  std::vector<std::optional<double>> medians(contestants.size());
+  for (std::size_t i = 0; i < contestants.size(); ++i)
+    if (!missed[i]) medians[i] = median(seconds[i]);
+  return medians;
+}
+
+}  // namespace
+
+Comparison compare(const Problem& problem, const std::vector<Peer>& peers,
+                   const Conditions& conditions) {
+  std::vector<Candidate> candidates;
+  for (const Peer& peer : peers)
+    if (const auto found = findStorage(problem, peer, conditions)) candidates.push_back(*found);
+
+  Comparison comparison;
+  comparison.problem = problem.name;
+  comparison.contacts = problem.contacts();
+  comparison.peersThatReach = int(candidates.size());
+
+  const std::vector<Candidate> finalists = chooseFinalists(std::move(candidates));
+  std::vector<Contestant> contestants{ours(conditions.tolerance)};
+  for (const Candidate& finalist : finalists) contestants.push_back(finalist.contestant);
+  const auto medians = takeTurns(problem, contestants, conditions);
+
+  comparison.ours = medians.front();
+  for (std::size_t i = 0; i < finalists.size(); ++i) {
+    const auto& seconds = medians[i + 1];
+    if (seconds && (!comparison.best || *seconds < comparison.best->seconds))
+      comparison.best = BestPeer{finalists[i].name, *seconds};
+  }
+  return comparison;
+}
+
+}  // namespace delassus::peers

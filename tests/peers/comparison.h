@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/peers/contestant.h"
+
+namespace delassus::peers {
+
+struct Conditions {
+  double tolerance = 1e-8;   ///< what both published measures have to reach
+  double secondsLimit = 20;  ///< of a single solve, by the clock
+};
+
+/// The fastest of the peers that reach the tolerance.
+struct BestPeer {
+  std::string name;  ///< with its storage: "PROX, dense"
+  double seconds;
+};
+
+/// One problem: our solver and the peers, in turn.
+struct Comparison {
+  std::string problem;
+  int contacts = 0;
+  std::optional<double> ours;    ///< seconds; nothing if we miss the tolerance
+  std::optional<BestPeer> best;  ///< nothing if all of them do
+  int peersThatReach = 0;
+
+  bool faster() const { return ours && (!best || *ours < best->seconds); }
+};
+
+Comparison compare(const Problem& problem, const std::vector<Peer>& peers,
+                   const Conditions& conditions);
+
+}  // namespace delassus::peers

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "demos/report/child.h"
+#include "tests/peers/contestant.h"
+
+namespace delassus::peers {
+
+/// One contestant on one problem, as the judge of all of them saw it.
+struct Measured {
+  demos::report::Ending ending = demos::report::Ending::Crashed;
+  double rel = 0, vel = 0;      ///< as `delassus solve` measures them
+  bool satisfied = false;       ///< the solver says that it has reached what it was asked for
+  std::vector<double> seconds;  ///< of the processor, of single solves
+  double secondsInAll = 0;      ///< of the clock, with all that is around them
+
+  bool meets(double tolerance) const;
+};
+
+double median(std::vector<double> numbers);
+
+/// Solves in a process apart, where a crash or an endless loop costs nothing else, and there again and again from rest for so
+/// long as `repeatFor` seconds.
+Measured measure(const Problem& problem, const Contestant& contestant, double secondsLimit,
+                 double repeatFor);
+
+}  // namespace delassus::peers

@@ -1,0 +1,56 @@
+#include "tests/peers/page.h"
+
+#include "demos/report/markdown.h"
+#include "demos/table.h"
+#include "tests/peers/measured.h"
+
+namespace delassus::peers {
+
+namespace {
+
+using demos::shortNumber;
+
+/// Two digits, never as a power.
+std::string shortRatio(double value) { return demos::report::shortMs(value); }
+
+std::string milliseconds(double seconds) { return demos::report::shortMs(1000 * seconds); }
+
+double ratio(const Comparison& comparison) { return *comparison.ours / comparison.best->seconds; }
+
+std::string bold(const std::string& words) { return "**" + words + "**"; }
+
+}  // namespace
+
+std::string tableHeading(int peers) {
+  return "| problem | contacts | delassus, ms | best peer, ms | delassus / peer | of " +
+         std::to_string(peers) + " peers reach it |\n|---|--:|--:|--:|--:|--:|\n";
+}
+
+std::string tableRow(const Comparison& comparison) {
+  const auto& [problem, contacts, ours, best, peersThatReach] = comparison;
+  const std::string peer =
+      best ? milliseconds(best->seconds) + " (" + best->name + ")" : "not solved";
+  const std::string ratioWord = ours && best ? shortRatio(ratio(comparison)) : ours ? "alone" : "–";
+  return "| " + problem + " | " + std::to_string(contacts) + " | " +
+         (ours ? milliseconds(*ours) : "not solved") + " | " + peer + " | " +
+         (comparison.faster() ? bold(ratioWord) : ratioWord) + " | " +
+         std::to_string(peersThatReach) + " |\n";
+}
+
+std::string summary(const std::vector<Comparison>& comparisons, const Conditions& conditions) {
+  int solved = 0, faster = 0;
+  std::vector<double> ratios;
+  for (const Comparison& comparison : comparisons) {
+    solved += comparison.ours ? 1 : 0;
+    faster += comparison.faster() ? 1 : 0;
+    if (comparison.ours && comparison.best) ratios.push_back(ratio(comparison));
+  }
+  const std::string medianRatio = ratios.empty() ? "–" : shortRatio(median(ratios));
+  return "Of " + std::to_string(comparisons.size()) + " problems, to " +
+         shortNumber(conditions.tolerance) + " in both rel and vel, " +
+         shortNumber(conditions.secondsLimit) + " s a solve at most: delassus solves " +
+         std::to_string(solved) + " and is faster than the best peer, or alone, on " +
+         std::to_string(faster) + "; median ratio " + medianRatio + ".\n";
+}
+
+}  // namespace delassus::peers

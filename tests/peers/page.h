@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/peers/comparison.h"
+
+namespace delassus::peers {
+
+/// The comparisons as a table of Markdown, line by line, so that it can be watched as it grows.
+std::string tableHeading(int peers);
+std::string tableRow(const Comparison& comparison);
+
+/// On how many problems we are solved, and faster, and by how much.
+std::string summary(const std::vector<Comparison>& comparisons, const Conditions& conditions);
+
+}  // namespace delassus::peers
