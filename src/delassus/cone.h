@@ -16,6 +16,26 @@ inline Vec3 projectOnCone(const Vec3& x, double mu) {
   return {n, scale * x[1], scale * x[2]};
 }
 
+/// P(z), Coulomb's law as Alart and Curnier (1991) put it: z_n on [0, ∞), then z_t on the disk of radius μ r_n; and if asked
+/// its derivative dr/dz.
+inline Vec3 reactionTo(const Vec3& z, double mu, Mat3* derivative) {
+  if (z[0] <= 0) {
+    if (derivative) derivative->setZero();
+    return Vec3::Zero();
+  }
+  const double zt = std::hypot(z[1], z[2]), radius = mu * z[0];
+  if (zt <= radius) {
+    if (derivative) derivative->setIdentity();
+    return z;
+  }
+  const double c = z[1] / zt, s = z[2] / zt, turn = radius / zt;
+  if (derivative)
+    *derivative << 1, 0, 0,                   //
+        mu * c, turn * s * s, -turn * s * c,  //
+        mu * s, -turn * s * c, turn * c * c;
+  return {z[0], radius * c, radius * s};
+}
+
 /// De Saxcé's corrected velocity u + μ‖u_t‖ n: with it Coulomb's law reads K_μ ∋ r ⟂ corrected ∈ K_μ*.
 inline Vec3 correctedVelocity(const Vec3& u, double mu) {
   return {u[0] + mu * std::hypot(u[1], u[2]), u[1], u[2]};

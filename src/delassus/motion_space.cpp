@@ -212,6 +212,14 @@ bool FactoredMotion::factorise(const Stiffness& G) {
         G.disks[k].governor.topLeftCorner(answering, governing) *
             J_.middleRows(disk.governor, governing);
   }
+  symmetric_ = G.isSymmetric();
+  if (symmetric_) {
+    K_.resize(J_.cols(), J_.cols());
+    K_.triangularView<Eigen::Lower>() = J_.transpose() * GJ_;
+    K_.diagonal().array() += 1;
+    cholesky_.compute(K_);
+    return cholesky_.info() == Eigen::Success;
+  }
   K_.noalias() = J_.transpose() * GJ_;
   K_.diagonal().array() += 1;
   lu_.compute(K_);

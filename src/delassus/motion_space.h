@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <vector>
 
@@ -88,14 +89,21 @@ class FactoredMotion {
     u.noalias() = J_ * y;
   }
   bool factorise(const Stiffness& G);
-  void solve(VectorXd& y) const { y = lu_.solve(y).eval(); }
-  /// The factor is as large as K_.
-  std::size_t bytes() const { return bytesOf(J_, GJ_, K_, K_); }
+  void solve(VectorXd& y) const {
+    if (symmetric_)
+      cholesky_.solveInPlace(y);
+    else
+      y = lu_.solve(y).eval();
+  }
+  /// The factors are as large as K_.
+  std::size_t bytes() const { return bytesOf(J_, GJ_, K_, K_, K_); }
 
  private:
   const std::vector<Disk>* disks_ = nullptr;
   MatrixXd J_, GJ_, K_;
   Eigen::PartialPivLU<MatrixXd> lu_;
+  Eigen::LLT<MatrixXd> cholesky_;
+  bool symmetric_ = false;
 };
 
 }  // namespace delassus

@@ -7,6 +7,8 @@
 #include "delassus/options.h"
 #include "delassus/residual.h"
 
+#include "delassus/cone.h"
+
 namespace delassus {
 
 template <class Motion>
@@ -63,24 +65,8 @@ void ProximalNewton<Motion>::respond(const Problem& problem, const VectorXd& u, 
     const double mu = problem.friction[i];
     const Vec3 l = l_.segment<3>(at);
     const Vec3 z = center_.segment<3>(at) - l.cwiseProduct(u.segment<3>(at));
-    const double zt = std::hypot(z[1], z[2]), radius = mu * z[0];
-    auto r = r_.segment<3>(at);
-    if (z[0] <= 0) {
-      r.setZero();
-      if (G) G->contacts[i].setZero();
-    } else if (zt <= radius) {
-      r = z;
-      if (G) G->contacts[i] = l.asDiagonal();
-    } else {
-      const double c = z[1] / zt, s = z[2] / zt;
-      r = Vec3(z[0], radius * c, radius * s);
-      if (G) {
-        const double turn = radius / zt * l[1];
-        G->contacts[i] << l[0], 0, 0,                    //
-            mu * l[0] * c, turn * s * s, -turn * s * c,  //
-            mu * l[0] * s, -turn * s * c, turn * c * c;
-      }
-    }
+    r_.segment<3>(at) = reactionTo(z, mu, G ? &G->contacts[i] : nullptr);
+    if (G) G->contacts[i] *= l.asDiagonal();
   }
   for (int i = 0; i < m; ++i) {
     const int at = 3 * n + i;

@@ -243,8 +243,8 @@ Outcome Search::wander(Engines<Motion>& engines, const Problem& problem, const O
     if (outcome != Outcome::Lost) return outcome;
 
     const int count = sweepsLeft(length);
-    machines_->sweeps.setProblem(problem);
-    machines_->sweeps.sweep(problem, count, wandering_.r);
+    machines().sweeps.setProblem(problem);
+    machines().sweeps.sweep(problem, count, wandering_.r);
     best.sweeps += count;
     consider(problem, wandering_, best);
     outcome =
@@ -298,19 +298,22 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Problem& problem, cons
 
 Outcome Search::walk(const Problem& problem, const Options& options, double tolerance,
                      const VectorXd* guess, Solution& best) {
+  if (DenseNewton::fits(problem, map_) &&
+      machines().dense.solve(problem, map_, tolerance, options.newtonBudget, best))
+    return Outcome::Reached;
   const Outcome outcome =
       problem.W.inBodySpace()
-          ? walkTwice(machines_->bodies, problem, options, tolerance, guess, best)
-          : walkTwice(machines_->factored, problem, options, tolerance, guess, best);
+          ? walkTwice(machines().bodies, problem, options, tolerance, guess, best)
+          : walkTwice(machines().factored, problem, options, tolerance, guess, best);
   allow(problem, best);
   return outcome;
 }
 
 void Search::polish(const Problem& problem, const Options& options, double aim, Solution& best) {
   if (problem.W.inBodySpace())
-    polishWith(machines_->bodies, problem, options, aim, best);
+    polishWith(machines().bodies, problem, options, aim, best);
   else
-    polishWith(machines_->factored, problem, options, aim, best);
+    polishWith(machines().factored, problem, options, aim, best);
   allow(problem, best);
 }
 

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "delassus/dense_newton.h"
 #include "delassus/interior_point.h"
 #include "delassus/options.h"
 #include "delassus/patches.h"
@@ -17,7 +18,7 @@ namespace delassus {
 /// so far is `best`; nothing is lost that was better. Storage is used again.
 class Search {
  public:
-  Search() : own_(std::make_unique<Machines>()), machines_(own_.get()) {}
+  Search() = default;
 
   /// Before all else.
   void setProblem(const Problem& problem) { map_.setProblem(problem); }
@@ -57,12 +58,23 @@ class Search {
     std::size_t bytes() const { return walk.bytes() + interior.bytes(); }
   };
   struct Machines {
+    DenseNewton dense;
     Sweeps sweeps;
     Engines<BodyMotion> bodies;
     Engines<FactoredMotion> factored;
-    std::size_t bytes() const { return sweeps.bytes() + bodies.bytes() + factored.bytes(); }
+    std::size_t bytes() const {
+      return dense.bytes() + sweeps.bytes() + bodies.bytes() + factored.bytes();
+    }
   };
 
+  /// Made when they are needed first: a problem that a formula answers needs none.
+  Machines& machines() {
+    if (!machines_) {
+      own_ = std::make_unique<Machines>();
+      machines_ = own_.get();
+    }
+    return *machines_;
+  }
   /// For the patches of another search: it takes turns with that one.
   explicit Search(Machines& machines) : machines_(&machines) {}
 
@@ -99,7 +111,7 @@ class Search {
 
   NaturalMap map_;
   std::unique_ptr<Machines> own_;  ///< none in a search for patches
-  Machines* machines_;
+  Machines* machines_ = nullptr;
   Solution trial_, wandering_, cold_;
   VectorXd felt_;
 

@@ -14,10 +14,10 @@ void Search::sweepAll(const Problem& problem, const Options& options, double tol
                       Solution& best) {
   constexpr int burst = 10;
   trial_.r = best.r;
-  machines_->sweeps.setProblem(problem);
+  machines().sweeps.setProblem(problem);
   while (best.sweeps < options.sweepBudget && best.residual > tolerance) {
     const int count = std::min(burst, options.sweepBudget - best.sweeps);
-    machines_->sweeps.sweep(problem, count, trial_.r);
+    machines().sweeps.sweep(problem, count, trial_.r);
     best.sweeps += count;
     consider(problem, trial_, best);
   }
@@ -28,12 +28,12 @@ void Search::sweepWhileItGains(const Problem& problem, const Options& options, d
   constexpr int burst = 20;
   constexpr double gain = 0.7;
   double before = std::numeric_limits<double>::infinity();
-  machines_->sweeps.setProblem(problem);
+  machines().sweeps.setProblem(problem);
   while (best.residual < gain * before && best.residual > tolerance &&
          best.sweeps + burst <= options.sweepBudget) {
     before = best.residual;
     trial_.r = best.r;
-    machines_->sweeps.sweep(problem, burst, trial_.r);
+    machines().sweeps.sweep(problem, burst, trial_.r);
     best.sweeps += burst;
     consider(problem, trial_, best);
   }
@@ -52,11 +52,11 @@ void Search::settle(const Problem& problem, const Options& options, double toler
   double lowest = std::numeric_limits<double>::infinity();
   for (int failures = 0; failures < patience;) {
     double before;
-    machines_->sweeps.setProblem(problem);  // since patches may have been swept
+    machines().sweeps.setProblem(problem);  // since patches may have been swept
     do {
       if (best.sweeps + burst > options.sweepBudget) return;
       before = trial_.residualRms;
-      machines_->sweeps.sweepOn(problem, burst, memory, trial_.r);
+      machines().sweeps.sweepOn(problem, burst, memory, trial_.r);
       best.sweeps += burst;
       consider(problem, trial_, best);
       if (best.residual <= tolerance) return;
@@ -99,7 +99,7 @@ bool Search::mendPatches(const Problem& problem, const Options& options, double 
   const int parts = problem.contacts() + problem.rows();
   if (!own_ || parts <= fewParts || !problem.W.inBodySpace()) return false;
   findPatches(problem, tolerance, outstanding, unsettled);
-  if (!patchSearch_) patchSearch_.reset(new Search(*machines_));
+  if (!patchSearch_) patchSearch_.reset(new Search(machines()));
   double regions = 0, factorisations = 0, sweeps = 0;
   int mended = 0;
   for (int k = 0; k < patches_.count(); ++k) {

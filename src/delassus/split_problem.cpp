@@ -39,7 +39,10 @@ std::vector<ProblemPart> splitProblem(const Problem& problem) {
 
   for (ProblemPart& part : parts) {
     const int count = static_cast<int>(part.unknowns.size());
-    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::Index most = 0;  // of entries
+    for (const int i : part.unknowns) most += W.outerIndexPtr()[i + 1] - W.outerIndexPtr()[i];
+    DelassusMatrix::Sparse Wp(count, count);
+    Wp.reserve(most);
     Problem& p = part.problem;
     p.name = problem.name;
     p.q.resize(count);
@@ -52,8 +55,9 @@ std::vector<ProblemPart> splitProblem(const Problem& problem) {
         lower.push_back(problem.lower[i - 3 * n]);
         upper.push_back(problem.upper[i - 3 * n]);
       }
+      Wp.startVec(k);
       for (DelassusMatrix::Sparse::InnerIterator it(W, i); it; ++it)
-        if (partOf[it.col()] == partOf[i]) entries.emplace_back(k, place[it.col()], it.value());
+        if (partOf[it.col()] == partOf[i]) Wp.insertBack(k, place[it.col()]) = it.value();
     }
     const auto vector = [](const std::vector<double>& x) {
       return VectorXd(
@@ -62,8 +66,7 @@ std::vector<ProblemPart> splitProblem(const Problem& problem) {
     p.friction = vector(friction);
     p.lower = vector(lower);
     p.upper = vector(upper);
-    DelassusMatrix::Sparse Wp(count, count);
-    Wp.setFromTriplets(entries.begin(), entries.end());
+    Wp.finalize();
     p.W = DelassusMatrix(Wp);
   }
   return parts;
