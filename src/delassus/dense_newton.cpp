@@ -83,17 +83,19 @@ bool DenseNewton::solve(const Problem& problem, const NaturalMap& map, double to
     }
     r_.swap(trialR_);
     u_.swap(trialU_);
-    feasible_ = r_;
-    makeFeasible(problem, feasible_);
+    if (!(map.residual(r_, u_).max <= tolerance)) continue;
+    // Rounding may have left a cone by its last digit.
+    trialR_ = r_;
+    makeFeasible(problem, trialR_);
     trialU_ = problem.q;
-    trialU_.noalias() += W_ * feasible_;
-    const NaturalResidual residual = map.residual(feasible_, trialU_);
-    if (!(residual.max < best.residual)) continue;
-    best.r = feasible_;
+    trialU_.noalias() += W_ * trialR_;
+    const NaturalResidual residual = map.residual(trialR_, trialU_);
+    if (!(residual.max <= tolerance)) continue;
+    best.r = trialR_;
     best.u = trialU_;
     best.residual = residual.max;
     best.residualRms = residual.rms;
-    if (best.residual <= tolerance) return true;
+    return true;
   }
   return false;
 }

@@ -19,14 +19,12 @@ class DenseNewton {
   /// Whether a problem is small enough, and made of contacts and rows that can move.
   static bool fits(const Problem& problem, const NaturalMap& map);
 
-  /// Improves `best` from its reactions until its natural residual is at most `tolerance` (m/s): true; or until `budget` regions
-  /// are spent, or they lead nowhere. `map` is that of the problem.
+  /// From the reactions of `best` to some with a natural residual of at most `tolerance` (m/s): true, and they are the best; or
+  /// until `budget` regions are spent, or they lead nowhere. `map` is that of the problem.
   bool solve(const Problem& problem, const NaturalMap& map, double tolerance, int budget,
              Solution& best);
 
-  std::size_t bytes() const {
-    return bytesOf(W_, K_, K_, rho_, r_, u_, error_, trialR_, trialU_, feasible_);
-  }
+  std::size_t bytes() const { return bytesOf(W_, K_, K_, rho_, r_, u_, error_, trialR_, trialU_); }
 
  private:
   void start(const Problem& problem, const NaturalMap& map, const Solution& best);
@@ -36,7 +34,7 @@ class DenseNewton {
 
   MatrixXd W_, K_;
   Eigen::PartialPivLU<MatrixXd> lu_;
-  VectorXd rho_, r_, u_, error_, trialR_, trialU_, feasible_;
+  VectorXd rho_, r_, u_, error_, trialR_, trialU_;
 };
 
 }  // namespace delassus

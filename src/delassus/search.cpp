@@ -131,8 +131,8 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
   const auto left = [&](int most) { return std::min(most, options.newtonBudget - best.regions); };
 
   const bool hurried = isHurried(options);
-  // What so few regions can do: settle a small island or a pile that keeps most of its region, but no heap.
-  const int least = isHeap(problem) ? firstTry : 1;
+  // A few regions settle a small island; where there are many contacts they only take time.
+  const int least = isHeap(problem) || isLargePile(problem) ? firstTry : 1;
   if (hurried && left(least) < least) {
     sweepAll(problem, options, aim, best);
     return best.residual <= tolerance ? Outcome::Reached : Outcome::Lost;
@@ -299,7 +299,7 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Problem& problem, cons
 Outcome Search::walk(const Problem& problem, const Options& options, double tolerance,
                      const VectorXd* guess, Solution& best) {
   if (DenseNewton::fits(problem, map_) &&
-      machines().dense.solve(problem, map_, tolerance, options.newtonBudget, best))
+      dense_.solve(problem, map_, tolerance, options.newtonBudget, best))
     return Outcome::Reached;
   const Outcome outcome =
       problem.W.inBodySpace()

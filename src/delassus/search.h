@@ -44,8 +44,8 @@ class Search {
   void polish(const Problem& problem, const Options& options, double aim, Solution& best);
 
   std::size_t bytes() const {
-    return map_.bytes() + (own_ ? own_->bytes() : 0) + trial_.bytes() + wandering_.bytes() +
-           cold_.bytes() + felt_.bytes() + patches_.bytes() + patch_.bytes() +
+    return map_.bytes() + dense_.bytes() + (own_ ? own_->bytes() : 0) + trial_.bytes() +
+           wandering_.bytes() + cold_.bytes() + felt_.bytes() + patches_.bytes() + patch_.bytes() +
            patchAnswer_.bytes() + bytesOf(residuals_, patchStart_) +
            (patchSearch_ ? patchSearch_->bytes() : 0);
   }
@@ -58,13 +58,10 @@ class Search {
     std::size_t bytes() const { return walk.bytes() + interior.bytes(); }
   };
   struct Machines {
-    DenseNewton dense;
     Sweeps sweeps;
     Engines<BodyMotion> bodies;
     Engines<FactoredMotion> factored;
-    std::size_t bytes() const {
-      return dense.bytes() + sweeps.bytes() + bodies.bytes() + factored.bytes();
-    }
+    std::size_t bytes() const { return sweeps.bytes() + bodies.bytes() + factored.bytes(); }
   };
 
   /// Made when they are needed first: a problem that a formula answers needs none.
@@ -110,6 +107,7 @@ class Search {
   void allow(const Problem& problem, Solution& best);
 
   NaturalMap map_;
+  DenseNewton dense_;
   std::unique_ptr<Machines> own_;  ///< none in a search for patches
   Machines* machines_ = nullptr;
   Solution trial_, wandering_, cold_;

@@ -8,12 +8,13 @@
 
 namespace delassus {
 
-/// All sweeps that there are, one after the other, whether or not they gain: the best of them is at least as good as sequential
-/// impulses that stop there.
+/// All sweeps that there are, one after the other, whether or not they gain, as sequential impulses do. Like these they begin from a
+/// little less than the reactions of the last step: where errors remain, all of them would have a pile swing for ever.
 void Search::sweepAll(const Problem& problem, const Options& options, double tolerance,
                       Solution& best) {
   constexpr int burst = 10;
-  trial_.r = best.r;
+  constexpr double trusted = 0.8;
+  trial_.r = trusted * best.r;
   machines().sweeps.setProblem(problem);
   while (best.sweeps < options.sweepBudget && best.residual > tolerance) {
     const int count = std::min(burst, options.sweepBudget - best.sweeps);

@@ -8,7 +8,8 @@ namespace delassus {
 
 Solution solve(const Problem& problem, const Options& options) {
   Solver solver(options);
-  if (problem.W.inBodySpace()) return solver.solve(problem);
+  if (problem.W.inBodySpace() || problem.contacts() + problem.rows() == 1)
+    return solver.solve(problem);
 
   // Parts that nothing couples are solved apart.
   Solution whole;

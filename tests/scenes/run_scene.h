@@ -9,6 +9,7 @@
 #include "bullet_ext/btDelassusConstraintSolver.h"
 #include "demos/scenes/catalogue.h"
 #include "demos/scenes/measures.h"
+#include "demos/scenes/simulate.h"
 
 namespace demos {
 
@@ -31,6 +32,16 @@ struct OnRegions {
 
   btRigidBody& body(int i = 0) const { return *world->movableBodies()[std::size_t(i)]; }
 };
+
+/// What `delassus run` would say of a world on the solver of this name at 60 steps a second.
+inline RunSummary runFor(World& world, const std::string& solver, double seconds) {
+  NamedSolver named(solver);
+  return simulate(world, named, {seconds, 60}, [](double) {});
+}
+inline RunSummary runFor(const std::unique_ptr<World>& world, const std::string& solver,
+                         double seconds) {
+  return runFor(*world, solver, seconds);
+}
 
 /// Every number that says where the bodies are and how they move.
 inline std::vector<btScalar> stateOf(const World& world) {

@@ -10,11 +10,6 @@
 namespace demos {
 namespace {
 
-RunSummary runFor(World& world, const std::string& solver, double seconds) {
-  NamedSolver named(solver);
-  return simulate(world, named, {seconds, 60}, [](double) {});
-}
-
 TEST(Simulate, tellsWhatWasLeftOutOnceWithTheNumberOfSteps) {
   const auto world = buildGridOfBoxes(2, 3);
   const btScalar notANumber = std::numeric_limits<btScalar>::quiet_NaN();

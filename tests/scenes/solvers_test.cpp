@@ -8,11 +8,6 @@
 namespace demos {
 namespace {
 
-RunSummary runFor(std::unique_ptr<World> world, const std::string& solver, double seconds) {
-  NamedSolver named(solver);
-  return simulate(*world, named, {seconds, 60}, [](double) {});
-}
-
 class EveryName : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryName, holdsABox) {
