@@ -189,8 +189,7 @@ void addRunCommand(CLI::App& app, Action& chosen) {
   command
       ->add_option("--solver", arguments->solvers,
                    "one or more, with commas between: delassus, delassus:TOL, delassus/N, si:N, "
-                   "si2:N, nncg:N, "
-                   "dantzig, dantzig:CFM, lemke, pgs:N")
+                   "si2:N, nncg:N, dantzig, dantzig:CFM, lemke, pgs:N")
       ->type_name("NAME[,NAME]")
       ->capture_default_str();
   command

@@ -241,9 +241,8 @@ Words writeSameProblem(const Plan& plan, const std::filesystem::path& report) {
       "are the others. `delassus` has two kinds of settings: a tolerance (`delassus:1e-4`) and a "
       "budget (`delassus/N`: N\n"
       "sweeps and N/20 regions, at least one, an island). Grey: finer than v* is known. v* is a "
-      "solve to "
-      "tolerance "
-      "1e-12, its certificate the natural\n"
+      "solve to tolerance\n"
+      "1e-12, its certificate the natural "
       "residual and how far a second solve from other reactions agrees. Bullet's friction is a "
       "line or a square pyramid, the\n"
       "law's is a round cone: where contacts slide, no number of sweeps closes that gap.\n\n" +

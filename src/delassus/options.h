@@ -13,8 +13,10 @@ struct Options {
   double tolerance = 1e-8;  ///< natural residual to reach, relative to the largest |q|; > 0
   /// Most regions visited per island. Budgets count work, never time; that in a patch of an island by what it costs beside the island's.
   int newtonBudget = 1800;
-  int sweepBudget = 6000;  ///< most block Gauss-Seidel sweeps, and alternations, per island
-  double guessShare = 1;   ///< a guess within this share of the tolerance is kept as it is
+  /// Most block Gauss-Seidel sweeps, and alternations, per island. Below 300 there are no alternations: all sweeps are made, before
+  /// the walk, as sequential impulses make theirs.
+  int sweepBudget = 6000;
+  double guessShare = 1;  ///< a guess within this share of the tolerance is kept as it is
   Economies economies;
 };
 

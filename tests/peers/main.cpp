@@ -1,7 +1,7 @@
 /// `delassus solve` beside the best general friction solvers of others, on problem files. From the root of the project:
 ///
 ///     bash .ci/setup.sh peers && cmake --preset peers && cmake --build --preset peers
-///     taskset -c 1 build-peers/tests/peers/delassus_peers ../shared/problems --out peers.md
+///     taskset -c 1 build-peers/tests/peers/delassus_peers ../shared/problems --out renders/report/peers.md
 ///
 /// Every solve is cold: reactions zero, nothing known of the problem but W, q and μ. Its time is that of the solve with all that is
 /// derived from these, without reading the file, in milliseconds of the processor. All are judged by our measures. Each peer
@@ -74,6 +74,7 @@ void comparePeers(const Arguments& arguments) {
   const demos::report::InterruptWatch watch;
   useOneThread();
 
+  page.say(preface());
   page.say(tableHeading(int(peers.size())));
   std::vector<Comparison> comparisons;
   for (const Problem& problem : problems) {

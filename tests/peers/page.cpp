@@ -21,6 +21,19 @@ std::string bold(const std::string& words) { return "**" + words + "**"; }
 
 }  // namespace
 
+std::string preface() {
+  return R"(# Problem files, beside the solvers of others
+
+    bash .ci/setup.sh peers && cmake --preset peers && cmake --build --preset peers
+    taskset -c 1 build-peers/tests/peers/delassus_peers --out renders/report/peers.md
+
+Frictional contact problems of other people's simulators, with W as entries: `delassus solve` and the seven general solvers of
+Siconos 4.4 (NSGS, NSN_AC, NSN_FB, ADMM, PROX, FPP, VI_EG), cold and in turn, each peer in the storage of W and with the tolerance of
+its own that make it fastest. Milliseconds of one processor: quote the ratios.
+
+)";
+}
+
 std::string tableHeading(int peers) {
   return "| problem | contacts | delassus, ms | best peer, ms | delassus / peer | of " +
          std::to_string(peers) + " peers reach it |\n|---|--:|--:|--:|--:|--:|\n";

@@ -8,6 +8,7 @@
 namespace delassus::peers {
 
 /// The comparisons as a table of Markdown, line by line, so that it can be watched as it grows.
+std::string preface();
 std::string tableHeading(int peers);
 std::string tableRow(const Comparison& comparison);
 

@@ -36,6 +36,13 @@ TEST(Stack, ofOneToTenBoxesStandsForASecond) {
 }
 
 TEST(Pyramid, ofTenStandsForASecond) { expectStanding(buildPyramid(10), 1, stackTolerance); }
+// In a tall pile the largest residual stays for long where it is while loads go down layer by layer.
+TEST(Pyramid, ofAHundredRowsIsBroughtToRestByAlternationsSlow) {
+  OnRegions run("pyramid_100");
+  run.world->step(1.0 / 60);
+  EXPECT_LE(run.solver.report().residualMax, byPrecision(1e-8, 1e-6));
+  EXPECT_LE(run.solver.report().regions, 16);
+}
 TEST(Wall, ofFiveRowsStandsForASecond) { expectStanding(buildWall(5, 5), 1, stackTolerance); }
 
 // Reactions that stopped a motion would start the opposite one if they were kept, and the pile would be solved again for ever.

@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.091536 5.45033e-12 0.091536 0.091536
+0.088702 2.72911e-12 0.088702 0.088702
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-2.58974 0.000232048 2.58974 2.58974
+0.428457 8.42823e-05 0.428457 0.428457
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.14132 0.00743872 0.14132 0.14132
+0.144405 0.00743872 0.144405 0.144405
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.53251 0.00478727 0.53251 0.53251
+0.554385 0.00478727 0.554385 0.554385
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-2.01855 0.0019517 2.01855 2.01855
+6.03066 0.0019517 6.03066 6.03066
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-12.0509 0.000311285 12.0509 12.0509
+26.2807 0.000304678 26.2807 26.2807
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.821759 0.0295384 0.821759 0.821759
+0.831066 0.0295384 0.831066 0.831066
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.194278 0.0259801 0.194278 0.194278
+0.199617 0.0259801 0.199617 0.199617
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.803181 0.0140686 0.803181 0.803181
+0.810486 0.0140686 0.810486 0.810486
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-7.07756 0.00467153 7.07756 7.07756
+13.9893 0.00467153 13.9893 13.9893
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-1.78045 0.00743872 1.78045 1.78045
+2.37027 0.00743872 2.37027 2.37027
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-66.9431 1.22696e-05 66.9431 66.9431
+136.054 1.22696e-05 136.054 136.054
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-1147.04 0.00546619 1147.04 1147.04
+2654.66 0.00524926 2654.66 2654.66
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.091536 3.62332e-12 0.091536 0.091536
+0.088702 2.02605e-12 0.088702 0.088702
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-2.58974 5.786e-06 2.58974 2.58974
+0.428457 4.85504e-06 0.428457 0.428457
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.14132 0.00193605 0.14132 0.14132
+0.144405 0.00193605 0.144405 0.144405
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.53251 0.000123043 0.53251 0.53251
+0.554385 0.000123043 0.554385 0.554385
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-2.01855 1.20872e-05 2.01855 2.01855
+6.03066 1.20872e-05 6.03066 6.03066
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-12.0509 1.6582e-06 12.0509 12.0509
+26.2807 1.6582e-06 26.2807 26.2807
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.821759 0.00349947 0.821759 0.821759
+0.831066 0.00349947 0.831066 0.831066
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.194278 0.0041112 0.194278 0.194278
+0.199617 0.0041112 0.199617 0.199617
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.803181 0.00735095 0.803181 0.803181
+0.810486 0.00735095 0.810486 0.810486
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-7.07756 0.000115843 7.07756 7.07756
+13.9893 0.000115843 13.9893 13.9893
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-1.78045 0.00193605 1.78045 1.78045
+2.37027 0.00193605 2.37027 2.37027
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-66.9431 1.85381e-06 66.9431 66.9431
+136.054 1.85343e-06 136.054 136.054
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-1147.04 0.00193605 1147.04 1147.04
+2654.66 0.00148448 2654.66 2654.66
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.091536 3.3818e-10 0.091536 0.091536
+0.088702 2.46002e-10 0.088702 0.088702
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-2.58974 0.000202883 2.58974 2.58974
+0.428457 9.76366e-05 0.428457 0.428457
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.14132 0.000915652 0.14132 0.14132
+0.144405 0.000915652 0.144405 0.144405
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.53251 0.000346473 0.53251 0.53251
+0.554385 0.000346473 0.554385 0.554385
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-2.01855 7.95587e-05 2.01855 2.01855
+6.03066 7.95587e-05 6.03066 6.03066
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-12.0509 1.19033e-05 12.0509 12.0509
+26.2807 1.14203e-05 26.2807 26.2807
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.821759 0.00357685 0.821759 0.821759
+0.831066 0.00357685 0.831066 0.831066
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.194278 0.0251522 0.194278 0.194278
+0.199617 0.0251522 0.199617 0.199617
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.803181 0.159299 0.803181 0.803181
+0.810486 0.159299 0.810486 0.810486
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-7.07756 0.000334435 7.07756 7.07756
+13.9893 0.000334435 13.9893 13.9893
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-1.78045 0.000915652 1.78045 1.78045
+2.37027 0.000915652 2.37027 2.37027
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-66.9431 1e-12 66.9431 66.9431
+136.054 1e-12 136.054 136.054
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-1147.04 1e-12 1147.04 1147.04
+2654.66 1e-12 2654.66 2654.66
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0449118:13044.9]
+set xrange [0.0407542:37782.4]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -223,22 +223,22 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0669475 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.607813, graph 0.644439 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.00351353, graph 0.760507 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.471501, graph 0.772105 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.32946, graph 0.844583 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.429192, graph 0.902318 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.0573863, graph 0.86837 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.833669, graph 0.885244 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.11807, graph 0.815943 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0911286, graph 0.897409 to graph 0.11807, graph 0.815943 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.319482, graph 0.955599 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.29254, graph 0.897409 to graph 0.319482, graph 0.955599 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.0451543, graph 0.922568 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:10" at graph 0.143371, graph 0.702389 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.116429, graph 0.946785 to graph 0.143371, graph 0.702389 nohead lw 0.6 lc rgb '#009e73'
-set label "si2:50" at graph 0.0694238, graph 0.975129 left front noenhanced textcolor rgb '#e69f00'
+set label "delassus" at graph 0.0835457, graph 0.0396383 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.617434, graph 0.644439 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.19817, graph 0.720521 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.497766, graph 0.771258 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.390634, graph 0.844583 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.451874, graph 0.902318 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.216923, graph 0.86837 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.833669, graph 0.883645 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.119015, graph 0.815943 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.092073, graph 0.897409 to graph 0.119015, graph 0.815943 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.322667, graph 0.955599 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.295725, graph 0.897409 to graph 0.322667, graph 0.955599 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.0335183, graph 0.922568 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:10" at graph 0.14258, graph 0.970061 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.246388, graph 0.812198 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.219447, graph 0.951853 to graph 0.246388, graph 0.812198 nohead lw 0.6 lc rgb '#e69f00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -261,7 +261,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0449118:13044.9]
+set xrange [0.0407542:37782.4]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -272,21 +272,21 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0559107 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.260455, graph 0.621964 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.607813, graph 0.626807 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.349268, graph 0.676238 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.140866, graph 0.708233 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.429192, graph 0.806387 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.223528, graph 0.809006 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.11807, graph 0.928692 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.319482, graph 0.928692 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.833669, graph 0.928692 left front noenhanced textcolor rgb '#999999'
-set label "si2:50" at graph 0.258017, graph 0.872935 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.231075, graph 0.9544 to graph 0.258017, graph 0.872935 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.143371, graph 0.565707 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.116429, graph 0.961397 to graph 0.143371, graph 0.565707 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.256199, graph 0.976724 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.0835457, graph 0.0306649 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.286721, graph 0.621964 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.617434, graph 0.626798 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.19817, graph 0.668619 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.390634, graph 0.71987 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.451874, graph 0.806387 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.216923, graph 0.809006 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.833669, graph 0.917158 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.119015, graph 0.928692 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.322667, graph 0.928692 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.246388, graph 0.872935 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.219447, graph 0.9544 to graph 0.246388, graph 0.872935 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.14258, graph 0.751914 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.115638, graph 0.961397 to graph 0.14258, graph 0.751914 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.244563, graph 0.976724 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -309,7 +309,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0449118:13044.9]
+set xrange [0.0407542:37782.4]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -320,21 +320,21 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig:1e-6" at graph 0.28451, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6" at graph 0.294131, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
 set label "lemke" at graph 0.833669, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "delassus" at graph 0.0835457, graph 0.271473 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.471501, graph 0.621205 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.32946, graph 0.684668 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.00351353, graph 0.704304 left front noenhanced textcolor rgb '#0060a8'
-set label "pgs:50" at graph 0.429192, graph 0.732639 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.0573863, graph 0.79201 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.196586, graph 0.733821 to graph 0.169644, graph 0.79201 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:10" at graph 0.11807, graph 0.847752 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0911286, graph 0.766287 to graph 0.11807, graph 0.847752 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.319482, graph 0.789563 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.258017, graph 0.846722 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.143371, graph 0.900243 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.256199, graph 0.95027 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.0835457, graph 0.260841 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.497766, graph 0.619821 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.390634, graph 0.684668 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.19817, graph 0.586767 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.171228, graph 0.691509 to graph 0.19817, graph 0.586767 nohead lw 0.6 lc rgb '#0060a8'
+set label "pgs:50" at graph 0.451874, graph 0.732639 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.216923, graph 0.733821 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.119015, graph 0.836115 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.092073, graph 0.766287 to graph 0.119015, graph 0.836115 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.322667, graph 0.789563 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.246388, graph 0.846722 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.14258, graph 0.900243 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.244563, graph 0.95027 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

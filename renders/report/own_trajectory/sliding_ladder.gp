@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.003485 1e-12 0.003485 0.003485
+0.002754 1e-12 0.002754 0.002754
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.002724 1e-12 0.002724 0.002724
+0.002774 1e-12 0.002774 0.002774
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.000892 1e-12 0.000892 0.000892
+0.000641 1e-12 0.000641 0.000641
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.001072 1e-12 0.001072 0.001072
+0.001071 1e-12 0.001071 0.001071
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.001863 1e-12 0.001863 0.001863
+0.001251 1e-12 0.001251 0.001251
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.001713 1e-12 0.001713 0.001713
+0.001232 1e-12 0.001232 0.001232
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.001493 1e-12 0.001493 0.001493
+0.001121 1e-12 0.001121 0.001121
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.001091 1e-12 0.001091 0.001091
+0.000791 1e-12 0.000791 0.000791
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.001122 1e-12 0.001122 0.001122
+0.001111 1e-12 0.001111 0.001111
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.005157 1e-12 0.005157 0.005157
+0.005127 1e-12 0.005127 0.005127
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.001231 1e-12 0.001231 0.001231
+0.001242 1e-12 0.001242 0.001242
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.001212 1e-12 0.001212 0.001212
+0.001242 1e-12 0.001242 0.001242
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-0.334446 3.08263 0.334446 0.334446
+0.343821 3.08263 0.343821 0.343821
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.003485 0.0709823 0.003485 0.003485
+0.002754 0.0709823 0.002754 0.002754
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.002724 0.0709823 0.002724 0.002724
+0.002774 0.0709822 0.002774 0.002774
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.000892 0.0709823 0.000892 0.000892
+0.000641 0.0709823 0.000641 0.000641
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.001072 0.0709823 0.001072 0.001072
+0.001071 0.0709823 0.001071 0.001071
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.001863 0.0709823 0.001863 0.001863
+0.001251 0.0709823 0.001251 0.001251
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.001713 0.0709823 0.001713 0.001713
+0.001232 0.0709823 0.001232 0.001232
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.001493 0.0709823 0.001493 0.001493
+0.001121 0.0709823 0.001121 0.001121
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.001091 0.0709822 0.001091 0.001091
+0.000791 0.0709822 0.000791 0.000791
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.001122 0.0709823 0.001122 0.001122
+0.001111 0.0709823 0.001111 0.001111
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.005157 0.0709823 0.005157 0.005157
+0.005127 0.0709823 0.005127 0.005127
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.001231 0.0709823 0.001231 0.001231
+0.001242 0.0709823 0.001242 0.001242
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.001212 0.0709882 0.001212 0.001212
+0.001242 0.0709882 0.001242 0.001242
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-0.334446 0.0225015 0.334446 0.334446
+0.343821 0.0225015 0.343821 0.343821
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.003485 2.20986 0.003485 0.003485
+0.002754 2.20986 0.002754 0.002754
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.002724 2.20986 0.002724 0.002724
+0.002774 2.20986 0.002774 0.002774
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.000892 2.20986 0.000892 0.000892
+0.000641 2.20986 0.000641 0.000641
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.001072 2.20986 0.001072 0.001072
+0.001071 2.20986 0.001071 0.001071
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.001863 2.20986 0.001863 0.001863
+0.001251 2.20986 0.001251 0.001251
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.001713 2.20986 0.001713 0.001713
+0.001232 2.20986 0.001232 0.001232
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.001493 2.20986 0.001493 0.001493
+0.001121 2.20986 0.001121 0.001121
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.001091 2.20986 0.001091 0.001091
+0.000791 2.20986 0.000791 0.000791
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.001122 2.20986 0.001122 0.001122
+0.001111 2.20986 0.001111 0.001111
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.005157 2.20986 0.005157 0.005157
+0.005127 2.20986 0.005127 0.005127
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.001231 2.20986 0.001231 0.001231
+0.001242 2.20986 0.001242 0.001242
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.001212 2.20982 0.001212 0.001212
+0.001242 2.20982 0.001242 0.001242
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-0.334446 0.0414571 0.334446 0.334446
+0.343821 0.0414571 0.343821 0.343821
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.000570342:1.53999]
+set xrange [0.000398927:1.73618]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,26 +223,26 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.256024, graph 0.0947044 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.224842, graph 0.0481527 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.257538, graph 0.0947044 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.258402, graph 0.0481527 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.0947044 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.10681, graph 0.0481527 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.176758, graph 0.141256 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.149816, graph 0.0714286 to graph 0.176758, graph 0.141256 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.166134, graph 0.187808 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.139192, graph 0.0714286 to graph 0.166134, graph 0.187808 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.148737, graph 0.23436 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.121795, graph 0.0714286 to graph 0.148737, graph 0.23436 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.109034, graph 0.280911 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.082092, graph 0.0714286 to graph 0.109034, graph 0.280911 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.11258, graph 0.327463 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0856381, graph 0.0714286 to graph 0.11258, graph 0.327463 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.305623, graph 0.23436 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.278681, graph 0.0714286 to graph 0.305623, graph 0.23436 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.124314, graph 0.385653 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0973725, graph 0.0714286 to graph 0.124314, graph 0.385653 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.122346, graph 0.443842 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0954038, graph 0.0714286 to graph 0.122346, graph 0.443842 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.144812, graph 0.0481527 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.163354, graph 0.141256 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.136412, graph 0.0714286 to graph 0.163354, graph 0.141256 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.161528, graph 0.187808 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.134586, graph 0.0714286 to graph 0.161528, graph 0.187808 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.150258, graph 0.23436 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.123316, graph 0.0714286 to graph 0.150258, graph 0.23436 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.108642, graph 0.280911 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0817002, graph 0.0714286 to graph 0.108642, graph 0.280911 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.149189, graph 0.327463 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.122247, graph 0.0714286 to graph 0.149189, graph 0.327463 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.331713, graph 0.141256 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.304771, graph 0.0714286 to graph 0.331713, graph 0.141256 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.162492, graph 0.385653 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.135551, graph 0.0714286 to graph 0.162492, graph 0.385653 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.162492, graph 0.443842 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.135551, graph 0.0714286 to graph 0.162492, graph 0.443842 nohead lw 0.6 lc rgb '#555555'
 set label "lemke" at graph 0.833669, graph 0.963494 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -266,7 +266,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.000570342:1.53999]
+set xrange [0.000398927:1.73618]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics nomirror (0.01, 0.02, 0.05, 0.1, 0.2, 0.5)
@@ -278,26 +278,26 @@ unset label
 unset arrow
 unset object
 set label "lemke" at graph 0.833669, graph 0.352212 left front noenhanced textcolor rgb '#999999'
-set label "nncg:10" at graph 0.109034, graph 0.827874 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.0835457, graph 0.886064 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus" at graph 0.256024, graph 0.886064 left front noenhanced textcolor rgb '#0060a8'
-set label "si:50" at graph 0.10681, graph 0.932615 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0798684, graph 0.85115 to graph 0.10681, graph 0.932615 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.176758, graph 0.769684 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.149816, graph 0.85115 to graph 0.176758, graph 0.769684 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.166134, graph 0.723133 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.139192, graph 0.85115 to graph 0.166134, graph 0.723133 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.148737, graph 0.676581 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.121795, graph 0.85115 to graph 0.148737, graph 0.676581 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:50" at graph 0.11258, graph 0.630029 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0856381, graph 0.85115 to graph 0.11258, graph 0.630029 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.305623, graph 0.839512 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.124314, graph 0.583477 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0973725, graph 0.85115 to graph 0.124314, graph 0.583477 nohead lw 0.6 lc rgb '#555555'
-set label "delassus:1e-3" at graph 0.224842, graph 0.932615 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.1979, graph 0.85115 to graph 0.224842, graph 0.932615 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.122346, graph 0.525324 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0954038, graph 0.851186 to graph 0.122346, graph 0.525324 nohead lw 0.6 lc rgb '#555555'
+set label "delassus:1e-3" at graph 0.258402, graph 0.827874 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg:10" at graph 0.108642, graph 0.886063 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.0835457, graph 0.816236 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.257538, graph 0.932615 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.230596, graph 0.85115 to graph 0.257538, graph 0.932615 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:50" at graph 0.144812, graph 0.932615 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.117871, graph 0.85115 to graph 0.144812, graph 0.932615 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.163354, graph 0.758046 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.136412, graph 0.85115 to graph 0.163354, graph 0.758046 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.161528, graph 0.711495 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.134586, graph 0.85115 to graph 0.161528, graph 0.711495 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.150258, graph 0.653305 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.123316, graph 0.85115 to graph 0.150258, graph 0.653305 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:50" at graph 0.149189, graph 0.606753 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.122247, graph 0.85115 to graph 0.149189, graph 0.606753 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.331713, graph 0.874426 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.162492, graph 0.548564 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.135551, graph 0.85115 to graph 0.162492, graph 0.548564 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.162492, graph 0.490411 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.135551, graph 0.851186 to graph 0.162492, graph 0.490411 nohead lw 0.6 lc rgb '#555555'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -320,7 +320,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.000570342:1.53999]
+set xrange [0.000398927:1.73618]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -332,27 +332,27 @@ unset label
 unset arrow
 unset object
 set label "lemke" at graph 0.833669, graph 0.205866 left front noenhanced textcolor rgb '#999999'
-set label "dantzig:1e-6" at graph 0.122346, graph 0.758176 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.109034, graph 0.816368 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.162492, graph 0.758176 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.108642, graph 0.816368 left front noenhanced textcolor rgb '#009e73'
+set label "delassus:1e-3" at graph 0.258402, graph 0.86292 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.23146, graph 0.781455 to graph 0.258402, graph 0.86292 nohead lw 0.6 lc rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.86292 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.781455 to graph 0.0835457, graph 0.86292 nohead lw 0.6 lc rgb '#d55e00'
-set label "delassus" at graph 0.256024, graph 0.86292 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.229082, graph 0.781455 to graph 0.256024, graph 0.86292 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:50" at graph 0.10681, graph 0.699989 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0798684, graph 0.781455 to graph 0.10681, graph 0.699989 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.176758, graph 0.909472 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.149816, graph 0.781455 to graph 0.176758, graph 0.909472 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.166134, graph 0.653437 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.139192, graph 0.781455 to graph 0.166134, graph 0.653437 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.148737, graph 0.956024 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.121795, graph 0.781455 to graph 0.148737, graph 0.956024 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:50" at graph 0.11258, graph 0.606886 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0856381, graph 0.781455 to graph 0.11258, graph 0.606886 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.305623, graph 0.804731 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.124314, graph 0.560334 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0973725, graph 0.781455 to graph 0.124314, graph 0.560334 nohead lw 0.6 lc rgb '#555555'
-set label "delassus:1e-3" at graph 0.224842, graph 0.699989 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.1979, graph 0.781455 to graph 0.224842, graph 0.699989 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.257538, graph 0.699989 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.230596, graph 0.781455 to graph 0.257538, graph 0.699989 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:50" at graph 0.144812, graph 0.699989 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.117871, graph 0.781455 to graph 0.144812, graph 0.699989 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.163354, graph 0.909472 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.136412, graph 0.781455 to graph 0.163354, graph 0.909472 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.161528, graph 0.653437 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.134586, graph 0.781455 to graph 0.161528, graph 0.653437 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.150258, graph 0.956024 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.123316, graph 0.781455 to graph 0.150258, graph 0.956024 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:50" at graph 0.149189, graph 0.606886 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.122247, graph 0.781455 to graph 0.149189, graph 0.606886 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.331713, graph 0.804731 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.162492, graph 0.560334 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.135551, graph 0.781455 to graph 0.162492, graph 0.560334 nohead lw 0.6 lc rgb '#555555'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

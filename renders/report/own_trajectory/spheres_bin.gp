@@ -2,197 +2,182 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-42.1407 1e-12 42.1407 42.1407
+45.3873 1e-12 45.3873 45.3873
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-33.2193 1e-12 33.2193 33.2193
+40.1683 1e-12 40.1683 40.1683
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-2.41415 1e-12 2.41415 2.41415
+1.60349 1e-12 1.60349 1.60349
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-5.32995 1e-12 5.32995 5.32995
+5.19954 1e-12 5.19954 5.19954
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-16.5323 1e-12 16.5323 16.5323
+16.2946 1e-12 16.2946 16.2946
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-55.4297 1e-12 55.4297 55.4297
+59.613 1e-12 59.613 59.613
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-6.0203 1e-12 6.0203 6.0203
+6.05373 1e-12 6.05373 6.05373
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-2.18544 1e-12 2.18544 2.18544
+2.13729 1e-12 2.13729 2.13729
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-6.44669 1e-12 6.44669 6.44669
+6.67758 1e-12 6.67758 6.67758
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-91.4886 1e-12 91.4886 91.4886
+118.344 1e-12 118.344 118.344
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-13.0899 1e-12 13.0899 13.0899
+12.9695 1e-12 12.9695 12.9695
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-12.2137 1e-12 12.2137 12.2137
-EOD
-$line0_12 << EOD
-EOD
-$marks0_12 << EOD
-7.58146 1e-12 7.58146 7.58146
+19.476 1e-12 19.476 19.476
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-42.1407 0.0903329 42.1407 42.1407
+45.3873 0.0903329 45.3873 45.3873
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-33.2193 0.0903476 33.2193 33.2193
+40.1683 0.0903335 40.1683 40.1683
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-2.41415 0.0596164 2.41415 2.41415
+1.60349 0.0596164 1.60349 1.60349
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-5.32995 0.0785919 5.32995 5.32995
+5.19954 0.0785919 5.19954 5.19954
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-16.5323 0.0821982 16.5323 16.5323
+16.2946 0.0821982 16.2946 16.2946
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-55.4297 0.0821606 55.4297 55.4297
+59.613 0.0821606 59.613 59.613
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-6.0203 0.086607 6.0203 6.0203
+6.05373 0.086607 6.05373 6.05373
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-2.18544 0.0606733 2.18544 2.18544
+2.13729 0.0606733 2.13729 2.13729
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-6.44669 0.080631 6.44669 6.44669
+6.67758 0.080631 6.67758 6.67758
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-91.4886 0.0864095 91.4886 91.4886
+118.344 0.0864095 118.344 118.344
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-13.0899 0.047843 13.0899 13.0899
+12.9695 0.047843 12.9695 12.9695
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-12.2137 0.047836 12.2137 12.2137
-EOD
-$line1_12 << EOD
-EOD
-$marks1_12 << EOD
-7.58146 1e-12 7.58146 7.58146
+19.476 0.047836 19.476 19.476
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-42.1407 1e-12 42.1407 42.1407
+45.3873 1e-12 45.3873 45.3873
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-33.2193 1e-12 33.2193 33.2193
+40.1683 1e-12 40.1683 40.1683
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-2.41415 0.0127214 2.41415 2.41415
+1.60349 0.0127214 1.60349 1.60349
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-5.32995 0.0203721 5.32995 5.32995
+5.19954 0.0203721 5.19954 5.19954
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-16.5323 0.0325035 16.5323 16.5323
+16.2946 0.0325035 16.2946 16.2946
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-55.4297 1e-12 55.4297 55.4297
+59.613 1e-12 59.613 59.613
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-6.0203 0.0139113 6.0203 6.0203
+6.05373 0.0139113 6.05373 6.05373
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-2.18544 0.0145098 2.18544 2.18544
+2.13729 0.0145098 2.13729 2.13729
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-6.44669 0.0845091 6.44669 6.44669
+6.67758 0.0845091 6.67758 6.67758
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-91.4886 1e-12 91.4886 91.4886
+118.344 1e-12 118.344 118.344
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-13.0899 1e-12 13.0899 13.0899
+12.9695 1e-12 12.9695 12.9695
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-12.2137 1e-12 12.2137 12.2137
-EOD
-$line2_12 << EOD
-EOD
-$marks2_12 << EOD
-7.58146 1e-12 7.58146 7.58146
+19.476 1e-12 19.476 19.476
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +197,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.63609:272.307]
+set xrange [1.1488:415.683]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -223,26 +208,23 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.662122, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.269857, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.103006, graph 0.5 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.257855, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.479176, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.715714, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0930743, graph 0.546552 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.254726, graph 0.5 to graph 0.227784, graph 0.546552 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.0835457, graph 0.453448 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0566038, graph 0.5 to graph 0.0835457, graph 0.453448 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.295047, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.268105, graph 0.5 to graph 0.295047, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus" at graph 0.651011, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.28452, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.283232, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.477125, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.69729, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.120457, graph 0.534914 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.132323, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.105381, graph 0.5 to graph 0.132323, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.325699, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.298757, graph 0.5 to graph 0.325699, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
 set label "pgs:50" at graph 0.813687, graph 0.418534 left front noenhanced textcolor rgb '#cc79a7'
 set arrow from graph 0.786745, graph 0.5 to graph 0.813687, graph 0.418534 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.433528, graph 0.593103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.406586, graph 0.5 to graph 0.433528, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.0966789, graph 0.604741 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.39304, graph 0.5 to graph 0.366098, graph 0.604741 nohead lw 0.6 lc rgb '#555555'
-set label "lemke" at graph 0.160606, graph 0.395259 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.299806, graph 0.5 to graph 0.272864, graph 0.395259 nohead lw 0.6 lc rgb '#999999'
+set label "dantzig" at graph 0.438383, graph 0.593103 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.411441, graph 0.5 to graph 0.438383, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.507398, graph 0.418534 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.480456, graph 0.5 to graph 0.507398, graph 0.418534 nohead lw 0.6 lc rgb '#555555'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -254,8 +236,7 @@ plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
   $marks0_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
   $marks0_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks0_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks0_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+  $marks0_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
 set lmargin at screen 0.395
 set rmargin at screen 0.653333
 set tmargin at screen 0.851064
@@ -265,35 +246,32 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.63609:272.307]
+set xrange [1.1488:415.683]
 set xlabel "ms a step" noenhanced
 set logscale y
-set ytics 1000 nomirror
-unset mytics
-set format y "10^{%T}"
-set yrange [1e-13:1]
+set ytics 10 nomirror
+set mytics
+set format y "%g"
+set yrange [0.01:1]
 set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke" at graph 0.326748, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "dantzig:1e-6" at graph 0.419982, graph 0.886805 left front noenhanced textcolor rgb '#555555'
-set label "dantzig" at graph 0.222483, graph 0.88681 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.103006, graph 0.905797 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.0835457, graph 0.952936 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0566038, graph 0.906384 to graph 0.0835457, graph 0.952936 nohead lw 0.6 lc rgb '#009e73'
-set label "si:50" at graph 0.257855, graph 0.949943 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.295047, graph 0.834419 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.268105, graph 0.915885 to graph 0.295047, graph 0.834419 nohead lw 0.6 lc rgb '#009e73'
-set label "si:1000" at graph 0.715714, graph 0.893237 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.479176, graph 0.951442 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.813687, graph 0.941473 left front noenhanced textcolor rgb '#cc79a7'
-set label "si2:50" at graph 0.0930743, graph 0.836808 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.254726, graph 0.918273 to graph 0.227784, graph 0.836808 nohead lw 0.6 lc rgb '#e69f00'
-set label "delassus" at graph 0.662122, graph 0.838215 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.63518, graph 0.91968 to graph 0.662122, graph 0.838215 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.615611, graph 0.780031 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.58867, graph 0.919686 to graph 0.615611, graph 0.780031 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.507398, graph 0.339877 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.227338, graph 0.339909 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.0835457, graph 0.364407 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.132323, graph 0.414775 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.11709, graph 0.470965 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.325699, graph 0.429975 left front noenhanced textcolor rgb '#009e73'
+set label "si:1000" at graph 0.486245, graph 0.445694 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.288531, graph 0.492345 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.813687, graph 0.468281 left front noenhanced textcolor rgb '#cc79a7'
+set label "si2:50" at graph 0.120457, graph 0.526966 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.282109, graph 0.468777 to graph 0.255167, graph 0.526966 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus" at graph 0.651011, graph 0.524475 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.624069, graph 0.477923 to graph 0.651011, graph 0.524475 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.28452, graph 0.547752 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.603333, graph 0.477924 to graph 0.576391, graph 0.547752 nohead lw 0.6 lc rgb '#0060a8'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -305,8 +283,7 @@ plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
   $marks1_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
   $marks1_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks1_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks1_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+  $marks1_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
 set lmargin at screen 0.728333
 set rmargin at screen 0.986667
 set tmargin at screen 0.851064
@@ -316,7 +293,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.63609:272.307]
+set xrange [1.1488:415.683]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -327,22 +304,21 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.662122, graph 0.100199 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.615611, graph 0.0536472 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.504668, graph 0.100199 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.651011, graph 0.100199 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.630275, graph 0.0536472 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.486245, graph 0.100199 left front noenhanced textcolor rgb '#d55e00'
 set label "pgs:50" at graph 0.813687, graph 0.158389 left front noenhanced textcolor rgb '#cc79a7'
 set arrow from graph 0.786745, graph 0.0769231 to graph 0.813687, graph 0.158389 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.433528, graph 0.0536472 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.0966789, graph 0.100199 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.160606, graph 0.0536472 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.103006, graph 0.854195 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.281668, graph 0.857182 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.0835457, graph 0.905141 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0566038, graph 0.858589 to graph 0.0835457, graph 0.905141 nohead lw 0.6 lc rgb '#009e73'
-set label "si:50" at graph 0.257855, graph 0.800098 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.230913, graph 0.869926 to graph 0.257855, graph 0.800098 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.479176, graph 0.885533 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.295047, graph 0.917454 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.227338, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6" at graph 0.184095, graph 0.123475 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.480456, graph 0.0769231 to graph 0.453514, graph 0.123475 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.0835457, graph 0.830919 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.309051, graph 0.857182 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.132323, graph 0.893503 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.283232, graph 0.800098 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.25629, graph 0.869926 to graph 0.283232, graph 0.800098 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.477125, graph 0.885533 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.325699, graph 0.94073 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -354,7 +330,6 @@ plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
   $marks2_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
   $marks2_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
 unset multiplot
 }

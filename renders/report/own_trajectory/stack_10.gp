@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.009314 5.36158e-11 0.009314 0.009314
+0.009564 5.36158e-11 0.009564 0.009564
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.009434 6.57933e-07 0.009434 0.009434
+0.009644 6.57933e-07 0.009644 0.009644
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.015112 0.129696 0.015112 0.015112
+0.015053 0.129696 0.015053 0.015053
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.055492 0.0193733 0.055492 0.055492
+0.055272 0.0193733 0.055272 0.055272
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.206727 0.00359186 0.206727 0.206727
+0.209301 0.00359186 0.209301 0.209301
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-1.02667 0.00633756 1.02667 1.02667
+1.01373 0.00633756 1.01373 1.01373
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.101661 0.0098553 0.101661 0.101661
+0.083063 0.0098553 0.083063 0.083063
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.023375 0.024797 0.023375 0.023375
+0.018428 0.024797 0.018428 0.018428
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.078286 0.0468525 0.078286 0.078286
+0.075232 0.0468525 0.075232 0.075232
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.204333 0.0200612 0.204333 0.204333
+0.203733 0.0200612 0.203733 0.203733
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.043594 0.0568945 0.043594 0.043594
+0.043925 0.0568945 0.043925 0.043925
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.089032 1.12406e-05 0.089032 0.089032
+0.08741 1.12406e-05 0.08741 0.08741
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-2.2618 0.0288863 2.2618 2.2618
+5.38636 0.0198408 5.38636 5.38636
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.009314 8.22675e-12 0.009314 0.009314
+0.009564 8.22675e-12 0.009564 0.009564
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.009434 1.03146e-07 0.009434 0.009434
+0.009644 1.03146e-07 0.009644 0.009644
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.015112 0.00380401 0.015112 0.015112
+0.015053 0.00380401 0.015053 0.015053
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.055492 0.000396081 0.055492 0.055492
+0.055272 0.000396081 0.055272 0.055272
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.206727 0.000105005 0.206727 0.206727
+0.209301 0.000105005 0.209301 0.209301
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-1.02667 3.50737e-06 1.02667 1.02667
+1.01373 3.50737e-06 1.01373 1.01373
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.101661 0.000535392 0.101661 0.101661
+0.083063 0.000535392 0.083063 0.083063
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.023375 0.00816299 0.023375 0.023375
+0.018428 0.00816299 0.018428 0.018428
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.078286 0.0105749 0.078286 0.078286
+0.075232 0.0105749 0.075232 0.075232
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.204333 0.000396081 0.204333 0.204333
+0.203733 0.000396081 0.203733 0.203733
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.043594 0.00461789 0.043594 0.043594
+0.043925 0.00461789 0.043925 0.043925
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.089032 2.04375e-06 0.089032 0.089032
+0.08741 2.04375e-06 0.08741 0.08741
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-2.2618 0.00380401 2.2618 2.2618
+5.38636 0.00380401 5.38636 5.38636
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.009314 1e-12 0.009314 0.009314
+0.009564 1e-12 0.009564 0.009564
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.009434 1e-12 0.009434 0.009434
+0.009644 1e-12 0.009644 0.009644
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.015112 0.000805561 0.015112 0.015112
+0.015053 0.000805561 0.015053 0.015053
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.055492 7.23225e-05 0.055492 0.055492
+0.055272 7.23225e-05 0.055272 0.055272
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.206727 0.00110292 0.206727 0.206727
+0.209301 0.00110292 0.209301 0.209301
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-1.02667 0.00063824 1.02667 1.02667
+1.01373 0.00063824 1.01373 1.01373
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.101661 0.000812162 0.101661 0.101661
+0.083063 0.000812162 0.083063 0.083063
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.023375 0.0531082 0.023375 0.023375
+0.018428 0.0531082 0.018428 0.018428
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.078286 0.3559 0.078286 0.078286
+0.075232 0.3559 0.075232 0.075232
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.204333 0.000442484 0.204333 0.204333
+0.203733 0.000442484 0.203733 0.203733
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.043594 0.239757 0.043594 0.043594
+0.043925 0.239757 0.043925 0.043925
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.089032 1e-12 0.089032 0.089032
+0.08741 1e-12 0.08741 0.08741
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-2.2618 1e-12 2.2618 2.2618
+5.38636 1e-12 5.38636 5.38636
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00615378:9.31201]
+set xrange [0.00593031:27.5432]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -224,22 +224,21 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0662993 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0852941, graph 0.438017 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.39186, graph 0.550072 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.506911, graph 0.777756 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.725797, graph 0.800175 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.221383, graph 0.817606 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.327294, graph 0.902481 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.300352, graph 0.844291 to graph 0.327294, graph 0.902481 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.50532, graph 0.845669 left front noenhanced textcolor rgb '#cc79a7'
-set label "nncg:10" at graph 0.209215, graph 0.760933 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.182273, graph 0.854036 to graph 0.209215, graph 0.760933 nohead lw 0.6 lc rgb '#009e73'
-set label "lemke" at graph 0.833669, graph 0.860063 left front noenhanced textcolor rgb '#999999'
-set label "nncg:50" at graph 0.163248, graph 0.914071 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig" at graph 0.294335, graph 0.96829 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.267393, graph 0.886825 to graph 0.294335, graph 0.96829 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.149644, graph 0.965909 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.122702, graph 0.919357 to graph 0.149644, graph 0.965909 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.0845323, graph 0.438017 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.345596, graph 0.550072 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.449009, graph 0.777756 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.635854, graph 0.800175 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.150961, graph 0.817606 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.291312, graph 0.844291 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.833669, graph 0.845233 left front noenhanced textcolor rgb '#999999'
+set label "pgs:50" at graph 0.445816, graph 0.845669 left front noenhanced textcolor rgb '#cc79a7'
+set label "nncg:10" at graph 0.161223, graph 0.912226 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.134281, graph 0.854036 to graph 0.161223, graph 0.912226 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.327827, graph 0.902433 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.264098, graph 0.96829 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.237156, graph 0.886825 to graph 0.264098, graph 0.96829 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.137265, graph 0.965909 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.110323, graph 0.919357 to graph 0.137265, graph 0.965909 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -262,7 +261,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00615378:9.31201]
+set xrange [0.00593031:27.5432]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -274,18 +273,18 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0832026 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0852941, graph 0.455768 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.39186, graph 0.573675 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.725797, graph 0.594998 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.506911, graph 0.729201 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.161152, graph 0.781617 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.50532, graph 0.781617 left front noenhanced textcolor rgb '#cc79a7'
-set label "si2:50" at graph 0.409977, graph 0.828429 left front noenhanced textcolor rgb '#e69f00'
-set label "si:10" at graph 0.149644, graph 0.870931 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.0845323, graph 0.455768 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.0222926, graph 0.573675 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.635854, graph 0.594998 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.449009, graph 0.729201 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.12517, graph 0.781617 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.445816, graph 0.781617 left front noenhanced textcolor rgb '#cc79a7'
+set label "si2:50" at graph 0.339554, graph 0.828429 left front noenhanced textcolor rgb '#e69f00'
+set label "si:10" at graph 0.137265, graph 0.847655 left front noenhanced textcolor rgb '#d55e00'
 set label "lemke" at graph 0.833669, graph 0.870931 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.294335, graph 0.878586 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.209215, graph 0.935991 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.374293, graph 0.934574 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.264098, graph 0.878586 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.161223, graph 0.935991 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.327827, graph 0.934574 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -308,7 +307,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00615378:9.31201]
+set xrange [0.00593031:27.5432]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -320,19 +319,19 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0852941, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0583521, graph 0.0769231 to graph 0.0852941, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.39186, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.0845323, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0575903, graph 0.0769231 to graph 0.0845323, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.345596, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
 set label "lemke" at graph 0.833669, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.327294, graph 0.681483 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.50532, graph 0.741992 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:1000" at graph 0.725797, graph 0.75423 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.149644, graph 0.762008 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.409977, graph 0.797194 left front noenhanced textcolor rgb '#e69f00'
-set label "si:200" at graph 0.318318, graph 0.73759 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.209215, graph 0.901936 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig" at graph 0.0832902, graph 0.95229 left front noenhanced textcolor rgb '#555555'
-set label "nncg:50" at graph 0.374293, graph 0.965487 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.291312, graph 0.681483 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.445816, graph 0.741992 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:1000" at graph 0.635854, graph 0.75423 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.137265, graph 0.762008 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.339554, graph 0.797194 left front noenhanced textcolor rgb '#e69f00'
+set label "si:200" at graph 0.260416, graph 0.73759 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.161223, graph 0.901936 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.0530523, graph 0.95229 left front noenhanced textcolor rgb '#555555'
+set label "nncg:50" at graph 0.327827, graph 0.965487 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.009304 6.77183e-11 0.009304 0.009304
+0.009614 9.21148e-11 0.009614 0.009614
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.012128 4.48105e-06 0.012128 0.012128
+0.009655 4.48105e-06 0.009655 0.009655
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.015222 10.3048 0.015222 0.015222
+0.015033 10.3048 0.015033 0.015033
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.037766 30.3781 0.037766 0.037766
+0.036414 30.3781 0.036414 0.036414
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.156933 24.4721 0.156933 0.156933
+0.154359 24.4721 0.154359 0.154359
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.476557 24.2105 0.476557 0.476557
+0.522096 24.2105 0.522096 0.522096
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.038187 26.6817 0.038187 0.038187
+0.037486 26.6817 0.037486 0.037486
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.014662 12.8078 0.014662 0.014662
+0.014392 12.8078 0.014392 0.014392
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.056994 10.2186 0.056994 0.056994
+0.055753 10.2186 0.055753 0.055753
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.088571 50.1919 0.088571 0.088571
+0.085156 50.1919 0.085156 0.085156
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.040129 14.3894 0.040129 0.040129
+0.032409 14.3894 0.032409 0.032409
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.104595 0.00274278 0.104595 0.104595
+0.102823 0.00274278 0.102823 0.102823
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-6.62196 9.25391 6.62196 6.62196
+5.35346 1.87244 5.35346 5.35346
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.009304 1.28813e-11 0.009304 0.009304
+0.009614 1.28813e-11 0.009614 0.009614
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.012128 4.9444e-07 0.012128 0.012128
+0.009655 4.9444e-07 0.009655 0.009655
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.015222 0.830832 0.015222 0.015222
+0.015033 0.830832 0.015033 0.015033
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.037766 0.386392 0.037766 0.037766
+0.036414 0.386392 0.036414 0.036414
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.156933 0.480811 0.156933 0.156933
+0.154359 0.480811 0.154359 0.154359
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.476557 0.401292 0.476557 0.476557
+0.522096 0.401292 0.522096 0.522096
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.038187 0.218392 0.038187 0.038187
+0.037486 0.218392 0.037486 0.037486
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.014662 0.995106 0.014662 0.014662
+0.014392 0.995106 0.014392 0.014392
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.056994 0.344154 0.056994 0.056994
+0.055753 0.344154 0.055753 0.055753
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.088571 0.754963 0.088571 0.088571
+0.085156 0.754963 0.085156 0.085156
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.040129 0.949568 0.040129 0.040129
+0.032409 0.949568 0.032409 0.032409
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.104595 0.000458911 0.104595 0.104595
+0.102823 0.000458911 0.102823 0.102823
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-6.62196 0.41711 6.62196 6.62196
+5.35346 0.407024 5.35346 5.35346
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.009304 2.33163e-09 0.009304 0.009304
+0.009614 3.00625e-09 0.009614 0.009614
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.012128 1e-12 0.012128 0.012128
+0.009655 1e-12 0.009655 0.009655
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.015222 1.36442 0.015222 0.015222
+0.015033 1.36442 0.015033 0.015033
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.037766 0.00772977 0.037766 0.037766
+0.036414 0.00772977 0.036414 0.036414
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.156933 0.00579767 0.156933 0.156933
+0.154359 0.00579767 0.154359 0.154359
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.476557 1.53108 0.476557 0.476557
+0.522096 1.53108 0.522096 0.522096
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.038187 0.866882 0.038187 0.038187
+0.037486 0.866882 0.037486 0.037486
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.014662 0.00143526 0.014662 0.014662
+0.014392 0.00143526 0.014392 0.014392
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.056994 0.00262444 0.056994 0.056994
+0.055753 0.00262444 0.055753 0.055753
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.088571 0.939779 0.088571 0.088571
+0.085156 0.939779 0.085156 0.085156
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.040129 0.0051569 0.040129 0.040129
+0.032409 0.0051569 0.032409 0.032409
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.104595 2.43991e-09 0.104595 0.104595
+0.102823 2.43991e-09 0.102823 0.102823
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-6.62196 1e-12 6.62196 6.62196
+5.35346 1e-12 5.35346 5.35346
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00566808:35.9666]
+set xrange [0.00596641:27.2951]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,23 +223,23 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0639005 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.113821, graph 0.434722 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.359904, graph 0.649092 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.833669, graph 0.920487 left front noenhanced textcolor rgb '#999999'
-set label "nncg:50" at graph 0.290559, graph 0.923799 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.139773, graph 0.900804 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.135492, graph 0.849879 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.10855, graph 0.931344 to graph 0.135492, graph 0.849879 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.039442, graph 0.95851 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.533108, graph 0.952616 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.406243, graph 0.871509 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.379301, graph 0.952975 to graph 0.406243, graph 0.871509 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.244822, graph 0.792932 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.21788, graph 0.955863 to graph 0.244822, graph 0.792932 nohead lw 0.6 lc rgb '#e69f00'
-set label "si:50" at graph 0.0774135, graph 0.797266 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.216614, graph 0.960197 to graph 0.189672, graph 0.797266 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.340911, graph 0.976724 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus" at graph 0.0835457, graph 0.0741792 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0840506, graph 0.434722 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.364716, graph 0.649092 left front noenhanced textcolor rgb '#555555'
+set label "lemke" at graph 0.833669, graph 0.867108 left front noenhanced textcolor rgb '#999999'
+set label "nncg:50" at graph 0.292094, graph 0.923799 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.136584, graph 0.900804 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.131414, graph 0.849879 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.104472, graph 0.931344 to graph 0.131414, graph 0.849879 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.016683, graph 0.95851 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.557499, graph 0.952616 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.412919, graph 0.976251 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.244995, graph 0.792932 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.218053, graph 0.955863 to graph 0.244995, graph 0.792932 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:50" at graph 0.0754107, graph 0.797266 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.214611, graph 0.960197 to graph 0.187669, graph 0.797266 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.342348, graph 0.871983 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.315406, graph 0.976972 to graph 0.342348, graph 0.871983 nohead lw 0.6 lc rgb '#cc79a7'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -262,7 +262,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00566808:35.9666]
+set xrange [0.00596641:27.2951]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -274,23 +274,22 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0853814 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.113821, graph 0.438009 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.359904, graph 0.666287 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.0562281, graph 0.872249 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:50" at graph 0.290559, graph 0.864167 left front noenhanced textcolor rgb '#009e73'
-set label "si:50" at graph 0.243555, graph 0.937862 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.216614, graph 0.89131 to graph 0.243555, graph 0.937862 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.533108, graph 0.892574 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.833669, graph 0.893865 left front noenhanced textcolor rgb '#999999'
-set label "si:200" at graph 0.406243, graph 0.945165 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.379301, graph 0.898613 to graph 0.406243, graph 0.945165 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.152317, graph 0.820583 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.313969, graph 0.913687 to graph 0.287027, graph 0.820583 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:10" at graph 0.139773, graph 0.765593 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.112831, graph 0.916886 to graph 0.139773, graph 0.765593 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.039442, graph 0.956262 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.135492, graph 0.71343 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.10855, graph 0.922913 to graph 0.135492, graph 0.71343 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus:1e-3" at graph 0.0840506, graph 0.438009 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.364716, graph 0.666287 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.0564016, graph 0.872249 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:50" at graph 0.292094, graph 0.864167 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.241553, graph 0.937862 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.214611, graph 0.89131 to graph 0.241553, graph 0.937862 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.557499, graph 0.892574 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.833669, graph 0.893048 left front noenhanced textcolor rgb '#999999'
+set label "si:200" at graph 0.412919, graph 0.921889 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.153754, graph 0.820583 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.315406, graph 0.913687 to graph 0.288464, graph 0.820583 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:10" at graph 0.136584, graph 0.765593 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.109643, graph 0.916886 to graph 0.136584, graph 0.765593 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.016683, graph 0.956262 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.131414, graph 0.71343 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.104472, graph 0.922913 to graph 0.131414, graph 0.71343 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -313,7 +312,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00566808:35.9666]
+set xrange [0.00596641:27.2951]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -324,20 +323,19 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-3" at graph 0.113821, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0840506, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
 set label "lemke" at graph 0.833669, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
-set label "delassus" at graph 0.0835457, graph 0.311976 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.359904, graph 0.313384 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.135492, graph 0.713857 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.290559, graph 0.802407 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.263617, graph 0.744217 to graph 0.290559, graph 0.802407 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.039442, graph 0.765171 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.406243, graph 0.745528 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0774135, graph 0.81264 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0562281, graph 0.912502 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.340911, graph 0.926645 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:10" at graph 0.139773, graph 0.961487 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.533108, graph 0.941785 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.364716, graph 0.313384 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.0835457, graph 0.319859 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg:10" at graph 0.131414, graph 0.713857 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.292094, graph 0.744217 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.016683, graph 0.765171 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.412919, graph 0.79208 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.241553, graph 0.801002 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0564016, graph 0.912502 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.342348, graph 0.926645 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:10" at graph 0.136584, graph 0.961487 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.557499, graph 0.941785 left front noenhanced textcolor rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

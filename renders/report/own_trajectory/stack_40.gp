@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.044026 2.89511e-11 0.044026 0.044026
+0.037175 1.63396e-10 0.037175 0.037175
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.049544 6.6282e-06 0.049544 0.049544
+0.037896 6.70277e-06 0.037896 0.037896
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.055893 18.5922 0.055893 0.055893
+0.057566 18.5922 0.057566 0.057566
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.231784 1.30886 0.231784 0.231784
+0.236491 1.30886 0.236491 0.236491
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.884352 0.403715 0.884352 0.884352
+0.890344 0.403715 0.890344 0.890344
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-4.7791 0.0846173 4.7791 4.7791
+12.4639 0.0846173 12.4639 12.4639
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.352793 1.21312 0.352793 0.352793
+0.351363 1.21312 0.351363 0.351363
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.061761 31.6489 0.061761 0.061761
+0.059689 31.6489 0.059689 0.059689
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.301057 19.2952 0.301057 0.301057
+0.310572 19.2952 0.310572 0.310572
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-1.1372 1.29455 1.1372 1.1372
+1.10095 1.29455 1.10095 1.10095
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.311222 17.1148 0.311222 0.311222
+0.30929 17.1148 0.30929 0.30929
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-3.54126 0.000595176 3.54126 3.54126
+7.58742 0.000595176 7.58742 7.58742
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-78.3353 0.249004 78.3353 78.3353
+233.395 0.22385 233.395 233.395
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.044026 1.1191e-11 0.044026 0.044026
+0.037175 1.1191e-11 0.037175 0.037175
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.049544 2.31794e-10 0.049544 0.049544
+0.037896 5.48581e-07 0.037896 0.037896
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.055893 0.238264 0.055893 0.055893
+0.057566 0.238264 0.057566 0.057566
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.231784 0.00439157 0.231784 0.231784
+0.236491 0.00439157 0.236491 0.236491
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.884352 0.000754084 0.884352 0.884352
+0.890344 0.000754084 0.890344 0.890344
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-4.7791 6.80354e-05 4.7791 4.7791
+12.4639 6.80354e-05 12.4639 12.4639
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.352793 0.00428227 0.352793 0.352793
+0.351363 0.00428227 0.351363 0.351363
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.061761 0.45697 0.061761 0.061761
+0.059689 0.45697 0.059689 0.059689
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.301057 0.40108 0.301057 0.301057
+0.310572 0.40108 0.310572 0.310572
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-1.1372 0.00419338 1.1372 1.1372
+1.10095 0.00419338 1.10095 1.10095
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.311222 0.236567 0.311222 0.311222
+0.30929 0.236567 0.30929 0.30929
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-3.54126 1.23906e-05 3.54126 3.54126
+7.58742 1.23906e-05 7.58742 7.58742
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-78.3353 0.014165 78.3353 78.3353
+233.395 0.0130287 233.395 233.395
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.044026 1.38021e-10 0.044026 0.044026
+0.037175 8.80932e-09 0.037175 0.037175
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.049544 1e-12 0.049544 0.049544
+0.037896 0.00112315 0.037896 0.037896
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.055893 0.592874 0.055893 0.055893
+0.057566 0.592874 0.057566 0.057566
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.231784 0.00991192 0.231784 0.231784
+0.236491 0.00991192 0.236491 0.236491
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.884352 0.00122322 0.884352 0.884352
+0.890344 0.00122322 0.890344 0.890344
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-4.7791 0.00286774 4.7791 4.7791
+12.4639 0.00286774 12.4639 12.4639
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.352793 0.00913393 0.352793 0.352793
+0.351363 0.00913393 0.351363 0.351363
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.061761 1.40158 0.061761 0.061761
+0.059689 1.40158 0.059689 0.059689
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.301057 1.81039 0.301057 0.301057
+0.310572 1.81039 0.310572 0.310572
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-1.1372 0.00914686 1.1372 1.1372
+1.10095 0.00914686 1.10095 1.10095
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.311222 0.646354 0.311222 0.311222
+0.30929 0.646354 0.30929 0.30929
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-3.54126 2.22807e-09 3.54126 3.54126
+7.58742 2.22807e-09 7.58742 7.58742
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-78.3353 1e-12 78.3353 78.3353
+233.395 1e-12 233.395 233.395
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,32 +212,32 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0250293:538.764]
+set xrange [0.0192162:2221.39]
 set xlabel "ms a step" noenhanced
 set logscale y
-set ytics 1000 nomirror
+set ytics 100 nomirror
 unset mytics
 set format y "10^{%T}"
-set yrange [1e-11:100]
+set yrange [1e-10:100]
 set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0355127 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.095381, graph 0.4478 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.523303, graph 0.59805 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.553349, graph 0.763651 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.833669, graph 0.799708 left front noenhanced textcolor rgb '#999999'
-set label "si:200" at graph 0.384245, graph 0.815852 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.103542, graph 0.829332 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.40945, graph 0.866416 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.250031, graph 0.878421 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.279569, graph 0.941029 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.107467, graph 0.943795 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.0651959, graph 0.886845 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.249299, graph 0.945034 to graph 0.222357, graph 0.886845 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.117473, graph 0.775359 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.090531, graph 0.961566 to graph 0.117473, graph 0.775359 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus" at graph 0.0835457, graph 0.0232759 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0851934, graph 0.402188 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.53977, graph 0.564554 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.582346, graph 0.743955 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.833669, graph 0.779163 left front noenhanced textcolor rgb '#999999'
+set label "si:200" at graph 0.355977, graph 0.800506 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0876272, graph 0.817049 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.374189, graph 0.854315 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.24226, graph 0.86635 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.26528, graph 0.936114 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.121056, graph 0.939111 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.0545901, graph 0.882264 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.238693, graph 0.940454 to graph 0.211751, graph 0.882264 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.124163, graph 0.760518 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.097221, graph 0.958363 to graph 0.124163, graph 0.760518 nohead lw 0.6 lc rgb '#009e73'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -260,7 +260,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0250293:538.764]
+set xrange [0.0192162:2221.39]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -272,20 +272,20 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0874059 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.095381, graph 0.197092 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.523303, graph 0.591091 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.553349, graph 0.652728 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.384245, graph 0.739785 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.40945, graph 0.80188 left front noenhanced textcolor rgb '#cc79a7'
-set label "si2:50" at graph 0.103542, graph 0.779364 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.250031, graph 0.826828 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.833669, graph 0.845935 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.279569, graph 0.94783 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.107467, graph 0.948088 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.276241, graph 0.897108 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.249299, graph 0.966936 to graph 0.276241, graph 0.897108 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.117473, graph 0.890192 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.090531, graph 0.971657 to graph 0.117473, graph 0.890192 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus:1e-3" at graph 0.0851934, graph 0.47827 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.53977, graph 0.591091 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.582346, graph 0.652728 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.355977, graph 0.739785 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.374189, graph 0.80188 left front noenhanced textcolor rgb '#cc79a7'
+set label "si2:50" at graph 0.0876272, graph 0.779364 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.24226, graph 0.826828 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.833669, graph 0.842909 left front noenhanced textcolor rgb '#999999'
+set label "dantzig" at graph 0.26528, graph 0.94783 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.121056, graph 0.948088 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.265635, graph 0.897108 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.238693, graph 0.966936 to graph 0.265635, graph 0.897108 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.124163, graph 0.727261 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.097221, graph 0.971657 to graph 0.124163, graph 0.727261 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -308,7 +308,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0250293:538.764]
+set xrange [0.0192162:2221.39]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -319,19 +319,20 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-3" at graph 0.095381, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
 set label "lemke" at graph 0.833669, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
-set label "delassus" at graph 0.0835457, graph 0.224282 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.523303, graph 0.310566 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.384245, graph 0.720536 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.553349, graph 0.746967 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.103542, graph 0.759628 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.40945, graph 0.782948 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.250031, graph 0.808716 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.107467, graph 0.912354 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.279569, graph 0.915034 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.117473, graph 0.973958 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.276241, graph 0.97026 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.53977, graph 0.310566 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.0835457, graph 0.35321 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0851934, graph 0.694613 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.355977, graph 0.743812 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.582346, graph 0.746967 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0876272, graph 0.759628 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.374189, graph 0.794586 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.24226, graph 0.808716 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.121056, graph 0.912354 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.26528, graph 0.915034 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.124163, graph 0.973958 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.265635, graph 0.865518 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.238693, graph 0.946984 to graph 0.265635, graph 0.865518 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -1,128 +1,126 @@
 # Draws pyramid.svg and pyramid.png: gnuplot pyramid.gp
 $line0_0 << EOD
-4 5.53075 4 4
-16 69.0374 16 16
-64 76.7099 64 64
-256 1600.94 256 256
-1024 1410.48 1024 1024
-4096 1633.43 4096 4096
+4 6.49475 4 4
+16 51.3927 16 16
+64 61.2851 64 64
+256 1939.73 256 256
+1024 2384.43 1024 1024
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 3.0495 4 4
-16 15.8441 16 16
-64 31.4712 64 64
-256 55.0772 256 256
-1024 374.718 1024 1024
-4096 1737.19 4096 4096
+4 1.983 4 4
+16 35.956 16 16
+64 19.7071 64 64
+256 61.9147 256 256
+1024 291.596 1024 1024
+4096 2200.41 4096 4096
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.52075 4 4
-16 0.464438 16 16
-64 0.335656 64 64
-256 0.45673 256 256
-1024 0.367117 1024 1024
-4096 0.724945 4096 4096
-15876 0.688363 15876 15876
-39984 0.761034 39984 39984
+4 0.353 4 4
+16 0.3505 16 16
+64 0.346297 64 64
+256 0.342113 256 256
+1024 0.356928 1024 1024
+4096 1.63995 4096 4096
+15876 1.08603 15876 15876
+40000 0.71296 40000 40000
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 3.3425 4 4
-16 2.33656 16 16
-64 2.70448 64 64
-256 3.22647 256 256
-1024 2.74871 1024 1024
-4096 3.60413 4096 4096
-15876 3.14224 15876 15876
-39984 4.84796 39984 39984
+4 2.421 4 4
+16 2.49556 16 16
+64 2.49997 64 64
+256 2.45439 256 256
+1024 6.49776 1024 1024
+4096 7.31317 4096 4096
+15876 5.13907 15876 15876
+40000 7.72233 40000 40000
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.601 4 4
-16 0.564 16 16
-64 0.553172 64 64
-256 0.513848 256 256
-1024 0.477476 1024 1024
-4096 0.733451 4096 4096
-15876 0.684358 15876 15876
-39984 1.1231 39984 39984
+4 0.41575 4 4
+16 0.443812 16 16
+64 0.450359 64 64
+256 0.435605 256 256
+1024 0.462054 1024 1024
+4096 0.501146 4096 4096
+15876 0.70164 15876 15876
+40000 1.07419 40000 40000
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 1.352 4 4
-16 1.38456 16 16
-64 3.74164 64 64
-256 9.6127 256 256
-1024 68.7664 1024 1024
-4096 271.872 4096 4096
+4 0.9715 4 4
+16 1.399 16 16
+64 2.60122 64 64
+256 7.27567 256 256
+1024 101.854 1024 1024
+4096 210.894 4096 4096
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 0.656 4 4
-16 0.839375 16 16
-64 6.32359 64 64
+4 0.6685 4 4
+16 0.845625 16 16
+64 6.89072 64 64
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 0.65575 4 4
-16 0.893813 16 16
-64 5.41412 64 64
-256 363.35 256 256
-1024 8360.52 1024 1024
+4 0.6535 4 4
+16 0.876313 16 16
+64 5.46689 64 64
+256 605.038 256 256
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-4 9.02575 4 4
+4 4.87975 4 4
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-1024 4.01408 1024 1024
-4096 13.1686 4096 4096
+256 2.1463 256 256
+1024 4.45235 1024 1024
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-1024 3.95264 1024 1024
-4096 13.1686 4096 4096
+1024 4.33766 1024 1024
+4096 13.7708 4096 4096
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4096 5.34938 4096 4096
-15876 18.7515 15876 15876
-39984 68.4073 39984 39984
+4096 5.28384 4096 4096
+15876 20.2957 15876 15876
+40000 73.1341 40000 40000
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4096 5.34938 4096 4096
-15876 18.7515 15876 15876
-39984 68.4073 39984 39984
+4096 5.28384 4096 4096
+15876 20.2957 15876 15876
+40000 73.1341 40000 40000
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
 4096 5.47635 4096 4096
-15876 18.817 15876 15876
-39984 68.694 39984 39984
+15876 20.6275 15876 15876
+40000 73.2692 40000 40000
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-256 5.05037 256 256
-1024 69.8941 1024 1024
-4096 1084.42 4096 4096
+256 5.0217 256 256
+1024 69.9884 1024 1024
+4096 1085.53 4096 4096
 EOD
 $marks1_5 << EOD
 EOD
@@ -131,8 +129,7 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-256 9.34707 256 256
-1024 136.643 1024 1024
+256 9.31021 256 256
 EOD
 $marks1_7 << EOD
 EOD
@@ -158,28 +155,28 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [2.01509:367133]
+set xrange [2.01503:367315]
 set xlabel "contacts" noenhanced
 set logscale y
 set ytics 10 nomirror
 set mytics
 set format y "10^{%T}"
-set yrange [0.1:100000]
+set yrange [0.1:10000]
 set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.146901 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.198346 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.280927 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.152775, graph 0.300161 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.076027, graph 0.477207 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.0566038, graph 0.325914 to graph 0.076027, graph 0.477207 nohead lw 0.6 lc rgb '#999999'
-set label "pgs:10" at graph 0.64827, graph 0.572394 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus" at graph 0.64827, graph 0.702184 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-4" at graph 0.64827, graph 0.753193 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.628847, graph 0.706641 to graph 0.64827, graph 0.753193 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.533821, graph 0.820372 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.836374, graph 0.170613 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.217854 left front noenhanced textcolor rgb '#009e73'
+set label "lemke" at graph 0.076027, graph 0.547162 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.0566038, graph 0.33768 to graph 0.076027, graph 0.547162 nohead lw 0.6 lc rgb '#999999'
+set label "dantzig" at graph 0.152765, graph 0.367653 left front noenhanced textcolor rgb '#555555'
+set label "si:100" at graph 0.836374, graph 0.37755 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:10" at graph 0.648245, graph 0.664813 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.186279, graph 0.837822 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.399935, graph 0.756357 to graph 0.380511, graph 0.837822 nohead lw 0.6 lc rgb '#555555'
+set label "delassus:1e-4" at graph 0.648245, graph 0.868501 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.365466, graph 0.898753 left front noenhanced textcolor rgb '#0060a8'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -216,7 +213,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [175.766:134895]
+set xrange [175.761:134962]
 set xlabel "contacts" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -227,15 +224,15 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.325056, graph 0.291523 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-4" at graph 0.244126, graph 0.338075 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.473968, graph 0.279885 to graph 0.454544, graph 0.338075 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:10" at graph 0.836374, graph 0.458776 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.470414 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.505781 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.45923 to graph 0.836374, graph 0.505781 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig:1e-6" at graph 0.0516299, graph 0.533896 left front noenhanced textcolor rgb '#555555'
-set label "pgs:10" at graph 0.493391, graph 0.7588 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus" at graph 0.284692, graph 0.138872 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.076027, graph 0.0560329 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.24224 to graph 0.076027, graph 0.0560329 nohead lw 0.6 lc rgb '#555555'
+set label "delassus:1e-4" at graph 0.244093, graph 0.296377 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.46603 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.477668 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.512782 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.46623 to graph 0.836374, graph 0.512782 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:10" at graph 0.493358, graph 0.758911 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
