@@ -117,7 +117,7 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
 /// as they gain, in heaps with patches; in large piles alternating directions share the loads anew among contacts that squeeze
 /// each other, for the price of one factor; the walk finishes. Where it loses its way, many contacts are at a wall of their
 /// region: alternating directions bring those to rest that squeeze each other, demands that nothing can meet are found out, an
-/// interior point comes down between the walls, and the walk goes on from there.
+/// interior point comes down between the walls, and the walk goes on from there. With few sweeps, all of them come before the walk.
 template <class Motion>
 Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const Options& options,
                          double tolerance, const VectorXd* guess, Solution& best) {

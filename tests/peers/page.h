@@ -7,8 +7,10 @@
 
 namespace delassus::peers {
 
-/// The comparisons as a table of Markdown, line by line, so that it can be watched as it grows.
+/// What is compared, how, and by which command.
 std::string preface();
+
+/// The comparisons as a table of Markdown, line by line, so that it can be watched as it grows.
 std::string tableHeading(int peers);
 std::string tableRow(const Comparison& comparison);
 

@@ -1,5 +1,5 @@
-/// A budget is never spent in vain: what it buys is at least what stock's sequential impulses make of the same step with as
-/// many sweeps.
+/// A budget is never spent in vain: what it buys is, to a tenth, at least what stock's sequential impulses make of the same step
+/// with as many sweeps.
 #include <gtest/gtest.h>
 
 #include "demos/scenes/builders.h"

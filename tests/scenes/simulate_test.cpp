@@ -63,9 +63,7 @@ TEST(Simulate, countsWhatFallsThrough) {
 }
 
 TEST(Simulate, namesWhatIsNotSolved) {
-  delassus::Options options;
-  options.newtonBudget = options.sweepBudget = 1;
-  NamedSolver hasty("delassus:hasty", options);
+  NamedSolver hasty("delassus/1");
   const auto world = buildStack(10, 1000);
   world->movableBodies()[9]->setLinearVelocity(btVector3(1, 0, 0));
   const RunSummary run = simulate(*world, hasty, {0.1, 60}, [](double) {});

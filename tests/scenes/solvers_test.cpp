@@ -30,8 +30,10 @@ INSTANTIATE_TEST_SUITE_P(names, EveryName,
 
 TEST(NamedSolver, refusesWhatIsNoName) {
   for (const char* name :
-       {"", "si", "si:", "si:0", "si:-3", "si:ten", "si:10x", "si:1e9", "delassus:", "delassus:0",
-        "delassus:nan", "dantzig:-1", "lemke:3", "pgs", "bullet", "Delassus"}) {
+       {"",           "si",           "si:",       "si:0",       "si:-3",        "si:ten",
+        "si:10x",     "si:1e9",       "delassus:", "delassus:0", "delassus:nan", "delassus/",
+        "delassus/0", "delassus/1e3", "si/10",     "dantzig:-1", "lemke:3",      "pgs",
+        "bullet",     "Delassus"}) {
     SCOPED_TRACE(name);
     EXPECT_THROW(NamedSolver{name}, UnknownSolver);
   }
@@ -41,7 +43,7 @@ TEST(NamedSolver, refusesWhatIsNoName) {
     const std::string message = error.what();
     EXPECT_NE(message.find("sj:10"), std::string::npos);
     for (const char* known :
-         {"delassus:TOL", "si:N", "si2:N", "nncg:N", "dantzig:CFM", "lemke", "pgs:N"})
+         {"delassus:TOL", "delassus/N", "si:N", "si2:N", "nncg:N", "dantzig:CFM", "lemke", "pgs:N"})
       EXPECT_NE(message.find(known), std::string::npos) << known;
   }
 }
@@ -60,6 +62,18 @@ TEST(NamedSolver, asksForWhatItsNameSays) {
 
   NamedSolver("dantzig:1e-6").configure(other);
   EXPECT_EQ(other.m_globalCfm, btScalar(1e-6));
+}
+
+TEST(NamedSolver, keepsToItsBudget) {
+  NamedSolver named("delassus/30");
+  const auto world = buildStack(10, 1000);
+  world->movableBodies()[9]->setLinearVelocity(btVector3(1, 0, 0));
+  world->setSolver(named.solver());
+  world->step(1.0 / 60);
+  const auto& report = named.delassus()->report();
+  EXPECT_GT(report.sweeps, 0);
+  EXPECT_LE(report.sweeps, 30 * report.islands);
+  EXPECT_LE(report.regions, report.islands);
 }
 
 TEST(NamedSolver, countsFallbacks) {
