@@ -3,11 +3,11 @@
 #include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "delassus/problem_text.h"
 #include "delassus/residual.h"
 #include "delassus/solver.h"
+#include "delassus/split_problem.h"
 #include "demos/command.h"
 #include "demos/number_checks.h"
 
@@ -23,27 +23,6 @@ struct SolveArguments {
   bool json = false;
   std::string solutionFile;
 };
-
-/// Contacts and rows that W couples: the number of connected components.
-int countIslands(const Problem& problem) {
-  const int contacts = problem.contacts(), parts = contacts + problem.rows();
-  const auto partOf = [contacts](int unknown) {
-    return unknown < 3 * contacts ? unknown / 3 : contacts + unknown - 3 * contacts;
-  };
-  std::vector<int> parent(std::size_t(parts), 0);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](int part) {
-    while (parent[part] != part) part = parent[part] = parent[parent[part]];
-    return part;
-  };
-  const auto& entries = problem.W.entries();
-  for (int row = 0; row < entries.outerSize(); ++row)
-    for (DelassusMatrix::Sparse::InnerIterator entry(entries, row); entry; ++entry)
-      if (entry.value() != 0) parent[root(partOf(row))] = root(partOf(int(entry.col())));
-  int islands = 0;
-  for (int part = 0; part < parts; ++part) islands += root(part) == part ? 1 : 0;
-  return islands;
-}
 
 int solveFile(const SolveArguments& arguments) {
   const Problem problem = readProblem(arguments.file);
@@ -67,7 +46,7 @@ int solveFile(const SolveArguments& arguments) {
 
   const std::string kind = problem.contacts() > 0 ? "fc3d" : "lcp";
   const int size = problem.contacts() > 0 ? problem.contacts() : problem.rows();
-  const int islands = countIslands(problem);
+  const int islands = ProblemParts(problem).count();
   if (arguments.json) {
     nlohmann::ordered_json json;
     json["name"] = problem.name;

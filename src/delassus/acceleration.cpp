@@ -29,27 +29,31 @@ void Anderson::start(const VectorXd& weights, int memory) {
   weights_ = &weights;
   memory_ = std::min(memory, longest);
   // All memory is taken now, however few steps there will be.
-  for (int j = 0; j < memory_; ++j) {
-    changeG_[j].resize(weights.size());
-    changeF_[j].resize(weights.size());
-  }
+  changeG_.resize(weights.size() * memory_);
+  changeF_.resize(weights.size() * memory_);
   steps_ = oldest_ = 0;
   begun_ = false;
 }
 
 void Anderson::next(const VectorXd& g, VectorXd& x) {
   constexpr double growth = 2, regularisation = 1e-8, farthest = 1e3;
+  using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, longest, longest>;
+  using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, longest, 1>;
+  Columns changeG = columns(changeG_), changeF = columns(changeF_);
   x = g - x;  // f
-  const double norm = std::sqrt(dot(x, x));
+  weighted_ = weights_->cwiseProduct(x);
+  const double norm = std::sqrt(x.dot(weighted_));
   if (begun_ && norm > growth * last_) {
     steps_ = oldest_ = 0;
   } else if (begun_) {
     const int at = steps_ < memory_ ? steps_++ : oldest_;
     if (steps_ == memory_) oldest_ = (at + 1) % memory_;
-    changeG_[at] = g - g_;
-    changeF_[at] = x - f_;
-    for (int j = 0; j < steps_; ++j)
-      products_(at, j) = products_(j, at) = dot(changeF_[at], changeF_[j]);
+    changeG.col(at) = g - g_;
+    changeF.col(at) = x - f_;
+    f_ = weights_->cwiseProduct(changeF.col(at));
+    const SmallVector products = changeF.leftCols(steps_).transpose() * f_;
+    products_.col(at).head(steps_) = products;
+    products_.row(at).head(steps_) = products.transpose();
   }
   begun_ = true;
   last_ = norm;
@@ -58,24 +62,17 @@ void Anderson::next(const VectorXd& g, VectorXd& x) {
   x = g;
   if (steps_ == 0) return;
 
-  using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, longest, longest>;
-  using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, longest, 1>;
   Small normal = products_.topLeftCorner(steps_, steps_);
   normal.diagonal().array() += regularisation * (normal.trace() + norm * norm);
-  SmallVector gamma(steps_);
-  for (int j = 0; j < steps_; ++j) gamma[j] = dot(changeF_[j], f_);
+  SmallVector gamma = changeF.leftCols(steps_).transpose() * weighted_;
   gamma = normal.ldlt().solve(gamma).eval();
   if (!gamma.allFinite()) return;
-  for (int j = 0; j < steps_; ++j) x -= gamma[j] * changeG_[j];
+  x.noalias() -= changeG.leftCols(steps_) * gamma;
   // Reactions against demands that nothing can meet grow for ever; they are not to grow by powers.
   const double length = std::sqrt((x - g).dot(weights_->cwiseProduct(x - g)));
   if (length > farthest * norm) x = g + (farthest * norm / length) * (x - g);
 }
 
-std::size_t Anderson::bytes() const {
-  std::size_t sum = bytesOf(g_, f_);
-  for (int j = 0; j < longest; ++j) sum += bytesOf(changeG_[j], changeF_[j]);
-  return sum;
-}
+std::size_t Anderson::bytes() const { return bytesOf(g_, f_, weighted_, changeG_, changeF_); }
 
 }  // namespace delassus

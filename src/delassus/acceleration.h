@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "delassus/bytes.h"
 #include "delassus/types.h"
 
@@ -45,13 +43,13 @@ class Anderson {
   std::size_t bytes() const;
 
  private:
-  double dot(const VectorXd& v, const VectorXd& w) const {
-    return v.dot(weights_->cwiseProduct(w));
-  }
+  using Columns = Eigen::Map<MatrixXd>;
+  Columns columns(VectorXd& changes) const { return {changes.data(), weights_->size(), memory_}; }
 
   const VectorXd* weights_ = nullptr;
-  VectorXd g_, f_;  ///< of the last step
-  std::array<VectorXd, longest> changeG_, changeF_;
+  VectorXd g_, f_;                                    ///< of the last step
+  VectorXd weighted_;                                 ///< scratch
+  VectorXd changeG_, changeF_;                        ///< one after the other
   Eigen::Matrix<double, longest, longest> products_;  ///< of the changeF_
   double last_ = 0;                                   ///< ‖f‖ of the last step
   int memory_ = 0;

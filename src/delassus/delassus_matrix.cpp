@@ -4,6 +4,22 @@
 #include <utility>
 
 namespace delassus {
+namespace {
+
+template <int Size>
+Eigen::Matrix<double, Size, Size> diagonalBlock(const DelassusMatrix::Sparse& W, int first) {
+  Eigen::Matrix<double, Size, Size> block = Eigen::Matrix<double, Size, Size>::Zero();
+  const int* columns = W.innerIndexPtr();
+  for (int i = 0; i < Size; ++i) {
+    const int end = W.outerIndexPtr()[first + i + 1];
+    const int* at = std::lower_bound(columns + W.outerIndexPtr()[first + i], columns + end, first);
+    for (; at != columns + end && *at < first + Size; ++at)
+      block(i, *at - first) = W.valuePtr()[at - columns];
+  }
+  return block;
+}
+
+}  // namespace
 
 void BodySpace::impulse(const VectorXd& r, VectorXd& y) const {
   y.setZero(6 * bodies);
@@ -49,8 +65,10 @@ BodySpace::PartRange BodySpace::partsOf(int at) const {
   return {first, last};
 }
 
-DelassusMatrix::DelassusMatrix(const Sparse& entries)
-    : size_(static_cast<int>(entries.rows())), entries_(entries) {}
+DelassusMatrix::DelassusMatrix(Sparse entries)
+    : size_(static_cast<int>(entries.rows())), entries_(std::move(entries)) {
+  entries_.makeCompressed();
+}
 
 DelassusMatrix::DelassusMatrix(BodySpace space)
     : size_(static_cast<int>(space.compliance.size())),
@@ -83,19 +101,14 @@ Mat3 DelassusMatrix::contactBlock(int first) const {
     if (c.b >= 0) W.noalias() += c.Jb * c.Jb.transpose();
     for (const BodySpace::Part& p : space_.partsOf(first)) W.noalias() += p.J * p.J.transpose();
   } else {
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) W(i, j) = entries_.coeff(first + i, first + j);
+    W = diagonalBlock<3>(entries_, first);
   }
   return W;
 }
 
 Mat2 DelassusMatrix::pairBlock(int first) const {
   Mat2 W;
-  if (!inBodySpace_) {
-    for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < 2; ++j) W(i, j) = entries_.coeff(first + i, first + j);
-    return W;
-  }
+  if (!inBodySpace_) return diagonalBlock<2>(entries_, first);
   W = Vec2(space_.compliance.segment<2>(first)).asDiagonal();
   const auto* rows = &space_.rows[first - 3 * space_.contacts.size()];
   // What a row adds for one of its blocks meets the same block of the other row.

@@ -53,18 +53,21 @@ void blockSizes(const Problem& problem, const VectorXd& diagonal, ContactSize co
     if (size < std::numeric_limits<double>::min()) size = instead;
 }
 
+/// ‖F‖ of a contact with the step s.
+double residualOfContact(const Vec3& r, const Vec3& u, double mu, double s) {
+  return (r - projectOnCone(r - s * correctedVelocity(u, mu), mu)).norm();
+}
+
 /// Calls `visit(k, first, unknowns, ‖F‖)` with F = r − P(r − s v), s = step(k), for each contact and then each row k, or
 /// disk whose first row is k, with so many unknowns from `first`.
 template <class Step, class Visit>
 void visitNaturalMap(const Problem& problem, const VectorXd& r, const VectorXd& u, Step step,
                      Visit visit) {
   const int n = problem.contacts();
-  for (int a = 0; a < n; ++a) {
-    const Vec3 ra = r.segment<3>(3 * a);
-    const double mu = problem.friction[a];
-    const Vec3 v = correctedVelocity(u.segment<3>(3 * a), mu);
-    visit(a, 3 * a, 3, (ra - projectOnCone(ra - step(a) * v, mu)).norm());
-  }
+  for (int a = 0; a < n; ++a)
+    visit(
+        a, 3 * a, 3,
+        residualOfContact(r.segment<3>(3 * a), u.segment<3>(3 * a), problem.friction[a], step(a)));
   const int plainRows = problem.disksBegin() - 3 * n;
   for (int i = 0; i < plainRows; ++i) {
     const int at = 3 * n + i;
@@ -136,6 +139,11 @@ NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r) {
   VectorXd u = problem.W * r;
   u += problem.q;
   return naturalResidual(problem, r, u);
+}
+
+double naturalResidual(const Mat3& W, double friction, const Vec3& r, const Vec3& u) {
+  const double size = spectralNorm(W);
+  return size * residualOfContact(r, u, friction, 1 / size);
 }
 
 FclibMeasures fclibMeasures(const Problem& problem, const VectorXd& r) {

@@ -38,6 +38,8 @@ class NaturalMap {
 /// One-off use, with u = W r + q.
 NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r, const VectorXd& u);
 NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r);
+/// ‖F‖/ρ of one contact that is alone with this W, m/s.
+double naturalResidual(const Mat3& W, double friction, const Vec3& r, const Vec3& u);
 
 /// The published measures on problem files: unit-dependent, for comparison only.
 struct FclibMeasures {

@@ -58,8 +58,11 @@ void take(const Solution& candidate, Solution& best) {
 }  // namespace
 
 void Search::measure(const Problem& problem, Solution& candidate) {
-  problem.W.multiply(candidate.r, felt_, candidate.u);
-  candidate.u += problem.q;
+  candidate.u = problem.q;
+  if (candidate.r.any()) {
+    problem.W.multiply(candidate.r, felt_, candidate.u);
+    candidate.u += problem.q;
+  }
   const NaturalResidual residual = map_.residual(candidate.r, candidate.u);
   candidate.residual = residual.max;
   candidate.residualRms = residual.rms;
@@ -111,13 +114,19 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
   return Outcome::Incompatible;
 }
 
-/// From the likeliest start to the surest. Without reactions of a last step: but in large piles, which share their loads in more
-/// regions than one, the paper's forced motion, every approaching contact held, with reactions that start from zero; then
-/// alternating directions. With them: sweeps mend what came and went, as long
-/// as they gain, in heaps with patches; in large piles alternating directions share the loads anew among contacts that squeeze
-/// each other, for the price of one factor; the walk finishes. Where it loses its way, many contacts are at a wall of their
-/// region: alternating directions bring those to rest that squeeze each other, demands that nothing can meet are found out, an
-/// interior point comes down between the walls, and the walk goes on from there. With few sweeps, all of them come before the walk.
+/// From the likeliest way to the surest.
+///
+/// Without reactions of a last step:
+///   - the paper's forced motion, every approaching contact held, from zero; but not in large piles, which share their loads in
+///     more regions than one;
+///   - where there is but one region, a walk to it; elsewhere alternating directions.
+/// With them:
+///   - few sweeps are allowed: all of them;
+///   - much is disturbed: sweeps as long as they gain, in heaps with patches;
+///   - large piles: alternating directions, which share the loads anew among contacts that squeeze each other.
+/// Then a short walk. Where it loses its way, many contacts are at a wall of their region:
+///   - alternating directions, if it began without them; a proof that nothing can meet the demands; an interior point, which
+///     comes down between the walls; a longer walk from there; and `wander`.
 template <class Motion>
 Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const Options& options,
                          double tolerance, const VectorXd* guess, Solution& best) {
@@ -298,6 +307,10 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Problem& problem, cons
 
 Outcome Search::walk(const Problem& problem, const Options& options, double tolerance,
                      const VectorXd* guess, Solution& best) {
+  constexpr int fewUnknowns = 15;
+  if (!problem.W.inBodySpace() && problem.size() > fewUnknowns &&
+      sweepFirst(problem, options, tolerance, best))
+    return Outcome::Reached;
   if (DenseNewton::fits(problem, map_) &&
       dense_.solve(problem, map_, tolerance, options.newtonBudget, best))
     return Outcome::Reached;

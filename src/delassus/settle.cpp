@@ -8,6 +8,29 @@
 
 namespace delassus {
 
+/// Where W is explicit a sweep costs as little as a product with W, and a factor a thousand of them: sweeps that learn as much as they
+/// can, for as long as they gain. True if they reach the tolerance.
+bool Search::sweepFirst(const Problem& problem, const Options& options, double tolerance,
+                        Solution& best) {
+  constexpr int shortest = 3, longest = 10;  // from one look at the residual to the next
+  constexpr int patience = 20, memory = 5;
+  constexpr double gain = 0.5;
+  machines().sweeps.setProblem(problem);
+  trial_.r = best.r;
+  double mark = best.residualRms;
+  int idle = 0;
+  for (int burst = shortest; best.sweeps + burst <= options.sweepBudget && idle < patience;
+       burst = std::min(2 * burst, longest)) {
+    machines().sweeps.sweepOn(problem, burst, memory, trial_.r);
+    best.sweeps += burst;
+    consider(problem, trial_, best);
+    if (best.residual <= tolerance) return true;
+    idle += burst;
+    if (trial_.residualRms < gain * mark) mark = trial_.residualRms, idle = 0;
+  }
+  return false;
+}
+
 /// All sweeps that there are, one after the other, whether or not they gain, as sequential impulses do. Like these they begin from a
 /// little less than the reactions of the last step: where errors remain, all of them would have a pile swing for ever.
 void Search::sweepAll(const Problem& problem, const Options& options, double tolerance,

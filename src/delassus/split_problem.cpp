@@ -5,71 +5,97 @@
 #include "delassus/links.h"
 
 namespace delassus {
+namespace {
 
-std::vector<ProblemPart> splitProblem(const Problem& problem) {
-  const int n = problem.contacts(), size = problem.size();
-  const DelassusMatrix::Sparse& W = problem.W.entries();
-  const auto leader = [&](int unknown) {
-    return unknown < 3 * n ? unknown - unknown % 3 : unknown;
-  };
+using Sparse = DelassusMatrix::Sparse;
 
-  Links links(size);
-  for (int i = 0; i < size; ++i) links.join(i, leader(i));
+/// The unknown that stands for all of its contact or row.
+int leaderOf(int unknown, int contacts) {
+  return unknown < 3 * contacts ? unknown - unknown % 3 : unknown;
+}
+
+Links coupled(const Problem& problem) {
+  const int n = problem.contacts();
+  const Sparse& W = problem.W.entries();
+  Links links(problem.size());
+  for (int i = 0; i < 3 * n; i += 3) links.join(i, i + 1), links.join(i, i + 2);
   for (const Disk& disk : problem.disks)
-    for (int i = 0; i < disk.unknowns; ++i) links.join(disk.first + i, leader(disk.governor));
-  for (int i = 0; i < size; ++i)
-    for (DelassusMatrix::Sparse::InnerIterator it(W, i); it; ++it)
-      if (it.value() != 0) links.join(leader(i), leader(static_cast<int>(it.col())));
+    for (int i = 0; i < disk.unknowns; ++i) links.join(disk.first + i, leaderOf(disk.governor, n));
+  for (int i = 0; i < problem.size(); ++i) {
+    const int leader = leaderOf(i, n);
+    int joined = leader;  // the last that was: entries of a block follow each other
+    for (Sparse::InnerIterator it(W, i); it; ++it) {
+      const int other = leaderOf(static_cast<int>(it.col()), n);
+      if (other == joined || it.value() == 0) continue;
+      links.join(leader, other);
+      joined = other;
+    }
+  }
+  return links;
+}
 
-  std::vector<ProblemPart> parts;
-  std::vector<int> partOf(size), place(size);
+}  // namespace
+
+ProblemParts::ProblemParts(const Problem& whole) : whole_(whole) {
+  const int size = whole.size();
+  Links links = coupled(whole);
+  partOf_.resize(size);
+  place_.resize(size);
+  std::vector<int> sizes;
   for (int i = 0; i < size; ++i) {
-    const int root = links.root(i);
+    const int root = links.root(i);  // the first of its part
     if (root == i) {
-      partOf[i] = static_cast<int>(parts.size());
-      parts.emplace_back();
+      partOf_[i] = static_cast<int>(sizes.size());
+      sizes.push_back(0);
     }
-    partOf[i] = partOf[root];
-    place[i] = static_cast<int>(parts[partOf[i]].unknowns.size());
-    parts[partOf[i]].unknowns.push_back(i);
+    partOf_[i] = partOf_[root];
+    place_[i] = sizes[partOf_[i]]++;
   }
-  for (const Disk& disk : problem.disks)
-    parts[partOf[disk.first]].problem.disks.push_back(
-        {place[disk.first], disk.unknowns, place[disk.governor], disk.radius, disk.mostLoad});
+  begin_.assign(1, 0);
+  for (const int count : sizes) begin_.push_back(begin_.back() + count);
+  unknowns_.resize(size);
+  for (int i = 0; i < size; ++i) unknowns_[begin_[partOf_[i]] + place_[i]] = i;
+}
 
-  for (ProblemPart& part : parts) {
-    const int count = static_cast<int>(part.unknowns.size());
-    Eigen::Index most = 0;  // of entries
-    for (const int i : part.unknowns) most += W.outerIndexPtr()[i + 1] - W.outerIndexPtr()[i];
-    DelassusMatrix::Sparse Wp(count, count);
-    Wp.reserve(most);
-    Problem& p = part.problem;
-    p.name = problem.name;
-    p.q.resize(count);
-    std::vector<double> friction, lower, upper;
-    for (int k = 0; k < count; ++k) {
-      const int i = part.unknowns[k];
-      p.q[k] = problem.q[i];
-      if (i < 3 * n && i % 3 == 0) friction.push_back(problem.friction[i / 3]);
-      if (i >= 3 * n) {
-        lower.push_back(problem.lower[i - 3 * n]);
-        upper.push_back(problem.upper[i - 3 * n]);
-      }
-      Wp.startVec(k);
-      for (DelassusMatrix::Sparse::InnerIterator it(W, i); it; ++it)
-        if (partOf[it.col()] == partOf[i]) Wp.insertBack(k, place[it.col()]) = it.value();
-    }
-    const auto vector = [](const std::vector<double>& x) {
-      return VectorXd(
-          Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
-    };
-    p.friction = vector(friction);
-    p.lower = vector(lower);
-    p.upper = vector(upper);
-    Wp.finalize();
-    p.W = DelassusMatrix(Wp);
+Problem ProblemParts::problemOf(int part) const {
+  const Sparse& W = whole_.W.entries();
+  const int size = sizeOf(part), frictional = 3 * whole_.contacts();
+  int contacts = 0, rows = 0;
+  Eigen::Index most = 0;  // of entries
+  for (int k = 0; k < size; ++k) {
+    const int i = unknown(part, k);
+    i < frictional ? contacts += i % 3 == 0 : ++rows;
+    most += W.outerIndexPtr()[i + 1] - W.outerIndexPtr()[i];
   }
-  return parts;
+  Problem p;
+  p.name = whole_.name;
+  p.roundOff = whole_.roundOff;
+  p.q.resize(size);
+  p.friction.resize(contacts);
+  p.lower.resize(rows);
+  p.upper.resize(rows);
+  Sparse Wp(size, size);
+  Wp.reserve(most);
+  for (int k = 0; k < size; ++k) {
+    const int i = unknown(part, k);
+    p.q[k] = whole_.q[i];
+    if (i < frictional) {
+      p.friction[k / 3] = whole_.friction[i / 3];
+    } else {
+      p.lower[k - 3 * contacts] = whole_.lower[i - frictional];
+      p.upper[k - 3 * contacts] = whole_.upper[i - frictional];
+    }
+    Wp.startVec(k);
+    for (Sparse::InnerIterator it(W, i); it; ++it)
+      if (partOf_[it.col()] == part) Wp.insertBack(k, place_[it.col()]) = it.value();
+  }
+  Wp.finalize();
+  p.W = DelassusMatrix(std::move(Wp));
+  for (const Disk& disk : whole_.disks)
+    if (partOf_[disk.first] == part)
+      p.disks.push_back(
+          {place_[disk.first], disk.unknowns, place_[disk.governor], disk.radius, disk.mostLoad});
+  return p;
 }
 
 }  // namespace delassus

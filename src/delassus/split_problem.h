@@ -6,14 +6,27 @@
 
 namespace delassus {
 
-/// A part of a problem that nothing couples to the rest, and where its unknowns stand in the whole.
-struct ProblemPart {
-  Problem problem;
-  std::vector<int> unknowns;  ///< of the whole problem, in the order of the part's
-};
+/// The connected components of a problem with explicit W, ordered by their first unknown: an entry W_ij or W_ji ≠ 0 connects, and so
+/// does a disk its governor. A problem in body space is an island already and is never split.
+class ProblemParts {
+ public:
+  /// Keeps a reference to `whole`.
+  explicit ProblemParts(const Problem& whole);
 
-/// Splits a problem with explicit W into its connected components (an entry W_ij or W_ji ≠ 0 connects, and so does a disk
-/// its governor), ordered by their first unknown. A problem in body space is an island already and is never split.
-std::vector<ProblemPart> splitProblem(const Problem& problem);
+  int count() const { return static_cast<int>(begin_.size()) - 1; }
+  int sizeOf(int part) const { return begin_[part + 1] - begin_[part]; }
+  /// The k-th unknown of a part, as one of the whole. Ascending.
+  int unknown(int part, int k) const { return unknowns_[begin_[part] + k]; }
+  bool isOneContact(int part) const {
+    return sizeOf(part) == 3 && unknown(part, 0) < 3 * whole_.contacts();
+  }
+  Problem problemOf(int part) const;
+
+ private:
+  const Problem& whole_;
+  std::vector<int> unknowns_;        ///< those of the parts, one part after the other
+  std::vector<int> begin_;           ///< of each part in unknowns_, and the end
+  std::vector<int> partOf_, place_;  ///< of each unknown
+};
 
 }  // namespace delassus

@@ -23,7 +23,38 @@ void Sweeps::setProblem(const Problem& problem) {
     diskBlocks_[k] = disk.unknowns == 2 ? problem.W.pairBlock(disk.first)
                                         : Mat2(diagonal_[disk.first] * Mat2::Identity());
   }
+  if (!problem.W.inBodySpace()) readEntries(problem);
   learnt_ = false;
+}
+
+void Sweeps::readEntries(const Problem& problem) {
+  coupling_.clear();
+  coupled_.clear();
+  couplingBegin_.assign(1, 0);
+  std::vector<int> slot(problem.contacts(), -1);
+  for (int i = 0; i < problem.contacts(); ++i) {
+    readContactRows(problem.W.entries(), i, slot);
+    couplingBegin_.push_back(static_cast<int>(coupled_.size()));
+  }
+}
+
+/// `slot`: where the block of a contact is, if that is not before those of this one.
+void Sweeps::readContactRows(const DelassusMatrix::Sparse& W, int contact, std::vector<int>& slot) {
+  const auto first = static_cast<int>(coupled_.size());
+  const auto frictional = static_cast<int>(3 * slot.size());
+  for (int k = 0; k < 3; ++k) {
+    for (DelassusMatrix::Sparse::InnerIterator it(W, 3 * contact + k); it; ++it) {
+      const auto column = static_cast<int>(it.col());
+      if (column >= frictional) break;
+      int& at = slot[column / 3];
+      if (at < first) {
+        at = static_cast<int>(coupled_.size());
+        coupled_.push_back(column / 3);
+        coupling_.emplace_back(Mat3::Zero());
+      }
+      coupling_[at](k, column % 3) = it.value();
+    }
+  }
 }
 
 Vec3 Sweeps::nextOnCone(const Problem& problem, int contact, const Vec3& r, const Vec3& u) const {
@@ -135,8 +166,11 @@ void Sweeps::sweepEntries(const Problem& problem, VectorXd& r) {
     const int at = 3 * i;
     if (!(diagonal_[at] > 0)) continue;
     Vec3 u = problem.q.segment<3>(at);
+    for (int k = couplingBegin_[i]; k < couplingBegin_[i + 1]; ++k)
+      u += coupling_[k] * r.segment<3>(3 * coupled_[k]);
     for (int k = 0; k < 3; ++k)
-      for (DelassusMatrix::Sparse::InnerIterator it(W, at + k); it; ++it)
+      for (DelassusMatrix::Sparse::ReverseInnerIterator it(W, at + k); it && it.col() >= 3 * n;
+           --it)
         u[k] += it.value() * r[it.col()];
     r.segment<3>(at) = nextOnCone(problem, i, r.segment<3>(at), u);
   }

@@ -22,8 +22,9 @@ class Sweeps {
   void sweepOn(const Problem& problem, int count, int memory, VectorXd& r);
 
   std::size_t bytes() const {
-    return bytesOf(blocks_, diskBlocks_, diagonal_, y_, swept_) + conjugate_.bytes() +
-           anderson_.bytes();
+    return bytesOf(blocks_, diskBlocks_, diagonal_, y_, swept_, coupling_, coupled_,
+                   couplingBegin_) +
+           conjugate_.bytes() + anderson_.bytes();
   }
 
  private:
@@ -32,6 +33,8 @@ class Sweeps {
   void sweepOnce(const Problem& problem, VectorXd& r);
   void sweepBodies(const Problem& problem, VectorXd& r);
   void sweepEntries(const Problem& problem, VectorXd& r);
+  void readEntries(const Problem& problem);
+  void readContactRows(const DelassusMatrix::Sparse& W, int contact, std::vector<int>& slot);
   /// The reaction of disk `k` with the others held: u is what it sees with r.
   Vec2 nextOnDisk(const Problem& problem, int k, const VectorXd& r, const Vec2& u) const;
 
@@ -42,6 +45,10 @@ class Sweeps {
   std::vector<Mat2> diskBlocks_;
   VectorXd diagonal_;
   VectorXd y_;
+  // Explicit W between contacts, in blocks: that of `contact` are from couplingBegin_[contact] on.
+  std::vector<Mat3> coupling_;
+  std::vector<int> coupled_;  ///< with which contact
+  std::vector<int> couplingBegin_;
   VectorXd swept_;       ///< by the last sweep
   bool learnt_ = false;  ///< whether anderson_ knows how swept_ came about
   ConjugateGradient conjugate_;

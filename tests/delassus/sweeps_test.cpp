@@ -205,9 +205,9 @@ TEST(Sweeps, TheConjugateGradientHurriesThem) {
 // What one call has learnt the next one uses: in small bites as few sweeps are needed as in one.
 TEST(Sweeps, AndersonsGoOnFromWhatTheyLearnt) {
   Random random(49);
-  constexpr int bites = 8, bite = 10, memory = 4;
+  constexpr int problems = 20, bites = 6, bite = 10, memory = 8;
   double inBites = 0, alone = 0;
-  for (int k = 0; k < 20; ++k) {
+  for (int k = 0; k < problems; ++k) {
     const Problem problem = PileIsland(makeHeap(12, 0.4, random)).problem;
     Sweeps sweeps;
     sweeps.setProblem(problem);
@@ -218,7 +218,7 @@ TEST(Sweeps, AndersonsGoOnFromWhatTheyLearnt) {
     for (int n = 0; n < bites; ++n) r = swept(problem, bite, r, memory);
     alone += std::log10(naturalResidual(problem, r).max);
   }
-  EXPECT_LT(inBites, alone);
+  EXPECT_LT(inBites, alone - 0.5 * problems);
 }
 
 }  // namespace

@@ -1,0 +1,147 @@
+/// Problems with explicit W fall into parts that nothing couples.
+#include "delassus/split_problem.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+#include "delassus/solver.h"
+#include "tests/support/random_piles.h"
+#include "tests/support/turning_piles.h"
+
+namespace delassus {
+namespace {
+
+using namespace delassus::testing;
+
+std::vector<int> unknownsOf(const ProblemParts& parts, int part) {
+  std::vector<int> unknowns;
+  for (int k = 0; k < parts.sizeOf(part); ++k) unknowns.push_back(parts.unknown(part, k));
+  return unknowns;
+}
+
+DelassusMatrix matrix(const MatrixXd& W) {
+  return DelassusMatrix(DelassusMatrix::Sparse(W.sparseView()));
+}
+
+/// Contacts that nothing couples, of all modes.
+Problem loneContacts(int n, Random& random) {
+  Problem problem;
+  MatrixXd W = MatrixXd::Zero(3 * n, 3 * n);
+  problem.q.resize(3 * n);
+  problem.friction.resize(n);
+  for (int i = 0; i < n; ++i) {
+    W.block<3, 3>(3 * i, 3 * i) = randomDelassus(3, 100, random);
+    for (int k = 0; k < 3; ++k) problem.q[3 * i + k] = uniform(random, -1, 1);
+    problem.friction[i] = i % 7 == 0 ? 0 : uniform(random, 0, 1.5);
+  }
+  problem.W = matrix(W);
+  return problem;
+}
+
+TEST(ProblemParts, AreWhatEntriesOfEitherTriangleConnect) {
+  Problem problem;
+  MatrixXd W = MatrixXd::Identity(11, 11);
+  W(1, 7) = 0.1;   // contact 0 feels contact 2
+  W(10, 4) = 0.1;  // the last row feels contact 1
+  problem.W = matrix(W);
+  problem.q = VectorXd::LinSpaced(11, -1, 1);
+  problem.friction = Eigen::Vector3d(0.1, 0.2, 0.3);
+  problem.lower = Eigen::Vector2d(0, -1);
+  problem.upper = Eigen::Vector2d(2, 1);
+  problem.roundOff = 1e-9;
+
+  const ProblemParts parts(problem);
+  ASSERT_EQ(parts.count(), 3);
+  EXPECT_THAT(unknownsOf(parts, 0), ::testing::ElementsAre(0, 1, 2, 6, 7, 8));
+  EXPECT_THAT(unknownsOf(parts, 1), ::testing::ElementsAre(3, 4, 5, 10));
+  EXPECT_THAT(unknownsOf(parts, 2), ::testing::ElementsAre(9));
+  EXPECT_FALSE(parts.isOneContact(2));
+
+  const Problem second = parts.problemOf(1);
+  EXPECT_EQ(second.W.dense()(3, 1), 0.1);
+  EXPECT_EQ(second.q, problem.q({3, 4, 5, 10}));
+  EXPECT_EQ(second.friction, VectorXd::Constant(1, 0.2));
+  EXPECT_EQ(second.lower, VectorXd::Constant(1, -1));
+  EXPECT_EQ(second.upper, VectorXd::Constant(1, 1));
+  EXPECT_EQ(second.roundOff, problem.roundOff);
+}
+
+TEST(ProblemParts, ADiskIsConnectedToItsGovernor) {
+  Random random(60);
+  Problem problem = loneContacts(2, random);
+  MatrixXd W = MatrixXd::Identity(9, 9);
+  W.topLeftCorner<6, 6>() = problem.W.dense();
+  problem.W = matrix(W);
+  problem.q = VectorXd::Constant(9, -1);
+  problem.lower = problem.upper = VectorXd::Constant(3, std::numeric_limits<double>::infinity());
+  problem.lower *= -1;
+  problem.disks = {{6, 1, 0, 0.1}, {7, 2, 3, 0.2}};
+  const ProblemParts parts(problem);
+  ASSERT_EQ(parts.count(), 2);
+  EXPECT_THAT(unknownsOf(parts, 1), ::testing::ElementsAre(3, 4, 5, 7, 8));
+  EXPECT_THAT(parts.problemOf(1).disks, ::testing::ElementsAre(Disk{3, 2, 0, 0.2}));
+}
+
+// A formula answers those that approach, and the others are not looked at.
+TEST(SolveParts, LoneContactsNeedNoSolver) {
+  Random random(61);
+  const Problem problem = loneContacts(200, random);
+  const Solution solution = solve(problem);
+  EXPECT_EQ(solution.status, Status::Solved);
+  EXPECT_LT(solution.residual, 1e-13);
+  EXPECT_EQ(solution.sweeps + solution.factorisations, 0);
+  const ProblemParts parts(problem);
+  int approaching = 0;
+  for (int i = 0; i < 200; ++i) {
+    approaching += problem.q[3 * i] < 0;
+    const Solution alone = solve(parts.problemOf(i));
+    EXPECT_LT((solution.r.segment<3>(3 * i) - alone.r).norm(), 1e-12 * (1 + alone.r.norm()));
+    EXPECT_LT((solution.u.segment<3>(3 * i) - alone.u).norm(), 1e-12);
+    EXPECT_EQ(solution.activeSet.contacts[i], alone.activeSet.contacts[0]);
+  }
+  EXPECT_EQ(solution.regions, approaching);
+
+  Options walked;
+  walked.economies.closedForms = false;
+  EXPECT_EQ(solve(problem, walked).status, Status::Solved);
+}
+
+TEST(SolveParts, WhatDoesNotApproachStaysApart) {
+  Random random(62);
+  Problem problem = loneContacts(4, random);
+  MatrixXd W = problem.W.dense();
+  W.block<6, 6>(0, 0) = randomDelassus(6, 10, random);
+  problem.W = matrix(W);
+  problem.q[0] = 0.2;
+  problem.q[3] = 0;
+  const Solution solution = solve(problem);
+  EXPECT_EQ(solution.r.head<6>(), VectorXd::Zero(6));
+  EXPECT_EQ(solution.u.head<6>(), problem.q.head<6>());
+  EXPECT_EQ(solution.activeSet.contacts[0], Mode::Open);
+}
+
+// Towers need factors; heaps, whose contacts are few, settle by sweeps that are far cheaper.
+TEST(SolveParts, AnEasyProblemNeedsNoFactor) {
+  Random random(63);
+  int factored = 0;
+  constexpr int problems = 20;
+  for (int k = 0; k < problems; ++k) {
+    const Problem problem = withEntries(PileIsland(makeHeap(12, 0.4, random)).problem);
+    const Solution solution = solve(problem);
+    EXPECT_EQ(solution.status, Status::Solved);
+    factored += solution.factorisations > 0;
+  }
+  EXPECT_LT(factored, problems / 2);
+
+  const Problem tower =
+      withEntries(PileIsland(makeTower({1, 1, 1, 1, 1, 1, 1, 100}, 0.5, 0.2, random)).problem);
+  const Solution solution = solve(tower);
+  EXPECT_EQ(solution.status, Status::Solved);
+  EXPECT_GT(solution.factorisations, 0);
+}
+
+}  // namespace
+}  // namespace delassus
