@@ -133,7 +133,7 @@ void Memory::keepWrench(Group& group, int begin, int end, const Owner& owner) co
     missing -= g * group.guess[i];
     sum += g * g.transpose();
   }
-  // One or two points cannot make every wrench.
+  // Two points cannot make every wrench.
   constexpr double negligible = 1e-10;
   sum.diagonal().array() += negligible * sum.trace();
   const Eigen::LDLT<Mat6> factor(sum);
@@ -149,10 +149,17 @@ void Memory::keepWrench(Group& group, int begin, int end, const Owner& owner) co
   const Vec6 share = factor.solve(missing);
   bool inCones = true;
   for (int i = begin; i < end; ++i) inCones = add(i, share) && inCones;
-  // A point that is alone has no others to leave it anything.
-  const int rounds = end - begin > 1 ? 20 : 0;
+  constexpr int rounds = 20;
   for (int k = 0; k < rounds && !inCones; ++k)
     for (int i = begin; i < end; ++i) add(i, factor.solve(missing));
+}
+
+/// A point that is alone, as those of spheres are: it takes over the force, and its moment follows.
+void Memory::keepForce(Group& group, int contact, const Owner& owner) const {
+  Vec3 impulse = Vec3::Zero();
+  for (int k = owner.begin; k < owner.end; ++k) impulse += last_.points[k].impulse;
+  const Contact& c = group.contacts[contact];
+  group.guess[contact] = projectOnCone(c.frame.transpose() * impulse, c.friction);
 }
 
 void Memory::recallPoints(Group& group, int begin, int end) {
@@ -161,6 +168,7 @@ void Memory::recallPoints(Group& group, int begin, int end) {
   if (fresh == 0) return;
   const Owner* owner = last_.manifolds.find(ownerOf(*group.contactSources[begin].manifold));
   if (!owner) return;
+  if (end - begin == 1) return keepForce(group, begin, *owner);
   // Points that stayed claim their own past; what is left goes to the fresh ones.
   claim(group, begin, end, *owner, false);
   claim(group, begin, end, *owner, true);

@@ -13,7 +13,7 @@ struct Answer;
 /// Bullet's narrow phase has put in the place of others. Only guesses come from here; the answer does not depend on them.
 ///
 /// A fresh point takes over the reaction of the nearest point of its manifold that is gone; then all points of the
-/// manifold share the rest, so that together they push and turn as those of the last step did. Pointers serve to
+/// manifold share the rest, so that together they push and turn as those of the last step did (a point that is alone: push). Pointers serve to
 /// recognise, in the order of the arrays; nothing is read through them. What a user deletes and makes anew may lie where
 /// the old one lay: it is recognised only if the bodies, and the impulse that a joint carries, are the same too.
 class Memory {
@@ -68,7 +68,8 @@ class Memory {
     std::vector<Point> points;
     std::vector<Turn> turns;
     std::vector<double> rows;
-    std::vector<const btCollisionObject*> restless;  ///< a body of each restless island
+    std::vector<const btCollisionObject*>
+        restless;  ///< of each restless island, with a contact if it has any
     void clear();
   };
 
@@ -81,6 +82,7 @@ class Memory {
   void keepTurns(const Group& group, const Answer& answer);
   void claim(Group& group, int begin, int end, const Owner& owner, bool fresh);
   void keepWrench(Group& group, int begin, int end, const Owner& owner) const;
+  void keepForce(Group& group, int contact, const Owner& owner) const;
 
   bool announced_ = false;
   Step last_, now_;

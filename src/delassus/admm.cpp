@@ -1,7 +1,7 @@
 /// Alternating directions, with the vectors of the walk: x is r_, y is center_, z is u_.
-#include <cmath>
 #include <limits>
 
+#include "delassus/length.h"
 #include "delassus/proximal_newton.h"
 
 namespace delassus {
@@ -16,7 +16,7 @@ template <class Motion>
 void ProximalNewton<Motion>::alternateOnce(const Problem& problem) {
   r_ = rho * scale_.cwiseProduct(center_) + u_ - problem.q;
   for (int i = 0; i < problem.contacts(); ++i)
-    r_[3 * i] -= problem.friction[i] * std::hypot(u_[3 * i + 1], u_[3 * i + 2]);
+    r_[3 * i] -= problem.friction[i] * lengthOf(u_[3 * i + 1], u_[3 * i + 2]);
   r_ = r_.cwiseProduct(l_);
   motion_.impulse(r_, felt_);
   motion_.solve(felt_);
@@ -47,7 +47,7 @@ bool ProximalNewton<Motion>::alternate(const Problem& problem, double tolerance,
   center_ = best.r;
   u_ = best.u;
   for (int i = 0; i < n; ++i)
-    u_[3 * i] += problem.friction[i] * std::hypot(u_[3 * i + 1], u_[3 * i + 2]);
+    u_[3 * i] += problem.friction[i] * lengthOf(u_[3 * i + 1], u_[3 * i + 2]);
   double mark = std::numeric_limits<double>::infinity();
   for (int k = 1, idle = 0; k <= budget && idle < mostIdle; ++k) {
     alternateOnce(problem);

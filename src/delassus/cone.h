@@ -1,14 +1,13 @@
 #pragma once
 
-#include <cmath>
-
+#include "delassus/length.h"
 #include "delassus/types.h"
 
 namespace delassus {
 
 /// Euclidean projection on Coulomb's cone K_μ = { r : ‖r_t‖ ≤ μ r_n }, normal first (algorithms §6.1).
 inline Vec3 projectOnCone(const Vec3& x, double mu) {
-  const double t = std::hypot(x[1], x[2]);
+  const double t = lengthOf(x[1], x[2]);
   if (x[0] >= 0 && t <= mu * x[0]) return x;
   if (mu * t <= -x[0]) return Vec3::Zero();
   const double n = (x[0] + mu * t) / (1 + mu * mu);
@@ -23,7 +22,7 @@ inline Vec3 reactionTo(const Vec3& z, double mu, Mat3* derivative) {
     if (derivative) derivative->setZero();
     return Vec3::Zero();
   }
-  const double zt = std::hypot(z[1], z[2]), radius = mu * z[0];
+  const double zt = lengthOf(z[1], z[2]), radius = mu * z[0];
   if (zt <= radius) {
     if (derivative) derivative->setIdentity();
     return z;
@@ -38,7 +37,7 @@ inline Vec3 reactionTo(const Vec3& z, double mu, Mat3* derivative) {
 
 /// De Saxcé's corrected velocity u + μ‖u_t‖ n: with it Coulomb's law reads K_μ ∋ r ⟂ corrected ∈ K_μ*.
 inline Vec3 correctedVelocity(const Vec3& u, double mu) {
-  return {u[0] + mu * std::hypot(u[1], u[2]), u[1], u[2]};
+  return {u[0] + mu * lengthOf(u[1], u[2]), u[1], u[2]};
 }
 
 }  // namespace delassus

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
+#include "delassus/length.h"
 #include "delassus/types.h"
 
 namespace delassus {
@@ -44,7 +44,7 @@ struct Disk {
 
 /// Euclidean projection on the disk of this radius about 0.
 inline Vec2 projectOnDisk(const Vec2& x, double radius) {
-  const double length = std::hypot(x[0], x[1]);
+  const double length = lengthOf(x[0], x[1]);
   return length <= radius ? x : Vec2(x * (radius / length));
 }
 

@@ -7,7 +7,11 @@
 
 namespace delassus {
 
-OneContact::OneContact(const Mat3& W) : W_(W), inverse_(W.partialPivLu().inverse()) {}
+OneContact::OneContact(const Mat3& W) : W_(W) {
+  // Column by column: Eigen unrolls that, but not the inverse.
+  const Eigen::PartialPivLU<Mat3> factor(W);
+  for (int k = 0; k < 3; ++k) inverse_.col(k) = factor.solve(Vec3(Vec3::Unit(k)));
+}
 
 Vec3 OneContact::solve(const Vec3& q, double friction, double slip) const {
   if (q[0] >= 0) return Vec3::Zero();

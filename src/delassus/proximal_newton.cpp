@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "delassus/cone.h"
+#include "delassus/length.h"
 #include "delassus/options.h"
 #include "delassus/residual.h"
-
-#include "delassus/cone.h"
 
 namespace delassus {
 
@@ -120,10 +120,10 @@ void ProximalNewton<Motion>::respondInRegion(const Problem& problem, const Solut
         G_.contacts[i] = l.asDiagonal();
         break;
       case Mode::Slide: {
-        const double length = std::hypot(g[1], g[2]);
+        const double length = lengthOf(g[1], g[2]);
         const double c = length > 0 ? g[1] / length : 0, s = length > 0 ? g[2] / length : 0;
         // The direction may turn as it does at the guess: by μ r_n over the sliding speed.
-        const double speed = std::hypot(from.u[at + 1], from.u[at + 2]);
+        const double speed = lengthOf(from.u[at + 1], from.u[at + 2]);
         const double turn = length > 0 ? length / (length / l[1] + speed) : 0;
         r = held[0] * Vec3(1, mu * c, mu * s);
         const double across = turn * (-s * u_[at + 1] + c * u_[at + 2]);

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <cmath>
-
 #include "delassus/active_set.h"
 #include "delassus/cone.h"
 #include "delassus/disk.h"
+#include "delassus/length.h"
 
 namespace delassus {
 
@@ -13,7 +12,7 @@ namespace delassus {
 inline Mode modeOf(const Vec3& r, const Vec3& u, double friction, double weight) {
   const double rho = weight > 0 ? 1 / weight : 0;
   const Vec3 z = r - rho * correctedVelocity(u, friction);
-  const double zt = std::hypot(z[1], z[2]);
+  const double zt = lengthOf(z[1], z[2]);
   return friction * zt <= -z[0] || (z[0] <= 0 && zt == 0) ? Mode::Open
          : zt < friction * z[0]                           ? Mode::Stick
                                                           : Mode::Slide;
@@ -29,7 +28,7 @@ inline RowState stateOf(double r, double u, double lower, double upper, double w
 inline Mode diskModeOf(const Vec2& r, const Vec2& u, double radius, double weight) {
   if (!(radius > 0)) return Mode::Open;
   const Vec2 z = r - (weight > 0 ? 1 / weight : 0) * u;
-  return std::hypot(z[0], z[1]) < radius ? Mode::Stick : Mode::Slide;
+  return lengthOf(z[0], z[1]) < radius ? Mode::Stick : Mode::Slide;
 }
 
 }  // namespace delassus
