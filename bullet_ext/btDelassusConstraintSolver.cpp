@@ -226,10 +226,13 @@ void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount
   laps.end(w.report.secondsWriteBack);
 
   if (plan.heard && !w.events.empty()) {
+    // Who listens may end that while it is called.
+    const auto listener = listener_, troubleListener = troubleListener_,
+               turningListener = turningListener_;
     for (const ContactEvent& event : w.events) {
-      if (listener_ && event.from != event.to) listener_(event);
-      if (troubleListener_ && event.trouble != Trouble::None) troubleListener_(event);
-      if (turningListener_ && !event.moment.isZero()) turningListener_(event);
+      if (listener && event.from != event.to) listener(event);
+      if (troubleListener && event.trouble != Trouble::None) troubleListener(event);
+      if (turningListener && !event.moment.isZero()) turningListener(event);
     }
     laps.end(w.report.secondsListener);
   }

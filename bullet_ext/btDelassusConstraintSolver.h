@@ -67,7 +67,8 @@ class btDelassusConstraintSolver : public btConstraintSolver {
 
   /// Called at the end of each solveGroup with every contact whose mode changed, in the order of
   /// Bullet's manifolds: first those that took part, then those that were left out. The listener must
-  /// not add or remove anything in the world. An empty function ends it; then nothing is computed for it.
+  /// not add or remove anything in the world, nor reset this solver; it may set listeners, for the steps to come. An empty
+  /// function ends it; then nothing is computed for it.
   void setContactListener(std::function<void(const delassus::ContactEvent&)> listener);
   /// The same for every contact in trouble, in every step in which it is, changed or not.
   void setTroubleListener(std::function<void(const delassus::ContactEvent&)> listener);

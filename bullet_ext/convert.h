@@ -1,7 +1,6 @@
 #pragma once
 /// Every conversion between Bullet's types, in the library's precision, and the core's, in double.
 
-#include <cmath>
 #include <limits>
 
 #include "BulletCollision/NarrowPhaseCollision/btManifoldPoint.h"

@@ -54,8 +54,22 @@ void Group::clear() {
 std::size_t Group::bytes() const {
   const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
   return of(bodies) + of(bodySources) + of(contacts) + of(contactSources) + of(pushes) + of(guess) +
-         of(idle) + of(restless) + of(rows) + of(joints) + of(multiBodyRows) +
-         obsolete.capacity() * sizeof(void*) + of(asked) + indexOf.bytes();
+         of(idle) + of(restless) + of(rows) + of(rowGuess) + of(joints) + of(multiBodyRows) +
+         obsolete.capacity() * sizeof(void*) + of(asked) + indexOf.bytes() + articulation.bytes();
+}
+
+const char* faultOf(const Row& row) {
+  if (!row.jacobianA.allFinite() || !row.jacobianB.allFinite()) return "its axis is not finite";
+  if (!std::isfinite(row.target)) return "its target velocity is not finite";
+  if (std::isnan(row.lower) || std::isnan(row.upper)) return "a bound is not a number";
+  if (row.lower > row.upper) return "its lower bound is above its upper one";
+  if (std::isinf(row.lower) && row.lower == row.upper) return "it asks for an infinite impulse";
+  if (!std::isfinite(row.compliance) || row.compliance < 0)
+    return "its softness is not a number >= 0";
+  const double size = row.jacobianA.cwiseAbs().sum() + row.jacobianB.cwiseAbs().sum() +
+                      std::abs(row.target) + row.compliance;
+  if (!(size <= largestNumber)) return "its numbers are too large";
+  return nullptr;
 }
 
 std::string nameOf(const btCollisionObject& object) {

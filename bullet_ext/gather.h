@@ -70,7 +70,7 @@ struct Group {
   std::vector<Vec3> guess;     ///< reaction of each contact to start from, N·s
   std::vector<PointSource> idle;  ///< points that were passed but take no part
   std::vector<char>
-      restless;  ///< contacts of islands whose last reactions changed the motion; empty if there are none
+      restless;  ///< contacts of one body of each island whose last reactions changed the motion; empty if there are none
   int bouncing = 0;  ///< contacts with restitution
   int turning = 0;   ///< contacts with rolling or spinning friction
 
@@ -143,6 +143,9 @@ void gatherTurningFriction(Group& group, bool asStock = false);
 
 /// How messages call an object: by its place in the world. Contacts and joints: by their bodies. A link: by its number and
 /// its multibody too, which is called by the name of its base, or by the place of its first collider.
+/// What is wrong with a row, or null.
+const char* faultOf(const Row& row);
+
 std::string nameOf(const btCollisionObject& object);
 std::string nameOf(const PointSource& source);
 std::string nameOf(const btTypedConstraint& joint);

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
@@ -78,21 +77,6 @@ Row toRow(const Group& group, int a, int b, const InfoRow& info, double damping,
     row.target = 0;
   }
   return row;
-}
-
-/// What is wrong with a row, or null.
-const char* faultOf(const Row& row) {
-  if (!row.jacobianA.allFinite() || !row.jacobianB.allFinite()) return "its axis is not finite";
-  if (!std::isfinite(row.target)) return "its target velocity is not finite";
-  if (std::isnan(row.lower) || std::isnan(row.upper)) return "a bound is not a number";
-  if (row.lower > row.upper) return "its lower bound is above its upper one";
-  if (std::isinf(row.lower) && row.lower == row.upper) return "it asks for an infinite impulse";
-  if (!std::isfinite(row.compliance) || row.compliance < 0)
-    return "its softness is not a number >= 0";
-  const double size = row.jacobianA.cwiseAbs().sum() + row.jacobianB.cwiseAbs().sum() +
-                      std::abs(row.target) + row.compliance;
-  if (!(size <= largestNumber)) return "its numbers are too large";
-  return nullptr;
 }
 
 void clearResult(btTypedConstraint& joint) {

@@ -60,16 +60,6 @@ double boundOf(btScalar bound) {
 
 constexpr const char* brokenBody = "one of its bodies is left out";
 
-/// What is wrong with a row, or null.
-const char* faultOf(const Row& row) {
-  if (!row.jacobianA.allFinite() || !row.jacobianB.allFinite()) return "its axis is not finite";
-  if (!std::isfinite(row.target)) return "its target velocity is not finite";
-  if (!(row.lower <= row.upper)) return "its lower bound is not below its upper one";
-  if (!std::isfinite(row.compliance) || row.compliance < 0)
-    return "its softness is not a number >= 0";
-  return nullptr;
-}
-
 }  // namespace
 
 /// Index of the new body, that of `source` or (if that has none) a stem.
@@ -220,10 +210,34 @@ void MultiBodyParts::askRows(btMultiBodyConstraint& constraint) {
   constraint.createConstraintRows(rows_, data_, *input_.info);
 }
 
+/// What is wrong with a row as Bullet made it, or null.
+const char* MultiBodyParts::faultOfInput(Group& group, const btMultiBodySolverConstraint& row) {
+  double sum = std::abs(row.m_rhs) + std::abs(row.m_rhsPenetration);
+  for (const btVector3& axis : {row.m_contactNormal1, row.m_relpos1CrossNormal,
+                                row.m_contactNormal2, row.m_relpos2CrossNormal})
+    sum += axis.length2();
+  const auto addTree = [&](btMultiBody* body, int jacobian) {
+    if (!body) return true;
+    const TreeSource& source = treeOf(group, *body);
+    if (source.tree == leftOut) return false;
+    const auto dofs = group.articulation.trees[source.tree].root.rows();
+    for (int i = 0; i < dofs; ++i) sum += std::abs(data_.m_jacobians[jacobian + i]);
+    return true;
+  };
+  if (!addTree(row.m_multiBodyA, row.m_jacAindex) || !addTree(row.m_multiBodyB, row.m_jacBindex))
+    return brokenBody;
+  return std::isfinite(sum) ? nullptr : "its axis or its target velocity is not finite";
+}
+
 void MultiBodyParts::addRow(Group& group, btMultiBodyConstraint& constraint, int asked, int dof,
                             StepReport& report) {
   const btMultiBodySolverConstraint& from = rows_[asked];
-  if (!(from.m_jacDiagABInv > 0)) return;
+  if (!(from.m_jacDiagABInv > 0)) {
+    // Bullet switches off, by d = 0, what it cannot divide by: also what is no number.
+    if (const char* fault = faultOfInput(group, from))
+      report.leaveOut("row " + std::to_string(dof) + " of " + nameOf(constraint), fault);
+    return;
+  }
   const double response = 1 / static_cast<double>(from.m_jacDiagABInv);
 
   const auto rowIndex = static_cast<int>(group.rows.size());
@@ -262,6 +276,8 @@ void MultiBodyParts::addRow(Group& group, btMultiBodyConstraint& constraint, int
   row.compliance = from.m_cfm * response;
 
   const char* fault = row.a == leftOut || row.b == leftOut ? brokenBody : faultOf(row);
+  for (std::size_t i = jointRowsBefore; i < jointRows.size() && !fault; ++i)
+    if (!(jointRows[i].effect.cwiseAbs().sum() <= largestNumber)) fault = "its axis is not finite";
   if (fault || (row.lower == 0 && row.upper == 0)) {
     while (jointRows.size() > jointRowsBefore) jointRows.pop_back();
     if (fault) report.leaveOut("row " + std::to_string(dof) + " of " + nameOf(constraint), fault);

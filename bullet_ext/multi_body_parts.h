@@ -73,6 +73,7 @@ class MultiBodyParts : public Extension {
   void lendCompanionIds(const Group& group);
   void takeBackCompanionIds(const Group& group);
   void askRows(btMultiBodyConstraint& constraint);
+  const char* faultOfInput(Group& group, const btMultiBodySolverConstraint& row);
   void addRow(Group& group, btMultiBodyConstraint& constraint, int asked, int dof,
               StepReport& report);
 

@@ -99,6 +99,15 @@ double shareToKeep(const Group& group, const Island& island) {
   return settled ? worldKeptShare : worldPolishedShare;
 }
 
+/// A body by whose contacts the island is known in the next step.
+int bodyToRemember(const Group& group, const Island& island) {
+  const std::vector<int>& contacts =
+      island.frictional.empty() ? island.frictionless : island.frictional;
+  if (contacts.empty()) return island.bodies.front();
+  const Contact& contact = group.contacts[contacts.front()];
+  return group.movable(contact.a) ? contact.a : contact.b;
+}
+
 /// Whether the island needs no W: then `solution` answers it, and its bodies move in `answer`.
 bool needsNoSolving(const Group& group, const Island& island, const Economies& economies,
                     Bench& bench, Answer& answer) {
@@ -144,7 +153,7 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
   const double tolerance = bench.solver.options().tolerance * problem.q.cwiseAbs().maxCoeff();
   if (solution.tier == Tier::Walk && solution.startResidual > worldKeptShare * tolerance &&
       solution.startResidual > gain * solution.residual)
-    result.restless = island.bodies.front();
+    result.restless = bodyToRemember(group, island);
   if (fitsBullet(solution.r)) {
     keepReactions(island, solution, answer);
     applyReaction(answer.bodies, group.contacts, group.rows, island, solution.r);
@@ -183,7 +192,10 @@ void solveOpenIslands(const Group& group, Workshop& workshop, Answer& answer) {
 }  // namespace
 
 std::size_t Answer::bytes() const {
-  return bytesOf(bodies, contacts, modes, troubles, rows, islands, open) + assembler.bytes();
+  std::size_t sum = bytesOf(bodies, contacts, modes, troubles, rows, islands, open) +
+                    assembler.bytes() + joiner.bytes() + gains.bytes();
+  for (const IslandResult& island : islands) sum += bytesOf(island.blamed);
+  return sum;
 }
 
 void checkIslands(const Group& group, Workshop& workshop, Answer& answer) {

@@ -114,7 +114,7 @@ void writeJoints(const Group& group, const Answer& answer, const btContactSolver
     btTypedConstraint& joint = *source.constraint;
     // Read before anything is disabled: a joint breaks as a whole, after its last feedback.
     const double breakingImpulse = joint.getBreakingImpulseThreshold();
-    bool breaks = false;
+    bool breaks = breakingImpulse <= 0;  // then none of its rows was asked
     Vec6 onA = Vec6::Zero(), onB = Vec6::Zero();
     for (int row = source.firstRow; row < source.firstRow + source.rowCount; ++row) {
       const double r = answer.rows[row];

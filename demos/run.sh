@@ -18,7 +18,9 @@ for world in ../shared/worlds/*.bullet; do
   echo "== $(basename "$world")"
   $command run "$world" --solver delassus,si:10 --seconds 4
   timeout 60 $command run "$world" --solver dantzig:1e-6 --seconds 4 || {
-    [ $? -eq 124 ] && echo "dantzig:1e-6 on $(basename "$world"): stopped after a minute of computing"
+    status=$?
+    [ $status -eq 124 ] || exit $status
+    echo "dantzig:1e-6 on $(basename "$world"): stopped after a minute of computing"
   }
 done
 

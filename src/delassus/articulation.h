@@ -42,6 +42,12 @@ struct Articulation {
   /// The limb that the body is, or null.
   const Limb* limbOf(int body) const;
   bool moves(const Island& island) const;
+
+  std::size_t bytes() const {
+    return trees.bytes([](const Tree& tree) { return bytesOf(tree.root); }) +
+           limbs.bytes([](const Limb& limb) { return sizeof(double) * limb.motion.size(); }) +
+           jointRows.bytes([](const JointRow& row) { return bytesOf(row.effect); });
+  }
 };
 
 /// B with M⁻¹ = B Bᵀ, for a symmetric M⁻¹ that is positive semi-definite up to rounding: Cholesky
@@ -61,6 +67,10 @@ class IslandJoiner {
   const KeptList<Island>& join(const Assembler& assembler, const Articulation& articulation);
   /// As they were joined last.
   const KeptList<Island>& islands() const { return joined_; }
+  std::size_t bytes() const {
+    return joined_.bytes([](const Island& island) { return island.bytes(); }) + links_.bytes() +
+           bytesOf(islandOf_, place_);
+  }
 
  private:
   KeptList<Island> joined_;
@@ -75,6 +85,11 @@ struct TreeGains {
 
   /// Nothing has moved yet.
   void reset(const Articulation& articulation);
+  std::size_t bytes() const {
+    std::size_t sum = bytesOf(of);
+    for (const VectorXd& gain : of) sum += bytesOf(gain);
+    return sum;
+  }
 };
 
 /// The problem of an island with trees: W from the whole motion of each tree, in blocks of six.

@@ -2,7 +2,6 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <utility>
 
 #include "delassus/block_product.h"
 #include "delassus/bytes.h"

@@ -16,7 +16,7 @@ class IslandCheck {
   /// Whether the free motion keeps the law: r = 0 and u = q, up to the round-off of the velocities that cancel in q,
   ///
   ///     contacts:  q_n ≥ 0
-  ///     rows:      lower ≤ 0 ≤ upper,  q ≥ 0 unless lower < 0,  q ≤ 0 unless upper > 0
+  ///     rows:      lower ≤ 0 ≤ upper,  q ≤ 0 if lower < 0,  q ≥ 0 if upper > 0
   ///
   /// Looks no further than to the first contact that approaches.
   bool isFree(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,

@@ -26,6 +26,13 @@ class KeptList {
   const Entry* data() const { return entries_.data(); }
   const Entry* begin() const { return data(); }
   const Entry* end() const { return begin() + size_; }
+  /// Of the storage, with what each entry owns itself: `owned(entry)`.
+  template <class Owned>
+  std::size_t bytes(Owned owned) const {
+    std::size_t sum = entries_.capacity() * sizeof(Entry);
+    for (const Entry& entry : entries_) sum += owned(entry);
+    return sum;
+  }
 
  private:
   std::vector<Entry> entries_;

@@ -24,11 +24,6 @@ void visitBodies(const Problem& problem, int k, Visit visit) {
 
 }  // namespace
 
-int Patches::rootOf(int body) {
-  while (parent_[body] != body) body = parent_[body] = parent_[parent_[body]];
-  return body;
-}
-
 /// Which bodies belong to a patch.
 void Patches::spread(const Problem& problem, const VectorXd& residuals, double unsettled) {
   const int count = problem.contacts() + problem.rows();
@@ -47,8 +42,7 @@ void Patches::spread(const Problem& problem, const VectorXd& residuals, double u
 /// Contacts and rows whose bodies all belong to a patch, and the patches that they make of them.
 void Patches::join(const Problem& problem) {
   const int count = problem.contacts() + problem.rows();
-  parent_.resize(reach_.size());
-  for (std::size_t body = 0; body < reach_.size(); ++body) parent_[body] = static_cast<int>(body);
+  links_.reset(static_cast<int>(reach_.size()));
   owner_.assign(count, -1);
   for (int k = 0; k < count; ++k) {
     int first = -1;
@@ -59,10 +53,10 @@ void Patches::join(const Problem& problem) {
     });
     if (first < 0 || !inside) continue;
     owner_[k] = first;
-    visitBodies(problem, k, [&](int body) { parent_[rootOf(body)] = rootOf(first); });
+    visitBodies(problem, k, [&](int body) { links_.join(body, first); });
   }
   for (int& owner : owner_)
-    if (owner >= 0) owner = rootOf(owner);
+    if (owner >= 0) owner = links_.root(owner);
 }
 
 /// A disk whose governor is held has no law of its own in a patch.

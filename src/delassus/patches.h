@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "delassus/links.h"
 #include "delassus/problem.h"
 
 namespace delassus {
@@ -28,23 +29,22 @@ class Patches {
   void putBack(int patch, const Problem& problem, const VectorXd& reactions, VectorXd& r) const;
 
   std::size_t bytes() const {
-    return bytesOf(reach_, parent_, owner_, parts_, begin_, place_, felt_, moved_);
+    return bytesOf(reach_, owner_, parts_, begin_, place_, felt_, moved_) + links_.bytes();
   }
 
  private:
-  int rootOf(int body);
   void spread(const Problem& problem, const VectorXd& residuals, double unsettled);
   void join(const Problem& problem);
   void leaveOutDisks(const Problem& problem);
   void sort();
 
   std::vector<char>
-      reach_;  ///< of bodies: touched by an unsettled part, or a neighbour, or neither
-  std::vector<int> parent_;  ///< of bodies: a forest whose trees are the patches
-  std::vector<int> owner_;   ///< of contacts and rows: the root of its patch, or −1
-  std::vector<int> parts_;   ///< contacts and rows, patch by patch, ascending in each
-  std::vector<int> begin_;   ///< patch -> its first among parts_
-  std::vector<int> place_;   ///< of bodies: number in the patch; or of roots: number of the patch
+      reach_;               ///< of bodies: touched by an unsettled part, or a neighbour, or neither
+  Links links_;             ///< of bodies that are in one patch
+  std::vector<int> owner_;  ///< of contacts and rows: the root of its patch, or −1
+  std::vector<int> parts_;  ///< contacts and rows, patch by patch, ascending in each
+  std::vector<int> begin_;  ///< patch -> its first among parts_
+  std::vector<int> place_;  ///< of bodies: number in the patch; or of roots: number of the patch
   VectorXd felt_, moved_;
 };
 

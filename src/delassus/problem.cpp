@@ -12,18 +12,18 @@ namespace {
 constexpr double largest = 1e100;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool inBodySpace(const BodySpace& space, int contacts, int part) {
+bool inBodySpace(const BodySpace& space, int contacts, int part, int first) {
+  double sum = 0;
+  for (const BodySpace::Part& p : space.partsOf(first)) sum += p.J.cwiseAbs().sum();
   if (part < contacts) {
     const BodySpace::ContactRows& rows = space.contacts[part];
-    return rows.Ja.cwiseAbs().sum() + rows.Jb.cwiseAbs().sum() +
-               space.compliance.segment<3>(3 * part).cwiseAbs().sum() <=
-           largest;
+    sum += rows.Ja.cwiseAbs().sum() + rows.Jb.cwiseAbs().sum() +
+           space.compliance.segment<3>(first).cwiseAbs().sum();
+  } else {
+    const BodySpace::ScalarRow& row = space.rows[part - contacts];
+    sum += row.Ja.cwiseAbs().sum() + row.Jb.cwiseAbs().sum() + std::abs(space.compliance[first]);
   }
-  const int row = part - contacts;
-  const BodySpace::ScalarRow& scalar = space.rows[row];
-  return scalar.Ja.cwiseAbs().sum() + scalar.Jb.cwiseAbs().sum() +
-             std::abs(space.compliance[3 * contacts + row]) <=
-         largest;
+  return sum <= largest;
 }
 
 bool inEntries(const DelassusMatrix::Sparse& entries, int first, int unknowns) {
@@ -43,7 +43,7 @@ bool isFit(const Problem& problem, int part, int first, int unknowns) {
     const double lower = problem.lower[part - contacts], upper = problem.upper[part - contacts];
     if (!(lower <= upper && lower < infinity && upper > -infinity)) return false;
   }
-  return problem.W.inBodySpace() ? inBodySpace(problem.W.bodySpace(), contacts, part)
+  return problem.W.inBodySpace() ? inBodySpace(problem.W.bodySpace(), contacts, part, first)
                                  : inEntries(problem.W.entries(), first, unknowns);
 }
 

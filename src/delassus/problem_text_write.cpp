@@ -8,7 +8,6 @@
 #include <fstream>
 #include <limits>
 #include <map>
-#include <vector>
 
 #include "delassus/problem_text.h"
 #include "delassus/word_reader.h"

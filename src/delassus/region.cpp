@@ -1,7 +1,6 @@
 #include "delassus/region.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>

@@ -1,7 +1,6 @@
 #include "delassus/solver.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "delassus/one_contact.h"
@@ -81,7 +80,9 @@ void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best
   if (best.residual <= tolerance && !economies.keptIslands) {
     // What keeps the law is solved again all the same, from nothing.
     warm = false;
-    best.residual = std::numeric_limits<double>::infinity();
+    const double startResidual = best.startResidual;
+    best.start(problem.q);
+    best.startResidual = startResidual;
   }
   const double aim = std::max(options_.guessShare * tolerance, problem.roundOff);
   if (best.residual <= aim) {

@@ -7,7 +7,6 @@
 
 namespace delassus {
 
-using Vec1 = Eigen::Matrix<double, 1, 1>;
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Mat2 = Eigen::Matrix2d;
@@ -17,7 +16,7 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;  ///< linear part first, then angular
 using Row6 = Eigen::Matrix<double, 1, 6>;
 using Mat36 = Eigen::Matrix<double, 3, 6>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
-using VectorXd = KeptVector;
+using VectorXd = KeptVector;  ///< not Eigen's own: it keeps its storage, and copies its entries
 using MatrixXd = Eigen::MatrixXd;
 
 /// Index of the fixed world where a body index is expected.

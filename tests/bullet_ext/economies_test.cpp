@@ -255,6 +255,20 @@ TEST(Economies, NoEventsUnheard) {
   EXPECT_EQ(made, changes);
 }
 
+TEST(Economies, AListenerMayEndItself) {
+  BulletWorld world(solverWithout(nullptr));
+  world.addGround();
+  for (int i = 0; i < 3; ++i) world.addCube({btScalar(2 * i), btScalar(0.5), 0});
+  int told = 0;
+  std::vector<int> heap(100, 1);  // so that the function has storage of its own
+  world.delassus().setContactListener([&world, &told, heap](const ContactEvent&) {
+    world.delassus().setContactListener({});
+    told += heap.at(50);
+  });
+  world.advance(5);
+  EXPECT_EQ(told, 12) << "those of one step, to the last";
+}
+
 TEST(Economies, KeptStorageDoesNotShow) {
   const Look nothing = [](const StepReport&) {};
   compare(

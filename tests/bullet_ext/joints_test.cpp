@@ -239,6 +239,15 @@ TEST(Parity, Row30BreaksAboveItsThreshold) {
   }
 }
 
+/// Stock's 0 ≥ 0.
+TEST(Parity, Row30JointThatBearsNothingBreaksAtOnce) {
+  Hanging hanging;
+  hanging.joint.setBreakingImpulseThreshold(0);
+  hanging.world.advance();
+  EXPECT_FALSE(hanging.joint.isEnabled());
+  EXPECT_NEAR(hanging.ball.getLinearVelocity().y(), -g * h, 100 * precision);
+}
+
 TEST(Parity, Row31DisabledJointIsSkipped) {
   DelassusWorld world;
   btRigidBody& near = world.addCube({0, 5, 0});

@@ -239,6 +239,21 @@ TEST(MultiBodyParity, BrokenTreeIsLeftOutAndTold) {
   EXPECT_LE(box.getLinearVelocity().length(), tolerance(1e-8, 1e-5));
 }
 
+TEST(MultiBodyParity, RowsThatAreNoNumbersAreLeftOutAndTold) {
+  DelassusMultiBodyWorld world;
+  world.addGround();
+  btMultiBody& tree = addChain(world, 2, true, btVector3(0, 3, 0));
+  auto& motor = world.addConstraint<btMultiBodyJointMotor>(&tree, 1, btScalar(1), btScalar(10));
+  world.advance(2);
+  EXPECT_TRUE(world.report().messages.empty());
+  motor.setVelocityTarget(std::numeric_limits<btScalar>::quiet_NaN());
+  world.advance();
+  ASSERT_EQ(world.report().messages.size(), 1u);
+  EXPECT_NE(world.report().messages[0].find("is not finite"), std::string::npos)
+      << world.report().messages[0];
+  EXPECT_TRUE(std::isfinite(tree.getJointVel(1)));
+}
+
 /// Link and multibody are named, by their own names where they have some.
 TEST(MultiBodyParity, TroubleNamesLinkAndMultiBody) {
   DelassusMultiBodyWorld world;

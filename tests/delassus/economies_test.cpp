@@ -82,6 +82,18 @@ TEST(Economies, WhatKeepsTheLawIsNotSolvedAgain) {
   }
 }
 
+// Towers, and a pile so large that its start is another.
+TEST(Economies, WhatKeepsTheLawIsSolvedAgainFromNothing) {
+  Random random(78);
+  for (const int boxes : {1, 4, 60}) {
+    SCOPED_TRACE(boxes);
+    const PileIsland island(makeTower(randomMasses(boxes, 2, random), 0.7, 0, random));
+    const Solution cold = solveWith(island.problem, &Economies::keptIslands);
+    ASSERT_EQ(cold.status, Status::Solved);
+    EXPECT_EQ(solveWith(island.problem, &Economies::keptIslands, cold.r).r, cold.r);
+  }
+}
+
 TEST(Economies, OneRowOrContactTakesAFormula) {
   Random random(74);
   for (int k = 0; k < 100; ++k) {

@@ -188,16 +188,18 @@ TEST(Solver, AGuessThatIsASolutionComesBackWithoutWork) {
 // Contacts that rest, slide and open are named so.
 TEST(Solver, ModesSayWhatTheMotionDoes) {
   Random random(75);
+  int seen[3] = {};
   for (int k = 0; k < 60; ++k) {
     const PileIsland island = randomIsland(k, 10, 1, random);
     const Solution solution = Solver().solve(island.problem);
-    if (solution.status != Status::Solved) continue;
+    ASSERT_EQ(solution.status, Status::Solved);
     const double small = 1e-6 * island.problem.q.cwiseAbs().maxCoeff();
     for (int i = 0; i < island.problem.contacts(); ++i) {
       const Vec3 u = solution.u.segment<3>(3 * i), r = solution.r.segment<3>(3 * i);
       const double slip = std::hypot(u[1], u[2]);
       const double weight = small / island.problem.W.contactBlock(3 * i).trace();
       const Mode mode = solution.activeSet.contacts[i];
+      ++seen[static_cast<int>(mode)];
       if (u[0] > small) {
         EXPECT_EQ(mode, Mode::Open);
       }
@@ -215,6 +217,7 @@ TEST(Solver, ModesSayWhatTheMotionDoes) {
       }
     }
   }
+  for (const int count : seen) EXPECT_GT(count, 50);
 }
 
 // Where few contacts came or went, what was learnt of all the others is worth more than a fresh start.

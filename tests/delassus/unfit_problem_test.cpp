@@ -87,6 +87,37 @@ TEST(UnfitProblem, SpoilsOnlyThePartThatItIsCoupledTo) {
   EXPECT_NEAR(solution.r[6], 1, 1e-8);
 }
 
+// They cannot be taken apart by it.
+TEST(UnfitProblem, ADiskThatPointsOutOfIt) {
+  for (const int governor : {-1, 3, 1000}) {
+    SCOPED_TRACE(governor);
+    Problem problem = threeParts();
+    problem.lower[0] = -infinity;
+    problem.disks = {{6, 1, governor, 0.1}};
+    const Solution solution = solve(problem);
+    if (governor == 3) {
+      EXPECT_EQ(solution.status, Status::Solved);
+      EXPECT_NEAR(solution.r[6], 0.1, 1e-8);
+    } else {
+      EXPECT_EQ(solution.status, Status::NonFinite);
+      EXPECT_THAT(solution.blamed, ElementsAre(6));
+    }
+  }
+  Problem problem = threeParts();
+  problem.disks = {{1000, 1, 0, 0.1}};
+  EXPECT_EQ(solve(problem).status, Status::NonFinite);
+}
+
+TEST(UnfitProblem, InAPartOfAnArticulatedBody) {
+  Random random(3);
+  const PileIsland pile(makeTower({1, 1}, 0.5, 0, random));
+  Problem problem = pile.problem;
+  BodySpace space = problem.W.bodySpace();
+  space.parts.push_back({6, 1, Mat36::Constant(notANumber)});
+  problem.W = DelassusMatrix(space);
+  EXPECT_THAT(unfitParts(problem), ElementsAre(6));
+}
+
 TEST(UnfitProblem, InBodySpace) {
   Random random(3);
   const PileIsland pile(makeTower({1, 1, 1}, 0.5, 0, random));
