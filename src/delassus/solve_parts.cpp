@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "delassus/cone.h"
@@ -115,16 +116,17 @@ bool answerByFormula(const Problem& problem, const Options& options, int contact
 }  // namespace
 
 Solution solve(const Problem& problem, const Options& options) {
-  Solver solver(options);
-  if (problem.W.inBodySpace() || problem.contacts() + problem.rows() == 1)
-    return solver.solve(problem);
-  if (!disksAreInside(problem)) return solver.solve(problem);  // which blames them
-  const ProblemParts parts(problem);
-  if (parts.count() == 1) return solver.solve(problem);
-  Whole whole(problem);
-  Solution solution;
+  if (problem.W.inBodySpace() || !disksAreInside(problem)) return Solver(options).solve(problem);
   const bool fit = unfitParts(problem).empty();
   const bool formulas = fit && options.economies.closedForms;
+  Whole whole(problem);
+  if (formulas && problem.contacts() == 1 && problem.rows() == 0 &&
+      answerByFormula(problem, options, 0, whole))
+    return whole.take();
+  const ProblemParts parts(problem);
+  if (parts.count() == 1) return Solver(options).solve(problem);
+  std::optional<Solver> solver;  // made when a part needs it
+  Solution solution;
   for (int k = 0; k < parts.count(); ++k) {
     if (options.economies.freeIslands && fit && isOpen(problem, parts, k)) {
       whole.putOpen(parts, k);
@@ -133,8 +135,9 @@ Solution solve(const Problem& problem, const Options& options) {
     if (formulas && parts.isOneContact(k) &&
         answerByFormula(problem, options, parts.unknown(k, 0) / 3, whole))
       continue;
+    if (!solver) solver.emplace(options);
     const Problem part = parts.problemOf(k);
-    solver.solve(part, {}, solution);
+    solver->solve(part, {}, solution);
     whole.put(parts, k, part, solution);
   }
   return whole.take();
