@@ -15,17 +15,17 @@ namespace delassus {
 /// any that the demands could ask for. Nearly singular W with compatible demands let reactions grow long, too.
 template <class Motion>
 bool ProximalNewton<Motion>::growsInVain(const Problem& problem, double tolerance,
-                                         double residual) const {
-  const VectorXd d = r_ - center_;
+                                         double residual) {
+  VectorXd &d = change_, &open = step_, &moved = trialError_;  // in storage that is free now
+  d = r_ - center_;
   const int frictional = 3 * problem.contacts(), plainRows = problem.disksBegin() - frictional;
-  VectorXd open = d.cwiseQuotient(l_);
+  open = d.cwiseQuotient(l_);
   auto demands = open.segment(frictional, plainRows);
   if (plainRows == 0 || demands.cwiseAbs().maxCoeff() < 0.1 * residual) return false;
   demands.setZero();
   if (open.cwiseAbs().maxCoeff() > 1e-6 * residual) return false;
-  VectorXd y, moved;
-  motion_.impulse(d, y);
-  motion_.relativeVelocity(y, moved);
+  motion_.impulse(d, felt_);
+  motion_.relativeVelocity(felt_, moved);
   // Neither a tolerance beside which the residual is small nor the rounding of reactions that are large proves anything.
   const double still = std::min(tolerance, map_->roundOff(r_));
   if (moved.cwiseAbs().maxCoeff() > std::max(still, 1e-6 * residual)) return false;
@@ -77,8 +77,8 @@ bool ProximalNewton<Motion>::yield(const Problem& problem, double tolerance, dou
   return true;
 }
 
-template bool ProximalNewton<BodyMotion>::growsInVain(const Problem&, double, double) const;
-template bool ProximalNewton<FactoredMotion>::growsInVain(const Problem&, double, double) const;
+template bool ProximalNewton<BodyMotion>::growsInVain(const Problem&, double, double);
+template bool ProximalNewton<FactoredMotion>::growsInVain(const Problem&, double, double);
 template void ProximalNewton<BodyMotion>::compromise(const Problem&, Solution&);
 template void ProximalNewton<FactoredMotion>::compromise(const Problem&, Solution&);
 template bool ProximalNewton<BodyMotion>::yield(const Problem&, double, double, int&, Solution&);

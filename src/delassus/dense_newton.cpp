@@ -16,9 +16,7 @@ void DenseNewton::start(const Problem& problem, const NaturalMap& map, const Sol
   W_ = problem.W.entries();
   K_.resize(problem.size(), problem.size());
   error_.resize(problem.size());
-  rho_ = map.diagonal();
-  for (int i = 0; i < problem.contacts(); ++i)
-    rho_.segment<3>(3 * i).setConstant(rho_.segment<3>(3 * i).mean());
+  map.meanDiagonal(rho_);
   r_ = best.r;
   u_ = best.u;
 }

@@ -20,14 +20,7 @@ double longestStep(double x, double d) { return d < 0 ? -x / d : infinity; }
 template <class Motion>
 void InteriorPoint<Motion>::start(const Problem& problem, const NaturalMap& map) {
   const int n = problem.contacts(), m = problem.rows();
-  scale_ = map.diagonal();
-  for (int i = 0; i < n; ++i)
-    scale_.template segment<3>(3 * i).setConstant(scale_.template segment<3>(3 * i).mean());
-  for (const Disk& disk : problem.disks) {
-    auto own = scale_.segment(disk.first, disk.unknowns);
-    own.setConstant(own.mean());
-  }
-  scale_ = scale_.cwiseMax(1e-14 * std::max(scale_.maxCoeff(), 1e-300));
+  map.meanDiagonal(scale_);
   // Smaller, and reactions that squeeze each other run away; larger, and the last digits come slowly.
   constexpr double proximal = 1e-6;
   weight_ = proximal * scale_;

@@ -7,6 +7,7 @@
 
 #include "delassus/disk.h"
 #include "delassus/read_mode.h"
+#include "delassus/residual.h"
 
 namespace delassus {
 namespace {
@@ -95,10 +96,6 @@ class Residuals {
   double tolerance_, max_ = 0, squares_ = 0;
   int count_ = 0;
 };
-
-double rowResidual(double r, double u, double lower, double upper, double size) {
-  return std::abs(r - std::clamp(r - u / size, lower, upper)) * size;
-}
 
 void moveIntoDisk(const Disk& disk, VectorXd& r) {
   disk.put(projectOnDisk(disk.of(r), disk.radiusAt(r)), r);
@@ -264,7 +261,7 @@ bool IslandCheck::isKept(const std::vector<Body>& bodies, const std::vector<Cont
   const auto keepsBounds = [&](double velocity, double lower, double upper, double size) {
     u[at] = velocity;
     solution.activeSet.rows[state++] = stateOf(r[at], velocity, lower, upper, size);
-    return residuals.add(rowResidual(r[at++], velocity, lower, upper, size));
+    return residuals.add(size * rowResidual(r[at++], velocity, lower, upper, 1 / size));
   };
   const auto keepsNormal = [&](int i) {
     const Contact& c = contacts[i];

@@ -15,16 +15,7 @@ template <class Motion>
 void ProximalNewton<Motion>::setProblem(const Problem& problem, const NaturalMap& map) {
   map_ = &map;
   motion_.setProblem(problem);
-  const int n = problem.contacts();
-  scale_ = map.diagonal();
-  for (int i = 0; i < n; ++i) scale_.segment<3>(3 * i).setConstant(scale_.segment<3>(3 * i).mean());
-  for (const Disk& disk : problem.disks) {
-    auto own = scale_.segment(disk.first, disk.unknowns);
-    own.setConstant(own.mean());
-  }
-  // A row that moves nothing (W_ii = 0) can do nothing: any finite weight leaves it harmless.
-  const double largest = std::max(scale_.maxCoeff(), 1e-300);
-  scale_ = scale_.cwiseMax(1e-14 * largest);
+  map.meanDiagonal(scale_);
   if (problem.W.inBodySpace())
     compliance_ = problem.W.bodySpace().compliance;
   else

@@ -95,7 +95,7 @@ class ProximalNewton {
   /// r_ is the next center, and the best answer if `residual` is the smallest.
   void moveTo(double residual, Solution& best);
   void alternateOnce(const Problem& problem);
-  bool growsInVain(const Problem& problem, double tolerance, double residual) const;
+  bool growsInVain(const Problem& problem, double tolerance, double residual);
   void compromise(const Problem& problem, Solution& best);
   void forgetFactor();
   const VectorXd& felt();

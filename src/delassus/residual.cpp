@@ -71,11 +71,7 @@ void visitNaturalMap(const Problem& problem, const VectorXd& r, const VectorXd& 
   const int plainRows = problem.disksBegin() - 3 * n;
   for (int i = 0; i < plainRows; ++i) {
     const int at = 3 * n + i;
-    const double s = step(n + i);
-    // r − clamp(r − s u), written so that a large r does not swallow s u.
-    const double F =
-        std::max(std::min(s * u[at], r[at] - problem.lower[i]), r[at] - problem.upper[i]);
-    visit(n + i, at, 1, std::abs(F));
+    visit(n + i, at, 1, rowResidual(r[at], u[at], problem.lower[i], problem.upper[i], step(n + i)));
   }
   for (const Disk& disk : problem.disks) {
     const int k = disk.first - 2 * n;
@@ -90,6 +86,18 @@ void NaturalMap::setProblem(const Problem& problem) {
   problem_ = &problem;
   problem.W.diagonal(diagonal_);
   blockSizes(problem, diagonal_, spectralNorm<Mat3>, sizes_);
+}
+
+void NaturalMap::meanDiagonal(VectorXd& mean) const {
+  mean = diagonal_;
+  for (int i = 0; i < problem_->contacts(); ++i)
+    mean.segment<3>(3 * i).setConstant(mean.segment<3>(3 * i).mean());
+  for (const Disk& disk : problem_->disks) {
+    auto own = mean.segment(disk.first, disk.unknowns);
+    own.setConstant(own.mean());
+  }
+  constexpr double least = 1e-14, smallest = 1e-300;
+  mean = mean.cwiseMax(least * std::max(mean.maxCoeff(), smallest));
 }
 
 double NaturalMap::roundOff(const VectorXd& r) const {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "delassus/problem.h"
 
 namespace delassus {
@@ -27,6 +30,9 @@ class NaturalMap {
   /// What round-off alone leaves in u = W r + q, m/s: a few ε of the largest W_aa r_a. A residual cannot be read finer.
   double roundOff(const VectorXd& r) const;
   const VectorXd& diagonal() const { return diagonal_; }  ///< of W
+  /// The mean of W_aa over the unknowns of each contact and disk, one number an unknown: a unit for what answers alike in all
+  /// directions. At least 1e-14 of the largest: what moves nothing (W_ii = 0) can do nothing, and any finite number is harmless.
+  void meanDiagonal(VectorXd& mean) const;
   std::size_t bytes() const { return bytesOf(sizes_, diagonal_); }
 
  private:
@@ -40,6 +46,11 @@ NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r, const
 NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r);
 /// ‖F‖/ρ of one contact that is alone with this W, m/s.
 double naturalResidual(const Mat3& W, double friction, const Vec3& r, const Vec3& u);
+
+/// |r − clamp(r − s u)| of a row with the step s, written so that a large r does not swallow s u.
+inline double rowResidual(double r, double u, double lower, double upper, double s) {
+  return std::abs(std::max(std::min(s * u, r - lower), r - upper));
+}
 
 /// The published measures on problem files: unit-dependent, for comparison only.
 struct FclibMeasures {

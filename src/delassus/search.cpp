@@ -122,7 +122,7 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
 ///   - where there is but one region, a walk to it; elsewhere alternating directions.
 /// With them:
 ///   - few sweeps are allowed: all of them;
-///   - much is disturbed: sweeps as long as they gain, in heaps with patches;
+///   - much is disturbed: accelerated sweeps as long as they gain, in heaps with patches;
 ///   - large piles: alternating directions, which share the loads anew among contacts that squeeze each other.
 /// Then a short walk. Where it loses its way, many contacts are at a wall of their region:
 ///   - alternating directions, if it began without them; a proof that nothing can meet the demands; an interior point, which
@@ -179,7 +179,10 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
     newton.setProblem(problem, map_);  // patches were at work here
     if (best.residual <= tolerance) return finish();
   } else if (best.residual > disturbed * demand) {
-    sweepWhileItGains(problem, options, aim, best);
+    if (isLargePile(problem))
+      sweepWhileItGains(problem, options, aim, best);
+    else
+      sweepAndLearn(problem, options, aim, best);
     if (best.residual <= tolerance) return Outcome::Reached;
   }
   // Not in small islands, whose regions are cheap: the walk stays nearer to the last reactions where there are several answers.
@@ -309,7 +312,7 @@ Outcome Search::walk(const Problem& problem, const Options& options, double tole
                      const VectorXd* guess, Solution& best) {
   constexpr int fewUnknowns = 15;
   if (!problem.W.inBodySpace() && problem.size() > fewUnknowns &&
-      sweepFirst(problem, options, tolerance, best))
+      sweepAndLearn(problem, options, tolerance, best))
     return Outcome::Reached;
   if (DenseNewton::fits(problem, map_) &&
       dense_.solve(problem, map_, tolerance, options.newtonBudget, best))

@@ -90,7 +90,8 @@ class Search {
   template <class Motion>
   void polishWith(Engines<Motion>& engines, const Problem& problem, const Options& options,
                   double aim, Solution& best);
-  bool sweepFirst(const Problem& problem, const Options& options, double tolerance, Solution& best);
+  bool sweepAndLearn(const Problem& problem, const Options& options, double tolerance,
+                     Solution& best);
   void settle(const Problem& problem, const Options& options, double tolerance, Solution& best);
   void sweepAll(const Problem& problem, const Options& options, double tolerance, Solution& best);
   void sweepWhileItGains(const Problem& problem, const Options& options, double tolerance,

@@ -8,10 +8,10 @@
 
 namespace delassus {
 
-/// Where W is explicit a sweep costs as little as a product with W, and a factor a thousand of them: sweeps that learn as much as they
-/// can, for as long as they gain. True if they reach the tolerance.
-bool Search::sweepFirst(const Problem& problem, const Options& options, double tolerance,
-                        Solution& best) {
+/// Sweeps that remember a few steps, as long as they halve the residual soon: a factor costs as much as tens of them, where W is explicit
+/// as hundreds. With a longer memory more regions are needed after a blow. True if they reach the tolerance.
+bool Search::sweepAndLearn(const Problem& problem, const Options& options, double tolerance,
+                           Solution& best) {
   constexpr int shortest = 3, longest = 10;  // from one look at the residual to the next
   constexpr int patience = 20, memory = 5;
   constexpr double gain = 0.5;
