@@ -159,7 +159,13 @@ void Memory::keepForce(Group& group, int contact, const Owner& owner) const {
   Vec3 impulse = Vec3::Zero();
   for (int k = owner.begin; k < owner.end; ++k) impulse += last_.points[k].impulse;
   const Contact& c = group.contacts[contact];
-  group.guess[contact] = projectOnCone(c.frame.transpose() * impulse, c.friction);
+  Vec3 reaction = Vec3::Zero();
+  for (int k = 0; k < 3; ++k) {
+    // Tangents are as long as friction is strong along them.
+    const double squares = c.frame.col(k).squaredNorm();
+    if (squares > 0) reaction[k] = c.frame.col(k).dot(impulse) / squares;
+  }
+  group.guess[contact] = projectOnCone(reaction, c.friction);
 }
 
 void Memory::recallPoints(Group& group, int begin, int end) {

@@ -35,8 +35,11 @@ bool hasOneRegion(const Problem& problem) {
          problem.upper.array().isInf().all();
 }
 
-constexpr double unknownRegion = 1e-1;  ///< proximal weight
-constexpr int alternations = 300;       ///< what brings a large pile to rest
+constexpr double unknownRegion = 1e-1, knownRegion = 1e-6;  ///< proximal weights
+constexpr double disturbed = 1e-3,
+                 nearly = 1e-6;    ///< shares of the demands that reactions leave open
+constexpr int shortWalk = 16;      ///< regions
+constexpr int alternations = 300;  ///< what brings a large pile to rest
 
 /// With so few sweeps none are to be lost on what may gain nothing.
 bool isHurried(const Options& options) { return options.sweepBudget < alternations; }
@@ -130,77 +133,102 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
 template <class Motion>
 Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const Options& options,
                          double tolerance, const VectorXd* guess, Solution& best) {
-  constexpr double knownRegion = 1e-6;
-  // Shares of the demands that the last reactions leave open.
-  constexpr double disturbed = 1e-3, nearly = 1e-6;
-  constexpr int fewRegions = 8, firstTry = 16, proof = 90, interiorSteps = 40, secondTry = 400;
-  const double demand = problem.q.cwiseAbs().maxCoeff();
-  const double aim = keptShare * tolerance;
-  const auto settled = [](Outcome outcome) { return outcome != Outcome::Lost; };
   const auto left = [&](int most) { return std::min(most, options.newtonBudget - best.regions); };
-
-  const bool hurried = isHurried(options);
   // A few regions settle a small island; where there are many contacts they only take time.
-  const int least = isHeap(problem) || isLargePile(problem) ? firstTry : 1;
-  if (hurried && left(least) < least) {
-    sweepAll(problem, options, aim, best);
+  const int least = isHeap(problem) || isLargePile(problem) ? shortWalk : 1;
+  if (isHurried(options) && left(least) < least) {
+    sweepAll(problem, options, keptShare * tolerance, best);
     return best.residual <= tolerance ? Outcome::Reached : Outcome::Lost;
   }
   ProximalNewton<Motion>& newton = engines.walk;
   newton.setProblem(problem, map_);
   newton.keepFactors(options.economies.factors);
-  // What first-order methods leave is slow; one step in the region that they have found takes it away.
-  const auto finish = [&] {
-    newton.polish(problem, polishedShare * tolerance, knownRegion, left(fewRegions), best);
-    return Outcome::Reached;
-  };
-  const auto alternate = [&] {
-    return !hurried &&
-           newton.alternate(problem, aim, std::min(alternations, options.sweepBudget - best.sweeps),
-                            best);
-  };
-  Outcome outcome;
+  Outcome outcome = startOut(newton, problem, options, tolerance, guess, best);
+  if (outcome != Outcome::Lost) return outcome;
+  const double weight = best.residual <= nearly * problem.q.cwiseAbs().maxCoeff()
+                            ? knownRegion
+                            : proximalWeight(problem, best, 1e-2);
+  outcome = newton.walk(problem, tolerance, weight, left(shortWalk), best);
+  return outcome == Outcome::Lost ? findBack(engines, problem, options, tolerance, guess, best)
+                                  : outcome;
+}
+
+/// What comes before the first walk. Lost: the walk finishes.
+template <class Motion>
+Outcome Search::startOut(ProximalNewton<Motion>& newton, const Problem& problem,
+                         const Options& options, double tolerance, const VectorXd* guess,
+                         Solution& best) {
+  const double demand = problem.q.cwiseAbs().maxCoeff(), aim = keptShare * tolerance;
+  const auto left = [&](int most) { return std::min(most, options.newtonBudget - best.regions); };
+  const auto isReached = [&] { return best.residual <= tolerance; };
   if (!guess && !isLargePile(problem)) {
     forceActiveSet(problem, best.activeSet);
-    outcome = newton.walkFromRegion(problem, tolerance, knownRegion, left(firstTry), best);
-    if (settled(outcome)) return outcome;
+    const Outcome outcome =
+        newton.walkFromRegion(problem, tolerance, knownRegion, left(shortWalk), best);
+    if (outcome != Outcome::Lost) return outcome;
   }
   if (options.economies.oneRegion && hasOneRegion(problem)) {
-    outcome = newton.walk(problem, tolerance, knownRegion, left(firstTry), best);
-    if (settled(outcome)) return outcome;
-  } else if (!guess && alternate()) {
-    return finish();
+    const Outcome outcome = newton.walk(problem, tolerance, knownRegion, left(shortWalk), best);
+    if (outcome != Outcome::Lost) return outcome;
+  } else if (!guess && alternate(newton, problem, options, tolerance, best)) {
+    return Outcome::Reached;
   }
-  if (hurried) {
+  if (isHurried(options)) {
     sweepAll(problem, options, aim, best);
-    if (best.residual <= tolerance) return Outcome::Reached;
+    if (isReached()) return Outcome::Reached;
   } else if (best.residual > disturbed * demand && isHeap(problem)) {
     settle(problem, options, aim, best);
     newton.setProblem(problem, map_);  // patches were at work here
-    if (best.residual <= tolerance) return finish();
+    if (isReached()) return finish(newton, problem, options, tolerance, best);
   } else if (best.residual > disturbed * demand) {
     if (isLargePile(problem))
       sweepWhileItGains(problem, options, aim, best);
     else
       sweepAndLearn(problem, options, aim, best);
-    if (best.residual <= tolerance) return Outcome::Reached;
+    if (isReached()) return Outcome::Reached;
   }
   // Not in small islands, whose regions are cheap: the walk stays nearer to the last reactions where there are several answers.
-  if (guess && isLargePile(problem) && best.residual > tolerance && alternate()) return finish();
-  const double weight =
-      best.residual <= nearly * demand ? knownRegion : proximalWeight(problem, best, 1e-2);
-  outcome = newton.walk(problem, tolerance, weight, left(firstTry), best);
-  if (settled(outcome)) return outcome;
+  const bool alternates = guess && isLargePile(problem) && !isReached();
+  return alternates && alternate(newton, problem, options, tolerance, best) ? Outcome::Reached
+                                                                            : Outcome::Lost;
+}
 
-  if (alternate()) return finish();
+/// What comes after a walk that has lost its way.
+template <class Motion>
+Outcome Search::findBack(Engines<Motion>& engines, const Problem& problem, const Options& options,
+                         double tolerance, const VectorXd* guess, Solution& best) {
+  constexpr int proof = 90, interiorSteps = 40, longWalk = 400;
+  ProximalNewton<Motion>& newton = engines.walk;
+  const auto left = [&](int most) { return std::min(most, options.newtonBudget - best.regions); };
+  if (alternate(newton, problem, options, tolerance, best)) return Outcome::Reached;
   if (compromise(engines, problem, tolerance, left(proof), best)) return Outcome::Incompatible;
   if (engines.interior.solve(newton.motion(), problem, map_, tolerance, left(interiorSteps), best))
     return Outcome::Reached;
-  outcome =
-      newton.walk(problem, tolerance, proximalWeight(problem, best, 1e-4), left(secondTry), best);
-  if (settled(outcome)) return outcome;
+  const Outcome outcome =
+      newton.walk(problem, tolerance, proximalWeight(problem, best, 1e-4), left(longWalk), best);
+  return outcome == Outcome::Lost ? wander(engines, problem, options, tolerance, guess, best)
+                                  : outcome;
+}
 
-  return wander(engines, problem, options, tolerance, guess, best);
+/// Alternating directions. False if they do not reach the tolerance.
+template <class Motion>
+bool Search::alternate(ProximalNewton<Motion>& newton, const Problem& problem,
+                       const Options& options, double tolerance, Solution& best) {
+  if (isHurried(options)) return false;
+  const int most = std::min(alternations, options.sweepBudget - best.sweeps);
+  if (!newton.alternate(problem, keptShare * tolerance, most, best)) return false;
+  finish(newton, problem, options, tolerance, best);
+  return true;
+}
+
+/// What first-order methods leave is slow; one step in the region that they have found takes it away.
+template <class Motion>
+Outcome Search::finish(ProximalNewton<Motion>& newton, const Problem& problem,
+                       const Options& options, double tolerance, Solution& best) {
+  constexpr int fewRegions = 8;
+  const int most = std::min(fewRegions, options.newtonBudget - best.regions);
+  newton.polish(problem, polishedShare * tolerance, knownRegion, most, best);
+  return Outcome::Reached;
 }
 
 /// Where demands are proven incompatible, `best` is the compromise, that of bodies a little compliant where they touch, friction
@@ -234,7 +262,7 @@ template <class Motion>
 Outcome Search::wander(Engines<Motion>& engines, const Problem& problem, const Options& options,
                        double tolerance, const VectorXd* guess, Solution& best) {
   ProximalNewton<Motion>& newton = engines.walk;
-  constexpr int shortest = 100, longWalk = 400, shortWalk = 40;
+  constexpr int shortest = 100, longWalk = 400, tryFromAfar = 40;
   const auto sweepsLeft = [&](int most) {
     return std::min(most, options.sweepBudget - best.sweeps);
   };
@@ -261,7 +289,7 @@ Outcome Search::wander(Engines<Motion>& engines, const Problem& problem, const O
     consider(problem, wandering_, best);
     outcome =
         newton.walkFrom(wandering_, problem, tolerance, proximalWeight(problem, wandering_, 1e-4),
-                        regionsLeft(shortWalk), best);
+                        regionsLeft(tryFromAfar), best);
     if (outcome != Outcome::Lost) return outcome;
   }
   return Outcome::Lost;

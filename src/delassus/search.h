@@ -82,6 +82,18 @@ class Search {
   Outcome walkOnce(Engines<Motion>& engines, const Problem& problem, const Options& options,
                    double tolerance, const VectorXd* guess, Solution& best);
   template <class Motion>
+  Outcome startOut(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
+                   double tolerance, const VectorXd* guess, Solution& best);
+  template <class Motion>
+  Outcome findBack(Engines<Motion>& engines, const Problem& problem, const Options& options,
+                   double tolerance, const VectorXd* guess, Solution& best);
+  template <class Motion>
+  bool alternate(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
+                 double tolerance, Solution& best);
+  template <class Motion>
+  Outcome finish(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
+                 double tolerance, Solution& best);
+  template <class Motion>
   bool compromise(Engines<Motion>& engines, const Problem& problem, double tolerance,
                   int regionBudget, Solution& best);
   template <class Motion>
