@@ -65,8 +65,8 @@ BodySpace::PartRange BodySpace::partsOf(int at) const {
   return {first, last};
 }
 
-DelassusMatrix::DelassusMatrix(Sparse entries)
-    : size_(static_cast<int>(entries.rows())), entries_(std::move(entries)) {
+DelassusMatrix::DelassusMatrix(const Sparse& entries)
+    : size_(static_cast<int>(entries.rows())), entries_(entries) {
   entries_.makeCompressed();
 }
 

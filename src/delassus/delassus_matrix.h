@@ -60,7 +60,7 @@ class DelassusMatrix {
   using Sparse = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
   DelassusMatrix() = default;
-  explicit DelassusMatrix(Sparse entries);
+  explicit DelassusMatrix(const Sparse& entries);
   explicit DelassusMatrix(BodySpace space);
 
   int size() const { return size_; }

@@ -1,7 +1,5 @@
 #include "delassus/split_problem.h"
 
-#include <utility>
-
 #include "delassus/links.h"
 
 namespace delassus {
@@ -90,7 +88,7 @@ Problem ProblemParts::problemOf(int part) const {
       if (partOf_[it.col()] == part) Wp.insertBack(k, place_[it.col()]) = it.value();
   }
   Wp.finalize();
-  p.W = DelassusMatrix(std::move(Wp));
+  p.W = DelassusMatrix(Wp);
   for (const Disk& disk : whole_.disks)
     if (partOf_[disk.first] == part)
       p.disks.push_back(
