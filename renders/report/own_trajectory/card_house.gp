@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.045958 5.84011e-05 0.045958 0.045958
+0.041281 5.84011e-05 0.041281 0.041281
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.119438 7.52252e-05 0.119438 0.119438
+0.097165 0.000194454 0.097165 0.097165
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.020871 5.11253 0.020871 0.020871
+0.020861 5.11253 0.020861 0.020861
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.076424 4.78169 0.076424 0.076424
+0.077325 4.78169 0.077325 0.077325
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.293356 4.80447 0.293356 0.293356
+0.281939 4.80447 0.281939 0.281939
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-1.36579 5.09893 1.36579 1.36579
+1.34351 5.09893 1.34351 1.34351
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.096204 0.366385 0.096204 0.096204
+0.096413 0.366385 0.096413 0.096413
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.003465 2312.01 0.003465 0.003465
+0.003315 2312.01 0.003315 0.003315
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.001782 2.61083e+09 0.001782 0.001782
+0.001783 2.61083e+09 0.001783 0.001783
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.30942 5.02576 0.30942 0.30942
+0.314879 5.02576 0.314879 0.314879
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.124355 4.77027 0.124355 0.124355
+0.124365 4.77027 0.124365 0.124365
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.279145 5.32617 0.279145 0.279145
+0.283432 5.32617 0.283432 0.283432
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-351.372 0.0330239 351.372 351.372
+236.552 0.0542118 236.552 236.552
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.045958 1e-05 0.045958 0.045958
+0.041281 1e-05 0.041281 0.041281
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.119438 1e-05 0.119438 0.119438
+0.097165 1e-05 0.097165 0.097165
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.020871 0.121117 0.020871 0.020871
+0.020861 0.121117 0.020861 0.020861
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.076424 0.167842 0.076424 0.076424
+0.077325 0.167842 0.077325 0.077325
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.293356 0.142591 0.293356 0.293356
+0.281939 0.142591 0.281939 0.281939
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-1.36579 0.130371 1.36579 1.36579
+1.34351 0.130371 1.34351 1.34351
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.096204 0.00221929 0.096204 0.096204
+0.096413 0.00221929 0.096413 0.096413
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.003465 0.964563 0.003465 0.003465
+0.003315 0.964563 0.003315 0.003315
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.001782 1e-05 0.001782 0.001782
+0.001783 1e-05 0.001783 0.001783
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.30942 0.150794 0.30942 0.30942
+0.314879 0.150794 0.314879 0.314879
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.124355 0.198679 0.124355 0.124355
+0.124365 0.198679 0.124365 0.124365
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.279145 0.211083 0.279145 0.279145
+0.283432 0.211083 0.283432 0.283432
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-351.372 0.00357857 351.372 351.372
+236.552 0.00357857 236.552 236.552
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.045958 4.03907e-10 0.045958 0.045958
+0.041281 3.99627e-10 0.041281 0.041281
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.119438 0.000588576 0.119438 0.119438
+0.097165 9.52397e-05 0.097165 0.097165
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.020871 0.206329 0.020871 0.020871
+0.020861 0.206329 0.020861 0.020861
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.076424 0.0960487 0.076424 0.076424
+0.077325 0.0960487 0.077325 0.077325
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.293356 0.878815 0.293356 0.293356
+0.281939 0.878815 0.281939 0.281939
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-1.36579 0.443111 1.36579 1.36579
+1.34351 0.443111 1.34351 1.34351
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.096204 0.00309642 0.096204 0.096204
+0.096413 0.00309642 0.096413 0.096413
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.003465 0.775073 0.003465 0.003465
+0.003315 0.775073 0.003315 0.003315
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.001782 1e-12 0.001782 0.001782
+0.001783 1e-12 0.001783 0.001783
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.30942 0.311414 0.30942 0.30942
+0.314879 0.311414 0.314879 0.314879
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.124355 0.294591 0.124355 0.124355
+0.124365 0.294591 0.124365 0.124365
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.279145 0.364726 0.279145 0.279145
+0.283432 0.364726 0.283432 0.283432
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-351.372 1e-12 351.372 351.372
+236.552 1e-12 236.552 236.552
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.000710168:8128.54]
+set xrange [0.000732134:4941.21]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,20 +223,20 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0500097, graph 0.0510947 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.342269, graph 0.0584242 left front noenhanced textcolor rgb '#0060a8'
-set label "lemke" at graph 0.833669, graph 0.234589 left front noenhanced textcolor rgb '#999999'
-set label "si2:50" at graph 0.328959, graph 0.304262 left front noenhanced textcolor rgb '#e69f00'
-set label "dantzig" at graph 0.344751, graph 0.355294 left front noenhanced textcolor rgb '#555555'
-set label "si:50" at graph 0.148655, graph 0.355363 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.397556, graph 0.41369 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.212242, graph 0.414994 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:1000" at graph 0.49219, graph 0.461964 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.465248, graph 0.380499 to graph 0.49219, graph 0.461964 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:10" at graph 0.0687975, graph 0.403852 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.0711974, graph 0.463227 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.367559, graph 0.381761 to graph 0.340617, graph 0.463227 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.124459, graph 0.557599 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.283363, graph 0.0510947 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.337799, graph 0.109197 left front noenhanced textcolor rgb '#0060a8'
+set label "lemke" at graph 0.833669, graph 0.24894 left front noenhanced textcolor rgb '#999999'
+set label "si2:50" at graph 0.337305, graph 0.304262 left front noenhanced textcolor rgb '#e69f00'
+set label "dantzig" at graph 0.353495, graph 0.355294 left front noenhanced textcolor rgb '#555555'
+set label "si:50" at graph 0.157133, graph 0.355363 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.405544, graph 0.41369 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.223977, graph 0.414994 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:1000" at graph 0.504835, graph 0.461964 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.477893, graph 0.380499 to graph 0.504835, graph 0.461964 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:10" at graph 0.073817, graph 0.403852 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.0825765, graph 0.463227 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.378938, graph 0.381761 to graph 0.351996, graph 0.463227 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.122984, graph 0.557599 left front noenhanced textcolor rgb '#009e73'
 set label "nncg:50" at graph 0.0835457, graph 0.961119 left front noenhanced textcolor rgb '#009e73'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -260,7 +260,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.000710168:8128.54]
+set xrange [0.000732134:4941.21]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -271,22 +271,22 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.283506, graph 0.119581 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.342269, graph 0.177771 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.283363, graph 0.119581 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.337799, graph 0.177771 left front noenhanced textcolor rgb '#0060a8'
 set label "nncg:50" at graph 0.0835457, graph 0.142857 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.328959, graph 0.478031 left front noenhanced textcolor rgb '#e69f00'
+set label "si2:50" at graph 0.337305, graph 0.478031 left front noenhanced textcolor rgb '#e69f00'
 set label "lemke" at graph 0.833669, graph 0.507673 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.0687975, graph 0.726172 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.49219, graph 0.73074 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.208962, graph 0.701385 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.400836, graph 0.786321 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.373894, graph 0.739769 to graph 0.400836, graph 0.786321 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:50" at graph 0.148655, graph 0.781328 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.344751, graph 0.838345 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.317809, graph 0.756879 to graph 0.344751, graph 0.838345 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.0711974, graph 0.830464 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.367559, graph 0.760636 to graph 0.340617, graph 0.830464 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.124459, graph 0.87818 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.073817, graph 0.726172 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.504835, graph 0.73074 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.21695, graph 0.701385 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.412571, graph 0.786321 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.385629, graph 0.739769 to graph 0.412571, graph 0.786321 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:50" at graph 0.157133, graph 0.781328 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.353495, graph 0.838345 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.326553, graph 0.756879 to graph 0.353495, graph 0.838345 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.0825765, graph 0.830464 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.378938, graph 0.760636 to graph 0.351996, graph 0.830464 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.122984, graph 0.87818 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -309,7 +309,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.000710168:8128.54]
+set xrange [0.000732134:4941.21]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -322,21 +322,21 @@ unset arrow
 unset object
 set label "nncg:50" at graph 0.0835457, graph 0.0714286 left front noenhanced textcolor rgb '#009e73'
 set label "lemke" at graph 0.833669, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
-set label "delassus" at graph 0.283506, graph 0.257592 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.342269, graph 0.697843 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.328959, graph 0.749347 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.314797, graph 0.855892 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.0687975, graph 0.879611 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.133706, graph 0.93721 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.317809, graph 0.890659 to graph 0.290867, graph 0.93721 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:50" at graph 0.400836, graph 0.927295 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.394501, graph 0.80418 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.367559, graph 0.897283 to graph 0.394501, graph 0.80418 nohead lw 0.6 lc rgb '#555555'
-set label "si:1000" at graph 0.49219, graph 0.880046 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.124459, graph 0.827564 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0975175, graph 0.920667 to graph 0.124459, graph 0.827564 nohead lw 0.6 lc rgb '#009e73'
-set label "si:200" at graph 0.397556, graph 0.645254 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.370614, graph 0.924564 to graph 0.397556, graph 0.645254 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.283363, graph 0.257261 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.337799, graph 0.641344 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.337305, graph 0.749347 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.323275, graph 0.855892 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.073817, graph 0.879611 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.142449, graph 0.93721 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.326553, graph 0.890659 to graph 0.299611, graph 0.93721 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:50" at graph 0.412571, graph 0.927295 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.40588, graph 0.80418 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.378938, graph 0.897283 to graph 0.40588, graph 0.80418 nohead lw 0.6 lc rgb '#555555'
+set label "si:1000" at graph 0.504835, graph 0.880046 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.122984, graph 0.827564 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0960418, graph 0.920667 to graph 0.122984, graph 0.827564 nohead lw 0.6 lc rgb '#009e73'
+set label "si:200" at graph 0.405544, graph 0.691805 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.378602, graph 0.924564 to graph 0.405544, graph 0.691805 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

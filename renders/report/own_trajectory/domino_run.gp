@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.111446 1e-12 0.111446 0.111446
+0.085857 1e-12 0.085857 0.085857
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.083634 1e-12 0.083634 0.083634
+0.064646 1e-12 0.064646 0.064646
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.052869 0.0113843 0.052869 0.052869
+0.052107 0.0113843 0.052107 0.052107
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.193157 0.00162683 0.193157 0.193157
+0.189772 0.00162683 0.189772 0.189772
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.722605 1e-12 0.722605 0.722605
+0.714643 1e-12 0.714643 0.714643
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-3.55373 1e-12 3.55373 3.55373
+3.50174 1e-12 3.50174 3.50174
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.2886 0.00162046 0.2886 0.2886
+0.284463 0.00162046 0.284463 0.284463
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.065508 0.00955586 0.065508 0.065508
+0.064986 0.00955586 0.064986 0.064986
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.263772 0.000600458 0.263772 0.263772
+0.253126 0.000600458 0.253126 0.253126
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.654934 0.00162683 0.654934 0.654934
+0.633983 0.00162683 0.633983 0.633983
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-1.70624 0.008131 1.70624 1.70624
+1.65757 0.008131 1.65757 1.65757
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-4.24807 1e-12 4.24807 4.24807
+3.54014 1e-12 3.54014 3.54014
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-2546.1 0.0113843 2546.1 2546.1
+1919.84 0.0113843 1919.84 1919.84
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.111446 0.0786501 0.111446 0.111446
+0.085857 0.0801081 0.085857 0.085857
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.083634 0.0785598 0.083634 0.083634
+0.064646 0.0785442 0.064646 0.064646
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.052869 0.0624788 0.052869 0.052869
+0.052107 0.0624788 0.052107 0.052107
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.193157 0.0810167 0.193157 0.193157
+0.189772 0.0810167 0.189772 0.189772
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.722605 0.0805158 0.722605 0.722605
+0.714643 0.0805158 0.714643 0.714643
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-3.55373 0.0665111 3.55373 3.55373
+3.50174 0.0665111 3.50174 3.50174
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.2886 0.0785494 0.2886 0.2886
+0.284463 0.0785494 0.284463 0.284463
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.065508 0.0790071 0.065508 0.065508
+0.064986 0.0790071 0.064986 0.064986
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.263772 0.0736459 0.263772 0.263772
+0.253126 0.0736459 0.253126 0.253126
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.654934 0.0756228 0.654934 0.654934
+0.633983 0.0756228 0.633983 0.633983
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-1.70624 0.0682672 1.70624 1.70624
+1.65757 0.0682672 1.65757 1.65757
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-4.24807 0.0689653 4.24807 4.24807
+3.54014 0.0689653 3.54014 3.54014
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-2546.1 3.32443e-06 2546.1 2546.1
+1919.84 4.55553e-06 1919.84 1919.84
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.111446 0.122406 0.111446 0.111446
+0.085857 0.122663 0.085857 0.085857
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.083634 0.122347 0.083634 0.083634
+0.064646 0.122349 0.064646 0.064646
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.052869 0.124763 0.052869 0.052869
+0.052107 0.124763 0.052107 0.052107
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.193157 0.141059 0.193157 0.193157
+0.189772 0.141059 0.189772 0.189772
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.722605 0.143825 0.722605 0.722605
+0.714643 0.143825 0.714643 0.714643
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-3.55373 0.140012 3.55373 3.55373
+3.50174 0.140012 3.50174 3.50174
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.2886 0.122349 0.2886 0.2886
+0.284463 0.122349 0.284463 0.284463
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.065508 0.154217 0.065508 0.065508
+0.064986 0.154217 0.064986 0.064986
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.263772 0.120444 0.263772 0.263772
+0.253126 0.120444 0.253126 0.253126
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.654934 0.131988 0.654934 0.654934
+0.633983 0.131988 0.633983 0.633983
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-1.70624 0.119852 1.70624 1.70624
+1.65757 0.119852 1.65757 1.65757
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-4.24807 0.12296 4.24807 4.24807
+3.54014 0.12296 3.54014 3.54014
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-2546.1 1e-12 2546.1 2546.1
+1919.84 1e-12 1919.84 1919.84
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0234342:40962.6]
+set xrange [0.0235679:28827.7]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -223,21 +223,21 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.135426, graph 0.106609 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.115453, graph 0.0600575 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.265475, graph 0.153161 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.238533, graph 0.0833333 to graph 0.265475, graph 0.153161 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.376292, graph 0.106609 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.388709, graph 0.199713 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.361767, graph 0.0833333 to graph 0.388709, graph 0.199713 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.195364, graph 0.814874 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.0130284, graph 0.827527 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.00754489, graph 0.874221 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.258634, graph 0.862583 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.325248, graph 0.909179 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.0984584, graph 0.92666 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.0835457, graph 0.758428 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0566038, graph 0.921359 to graph 0.0835457, graph 0.758428 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.119173, graph 0.106609 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.098929, graph 0.0600575 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.270354, graph 0.153161 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.243412, graph 0.0833333 to graph 0.270354, graph 0.153161 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.383733, graph 0.106609 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.384511, graph 0.199713 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.357569, graph 0.0833333 to graph 0.384511, graph 0.199713 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.196308, graph 0.814874 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.0160414, graph 0.827527 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.0096152, graph 0.874221 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.26181, graph 0.862583 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.330376, graph 0.909179 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.0993032, graph 0.92666 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.0835457, graph 0.770066 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0566038, graph 0.921359 to graph 0.0835457, graph 0.770066 nohead lw 0.6 lc rgb '#d55e00'
 set label "lemke" at graph 0.833669, graph 0.921359 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -261,7 +261,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0234342:40962.6]
+set xrange [0.0235679:28827.7]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -272,27 +272,27 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke" at graph 0.833669, graph 0.0869528 left front noenhanced textcolor rgb '#999999'
+set label "lemke" at graph 0.833669, graph 0.109756 left front noenhanced textcolor rgb '#999999'
 set label "si:10" at graph 0.0835457, graph 0.787651 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.376292, graph 0.803816 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.325248, graph 0.852254 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.298307, graph 0.805702 to graph 0.325248, graph 0.852254 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.388709, graph 0.748249 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.361767, graph 0.806438 to graph 0.388709, graph 0.748249 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.195364, graph 0.729726 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.168422, graph 0.811191 to graph 0.195364, graph 0.729726 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.0700406, graph 0.848023 left front noenhanced textcolor rgb '#cc79a7'
-set label "si2:50" at graph 0.201622, graph 0.780943 left front noenhanced textcolor rgb '#e69f00'
-set label "delassus:1e-3" at graph 0.115453, graph 0.90897 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.088511, graph 0.815867 to graph 0.115453, graph 0.90897 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.135426, graph 0.955605 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.108484, graph 0.81595 to graph 0.135426, graph 0.955605 nohead lw 0.6 lc rgb '#0060a8'
-set label "nncg:10" at graph 0.0984584, graph 0.676623 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0715165, graph 0.816278 to graph 0.0984584, graph 0.676623 nohead lw 0.6 lc rgb '#009e73'
-set label "si:200" at graph 0.265475, graph 0.677992 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.238533, graph 0.817647 to graph 0.265475, graph 0.677992 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.00754489, graph 0.73663 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.146745, graph 0.818096 to graph 0.119803, graph 0.73663 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.383733, graph 0.803816 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.330376, graph 0.852254 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.303434, graph 0.805702 to graph 0.330376, graph 0.852254 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.384511, graph 0.748249 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.357569, graph 0.806438 to graph 0.384511, graph 0.748249 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.196308, graph 0.776278 left front noenhanced textcolor rgb '#009e73'
+set label "pgs:50" at graph 0.0732164, graph 0.848023 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-3" at graph 0.098929, graph 0.908956 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0719871, graph 0.815852 to graph 0.098929, graph 0.908956 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.0160414, graph 0.734392 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.177693, graph 0.815857 to graph 0.150751, graph 0.734392 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.0993032, graph 0.955933 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0723613, graph 0.816278 to graph 0.0993032, graph 0.955933 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus" at graph 0.119173, graph 0.677624 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0922309, graph 0.817279 to graph 0.119173, graph 0.677624 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:200" at graph 0.270354, graph 0.957302 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.243412, graph 0.817647 to graph 0.270354, graph 0.957302 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.175757, graph 0.724992 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.148815, graph 0.818096 to graph 0.175757, graph 0.724992 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -315,7 +315,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0234342:40962.6]
+set xrange [0.0235679:28827.7]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -327,24 +327,25 @@ unset label
 unset arrow
 unset object
 set label "lemke" at graph 0.833669, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.325248, graph 0.905851 left front noenhanced textcolor rgb '#555555'
-set label "nncg:50" at graph 0.195364, graph 0.964205 left front noenhanced textcolor rgb '#009e73'
-set label "delassus:1e-3" at graph 0.115453, graph 0.848349 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.088511, graph 0.929815 to graph 0.115453, graph 0.848349 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.0130284, graph 0.964729 left front noenhanced textcolor rgb '#e69f00'
-set label "delassus" at graph 0.135426, graph 0.894917 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.388709, graph 0.953258 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.330376, graph 0.905851 left front noenhanced textcolor rgb '#555555'
+set label "nncg:50" at graph 0.196308, graph 0.964205 left front noenhanced textcolor rgb '#009e73'
+set label "delassus:1e-3" at graph 0.098929, graph 0.84835 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0719871, graph 0.929815 to graph 0.098929, graph 0.84835 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.0160414, graph 0.964729 left front noenhanced textcolor rgb '#e69f00'
+set label "delassus" at graph 0.119173, graph 0.894987 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.384511, graph 0.953258 left front noenhanced textcolor rgb '#555555'
 set label "si:10" at graph 0.0835457, graph 0.790813 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.930468 to graph 0.0835457, graph 0.790813 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.258634, graph 0.792694 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.231692, graph 0.932349 to graph 0.258634, graph 0.792694 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:1000" at graph 0.376292, graph 0.736476 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.349351, graph 0.93432 to graph 0.376292, graph 0.736476 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.00754489, graph 0.899656 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.0768813, graph 0.737373 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.238533, graph 0.935218 to graph 0.211591, graph 0.737373 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.0984584, graph 0.681514 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0715165, graph 0.937549 to graph 0.0984584, graph 0.681514 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.26181, graph 0.792694 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.234868, graph 0.932349 to graph 0.26181, graph 0.792694 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:1000" at graph 0.383733, graph 0.736476 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.356791, graph 0.93432 to graph 0.383733, graph 0.736476 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.175757, graph 0.736725 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.148815, graph 0.934569 to graph 0.175757, graph 0.736725 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.270354, graph 0.679184 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.243412, graph 0.935218 to graph 0.270354, graph 0.679184 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.0993032, graph 0.681514 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0723613, graph 0.937549 to graph 0.0993032, graph 0.681514 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,42 +2,42 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.024547 39.7132 0.024547 0.024547
+0.013059 39.7132 0.013059 0.013059
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.005088 39.7132 0.005088 0.005088
+0.021362 39.7131 0.021362 0.021362
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.00673 37.9149 0.00673 0.00673
+0.00671 37.9149 0.00671 0.00671
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.023174 38.2401 0.023174 0.023174
+0.023165 38.2401 0.023165 0.023165
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.084817 38.6732 0.084817 0.084817
+0.084265 38.6732 0.084265 0.084265
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.39684 38.757 0.39684 0.39684
+0.400195 38.757 0.400195 0.400195
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.027821 39.732 0.027821 0.027821
+0.027161 39.732 0.027161 0.027161
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.007301 36.4352 0.007301 0.007301
+0.007562 36.4352 0.007562 0.007562
 EOD
 $line0_8 << EOD
 EOD
@@ -46,127 +46,127 @@ EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.07419 38.2932 0.07419 0.07419
+0.074161 38.2932 0.074161 0.074161
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.014381 32.8561 0.014381 0.014381
+0.014391 32.8561 0.014391 0.014391
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.022263 37.9822 0.022263 0.022263
+0.022123 37.9822 0.022123 0.022123
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-31.0105 37.5966 31.0105 31.0105
+28.6408 37.5966 28.6408 28.6408
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.024547 0.00666667 0.024547 0.024547
+0.013059 0.00333333 0.013059 0.013059
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.005088 0.00333326 0.005088 0.005088
+0.021362 0.00666647 0.021362 0.021362
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.00673 0.00500574 0.00673 0.00673
+0.00671 0.00500574 0.00671 0.00671
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.023174 0.00669307 0.023174 0.023174
+0.023165 0.00669307 0.023165 0.023165
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.084817 0.00333333 0.084817 0.084817
+0.084265 0.00333333 0.084265 0.084265
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.39684 0.00333333 0.39684 0.39684
+0.400195 0.00333333 0.400195 0.400195
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.027821 0.00669494 0.027821 0.027821
+0.027161 0.00669494 0.027161 0.027161
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.007301 0.0301487 0.007301 0.007301
+0.007562 0.0301487 0.007562 0.007562
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.01324 0.764133 0.01324 0.01324
+0.01323 0.764133 0.01323 0.01323
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.07419 0.00669307 0.07419 0.07419
+0.074161 0.00669307 0.074161 0.074161
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.014381 0.022196 0.014381 0.014381
+0.014391 0.022196 0.014391 0.014391
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.022263 0.00333328 0.022263 0.022263
+0.022123 0.00333328 0.022123 0.022123
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-31.0105 0.0424203 31.0105 31.0105
+28.6408 0.0424203 28.6408 28.6408
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.024547 1.3364e-11 0.024547 0.024547
+0.013059 1.24496e-11 0.013059 0.013059
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.005088 1.01548e-06 0.005088 0.005088
+0.021362 4.07388e-07 0.021362 0.021362
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.00673 0.00599616 0.00673 0.00673
+0.00671 0.00599616 0.00671 0.00671
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.023174 0.0019067 0.023174 0.023174
+0.023165 0.0019067 0.023165 0.023165
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.084817 0.000601327 0.084817 0.084817
+0.084265 0.000601327 0.084265 0.084265
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.39684 0.000111512 0.39684 0.39684
+0.400195 0.000111512 0.400195 0.400195
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.027821 0.000496805 0.027821 0.027821
+0.027161 0.000496805 0.027161 0.027161
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.007301 0.0127535 0.007301 0.007301
+0.007562 0.0127535 0.007562 0.007562
 EOD
 $line2_8 << EOD
 EOD
@@ -175,22 +175,22 @@ EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.07419 0.00216536 0.07419 0.07419
+0.074161 0.00216536 0.074161 0.074161
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.014381 0.00360595 0.014381 0.014381
+0.014391 0.00360595 0.014391 0.014391
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.022263 1.40259e-06 0.022263 0.022263
+0.022123 1.40259e-06 0.022123 0.022123
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-31.0105 0.00958296 31.0105 31.0105
+28.6408 0.00958296 28.6408 28.6408
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -210,7 +210,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00263595:292.901]
+set xrange [0.00357096:246.796]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics nomirror (10, 20, 50, 100, 200, 500)
@@ -221,25 +221,25 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig" at graph 0.172975, graph 0.516616 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.114628, graph 0.631349 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0876862, graph 0.561522 to graph 0.114628, graph 0.631349 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.152017, graph 0.516616 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.0942728, graph 0.631349 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0673308, graph 0.561522 to graph 0.0942728, graph 0.631349 nohead lw 0.6 lc rgb '#009e73'
 set label "lemke" at graph 0.833669, graph 0.575149 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.107619, graph 0.683552 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0806769, graph 0.57881 to graph 0.107619, graph 0.683552 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.21059, graph 0.463201 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.183648, graph 0.57958 to graph 0.21059, graph 0.463201 nohead lw 0.6 lc rgb '#555555'
-set label "si:50" at graph 0.0478996, graph 0.489416 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.1871, graph 0.582519 to graph 0.160158, graph 0.489416 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.314193, graph 0.618035 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.325715, graph 0.564134 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.458526, graph 0.611626 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus" at graph 0.218996, graph 0.73859 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.192054, graph 0.598935 to graph 0.218996, graph 0.73859 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.785142 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566038, graph 0.598935 to graph 0.0835457, graph 0.785142 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.229772, graph 0.680606 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.20283, graph 0.59914 to graph 0.229772, graph 0.680606 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:10" at graph 0.0835457, graph 0.683552 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0566038, graph 0.57881 to graph 0.0835457, graph 0.683552 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.190605, graph 0.463201 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.163664, graph 0.57958 to graph 0.190605, graph 0.463201 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.0285938, graph 0.489416 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.167794, graph 0.582519 to graph 0.140852, graph 0.489416 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.299155, graph 0.618035 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.310617, graph 0.564134 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.450429, graph 0.588351 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.187464, graph 0.738589 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.160522, graph 0.598933 to graph 0.187464, graph 0.738589 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.143301, graph 0.785142 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.116359, graph 0.598935 to graph 0.143301, graph 0.785142 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.209017, graph 0.680606 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.182075, graph 0.59914 to graph 0.209017, graph 0.680606 nohead lw 0.6 lc rgb '#e69f00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -261,7 +261,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00263595:292.901]
+set xrange [0.00357096:246.796]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -272,25 +272,22 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-3" at graph 0.0835457, graph 0.151014 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.21059, graph 0.209204 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.325715, graph 0.255758 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.298773, graph 0.174293 to graph 0.325715, graph 0.255758 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.458526, graph 0.151017 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.107619, graph 0.302984 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0806769, graph 0.233156 to graph 0.107619, graph 0.302984 nohead lw 0.6 lc rgb '#d55e00'
-set label "delassus" at graph 0.218996, graph 0.356102 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.192054, graph 0.274636 to graph 0.218996, graph 0.356102 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:50" at graph 0.0478996, graph 0.205381 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.1871, graph 0.275208 to graph 0.160158, graph 0.205381 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.314193, graph 0.403226 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.287251, graph 0.275208 to graph 0.314193, graph 0.403226 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si2:50" at graph 0.0411783, graph 0.356714 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.20283, graph 0.275249 to graph 0.175888, graph 0.356714 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig" at graph 0.172975, graph 0.460396 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.114628, graph 0.516365 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.190605, graph 0.151015 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.143301, graph 0.197569 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.310617, graph 0.255758 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.283675, graph 0.174293 to graph 0.310617, graph 0.255758 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.450429, graph 0.197569 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.0835457, graph 0.244794 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.187464, graph 0.309546 left front noenhanced textcolor rgb '#0060a8'
+set label "si:50" at graph 0.0285938, graph 0.298484 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.299155, graph 0.356674 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.272213, graph 0.275208 to graph 0.299155, graph 0.356674 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si2:50" at graph 0.0204231, graph 0.345076 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.182075, graph 0.275249 to graph 0.155133, graph 0.345076 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig" at graph 0.152017, graph 0.448758 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.0942728, graph 0.504727 left front noenhanced textcolor rgb '#009e73'
 set label "lemke" at graph 0.833669, graph 0.542525 left front noenhanced textcolor rgb '#999999'
-set label "nncg:50" at graph 0.16586, graph 0.961056 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.144468, graph 0.961056 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -313,7 +310,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00263595:292.901]
+set xrange [0.00357096:246.796]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -324,20 +321,20 @@ set ylabel "joints pulled apart, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.218996, graph 0.102358 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.534423 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.21059, graph 0.582088 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.458526, graph 0.731575 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0411783, graph 0.790562 left front noenhanced textcolor rgb '#e69f00'
-set label "si:200" at graph 0.325715, graph 0.798101 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0478996, graph 0.843662 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.314193, graph 0.848685 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.172975, graph 0.903734 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.107619, graph 0.958725 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0806769, graph 0.888898 to graph 0.107619, graph 0.958725 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.143301, graph 0.0995597 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.187464, graph 0.510001 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.190605, graph 0.558812 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.450429, graph 0.731575 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0204231, graph 0.790562 left front noenhanced textcolor rgb '#e69f00'
+set label "si:200" at graph 0.310617, graph 0.798101 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0285938, graph 0.843662 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.299155, graph 0.848685 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.152017, graph 0.903734 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.0835457, graph 0.958725 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0566038, graph 0.888898 to graph 0.0835457, graph 0.958725 nohead lw 0.6 lc rgb '#d55e00'
 set label "lemke" at graph 0.833669, graph 0.907409 left front noenhanced textcolor rgb '#999999'
-set label "nncg:10" at graph 0.114628, graph 0.732487 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0876862, graph 0.918694 to graph 0.114628, graph 0.732487 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.0942728, graph 0.732487 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0673308, graph 0.918694 to graph 0.0942728, graph 0.732487 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.088702 2.72911e-12 0.088702 0.088702
+0.114169 2.72911e-12 0.114169 0.114169
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.428457 8.42823e-05 0.428457 0.428457
+0.158686 0.000177393 0.158686 0.158686
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.144405 0.00743872 0.144405 0.144405
+0.15445 0.00743872 0.15445 0.15445
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.554385 0.00478727 0.554385 0.554385
+0.532432 0.00478727 0.532432 0.532432
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-6.03066 0.0019517 6.03066 6.03066
+2.03993 0.0019517 2.03993 2.03993
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-26.2807 0.000304678 26.2807 26.2807
+10.0247 0.000311285 10.0247 10.0247
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.831066 0.0295384 0.831066 0.831066
+0.797987 0.0295384 0.797987 0.797987
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.199617 0.0259801 0.199617 0.199617
+0.194429 0.0259801 0.194429 0.194429
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.810486 0.0140686 0.810486 0.810486
+0.79267 0.0140686 0.79267 0.79267
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-13.9893 0.00467153 13.9893 13.9893
+5.98991 0.00467153 5.98991 5.98991
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-2.37027 0.00743872 2.37027 2.37027
+1.70845 0.00743872 1.70845 1.70845
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-136.054 1.22696e-05 136.054 136.054
+58.3766 1.22696e-05 58.3766 58.3766
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-2654.66 0.00524926 2654.66 2654.66
+1505.62 0.00546619 1505.62 1505.62
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.088702 2.02605e-12 0.088702 0.088702
+0.114169 2.02605e-12 0.114169 0.114169
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.428457 4.85504e-06 0.428457 0.428457
+0.158686 5.16239e-06 0.158686 0.158686
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.144405 0.00193605 0.144405 0.144405
+0.15445 0.00193605 0.15445 0.15445
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.554385 0.000123043 0.554385 0.554385
+0.532432 0.000123043 0.532432 0.532432
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-6.03066 1.20872e-05 6.03066 6.03066
+2.03993 1.20872e-05 2.03993 2.03993
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-26.2807 1.6582e-06 26.2807 26.2807
+10.0247 1.6582e-06 10.0247 10.0247
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.831066 0.00349947 0.831066 0.831066
+0.797987 0.00349947 0.797987 0.797987
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.199617 0.0041112 0.199617 0.199617
+0.194429 0.0041112 0.194429 0.194429
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.810486 0.00735095 0.810486 0.810486
+0.79267 0.00735095 0.79267 0.79267
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-13.9893 0.000115843 13.9893 13.9893
+5.98991 0.000115843 5.98991 5.98991
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-2.37027 0.00193605 2.37027 2.37027
+1.70845 0.00193605 1.70845 1.70845
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-136.054 1.85343e-06 136.054 136.054
+58.3766 1.85382e-06 58.3766 58.3766
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-2654.66 0.00148448 2654.66 2654.66
+1505.62 0.00185602 1505.62 1505.62
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.088702 2.46002e-10 0.088702 0.088702
+0.114169 2.46002e-10 0.114169 0.114169
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.428457 9.76366e-05 0.428457 0.428457
+0.158686 0.000111451 0.158686 0.158686
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.144405 0.000915652 0.144405 0.144405
+0.15445 0.000915652 0.15445 0.15445
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.554385 0.000346473 0.554385 0.554385
+0.532432 0.000346473 0.532432 0.532432
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-6.03066 7.95587e-05 6.03066 6.03066
+2.03993 7.95587e-05 2.03993 2.03993
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-26.2807 1.14203e-05 26.2807 26.2807
+10.0247 1.19033e-05 10.0247 10.0247
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.831066 0.00357685 0.831066 0.831066
+0.797987 0.00357685 0.797987 0.797987
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.199617 0.0251522 0.199617 0.199617
+0.194429 0.0251522 0.194429 0.194429
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.810486 0.159299 0.810486 0.810486
+0.79267 0.159299 0.79267 0.79267
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-13.9893 0.000334435 13.9893 13.9893
+5.98991 0.000334435 5.98991 5.98991
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-2.37027 0.000915652 2.37027 2.37027
+1.70845 0.000915652 1.70845 1.70845
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-136.054 1e-12 136.054 136.054
+58.3766 1e-12 58.3766 58.3766
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-2654.66 1e-12 2654.66 2654.66
+1505.62 1e-12 1505.62 1505.62
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0407542:37782.4]
+set xrange [0.0558012:17349.8]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -224,21 +224,21 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0396383 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.617434, graph 0.644439 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.19817, graph 0.720521 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.497766, graph 0.771258 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.390634, graph 0.844583 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.451874, graph 0.902318 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.216923, graph 0.86837 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.833669, graph 0.883645 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.119015, graph 0.815943 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.092073, graph 0.897409 to graph 0.119015, graph 0.815943 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.322667, graph 0.955599 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.295725, graph 0.897409 to graph 0.322667, graph 0.955599 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.0335183, graph 0.922568 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:10" at graph 0.14258, graph 0.970061 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.246388, graph 0.812198 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.219447, graph 0.951853 to graph 0.246388, graph 0.812198 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig:1e-6" at graph 0.576694, graph 0.644439 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.109579, graph 0.749903 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.437386, graph 0.772105 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.311499, graph 0.844583 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.396668, graph 0.902318 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.0391512, graph 0.86837 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.833669, graph 0.885244 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.107439, graph 0.815943 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0804975, graph 0.897409 to graph 0.107439, graph 0.815943 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.297478, graph 0.955599 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.270536, graph 0.897409 to graph 0.297478, graph 0.955599 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.0257133, graph 0.922568 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:10" at graph 0.125641, graph 0.702389 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0986987, graph 0.946785 to graph 0.125641, graph 0.702389 nohead lw 0.6 lc rgb '#009e73'
+set label "si2:50" at graph 0.0486935, graph 0.975129 left front noenhanced textcolor rgb '#e69f00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -261,7 +261,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0407542:37782.4]
+set xrange [0.0558012:17349.8]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -273,20 +273,20 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0306649 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.286721, graph 0.621964 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.617434, graph 0.626798 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.19817, graph 0.668619 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.390634, graph 0.71987 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.451874, graph 0.806387 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.216923, graph 0.809006 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.833669, graph 0.917158 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.119015, graph 0.928692 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.322667, graph 0.928692 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.246388, graph 0.872935 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.219447, graph 0.9544 to graph 0.246388, graph 0.872935 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.14258, graph 0.751914 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.115638, graph 0.961397 to graph 0.14258, graph 0.751914 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.244563, graph 0.976724 left front noenhanced textcolor rgb '#009e73'
+set label "si:1000" at graph 0.226341, graph 0.621964 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.576694, graph 0.626807 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.109579, graph 0.671285 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.311499, graph 0.71987 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.396668, graph 0.806387 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.205293, graph 0.809006 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.833669, graph 0.926858 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.107439, graph 0.928692 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.297478, graph 0.928692 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.237287, graph 0.872935 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.210345, graph 0.9544 to graph 0.237287, graph 0.872935 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.125641, graph 0.751914 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0986987, graph 0.961397 to graph 0.125641, graph 0.751914 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.236758, graph 0.976724 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -309,7 +309,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0407542:37782.4]
+set xrange [0.0558012:17349.8]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -320,21 +320,21 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig:1e-6" at graph 0.294131, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6" at graph 0.253391, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
 set label "lemke" at graph 0.833669, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
 set label "delassus" at graph 0.0835457, graph 0.260841 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.497766, graph 0.619821 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.390634, graph 0.684668 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.19817, graph 0.586767 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.171228, graph 0.691509 to graph 0.19817, graph 0.586767 nohead lw 0.6 lc rgb '#0060a8'
-set label "pgs:50" at graph 0.451874, graph 0.732639 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.216923, graph 0.733821 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.119015, graph 0.836115 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.092073, graph 0.766287 to graph 0.119015, graph 0.836115 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.322667, graph 0.789563 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.246388, graph 0.846722 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.14258, graph 0.900243 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.244563, graph 0.95027 left front noenhanced textcolor rgb '#009e73'
+set label "si:1000" at graph 0.437386, graph 0.621205 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.311499, graph 0.684668 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.109579, graph 0.63774 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0826368, graph 0.69593 to graph 0.109579, graph 0.63774 nohead lw 0.6 lc rgb '#0060a8'
+set label "pgs:50" at graph 0.396668, graph 0.732639 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.205293, graph 0.733821 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.107439, graph 0.836115 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0804975, graph 0.766287 to graph 0.107439, graph 0.836115 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.297478, graph 0.789563 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.237287, graph 0.846722 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.125641, graph 0.900243 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.236758, graph 0.95027 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

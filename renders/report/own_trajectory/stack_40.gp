@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.037175 1.63396e-10 0.037175 0.037175
+0.044386 1.63396e-10 0.044386 0.044386
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.037896 6.70277e-06 0.037896 0.037896
+0.043665 6.70277e-06 0.043665 0.043665
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.057566 18.5922 0.057566 0.057566
+0.055923 18.5922 0.055923 0.055923
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.236491 1.30886 0.236491 0.236491
+0.236351 1.30886 0.236351 0.236351
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.890344 0.403715 0.890344 0.890344
+0.854021 0.403715 0.854021 0.854021
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-12.4639 0.0846173 12.4639 12.4639
+4.24966 0.0846173 4.24966 4.24966
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.351363 1.21312 0.351363 0.351363
+0.337221 1.21312 0.337221 0.337221
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.059689 31.6489 0.059689 0.059689
+0.058688 31.6489 0.058688 0.058688
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.310572 19.2952 0.310572 0.310572
+0.289832 19.2952 0.289832 0.289832
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-1.10095 1.29455 1.10095 1.10095
+1.06831 1.29455 1.06831 1.06831
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.30929 17.1148 0.30929 0.30929
+0.280307 17.1148 0.280307 0.280307
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-7.58742 0.000595176 7.58742 7.58742
+4.65562 0.000595176 4.65562 4.65562
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-233.395 0.22385 233.395 233.395
+83.0117 0.249004 83.0117 83.0117
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.037175 1.1191e-11 0.037175 0.037175
+0.044386 1.1191e-11 0.044386 0.044386
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.037896 5.48581e-07 0.037896 0.037896
+0.043665 5.48581e-07 0.043665 0.043665
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.057566 0.238264 0.057566 0.057566
+0.055923 0.238264 0.055923 0.055923
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.236491 0.00439157 0.236491 0.236491
+0.236351 0.00439157 0.236351 0.236351
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.890344 0.000754084 0.890344 0.890344
+0.854021 0.000754084 0.854021 0.854021
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-12.4639 6.80354e-05 12.4639 12.4639
+4.24966 6.80354e-05 4.24966 4.24966
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.351363 0.00428227 0.351363 0.351363
+0.337221 0.00428227 0.337221 0.337221
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.059689 0.45697 0.059689 0.059689
+0.058688 0.45697 0.058688 0.058688
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.310572 0.40108 0.310572 0.310572
+0.289832 0.40108 0.289832 0.289832
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-1.10095 0.00419338 1.10095 1.10095
+1.06831 0.00419338 1.06831 1.06831
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.30929 0.236567 0.30929 0.30929
+0.280307 0.236567 0.280307 0.280307
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-7.58742 1.23906e-05 7.58742 7.58742
+4.65562 1.23906e-05 4.65562 4.65562
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-233.395 0.0130287 233.395 233.395
+83.0117 0.014165 83.0117 83.0117
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.037175 8.80932e-09 0.037175 0.037175
+0.044386 8.80932e-09 0.044386 0.044386
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.037896 0.00112315 0.037896 0.037896
+0.043665 0.00112315 0.043665 0.043665
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.057566 0.592874 0.057566 0.057566
+0.055923 0.592874 0.055923 0.055923
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.236491 0.00991192 0.236491 0.236491
+0.236351 0.00991192 0.236351 0.236351
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.890344 0.00122322 0.890344 0.890344
+0.854021 0.00122322 0.854021 0.854021
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-12.4639 0.00286774 12.4639 12.4639
+4.24966 0.00286774 4.24966 4.24966
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.351363 0.00913393 0.351363 0.351363
+0.337221 0.00913393 0.337221 0.337221
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.059689 1.40158 0.059689 0.059689
+0.058688 1.40158 0.058688 0.058688
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.310572 1.81039 0.310572 0.310572
+0.289832 1.81039 0.289832 0.289832
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-1.10095 0.00914686 1.10095 1.10095
+1.06831 0.00914686 1.06831 1.06831
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.30929 0.646354 0.30929 0.30929
+0.280307 0.646354 0.280307 0.280307
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-7.58742 2.22807e-09 7.58742 7.58742
+4.65562 2.22807e-09 4.65562 4.65562
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-233.395 1e-12 233.395 233.395
+83.0117 1e-12 83.0117 83.0117
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0192162:2221.39]
+set xrange [0.0247003:580.752]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -223,21 +223,21 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0232759 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0851934, graph 0.402188 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.53977, graph 0.564554 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.582346, graph 0.743955 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.833669, graph 0.779163 left front noenhanced textcolor rgb '#999999'
-set label "si:200" at graph 0.355977, graph 0.800506 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0876272, graph 0.817049 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.374189, graph 0.854315 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.24226, graph 0.86635 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.26528, graph 0.936114 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.121056, graph 0.939111 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.0545901, graph 0.882264 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.238693, graph 0.940454 to graph 0.211751, graph 0.882264 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.124163, graph 0.760518 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.097221, graph 0.958363 to graph 0.124163, graph 0.760518 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus" at graph 0.0851728, graph 0.0232759 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.402188 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.547446, graph 0.564554 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.538382, graph 0.743955 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.833669, graph 0.783017 left front noenhanced textcolor rgb '#999999'
+set label "si:200" at graph 0.378959, graph 0.800506 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0980459, graph 0.817049 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.401201, graph 0.854315 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.251328, graph 0.86635 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.268274, graph 0.936114 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.108128, graph 0.939111 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.0605487, graph 0.882264 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.244652, graph 0.940454 to graph 0.21771, graph 0.882264 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.112923, graph 0.760518 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0859809, graph 0.958363 to graph 0.112923, graph 0.760518 nohead lw 0.6 lc rgb '#009e73'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -260,7 +260,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0192162:2221.39]
+set xrange [0.0247003:580.752]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -271,21 +271,21 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0874059 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0851934, graph 0.47827 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.53977, graph 0.591091 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.582346, graph 0.652728 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.355977, graph 0.739785 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.374189, graph 0.80188 left front noenhanced textcolor rgb '#cc79a7'
-set label "si2:50" at graph 0.0876272, graph 0.779364 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.24226, graph 0.826828 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.833669, graph 0.842909 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.26528, graph 0.94783 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.121056, graph 0.948088 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.265635, graph 0.897108 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.238693, graph 0.966936 to graph 0.265635, graph 0.897108 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.124163, graph 0.727261 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.097221, graph 0.971657 to graph 0.124163, graph 0.727261 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus" at graph 0.0851728, graph 0.0874059 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.47827 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.547446, graph 0.591091 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.538382, graph 0.652728 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.378959, graph 0.739785 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.401201, graph 0.80188 left front noenhanced textcolor rgb '#cc79a7'
+set label "si2:50" at graph 0.0980459, graph 0.779364 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.251328, graph 0.826828 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.833669, graph 0.845935 left front noenhanced textcolor rgb '#999999'
+set label "dantzig" at graph 0.268274, graph 0.94783 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.108128, graph 0.948088 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.271594, graph 0.897108 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.244652, graph 0.966936 to graph 0.271594, graph 0.897108 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.112923, graph 0.890192 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0859809, graph 0.971657 to graph 0.112923, graph 0.890192 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -308,7 +308,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0192162:2221.39]
+set xrange [0.0247003:580.752]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -320,19 +320,18 @@ unset label
 unset arrow
 unset object
 set label "lemke" at graph 0.833669, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
-set label "dantzig:1e-6" at graph 0.53977, graph 0.310566 left front noenhanced textcolor rgb '#555555'
-set label "delassus" at graph 0.0835457, graph 0.35321 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0851934, graph 0.694613 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.355977, graph 0.743812 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.582346, graph 0.746967 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0876272, graph 0.759628 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.374189, graph 0.794586 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.24226, graph 0.808716 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.121056, graph 0.912354 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.26528, graph 0.915034 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.124163, graph 0.973958 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.265635, graph 0.865518 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.238693, graph 0.946984 to graph 0.265635, graph 0.865518 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.547446, graph 0.310566 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.0851728, graph 0.35321 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.694613 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.378959, graph 0.720536 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.538382, graph 0.746967 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0980459, graph 0.759628 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.401201, graph 0.782948 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.251328, graph 0.808716 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.108128, graph 0.912354 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.268274, graph 0.915034 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.112923, graph 0.973958 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.271594, graph 0.97026 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

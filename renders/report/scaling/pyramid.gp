@@ -1,126 +1,129 @@
 # Draws pyramid.svg and pyramid.png: gnuplot pyramid.gp
 $line0_0 << EOD
-4 6.49475 4 4
-16 51.3927 16 16
-64 61.2851 64 64
-256 1939.73 256 256
-1024 2384.43 1024 1024
+4 5.54075 4 4
+16 47.1208 16 16
+64 68.0381 64 64
+256 923.094 256 256
+1024 1077.58 1024 1024
+4096 1655.24 4096 4096
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 1.983 4 4
-16 35.956 16 16
-64 19.7071 64 64
-256 61.9147 256 256
-1024 291.596 1024 1024
-4096 2200.41 4096 4096
+4 1.75775 4 4
+16 33.1612 16 16
+64 14.2586 64 64
+256 24.9967 256 256
+1024 128.239 1024 1024
+4096 1279.8 4096 4096
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.353 4 4
-16 0.3505 16 16
-64 0.346297 64 64
-256 0.342113 256 256
-1024 0.356928 1024 1024
-4096 1.63995 4096 4096
-15876 1.08603 15876 15876
-40000 0.71296 40000 40000
+4 0.358 4 4
+16 0.330438 16 16
+64 0.340047 64 64
+256 0.346023 256 256
+1024 0.353182 1024 1024
+4096 0.394968 4096 4096
+15876 0.484393 15876 15876
+40000 0.792276 40000 40000
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 2.421 4 4
-16 2.49556 16 16
-64 2.49997 64 64
-256 2.45439 256 256
-1024 6.49776 1024 1024
-4096 7.31317 4096 4096
-15876 5.13907 15876 15876
-40000 7.72233 40000 40000
+4 2.47625 4 4
+16 2.33656 16 16
+64 2.42281 64 64
+256 2.47246 256 256
+1024 2.59149 1024 1024
+4096 2.89808 4096 4096
+15876 2.96029 15876 15876
+40000 4.30536 40000 40000
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.41575 4 4
-16 0.443812 16 16
-64 0.450359 64 64
-256 0.435605 256 256
-1024 0.462054 1024 1024
-4096 0.501146 4096 4096
-15876 0.70164 15876 15876
-40000 1.07419 40000 40000
+4 0.41825 4 4
+16 0.43875 16 16
+64 0.439875 64 64
+256 0.44093 256 256
+1024 0.456881 1024 1024
+4096 0.699828 4096 4096
+15876 0.993717 15876 15876
+40000 1.10905 40000 40000
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 0.9715 4 4
-16 1.399 16 16
-64 2.60122 64 64
-256 7.27567 256 256
-1024 101.854 1024 1024
-4096 210.894 4096 4096
+4 0.96125 4 4
+16 1.41213 16 16
+64 2.54394 64 64
+256 7.51109 256 256
+1024 50.6131 1024 1024
+4096 183.922 4096 4096
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 0.6685 4 4
-16 0.845625 16 16
-64 6.89072 64 64
+4 0.6835 4 4
+16 0.811875 16 16
+64 6.28498 64 64
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 0.6535 4 4
-16 0.876313 16 16
-64 5.46689 64 64
-256 605.038 256 256
+4 0.656 4 4
+16 0.861875 16 16
+64 5.11605 64 64
+256 301.75 256 256
+1024 6233.94 1024 1024
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-4 4.87975 4 4
+4 5.348 4 4
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-256 2.1463 256 256
-1024 4.45235 1024 1024
+256 2.4535 256 256
+1024 4.84147 1024 1024
+4096 13.8199 4096 4096
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-1024 4.33766 1024 1024
-4096 13.7708 4096 4096
+1024 4.66125 1024 1024
+4096 13.6888 4096 4096
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4096 5.28384 4096 4096
-15876 20.2957 15876 15876
-40000 73.1341 40000 40000
+4096 5.39853 4096 4096
+15876 20.3489 15876 15876
+40000 73.4659 40000 40000
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4096 5.28384 4096 4096
-15876 20.2957 15876 15876
-40000 73.1341 40000 40000
+4096 5.39853 4096 4096
+15876 20.3489 15876 15876
+40000 73.4659 40000 40000
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4096 5.47635 4096 4096
-15876 20.6275 15876 15876
-40000 73.2692 40000 40000
+4096 5.52141 4096 4096
+15876 20.6029 15876 15876
+40000 73.4659 40000 40000
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-256 5.0217 256 256
-1024 69.9884 1024 1024
-4096 1085.53 4096 4096
+256 5.12 256 256
+1024 70.1686 1024 1024
+4096 1086.24 4096 4096
 EOD
 $marks1_5 << EOD
 EOD
@@ -129,7 +132,8 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-256 9.31021 256 256
+256 9.41261 256 256
+1024 137.277 1024 1024
 EOD
 $marks1_7 << EOD
 EOD
@@ -166,17 +170,16 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.170613 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.217854 left front noenhanced textcolor rgb '#009e73'
-set label "lemke" at graph 0.076027, graph 0.547162 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.0566038, graph 0.33768 to graph 0.076027, graph 0.547162 nohead lw 0.6 lc rgb '#999999'
-set label "dantzig" at graph 0.152765, graph 0.367653 left front noenhanced textcolor rgb '#555555'
-set label "si:100" at graph 0.836374, graph 0.37755 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:10" at graph 0.648245, graph 0.664813 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.186279, graph 0.837822 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.399935, graph 0.756357 to graph 0.380511, graph 0.837822 nohead lw 0.6 lc rgb '#555555'
-set label "delassus:1e-4" at graph 0.648245, graph 0.868501 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.365466, graph 0.898753 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.179775 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.232266 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.326802 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.076027, graph 0.543483 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.0566038, graph 0.345638 to graph 0.076027, graph 0.543483 nohead lw 0.6 lc rgb '#999999'
+set label "dantzig" at graph 0.152765, graph 0.359661 left front noenhanced textcolor rgb '#555555'
+set label "pgs:10" at graph 0.648245, graph 0.652927 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.648245, graph 0.821429 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.648245, graph 0.878686 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.533801, graph 0.958953 left front noenhanced textcolor rgb '#555555'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -224,15 +227,14 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.284692, graph 0.138872 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.076027, graph 0.0560329 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.24224 to graph 0.076027, graph 0.0560329 nohead lw 0.6 lc rgb '#555555'
-set label "delassus:1e-4" at graph 0.244093, graph 0.296377 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.836374, graph 0.46603 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.477668 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.512782 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.46623 to graph 0.836374, graph 0.512782 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:10" at graph 0.493358, graph 0.758911 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.244093, graph 0.307367 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.493358, graph 0.32004 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.466521 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.478159 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.513073 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.466521 to graph 0.836374, graph 0.513073 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.0516134, graph 0.5344 left front noenhanced textcolor rgb '#555555'
+set label "pgs:10" at graph 0.493358, graph 0.758981 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
