@@ -97,6 +97,31 @@ TEST(Memory, FreshPointsThatCannotCarryTheWrenchStartInsideTheirCones) {
   EXPECT_GT(pushed, 0);
 }
 
+// As a sphere's does while it rolls. Tangents are as long as friction is strong along them, or none at all.
+TEST(Memory, ALonePointTakesOverTheForce) {
+  for (const Vec3& lengths : {Vec3(1, 1, 1), Vec3(1, 0.2, 3), Vec3(1, 2, 0)}) {
+    SCOPED_TRACE(lengths.transpose());
+    Touch touch({{-1, 0, 0}}, 5);
+    const Mat3 turned = Eigen::AngleAxisd(0.01, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+    touch.group().contacts[0].frame = turned * lengths.asDiagonal();
+    const std::vector<Vec3> last{{3, 0.4, lengths[2] > 0 ? -0.2 : 0}};
+    const Vec6 before = touch.wrench(last);
+    Memory memory;
+    memory.nextStep();
+    memory.keep(touch.group(), answerOf(last));
+    memory.nextStep();
+
+    touch.replace({{-1, 0.3, 0.1}}, 0);
+    touch.group().contacts[0].frame = lengths.asDiagonal();
+    memory.recall(touch.group());
+    const Vec3& guess = touch.group().guess[0];
+    const Vec3 force = touch.wrench({guess}).head<3>();
+    EXPECT_LE(guess.tail<2>().norm(), 0.5 * guess[0] * (1 + 1e-12));
+    EXPECT_NEAR(force[0], before[0], 1e-12) << "inside the cone the normal force is the same";
+    for (int k = 1; k < 3; ++k) EXPECT_NEAR(force[k], lengths[k] > 0 ? before[k] : 0, 1e-12);
+  }
+}
+
 TEST(Memory, PointsThatStayAreLeftAlone) {
   Touch touch(corners, 5);
   Memory memory;

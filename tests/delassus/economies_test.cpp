@@ -1,6 +1,8 @@
 /// The economies of the core, counted: what is left out, and that the answer does not show it.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "delassus/solver.h"
 #include "tests/support/random_piles.h"
 
