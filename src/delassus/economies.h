@@ -11,7 +11,7 @@ struct Economies {
   bool freeIslands = true;
   /// Reactions of the last step that still keep the law are checked, no more.
   bool keptIslands = true;
-  /// A single contact or row is answered by a formula.
+  /// A single contact or row is answered by a formula, and a problem file by a few sweeps of it where these suffice.
   bool closedForms = true;
   /// No search where there is one region: joints without limits, motors and contacts.
   bool oneRegion = true;

@@ -4,6 +4,7 @@
 #include "delassus/cone.h"
 #include "delassus/disk.h"
 #include "delassus/length.h"
+#include "delassus/problem.h"
 
 namespace delassus {
 
@@ -30,5 +31,9 @@ inline Mode diskModeOf(const Vec2& r, const Vec2& u, double radius, double weigh
   const Vec2 z = r - (weight > 0 ? 1 / weight : 0) * u;
   return lengthOf(z[0], z[1]) < radius ? Mode::Stick : Mode::Slide;
 }
+
+/// The region that reactions lie in, u = W r + q. `diagonal`: that of W.
+void readActiveSet(const Problem& problem, const VectorXd& diagonal, const VectorXd& r,
+                   const VectorXd& u, ActiveSet& set);
 
 }  // namespace delassus

@@ -149,8 +149,9 @@ NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r) {
   return naturalResidual(problem, r, u);
 }
 
-double naturalResidual(const Mat3& W, double friction, const Vec3& r, const Vec3& u) {
-  const double size = spectralNorm(W);
+double contactSize(const Mat3& W) { return spectralNorm(W); }
+
+double naturalResidual(double size, double friction, const Vec3& r, const Vec3& u) {
   return size * residualOfContact(r, u, friction, 1 / size);
 }
 

@@ -44,8 +44,9 @@ class NaturalMap {
 /// One-off use, with u = W r + q.
 NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r, const VectorXd& u);
 NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r);
-/// ‖F‖/ρ of one contact that is alone with this W, m/s.
-double naturalResidual(const Mat3& W, double friction, const Vec3& r, const Vec3& u);
+/// ‖W_aa‖ = 1/ρ of one contact, 1/kg, and with it ‖F‖/ρ, m/s.
+double contactSize(const Mat3& W);
+double naturalResidual(double size, double friction, const Vec3& r, const Vec3& u);
 
 /// |r − clamp(r − s u)| of a row with the step s, written so that a large r does not swallow s u.
 inline double rowResidual(double r, double u, double lower, double upper, double s) {

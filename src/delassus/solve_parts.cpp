@@ -5,6 +5,7 @@
 
 #include "delassus/cone.h"
 #include "delassus/one_contact.h"
+#include "delassus/quick_answer.h"
 #include "delassus/read_mode.h"
 #include "delassus/residual.h"
 #include "delassus/solver.h"
@@ -48,20 +49,15 @@ class Whole {
     count(s.residual, s.residualRms, n + p.rows());
   }
 
-  void putOpen(const ProblemParts& parts, int part) {
-    for (int k = 0; k < parts.sizeOf(part); k += 3)
-      solution_.activeSet.contacts[parts.unknown(part, k) / 3] = Mode::Open;
-    count(0, 0, parts.sizeOf(part) / 3);
-  }
-
-  /// Of one contact, whose reaction a formula gave: exact but for rounding.
-  void put(int contact, const Vec3& r, const Vec3& u, double residual, double size) {
-    solution_.r.segment<3>(3 * contact) = r;
-    solution_.u.segment<3>(3 * contact) = u;
-    solution_.activeSet.contacts[contact] = modeOf(r, u, problem_.friction[contact], size);
-    solution_.tier = std::max(solution_.tier, Tier::ClosedForm);
-    ++solution_.regions;
-    count(residual, residual, 1);
+  /// A part that the quick answer of the whole answers.
+  void put(const ProblemParts& parts, int part, const QuickAnswer& quick) {
+    for (int k = 0; k < parts.sizeOf(part); k += 3) {
+      const int at = parts.unknown(part, k);
+      solution_.r.segment<3>(at) = quick.best().r.segment<3>(at);
+      solution_.u.segment<3>(at) = quick.best().u.segment<3>(at);
+      solution_.activeSet.contacts[at / 3] = quick.modeOf(at / 3);
+      count(quick.residualOf(at / 3), quick.residualOf(at / 3), 1);
+    }
   }
 
   Solution take() {
@@ -91,25 +87,19 @@ bool disksAreInside(const Problem& problem) {
   });
 }
 
-/// Whether a part has contacts alone, none of which approaches: then there are no reactions.
-bool isOpen(const Problem& problem, const ProblemParts& parts, int part) {
-  for (int k = 0; k < parts.sizeOf(part); k += 3) {
-    const int first = parts.unknown(part, k);
-    if (first >= 3 * problem.contacts() || !(problem.q[first] >= 0)) return false;
-  }
-  return true;
-}
-
-/// A contact that nothing couples to others has a formula for its reaction. False if that does not reach the tolerance.
-bool answerByFormula(const Problem& problem, const Options& options, int contact, Whole& whole) {
-  const double mu = problem.friction[contact];
-  const Vec3 q = problem.q.segment<3>(3 * contact);
-  const Mat3 W = problem.W.contactBlock(3 * contact);
-  const Vec3 r = projectOnCone(solveOneContact(W, q, mu), mu);
-  const Vec3 u = W * r + q;
-  const double residual = naturalResidual(W, mu, r, u);
+/// The reaction of a single contact has a formula. False if that does not reach the tolerance.
+bool answerByFormula(const Problem& problem, const Options& options, Solution& answer) {
+  const double mu = problem.friction[0];
+  const Mat3 W = problem.W.contactBlock(0);
+  const Vec3 q = problem.q, r = projectOnCone(solveOneContact(W, q, mu), mu), u = W * r + q;
+  const double residual = naturalResidual(contactSize(W), mu, r, u);
   if (!(residual <= options.tolerance * q.cwiseAbs().maxCoeff())) return false;
-  whole.put(contact, r, u, residual, W.diagonal().mean());
+  answer.r = r;
+  answer.u = u;
+  answer.residual = answer.residualRms = residual;
+  answer.activeSet.contacts.assign(1, modeOf(r, u, mu, W.diagonal().mean()));
+  answer.tier = Tier::ClosedForm;
+  answer.regions = 1;
   return true;
 }
 
@@ -117,30 +107,34 @@ bool answerByFormula(const Problem& problem, const Options& options, int contact
 
 Solution solve(const Problem& problem, const Options& options) {
   if (problem.W.inBodySpace() || !disksAreInside(problem)) return Solver(options).solve(problem);
-  const bool fit = unfitParts(problem).empty();
-  const bool formulas = fit && options.economies.closedForms;
-  Whole whole(problem);
-  if (formulas && problem.contacts() == 1 && problem.rows() == 0 &&
-      answerByFormula(problem, options, 0, whole))
-    return whole.take();
-  const ProblemParts parts(problem);
-  if (parts.count() == 1) return Solver(options).solve(problem);
-  std::optional<Solver> solver;  // made when a part needs it
   Solution solution;
-  for (int k = 0; k < parts.count(); ++k) {
-    if (options.economies.freeIslands && fit && isOpen(problem, parts, k)) {
-      whole.putOpen(parts, k);
-      continue;
-    }
-    if (formulas && parts.isOneContact(k) &&
-        answerByFormula(problem, options, parts.unknown(k, 0) / 3, whole))
-      continue;
-    if (!solver) solver.emplace(options);
-    const Problem part = parts.problemOf(k);
-    solver->solve(part, {}, solution);
-    whole.put(parts, k, part, solution);
+  std::optional<QuickAnswer> quick;
+  if (options.economies.closedForms && problem.contacts() > 0 && problem.rows() == 0 &&
+      unfitParts(problem).empty()) {
+    if (problem.contacts() == 1 && answerByFormula(problem, options, solution)) return solution;
+    quick.emplace(problem, options);
+    if (quick->find(solution)) return solution;
   }
-  return whole.take();
+  const ProblemParts parts(problem);
+  if (parts.count() == 1) {
+    Solver(options).solve(problem, {}, solution);
+  } else {
+    Whole whole(problem);
+    std::optional<Solver> solver;  // made when a part needs it
+    for (int k = 0; k < parts.count(); ++k) {
+      if (quick && quick->answers(parts, k)) {
+        whole.put(parts, k, *quick);
+        continue;
+      }
+      if (!solver) solver.emplace(options);
+      const Problem part = parts.problemOf(k);
+      solver->solve(part, {}, solution);
+      whole.put(parts, k, part, solution);
+    }
+    solution = whole.take();
+  }
+  if (quick) solution.sweeps += quick->best().sweeps;
+  return solution;
 }
 
 }  // namespace delassus

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "delassus/one_contact.h"
 #include "delassus/read_mode.h"
@@ -9,27 +11,6 @@
 
 namespace delassus {
 namespace {
-
-/// The region that the answer lies in.
-void readActiveSet(const Problem& problem, const VectorXd& diagonal, const VectorXd& r,
-                   const VectorXd& u, ActiveSet& set) {
-  const int n = problem.contacts();
-  set.contacts.resize(n);
-  for (int i = 0; i < n; ++i) {
-    const int at = 3 * i;
-    set.contacts[i] = modeOf(r.segment<3>(at), u.segment<3>(at), problem.friction[i],
-                             diagonal.segment<3>(at).mean());
-  }
-  set.rows.resize(problem.rows());
-  for (int i = 0; i < problem.rows(); ++i) {
-    const int at = 3 * n + i;
-    set.rows[i] = stateOf(r[at], u[at], problem.lower[i], problem.upper[i], diagonal[at]);
-  }
-  set.disks.clear();
-  for (const Disk& disk : problem.disks)
-    set.disks.push_back(diskModeOf(disk.of(r), disk.of(u), disk.radiusAt(r),
-                                   diagonal.segment(disk.first, disk.unknowns).mean()));
-}
 
 /// A contact or a row that is alone has a formula for its reaction. False if there is more.
 bool solveAlone(const Problem& problem, const NaturalMap& map, VectorXd& r) {
@@ -61,8 +42,8 @@ Solution Solver::solve(const Problem& problem, const VectorXd& guess) {
 void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best) {
   Search& search = *search_;
   best.start(problem.q);
-  best.blamed = unfitParts(problem);
-  if (!best.blamed.empty()) {
+  if (std::vector<int> unfit = unfitParts(problem); !unfit.empty()) {
+    best.blamed = std::move(unfit);
     best.status = Status::NonFinite;
     best.activeSet.contacts.assign(problem.contacts(), Mode::Open);
     best.activeSet.rows.assign(problem.rows(), RowState::Free);

@@ -17,9 +17,6 @@ class ProblemParts {
   int sizeOf(int part) const { return begin_[part + 1] - begin_[part]; }
   /// The k-th unknown of a part, as one of the whole. Ascending.
   int unknown(int part, int k) const { return unknowns_[begin_[part] + k]; }
-  bool isOneContact(int part) const {
-    return sizeOf(part) == 3 && unknown(part, 0) < 3 * whole_.contacts();
-  }
   Problem problemOf(int part) const;
 
  private:

@@ -33,19 +33,43 @@ void Sweeps::readEntries(const Problem& problem) {
   couplingBegin_.assign(1, 0);
   std::vector<int> slot(problem.contacts(), -1);
   for (int i = 0; i < problem.contacts(); ++i) {
-    readContactRows(problem.W.entries(), i, slot);
+    if (!readContactBlocks(problem, i)) readContactRows(problem, i, slot);
     couplingBegin_.push_back(static_cast<int>(coupled_.size()));
   }
 }
 
+/// Where all three rows of a contact have entries in the same whole blocks, and no others, as most files do. False, and nothing is
+/// read, if they do not.
+bool Sweeps::readContactBlocks(const Problem& problem, int contact) {
+  const DelassusMatrix::Sparse& W = problem.W.entries();
+  const int *begin = W.outerIndexPtr() + 3 * contact, *columns = W.innerIndexPtr() + begin[0];
+  const int count = begin[1] - begin[0];
+  if (count % 3 != 0 || begin[2] - begin[1] != count || begin[3] - begin[2] != count) return false;
+  for (int k = 0; k < count; ++k) {
+    const int column = columns[k - k % 3] + k % 3;
+    if (columns[k] != column || columns[k + count] != column || columns[k + 2 * count] != column)
+      return false;
+  }
+  for (int k = 0; k < count; k += 3)
+    if (columns[k] % 3 != 0 || columns[k] >= 3 * problem.contacts()) return false;
+
+  using Rows = Eigen::Map<const Mat3, 0, Eigen::Stride<1, Eigen::Dynamic>>;
+  const double* entries = W.valuePtr() + begin[0];
+  for (int k = 0; k < count; k += 3) {
+    coupled_.push_back(columns[k] / 3);
+    coupling_.emplace_back(Rows(entries + k, {1, count}));
+  }
+  return true;
+}
+
 /// `slot`: where the block of a contact is, if that is not before those of this one.
-void Sweeps::readContactRows(const DelassusMatrix::Sparse& W, int contact, std::vector<int>& slot) {
+void Sweeps::readContactRows(const Problem& problem, int contact, std::vector<int>& slot) {
+  const DelassusMatrix::Sparse& W = problem.W.entries();
   const auto first = static_cast<int>(coupled_.size());
-  const auto frictional = static_cast<int>(3 * slot.size());
   for (int k = 0; k < 3; ++k) {
     for (DelassusMatrix::Sparse::InnerIterator it(W, 3 * contact + k); it; ++it) {
       const auto column = static_cast<int>(it.col());
-      if (column >= frictional) break;
+      if (column >= 3 * problem.contacts()) break;
       int& at = slot[column / 3];
       if (at < first) {
         at = static_cast<int>(coupled_.size());

@@ -34,7 +34,8 @@ class Sweeps {
   void sweepBodies(const Problem& problem, VectorXd& r);
   void sweepEntries(const Problem& problem, VectorXd& r);
   void readEntries(const Problem& problem);
-  void readContactRows(const DelassusMatrix::Sparse& W, int contact, std::vector<int>& slot);
+  bool readContactBlocks(const Problem& problem, int contact);
+  void readContactRows(const Problem& problem, int contact, std::vector<int>& slot);
   /// The reaction of disk `k` with the others held: u is what it sees with r.
   Vec2 nextOnDisk(const Problem& problem, int k, const VectorXd& r, const Vec2& u) const;
 

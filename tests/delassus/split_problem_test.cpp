@@ -58,7 +58,6 @@ TEST(ProblemParts, AreWhatEntriesOfEitherTriangleConnect) {
   EXPECT_THAT(unknownsOf(parts, 0), ::testing::ElementsAre(0, 1, 2, 6, 7, 8));
   EXPECT_THAT(unknownsOf(parts, 1), ::testing::ElementsAre(3, 4, 5, 10));
   EXPECT_THAT(unknownsOf(parts, 2), ::testing::ElementsAre(9));
-  EXPECT_FALSE(parts.isOneContact(2));
 
   const Problem second = parts.problemOf(1);
   EXPECT_EQ(second.W.dense()(3, 1), 0.1);
@@ -83,44 +82,6 @@ TEST(ProblemParts, ADiskIsConnectedToItsGovernor) {
   ASSERT_EQ(parts.count(), 2);
   EXPECT_THAT(unknownsOf(parts, 1), ::testing::ElementsAre(3, 4, 5, 7, 8));
   EXPECT_THAT(parts.problemOf(1).disks, ::testing::ElementsAre(Disk{3, 2, 0, 0.2}));
-}
-
-// A formula answers those that approach, and the others are not looked at.
-TEST(SolveParts, LoneContactsNeedNoSolver) {
-  Random random(61);
-  const Problem problem = loneContacts(200, random);
-  const Solution solution = solve(problem);
-  EXPECT_EQ(solution.status, Status::Solved);
-  EXPECT_LT(solution.residual, 1e-13);
-  EXPECT_EQ(solution.sweeps + solution.factorisations, 0);
-  const ProblemParts parts(problem);
-  int approaching = 0;
-  for (int i = 0; i < 200; ++i) {
-    approaching += problem.q[3 * i] < 0;
-    const Solution alone = solve(parts.problemOf(i));
-    EXPECT_LT((solution.r.segment<3>(3 * i) - alone.r).norm(), 1e-12 * (1 + alone.r.norm()));
-    EXPECT_LT((solution.u.segment<3>(3 * i) - alone.u).norm(), 1e-12);
-    EXPECT_EQ(solution.activeSet.contacts[i], alone.activeSet.contacts[0]);
-  }
-  EXPECT_EQ(solution.regions, approaching);
-
-  Options walked;
-  walked.economies.closedForms = false;
-  EXPECT_EQ(solve(problem, walked).status, Status::Solved);
-}
-
-TEST(SolveParts, WhatDoesNotApproachStaysApart) {
-  Random random(62);
-  Problem problem = loneContacts(4, random);
-  MatrixXd W = problem.W.dense();
-  W.block<6, 6>(0, 0) = randomDelassus(6, 10, random);
-  problem.W = matrix(W);
-  problem.q[0] = 0.2;
-  problem.q[3] = 0;
-  const Solution solution = solve(problem);
-  EXPECT_EQ(solution.r.head<6>(), VectorXd::Zero(6));
-  EXPECT_EQ(solution.u.head<6>(), problem.q.head<6>());
-  EXPECT_EQ(solution.activeSet.contacts[0], Mode::Open);
 }
 
 // Towers need factors; heaps, whose contacts are few, settle by sweeps that are far cheaper.

@@ -12,29 +12,29 @@ namespace {
 
 using demos::report::Ending;
 
-/// A peer in the form in which it was seen to reach the tolerance.
+/// A solver in the form in which it was seen to reach the tolerance.
 struct Candidate {
   std::string name;
   Contestant contestant;
   double seconds;
 };
 
-/// How a peer fared in one storage.
+/// How a solver fared in one storage.
 struct Trial {
   std::optional<Candidate> candidate;
   Ending ending = Ending::Done;  ///< of the last solve
 };
 
-/// The coarsest of the peer's own tolerances with which it meets ours: a finer one walks the same way and further.
-Trial findTolerance(const Problem& problem, const Peer& peer, const std::string& storage,
-                    double tolerance, double secondsLimit) {
+/// The coarsest of a solver's own tolerances with which it meets that of the comparison: a finer one walks the same way and further.
+Trial findTolerance(const Problem& problem, const std::string& name,
+                    const std::function<Contestant(double ownTolerance)>& with, double tolerance,
+                    double secondsLimit) {
   constexpr int coarsest = 4, finest = 14;  // decades
   constexpr double glance = 2e-3;           // seconds of repeats: this only chooses who has turns
   for (int decade = coarsest; decade <= finest; ++decade) {
-    const Contestant contestant = peer.with(storage, std::pow(10.0, -decade));
+    const Contestant contestant = with(std::pow(10.0, -decade));
     const Measured measured = measure(problem, contestant, secondsLimit, glance);
-    if (measured.meets(tolerance))
-      return {Candidate{peer.name + ", " + storage, contestant, median(measured.seconds)}};
+    if (measured.meets(tolerance)) return {Candidate{name, contestant, median(measured.seconds)}};
     // What it cannot reach, or not in time, it cannot exceed.
     if (measured.ending != Ending::Done || !measured.satisfied) return {{}, measured.ending};
   }
@@ -49,8 +49,10 @@ std::optional<Candidate> findStorage(const Problem& problem, const Peer& peer,
     constexpr double overhead = 0.5;  // seconds
     const double secondsLimit = best ? std::min(conditions.secondsLimit, best->seconds + overhead)
                                      : conditions.secondsLimit;
-    const auto [found, ending] =
-        findTolerance(problem, peer, storage, conditions.tolerance, secondsLimit);
+    const auto [found, ending] = findTolerance(
+        problem, peer.name + ", " + storage,
+        [&](double ownTolerance) { return peer.with(storage, ownTolerance); }, conditions.tolerance,
+        secondsLimit);
     if (found && (!best || found->seconds < best->seconds)) best = found;
     // It loses its way whatever the storage, and not for want of a few seconds.
     if (!best && ending == Ending::TimeLimit) break;
@@ -109,13 +111,17 @@ Comparison compare(const Problem& problem, const std::vector<Peer>& peers,
   comparison.peersThatReach = int(candidates.size());
 
   const std::vector<Candidate> finalists = chooseFinalists(std::move(candidates));
-  std::vector<Contestant> contestants{ours(conditions.tolerance)};
+  const std::optional<Candidate> own =
+      findTolerance(problem, "delassus", ours, conditions.tolerance, conditions.secondsLimit)
+          .candidate;
+  std::vector<Contestant> contestants;
+  if (own) contestants.push_back(own->contestant);
   for (const Candidate& finalist : finalists) contestants.push_back(finalist.contestant);
   const auto medians = takeTurns(problem, contestants, conditions);
 
-  comparison.ours = medians.front();
+  if (own) comparison.ours = medians.front();
   for (std::size_t i = 0; i < finalists.size(); ++i) {
-    const auto& seconds = medians[i + 1];
+    const auto& seconds = medians[own ? i + 1 : i];
     if (seconds && (!comparison.best || *seconds < comparison.best->seconds))
       comparison.best = BestPeer{finalists[i].name, *seconds};
   }

@@ -4,9 +4,9 @@
 ///     taskset -c 1 build-peers/tests/peers/delassus_peers ../shared/problems --out renders/report/peers.md
 ///
 /// Every solve is cold: reactions zero, nothing known of the problem but W, q and μ. Its time is that of the solve with all that is
-/// derived from these, without reading the file, in milliseconds of the processor. All are judged by our measures. Each peer
-/// runs in the storage of W and with the tolerance of its own that make it fastest, tried out beforehand and not counted; ours
-/// has one setting for all. Quote the ratios: both sides of one were measured in turn. One thread each; twenty minutes for
+/// derived from these, without reading the file, in milliseconds of the processor. All are judged by our measures. Each
+/// runs with the tolerance of its own, and the peers in the storage of W, that make it fastest, tried out beforehand and not
+/// counted. Quote the ratios: both sides of one were measured in turn. One thread each; twenty minutes for
 /// the forty problems.
 
 #include <CLI/CLI.hpp>

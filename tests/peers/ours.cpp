@@ -1,6 +1,5 @@
 #include "tests/peers/ours.h"
 
-#include <algorithm>
 #include <memory>
 
 #include "delassus/solver.h"
@@ -16,10 +15,9 @@ struct Work {
 
 }  // namespace
 
-Contestant ours(double tolerance) {
+Contestant ours(double ownTolerance) {
   Options options;
-  // As the command does: one setting for all problems, with room between the solver's measure and those of the files.
-  options.tolerance = std::min(options.tolerance, 0.01 * tolerance);
+  options.tolerance = ownTolerance;
   return [options](const Problem& problem) {
     const auto work = std::make_shared<Work>(Work{problem, {}});
     const auto run = [work, options] {

@@ -4,7 +4,7 @@
 
 namespace delassus::peers {
 
-/// What `delassus solve --tolerance` does, with a Solver that has solved nothing before.
-Contestant ours(double tolerance);
+/// What `delassus solve` does, from nothing; it stops on a measure of its own, as the peers do.
+Contestant ours(double ownTolerance);
 
 }  // namespace delassus::peers

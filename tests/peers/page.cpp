@@ -28,8 +28,8 @@ std::string preface() {
     taskset -c 1 build-peers/tests/peers/delassus_peers --out renders/report/peers.md
 
 Frictional contact problems of other people's simulators, with W as entries: `delassus solve` and the seven general solvers of
-Siconos 4.4 (NSGS, NSN_AC, NSN_FB, ADMM, PROX, FPP, VI_EG), cold and in turn, each peer in the storage of W and with the tolerance of
-its own that make it fastest. Milliseconds of one processor: quote the ratios.
+Siconos 4.4 (NSGS, NSN_AC, NSN_FB, ADMM, PROX, FPP, VI_EG), cold and in turn, each with the tolerance of its own, and the
+peers in the storage of W, that make it fastest. Milliseconds of one processor: quote the ratios.
 
 )";
 }

@@ -1,0 +1,146 @@
+#include "delassus/quick_answer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "delassus/dense_newton.h"
+#include "delassus/read_mode.h"
+
+namespace delassus {
+
+QuickAnswer::QuickAnswer(const Problem& problem, const Options& options)
+    : problem_(problem),
+      options_(options),
+      demand_(problem.q.cwiseAbs().maxCoeff()),
+      place_(problem.contacts(), -1),
+      residuals_(problem.contacts(), std::numeric_limits<double>::infinity()) {
+  best_.start(problem.q);
+  best_.tier = Tier::Walk;
+}
+
+bool QuickAnswer::isSmall() const {
+  constexpr int fewUnknowns = 15;
+  return problem_.size() <= fewUnknowns;
+}
+
+double QuickAnswer::toleranceFor(double demand) const {
+  return std::max(options_.tolerance * demand, problem_.roundOff);
+}
+
+bool QuickAnswer::find(Solution& answer) {
+  if (options_.sweepBudget > 0) sweep();
+  if (isReached()) {
+    for (int i = 0; i < problem_.contacts(); ++i) best_.activeSet.contacts.push_back(modeOf(i));
+  } else if (!isSmall() || !walk()) {
+    return false;
+  }
+  answer = std::move(best_);
+  return true;
+}
+
+/// u_i = W_i r + q_i.
+Vec3 QuickAnswer::velocityOf(int contact) const {
+  const DelassusMatrix::Sparse& W = problem_.W.entries();
+  const int* column = W.innerIndexPtr();
+  const double *entry = W.valuePtr(), *r = best_.r.data();
+  Vec3 u = problem_.q.segment<3>(3 * contact);
+  for (int k = 0; k < 3; ++k) {
+    const int end = W.outerIndexPtr()[3 * contact + k + 1];
+    for (int at = W.outerIndexPtr()[3 * contact + k]; at < end; ++at)
+      u[k] += entry[at] * r[column[at]];
+  }
+  return u;
+}
+
+const QuickAnswer::Approaching& QuickAnswer::approaching(int contact) {
+  if (place_[contact] < 0) {
+    place_[contact] = static_cast<int>(approaching_.size());
+    const Mat3 W = problem_.W.contactBlock(3 * contact);
+    approaching_.push_back({OneContact(W), contactSize(W)});
+  }
+  return approaching_[place_[contact]];
+}
+
+/// Each contact in turn with the others held. Returns by how much the most changed one changed its own velocity, m/s.
+double QuickAnswer::sweepOnce() {
+  double change = 0;
+  for (int i = 0; i < problem_.contacts(); ++i) {
+    const Vec3 u = velocityOf(i);
+    if (place_[i] < 0 && u[0] >= 0) continue;
+    const Approaching& a = approaching(i);
+    if (!(a.block.W()(0, 0) > 0)) continue;  // moves nothing, and keeps its residual
+    auto r = best_.r.segment<3>(3 * i);
+    const double tangential = r.tail<2>().squaredNorm();
+    const double slip = tangential > 0 ? std::sqrt(u.tail<2>().squaredNorm() / tangential) : 0;
+    const Vec3 next = a.block.solve(u - a.block.W() * r, problem_.friction[i], slip);
+    change = std::max(change, a.size * (next - r).norm());
+    r = next;
+  }
+  ++best_.sweeps;
+  return change;
+}
+
+/// Two where regions are cheap; else as long as each takes away most of what is left. Contacts that feel little of each other, or
+/// nothing, need no more.
+void QuickAnswer::sweep() {
+  constexpr double gain = 0.2;
+  constexpr int few = 2;
+  double before = 2 * sweepOnce();  // as if from nearer: the first sets out from nothing
+  measure();
+  while (!isReached() && best_.sweeps < options_.sweepBudget) {
+    const double change = sweepOnce(), ratio = change / before;
+    const bool isLast = ratio > gain || (isSmall() && best_.sweeps >= few);
+    // The next sweep would change about as much as the residual is now.
+    if (isLast || ratio * change <= toleranceFor(demand_)) measure();
+    if (isLast) return;
+    before = change;
+  }
+}
+
+void QuickAnswer::measure() {
+  best_.residual = 0;
+  double squares = 0;
+  for (int i = 0; i < problem_.contacts(); ++i) {
+    const Vec3 r = best_.r.segment<3>(3 * i), u = velocityOf(i);
+    best_.u.segment<3>(3 * i) = u;
+    const bool isOpen = u[0] >= 0 && r.isZero(0);
+    const double residual =
+        isOpen ? 0 : naturalResidual(approaching(i).size, problem_.friction[i], r, u);
+    // No number: what moves nothing has no measure of its own, and is not answered here.
+    residuals_[i] = std::isfinite(residual) ? residual : std::numeric_limits<double>::infinity();
+    best_.residual = std::max(best_.residual, residuals_[i]);
+    squares += residuals_[i] * residuals_[i];
+  }
+  best_.residualRms = std::sqrt(squares / problem_.contacts());
+}
+
+/// From region to region, from what the sweeps found.
+bool QuickAnswer::walk() {
+  NaturalMap map;
+  map.setProblem(problem_);
+  if (!DenseNewton::fits(problem_, map) ||
+      !DenseNewton().solve(problem_, map, toleranceFor(demand_), options_.newtonBudget, best_))
+    return false;
+  readActiveSet(problem_, map.diagonal(), best_.r, best_.u, best_.activeSet);
+  return true;
+}
+
+bool QuickAnswer::answers(const ProblemParts& parts, int part) const {
+  double demand = 0;
+  for (int k = 0; k < parts.sizeOf(part); ++k)
+    demand = std::max(demand, std::abs(problem_.q[parts.unknown(part, k)]));
+  for (int k = 0; k < parts.sizeOf(part); k += 3)
+    if (!(residualOf(parts.unknown(part, k) / 3) <= toleranceFor(demand))) return false;
+  return true;
+}
+
+Mode QuickAnswer::modeOf(int contact) const {
+  if (place_[contact] < 0) return Mode::Open;
+  return delassus::modeOf(best_.r.segment<3>(3 * contact), best_.u.segment<3>(3 * contact),
+                          problem_.friction[contact],
+                          approaching_[place_[contact]].block.W().diagonal().mean());
+}
+
+}  // namespace delassus

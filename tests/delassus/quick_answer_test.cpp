@@ -1,0 +1,134 @@
+/// What few sweeps answer needs no solver.
+#include "delassus/quick_answer.h"
+
+#include <gtest/gtest.h>
+
+#include "delassus/solver.h"
+#include "tests/support/random_piles.h"
+
+namespace delassus {
+namespace {
+
+using namespace delassus::testing;
+
+DelassusMatrix matrix(const MatrixXd& W) {
+  return DelassusMatrix(DelassusMatrix::Sparse(W.sparseView()));
+}
+
+/// Contacts that nothing couples, of all modes.
+Problem loneContacts(int n, Random& random) {
+  Problem problem;
+  MatrixXd W = MatrixXd::Zero(3 * n, 3 * n);
+  problem.q.resize(3 * n);
+  problem.friction.resize(n);
+  for (int i = 0; i < n; ++i) {
+    W.block<3, 3>(3 * i, 3 * i) = randomDelassus(3, 100, random);
+    for (int k = 0; k < 3; ++k) problem.q[3 * i + k] = uniform(random, -1, 1);
+    problem.friction[i] = i % 7 == 0 ? 0 : uniform(random, 0, 1.5);
+  }
+  problem.W = matrix(W);
+  return problem;
+}
+
+// One sweep answers those that approach, and the others are not looked at.
+TEST(QuickAnswer, LoneContactsNeedOneSweep) {
+  Random random(61);
+  const Problem problem = loneContacts(200, random);
+  const Solution solution = solve(problem);
+  EXPECT_EQ(solution.status, Status::Solved);
+  EXPECT_LT(solution.residual, 1e-13);
+  EXPECT_EQ(solution.sweeps, 1);
+  EXPECT_EQ(solution.regions + solution.factorisations, 0);
+  const ProblemParts parts(problem);
+  for (int i = 0; i < 200; ++i) {
+    const Solution alone = solve(parts.problemOf(i));
+    EXPECT_LT((solution.r.segment<3>(3 * i) - alone.r).norm(), 1e-12 * (1 + alone.r.norm()));
+    EXPECT_LT((solution.u.segment<3>(3 * i) - alone.u).norm(), 1e-12);
+    EXPECT_EQ(solution.activeSet.contacts[i], alone.activeSet.contacts[0]);
+  }
+
+  Options walked;
+  walked.economies.closedForms = false;
+  EXPECT_EQ(solve(problem, walked).status, Status::Solved);
+}
+
+TEST(QuickAnswer, WhatDoesNotApproachStaysApart) {
+  Random random(62);
+  Problem problem = loneContacts(4, random);
+  MatrixXd W = problem.W.dense();
+  W.block<6, 6>(0, 0) = randomDelassus(6, 10, random);
+  problem.W = matrix(W);
+  problem.q[0] = 0.2;
+  problem.q[3] = 0;
+  const Solution solution = solve(problem);
+  EXPECT_EQ(solution.r.head<6>(), VectorXd::Zero(6));
+  EXPECT_EQ(solution.u.head<6>(), problem.q.head<6>());
+  EXPECT_EQ(solution.activeSet.contacts[0], Mode::Open);
+}
+
+/// Beside what lone contacts feel of themselves, as much of each other as `coupling` says.
+Problem coupledContacts(int n, double coupling, Random& random) {
+  Problem problem = loneContacts(n, random);
+  MatrixXd W = problem.W.dense();
+  W += coupling * randomDelassus(3 * n, 10, random);
+  problem.W = matrix(W);
+  return problem;
+}
+
+TEST(QuickAnswer, ContactsThatFeelLittleOfEachOtherNeedFewSweeps) {
+  Random random(63);
+  for (const int n : {2, 5, 6, 40}) {
+    SCOPED_TRACE(n);
+    Problem problem = coupledContacts(n, 1e-3, random);
+    for (int i = 0; i < n; i += 2) problem.q[3 * i] = -1;
+    const Solution quick = solve(problem), walked = Solver().solve(problem);
+    EXPECT_EQ(quick.status, Status::Solved);
+    EXPECT_LE(quick.sweeps, 8);
+    EXPECT_LE(quick.factorisations, 1);
+    EXPECT_LE(naturalResidual(problem, quick.r).max, 1e-8 * problem.q.cwiseAbs().maxCoeff());
+    EXPECT_LT((quick.r - walked.r).norm(), 1e-6 * walked.r.norm());
+  }
+}
+
+TEST(QuickAnswer, IsLeftToASolverWhereContactsFeelEachOther) {
+  Random random(64);
+  Problem problem = loneContacts(44, random);
+  MatrixXd W = problem.W.dense();
+  W.topLeftCorner<12, 12>() = randomDelassus(12, 1e4, random);
+  problem.W = matrix(W);
+  const Solution solution = solve(problem);
+  EXPECT_EQ(solution.status, Status::Solved);
+  EXPECT_LE(naturalResidual(problem, solution.r).max, 1e-8 * problem.q.cwiseAbs().maxCoeff());
+  const ProblemParts parts(problem);
+  ASSERT_EQ(parts.count(), 41);
+  for (int k = 1; k < parts.count(); ++k) {
+    const Solution alone = Solver().solve(parts.problemOf(k));
+    EXPECT_LT((solution.r.segment<3>(parts.unknown(k, 0)) - alone.r).norm(),
+              1e-9 * (1 + alone.r.norm()));
+    EXPECT_EQ(solution.activeSet.contacts[k + 3], alone.activeSet.contacts[0]);
+  }
+}
+
+// Nothing moves at such a contact, whatever its reaction: no sweep answers that, and no budget makes it vanish.
+TEST(QuickAnswer, AContactThatMovesNothingIsNotAnswered) {
+  Random random(65);
+  Problem problem = loneContacts(3, random);
+  MatrixXd W = problem.W.dense();
+  W.block<3, 3>(3, 3).setZero();
+  problem.W = matrix(W);
+  problem.q[3] = -1;
+  for (const int sweeps : {0, 1, 6000}) {
+    SCOPED_TRACE(sweeps);
+    Options options;
+    options.sweepBudget = sweeps;
+    Solution solution;
+    EXPECT_FALSE(QuickAnswer(problem, options).find(solution));
+    solution = solve(problem, options);
+    EXPECT_NE(solution.status, Status::Solved);
+    EXPECT_FALSE(solution.blamed.empty());
+    EXPECT_GT(solution.residual, 0.5);
+  }
+}
+
+}  // namespace
+}  // namespace delassus
