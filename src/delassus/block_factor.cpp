@@ -31,19 +31,14 @@ void BlockFactor::analyse(int bodies, const std::vector<Edge>& edges) {
   upper_.resize(pattern().offDiagonalBlocks());
 }
 
-void BlockFactor::setIdentity() {
+void BlockFactor::setIdentity(bool symmetric) {
+  symmetric_ = symmetric;
   std::fill(diagonal_.begin(), diagonal_.end(), Mat6::Identity());
   std::fill(lower_.begin(), lower_.end(), Mat6::Zero());
-  std::fill(upper_.begin(), upper_.end(), Mat6::Zero());
+  if (!symmetric) std::fill(upper_.begin(), upper_.end(), Mat6::Zero());
 }
 
-void BlockFactor::addOffDiagonal(int edge, const Mat6& ab, const Mat6& ba) {
-  const BlockPattern::Target& t = pattern().target[edge];
-  lower_[t.at] += t.reversed ? ab : ba;
-  upper_[t.at] += t.reversed ? ba.transpose() : ab.transpose();
-}
-
-void BlockFactor::eliminate(int column, bool symmetric) {
+void BlockFactor::eliminate(int column) {
   const BlockPattern& p = pattern();
   for (int at = p.begin[column]; at < p.begin[column + 1]; ++at) slot_[p.row[at]] = at;
 
@@ -56,20 +51,20 @@ void BlockFactor::eliminate(int column, bool symmetric) {
     const int next = at + 1, count = p.begin[j + 1] - next;
     const int* rows = p.row.data() + next;
     subtractProducts(lower_.data() + next, rows, count, U, slot_.data(), lower_.data());
-    if (!symmetric)
+    if (!symmetric_)
       subtractProducts(upper_.data() + next, rows, count, L, slot_.data(), upper_.data());
   }
 }
 
-bool BlockFactor::factorise(bool symmetric) {
+bool BlockFactor::factorise() {
   const BlockPattern& p = pattern();
   for (int column = 0; column < p.bodies; ++column) {
-    eliminate(column, symmetric);
+    eliminate(column);
     const Mat6 inverse = diagonal_[column].partialPivLu().inverse();
     if (!inverse.allFinite()) return false;
     diagonalInverse_[column] = inverse;
     for (int at = p.begin[column]; at < p.begin[column + 1]; ++at) {
-      if (symmetric) upper_[at] = lower_[at];
+      if (symmetric_) upper_[at] = lower_[at];
       lower_[at] = (lower_[at] * inverse).eval();
     }
   }

@@ -23,14 +23,29 @@ class BlockFactor {
   void analyse(int bodies, const std::vector<Edge>& edges);
 
   /// Sets the matrix to the identity; then blocks are added: on the diagonal, and for the edge with index `edge` the
-  /// blocks (a, b) and (b, a).
-  void setIdentity();
-  void addDiagonal(int body, const Mat6& block) { diagonal_[pattern().place[body]] += block; }
-  void addOffDiagonal(int edge, const Mat6& ab, const Mat6& ba);
+  /// blocks (a, b) and (b, a). `symmetric`: they will make a symmetric matrix, which halves the work. Blocks may be products: these
+  /// are added as they are worked out.
+  void setIdentity(bool symmetric = false);
+  template <class Block>
+  void addDiagonal(int body, const Block& block) {
+    diagonal_[pattern().place[body]].noalias() += block;
+  }
+  template <class BlockAB, class BlockBA>
+  void addOffDiagonal(int edge, const BlockAB& ab, const BlockBA& ba) {
+    const BlockPattern::Target& t = pattern().target[edge];
+    if (t.reversed)
+      lower_[t.at].noalias() += ab;
+    else
+      lower_[t.at].noalias() += ba;
+    if (symmetric_) return;
+    if (t.reversed)
+      upper_[t.at] += Mat6(ba).transpose();
+    else
+      upper_[t.at] += Mat6(ab).transpose();
+  }
 
-  /// False if a pivot block is singular or not finite. `symmetric`: the blocks that were added make a symmetric matrix, which
-  /// halves the work.
-  bool factorise(bool symmetric = false);
+  /// False if a pivot block is singular or not finite.
+  bool factorise();
   /// Overwrites x with the solution.
   void solve(VectorXd& x) const;
 
@@ -38,10 +53,11 @@ class BlockFactor {
 
  private:
   const BlockPattern& pattern() const { return patterns_.front(); }
-  void eliminate(int column, bool symmetric);
+  void eliminate(int column);
 
   std::list<BlockPattern> patterns_;  ///< those last used, the last first
-  std::vector<int> slot_;             ///< scratch: row -> block of the column being eliminated
+  bool symmetric_ = false;
+  std::vector<int> slot_;  ///< scratch: row -> block of the column being eliminated
 
   std::vector<Mat6> diagonal_, diagonalInverse_;
   std::vector<Mat6> lower_,

@@ -97,7 +97,7 @@ void BodyMotion::setProblem(const Problem& problem) {
 }
 
 bool BodyMotion::factorise(const Stiffness& G) {
-  factor_.setIdentity();
+  factor_.setIdentity(G.isSymmetric());
   int edge = 0;
   for (std::size_t i = 0; i < space_->contacts.size(); ++i) {
     const auto& c = space_->contacts[i];
@@ -124,7 +124,7 @@ bool BodyMotion::factorise(const Stiffness& G) {
   }
   if (!space_->parts.empty()) edge = addParts(G, edge);
   if (!disks_->empty()) addDisks(G, edge);
-  return factor_.factorise(G.isSymmetric());
+  return factor_.factorise();
 }
 
 /// Fills shares_: the blocks that a disk or its governor moves, each once.
