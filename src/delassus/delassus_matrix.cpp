@@ -87,19 +87,20 @@ void DelassusMatrix::multiply(const VectorXd& r, VectorXd& y, VectorXd& u) const
     u.noalias() = entries_ * r;
     return;
   }
-  space_.impulse(r, y);
-  space_.relativeVelocity(y, u);
-  u += space_.compliance.cwiseProduct(r);
+  bodySpace().impulse(r, y);
+  bodySpace().relativeVelocity(y, u);
+  u += bodySpace().compliance.cwiseProduct(r);
 }
 
 Mat3 DelassusMatrix::contactBlock(int first) const {
   Mat3 W;
   if (inBodySpace_) {
-    const BodySpace::ContactRows& c = space_.contacts[first / 3];
-    W = Vec3(space_.compliance.segment<3>(first)).asDiagonal();
+    const BodySpace::ContactRows& c = bodySpace().contacts[first / 3];
+    W = Vec3(bodySpace().compliance.segment<3>(first)).asDiagonal();
     if (c.a >= 0) W.noalias() += c.Ja * c.Ja.transpose();
     if (c.b >= 0) W.noalias() += c.Jb * c.Jb.transpose();
-    for (const BodySpace::Part& p : space_.partsOf(first)) W.noalias() += p.J * p.J.transpose();
+    for (const BodySpace::Part& p : bodySpace().partsOf(first))
+      W.noalias() += p.J * p.J.transpose();
   } else {
     W = diagonalBlock<3>(entries_, first);
   }
@@ -109,22 +110,22 @@ Mat3 DelassusMatrix::contactBlock(int first) const {
 Mat2 DelassusMatrix::pairBlock(int first) const {
   Mat2 W;
   if (!inBodySpace_) return diagonalBlock<2>(entries_, first);
-  W = Vec2(space_.compliance.segment<2>(first)).asDiagonal();
-  const auto* rows = &space_.rows[first - 3 * space_.contacts.size()];
+  W = Vec2(bodySpace().compliance.segment<2>(first)).asDiagonal();
+  const auto* rows = &bodySpace().rows[first - 3 * bodySpace().contacts.size()];
   // What a row adds for one of its blocks meets the same block of the other row.
   const auto add = [&](int i, int body, const auto& J) {
     if (body < 0) return;
     for (int j = 0; j < 2; ++j) {
       if (rows[j].a == body) W(i, j) += J.dot(rows[j].Ja);
       if (rows[j].b == body) W(i, j) += J.dot(rows[j].Jb);
-      for (const BodySpace::Part& p : space_.partsOf(first + j))
+      for (const BodySpace::Part& p : bodySpace().partsOf(first + j))
         if (p.body == body) W(i, j) += J.dot(p.J.row(0));
     }
   };
   for (int i = 0; i < 2; ++i) {
     add(i, rows[i].a, rows[i].Ja);
     add(i, rows[i].b, rows[i].Jb);
-    for (const BodySpace::Part& p : space_.partsOf(first + i)) add(i, p.body, p.J.row(0));
+    for (const BodySpace::Part& p : bodySpace().partsOf(first + i)) add(i, p.body, p.J.row(0));
   }
   return W;
 }
@@ -140,40 +141,41 @@ void DelassusMatrix::diagonal(VectorXd& d) const {
     d = entries_.diagonal();
     return;
   }
-  d = space_.compliance;
+  d = bodySpace().compliance;
   int at = 0;
-  for (const BodySpace::ContactRows& c : space_.contacts) {
+  for (const BodySpace::ContactRows& c : bodySpace().contacts) {
     if (c.a >= 0) d.segment<3>(at) += c.Ja.rowwise().squaredNorm();
     if (c.b >= 0) d.segment<3>(at) += c.Jb.rowwise().squaredNorm();
     at += 3;
   }
-  for (const BodySpace::ScalarRow& c : space_.rows) {
+  for (const BodySpace::ScalarRow& c : bodySpace().rows) {
     if (c.a >= 0) d[at] += c.Ja.squaredNorm();
     if (c.b >= 0) d[at] += c.Jb.squaredNorm();
     ++at;
   }
-  for (const BodySpace::Part& p : space_.parts)
+  for (const BodySpace::Part& p : bodySpace().parts)
     d.segment(p.at, p.J.rows()) += p.J.rowwise().squaredNorm();
 }
 
 MatrixXd DelassusMatrix::dense() const {
   if (!inBodySpace_) return MatrixXd(entries_);
 
-  MatrixXd J = MatrixXd::Zero(size_, 6 * space_.bodies);
+  MatrixXd J = MatrixXd::Zero(size_, 6 * bodySpace().bodies);
   int at = 0;
-  for (const BodySpace::ContactRows& c : space_.contacts) {
+  for (const BodySpace::ContactRows& c : bodySpace().contacts) {
     if (c.a >= 0) J.block<3, 6>(at, 6 * c.a) += c.Ja;
     if (c.b >= 0) J.block<3, 6>(at, 6 * c.b) += c.Jb;
     at += 3;
   }
-  for (const BodySpace::ScalarRow& c : space_.rows) {
+  for (const BodySpace::ScalarRow& c : bodySpace().rows) {
     if (c.a >= 0) J.block<1, 6>(at, 6 * c.a) += c.Ja;
     if (c.b >= 0) J.block<1, 6>(at, 6 * c.b) += c.Jb;
     ++at;
   }
-  for (const BodySpace::Part& p : space_.parts) J.block(p.at, 6 * p.body, p.J.rows(), 6) += p.J;
+  for (const BodySpace::Part& p : bodySpace().parts)
+    J.block(p.at, 6 * p.body, p.J.rows(), 6) += p.J;
   MatrixXd W = J * J.transpose();
-  W.diagonal() += space_.compliance;
+  W.diagonal() += bodySpace().compliance;
   return W;
 }
 
@@ -187,26 +189,26 @@ DelassusMatrix::Sparse DelassusMatrix::asEntries() const {
     for (int i = 0; i < J.rows(); ++i)
       for (int j = 0; j < 6; ++j) jacobian.emplace_back(row + i, 6 * body + j, J(i, j));
   };
-  for (const BodySpace::ContactRows& c : space_.contacts) {
+  for (const BodySpace::ContactRows& c : bodySpace().contacts) {
     append(c.a, c.Ja);
     append(c.b, c.Jb);
     row += 3;
   }
-  for (const BodySpace::ScalarRow& c : space_.rows) {
+  for (const BodySpace::ScalarRow& c : bodySpace().rows) {
     append(c.a, c.Ja);
     append(c.b, c.Jb);
     ++row;
   }
-  for (const BodySpace::Part& p : space_.parts) {
+  for (const BodySpace::Part& p : bodySpace().parts) {
     row = p.at;
     append(p.body, p.J);
   }
-  Sparse J(size_, 6 * space_.bodies);
+  Sparse J(size_, 6 * bodySpace().bodies);
   J.setFromTriplets(jacobian.begin(), jacobian.end());
 
   std::vector<Eigen::Triplet<double>> diagonal;
   diagonal.reserve(size_);
-  for (int i = 0; i < size_; ++i) diagonal.emplace_back(i, i, space_.compliance[i]);
+  for (int i = 0; i < size_; ++i) diagonal.emplace_back(i, i, bodySpace().compliance[i]);
   Sparse R(size_, size_);
   R.setFromTriplets(diagonal.begin(), diagonal.end());
   return Sparse(J * Sparse(J.transpose())) + R;

@@ -65,13 +65,20 @@ class DelassusMatrix {
 
   int size() const { return size_; }
   bool inBodySpace() const { return inBodySpace_; }
-  const BodySpace& bodySpace() const { return space_; }
+  const BodySpace& bodySpace() const { return others_ ? *others_ : space_; }
   /// Becomes a factored matrix of `size` unknowns: its storage, to be filled anew.
   BodySpace& refill(int size) {
     size_ = size;
     inBodySpace_ = true;
+    others_ = nullptr;
     space_.parts.clear();
     return space_;
+  }
+  /// Becomes the same as a factored matrix, which must outlive it: its entries are not copied.
+  void refer(const DelassusMatrix& factored) {
+    size_ = factored.size_;
+    inBodySpace_ = true;
+    others_ = &factored.bodySpace();
   }
   const Sparse& entries() const { return entries_; }  ///< explicit storage only
 
@@ -88,11 +95,14 @@ class DelassusMatrix {
   /// As entries, whatever the storage. Of a factored matrix both triangles sum the same products in the same order: exactly
   /// symmetric.
   Sparse asEntries() const;
+  /// Of the body space, if that is its own.
+  std::size_t bytes() const { return space_.bytes(); }
 
  private:
   int size_ = 0;
   bool inBodySpace_ = false;
   BodySpace space_;
+  const BodySpace* others_ = nullptr;  ///< that of the matrix it refers to
   Sparse entries_;
 };
 

@@ -10,7 +10,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Bounds of the reaction of one unknown of demandsAlone.
+/// Bounds of the reaction of one unknown of the demands.
 struct Bounds {
   double lower, upper;
 };
@@ -23,78 +23,75 @@ Bounds boundsOf(const Problem& demands, int unknown) {
 
 }  // namespace
 
-Problem demandsAlone(const Problem& problem) {
-  Problem demands = problem;
+void Quarrel::setProblem(const Problem& problem, const NaturalMap& map) {
   const int n = problem.contacts();
-  demands.friction.setZero(n);
-  for (int i = 0; i < n; ++i) demands.q.segment<2>(3 * i + 1).setZero();
+  map_ = &map;
+  demands_.W.refer(problem.W);
+  demands_.q = problem.q;
+  demands_.friction.setZero(n);
+  demands_.lower = problem.lower;
+  demands_.upper = problem.upper;
+  demands_.roundOff = problem.roundOff;
+  for (int i = 0; i < n; ++i) demands_.q.segment<2>(3 * i + 1).setZero();
   for (int i = 0; i < problem.rows(); ++i) {
     const bool ofDisk = 3 * n + i >= problem.disksBegin();
-    demands.lower[i] = !ofDisk && problem.lower[i] == -infinity ? -infinity : 0;
-    demands.upper[i] = !ofDisk && problem.upper[i] == infinity ? infinity : 0;
-    if (demands.lower[i] == demands.upper[i]) demands.q[3 * n + i] = 0;
+    demands_.lower[i] = !ofDisk && problem.lower[i] == -infinity ? -infinity : 0;
+    demands_.upper[i] = !ofDisk && problem.upper[i] == infinity ? infinity : 0;
+    if (demands_.lower[i] == demands_.upper[i]) demands_.q[3 * n + i] = 0;
   }
-  demands.disks.clear();
-  return demands;
 }
 
-double leastMotion(const Problem& demands, const VectorXd& r) {
+double Quarrel::leastMotion(const VectorXd& r) {
   // Squares of what is felt, not r·W r: where large reactions cancel, that is all rounding.
   constexpr double roundings = 8;
-  const BodySpace& space = demands.W.bodySpace();
-  VectorXd felt, diagonal;
-  space.impulse(r, felt);
-  demands.W.diagonal(diagonal);
+  const BodySpace& space = demands_.W.bodySpace();
+  space.impulse(r, felt_);
   const double compliant = space.compliance.dot(r.cwiseAbs2());
-  const double noise = roundings * epsilon * diagonal.cwiseSqrt().dot(r.cwiseAbs());
-  const double doubt = demands.roundOff * r.cwiseAbs().sum() +
-                       roundings * epsilon * demands.q.cwiseAbs().dot(r.cwiseAbs());
-  const double push = -r.dot(demands.q) - doubt;
-  return push > 0 ? push / (std::sqrt(felt.squaredNorm() + compliant) + noise) : 0;
+  const double noise = roundings * epsilon * map_->diagonal().cwiseSqrt().dot(r.cwiseAbs());
+  const double doubt = demands_.roundOff * r.cwiseAbs().sum() +
+                       roundings * epsilon * demands_.q.cwiseAbs().dot(r.cwiseAbs());
+  const double push = -r.dot(demands_.q) - doubt;
+  return push > 0 ? push / (std::sqrt(felt_.squaredNorm() + compliant) + noise) : 0;
 }
 
-double hardestAlone(const Problem& demands) {
-  VectorXd diagonal;
-  demands.W.diagonal(diagonal);
+double Quarrel::hardestAlone() const {
   double hardest = 0;
-  for (int i = 0; i < demands.size(); ++i) {
-    const Bounds bounds = boundsOf(demands, i);
-    const double missing = std::max(bounds.upper > 0 ? -demands.q[i] : 0,  //
-                                    bounds.lower < 0 ? demands.q[i] : 0);
-    if (missing > 0 && diagonal[i] > 0)
-      hardest = std::max(hardest, missing / std::sqrt(diagonal[i]));
+  for (int i = 0; i < demands_.size(); ++i) {
+    const Bounds bounds = boundsOf(demands_, i);
+    const double missing = std::max(bounds.upper > 0 ? -demands_.q[i] : 0,  //
+                                    bounds.lower < 0 ? demands_.q[i] : 0);
+    const double diagonal = map_->diagonal()[i];
+    if (missing > 0 && diagonal > 0) hardest = std::max(hardest, missing / std::sqrt(diagonal));
   }
   return hardest;
 }
 
-VectorXd findQuarrel(ProximalNewton<BodyMotion>& newton, const Problem& problem, double tolerance,
-                     int& regionBudget, Solution& count) {
+bool Quarrel::find(ProximalNewton<BodyMotion>& newton, const Problem& problem,
+                   const NaturalMap& map, double tolerance, int& regionBudget, Solution& scratch,
+                   Solution& count) {
   // Times the motion that the hardest demand alone asks for. Less proves nothing: a wedge of a microradian that holds a ball
   // demands a millionth of what the ball needs.
   constexpr double proportion = 1e8;
-  constexpr double compliances[] = {1e-6, 1e-8};  // relative to W_aa
-  const Problem demands = demandsAlone(problem);
-  NaturalMap map;
-  map.setProblem(demands);
-  newton.setProblem(demands, map);
+  constexpr double coarse = 1e-6, fine = 1e-8;  // compliances relative to W_aa
+  setProblem(problem, map);
+  newton.setProblem(demands_, map);
+  const auto yield = [&](double compliance) {
+    scratch.start(demands_.q);
+    const bool found = newton.yield(demands_, tolerance, compliance, regionBudget, scratch);
+    count.regions += scratch.regions;
+    count.factorisations += scratch.factorisations;
+    return found;
+  };
   // What pushes in vain is in inverse proportion to the compliance; all else hardly depends on it, and is gone in the difference.
-  VectorXd pushes[2];
-  for (int k = 0; k < 2; ++k) {
-    Solution compliant;
-    compliant.start(demands.q);
-    const bool found = newton.yield(demands, tolerance, compliances[k], regionBudget, compliant);
-    count.regions += compliant.regions;
-    count.factorisations += compliant.factorisations;
-    if (!found) return {};
-    pushes[k] = compliant.r;
+  if (!yield(coarse)) return false;
+  quarrel_ = scratch.r;
+  if (!yield(fine)) return false;
+  quarrel_ = scratch.r - quarrel_;
+  for (int i = 0; i < quarrel_.size(); ++i) {
+    const Bounds bounds = boundsOf(demands_, i);
+    quarrel_[i] = std::clamp(quarrel_[i], bounds.lower, bounds.upper);
   }
-  VectorXd quarrel = pushes[1] - pushes[0];
-  for (int i = 0; i < quarrel.size(); ++i) {
-    const Bounds bounds = boundsOf(demands, i);
-    quarrel[i] = std::clamp(quarrel[i], bounds.lower, bounds.upper);
-  }
-  if (!(leastMotion(demands, quarrel) > proportion * hardestAlone(demands))) return {};
-  return quarrel;
+  return leastMotion(quarrel_) > proportion * hardestAlone();
 }
 
 }  // namespace delassus

@@ -13,18 +13,30 @@ namespace delassus {
 ///
 /// with ½|v|²_M the kinetic energy, |v|_M in √J. Reactions that push and move nothing prove that there is no such motion.
 
-/// The problem of those demands alone: no tangents, no motors, no disks. Same unknowns, q = 0 in the place of the others.
-Problem demandsAlone(const Problem& problem);
+class Quarrel {
+ public:
+  /// The demands alone: no tangents, no motors, no disks. Same unknowns, q = 0 in the place of the others. Refers to W.
+  void setProblem(const Problem& problem, const NaturalMap& map);
+  const Problem& demands() const { return demands_; }
 
-/// The right side, less what rounding may have added to it; 0 if r proves nothing.
-double leastMotion(const Problem& demands, const VectorXd& r);
+  /// The right side, less what rounding may have added to it; 0 if r proves nothing.
+  double leastMotion(const VectorXd& r);
+  /// |v|_M of the motion that meets the hardest of these demands if it is alone: the largest |u_i|/√W_ii missing at u = q.
+  double hardestAlone() const;
 
-/// |v|_M of the motion that meets the hardest of these demands if it is alone: the largest |u_i|/√W_ii missing at u = q.
-double hardestAlone(const Problem& demands);
+  /// Looks for reactions that prove that nothing meets the demands of `problem`, or nothing in any proportion to them. Takes
+  /// the region budget and counts in `count`; `newton` forgets its problem. `map` is that of the problem, `scratch` is overwritten.
+  bool find(ProximalNewton<BodyMotion>& newton, const Problem& problem, const NaturalMap& map,
+            double tolerance, int& regionBudget, Solution& scratch, Solution& count);
+  /// Those that were found.
+  const VectorXd& reactions() const { return quarrel_; }
 
-/// Reactions that prove that nothing meets the demands of `problem`, or nothing in any proportion to them; empty if none are
-/// found. Takes the region budget and counts in `count`; `newton` forgets its problem.
-VectorXd findQuarrel(ProximalNewton<BodyMotion>& newton, const Problem& problem, double tolerance,
-                     int& regionBudget, Solution& count);
+  std::size_t bytes() const { return demands_.bytes() + bytesOf(quarrel_, felt_); }
+
+ private:
+  Problem demands_;
+  const NaturalMap* map_ = nullptr;  ///< of the problem, whose W is the same
+  VectorXd quarrel_, felt_;
+};
 
 }  // namespace delassus

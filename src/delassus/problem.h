@@ -29,9 +29,7 @@ struct Problem {
   int rows() const { return static_cast<int>(lower.size()); }
   int size() const { return 3 * contacts() + rows(); }
   /// Of W those of the body space.
-  std::size_t bytes() const {
-    return W.bodySpace().bytes() + bytesOf(q, friction, lower, upper, disks);
-  }
+  std::size_t bytes() const { return W.bytes() + bytesOf(q, friction, lower, upper, disks); }
   int disksBegin() const { return disks.empty() ? size() : disks.front().first; }
 };
 

@@ -5,7 +5,6 @@
 #include <limits>
 #include <type_traits>
 
-#include "delassus/farkas.h"
 #include "delassus/pile_kind.h"
 #include "delassus/pivoting.h"
 
@@ -144,7 +143,7 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
   newton.setProblem(problem, map_);
   newton.keepFactors(options.economies.factors);
   Outcome outcome = startOut(newton, problem, options, tolerance, guess, best);
-  if (outcome != Outcome::Lost) return outcome;
+  if (outcome != Outcome::Lost || left(1) == 0) return outcome;
   const double weight = best.residual <= nearly * problem.q.cwiseAbs().maxCoeff()
                             ? knownRegion
                             : proximalWeight(problem, best, 1e-2);
@@ -201,6 +200,7 @@ Outcome Search::findBack(Engines<Motion>& engines, const Problem& problem, const
   ProximalNewton<Motion>& newton = engines.walk;
   const auto left = [&](int most) { return std::min(most, options.newtonBudget - best.regions); };
   if (alternate(newton, problem, options, tolerance, best)) return Outcome::Reached;
+  if (left(1) == 0) return Outcome::Lost;
   if (compromise(engines, problem, tolerance, left(proof), best)) return Outcome::Incompatible;
   if (engines.interior.solve(newton.motion(), problem, map_, tolerance, left(interiorSteps), best))
     return Outcome::Reached;
@@ -240,16 +240,17 @@ bool Search::compromise(Engines<Motion>& engines, const Problem& problem, double
   constexpr double negligible = 0.1;  // share of the largest push, in the norm of its energy
   if constexpr (std::is_same_v<Motion, BodyMotion>) {
     ProximalNewton<Motion>& newton = engines.walk;
-    const VectorXd quarrel = findQuarrel(newton, problem, tolerance, regionBudget, best);
+    const bool areIncompatible =
+        quarrel_.find(newton, problem, map_, tolerance, regionBudget, trial_, best);
     newton.setProblem(problem, map_);
-    if (quarrel.size() == 0) return false;
+    if (!areIncompatible) return false;
     for (const double compliance : compliances)
       if (newton.yield(problem, tolerance, compliance, regionBudget, best)) break;
-    const VectorXd shares = map_.diagonal().cwiseSqrt().cwiseProduct(quarrel).cwiseAbs();
-    const double least = negligible * shares.maxCoeff();
+    felt_ = map_.diagonal().cwiseSqrt().cwiseProduct(quarrel_.reactions()).cwiseAbs();
+    const double least = negligible * felt_.maxCoeff();
     best.blamed.clear();
     for (int at = 0; at < problem.size(); ++at)
-      if (shares[at] > least) best.blamed.push_back(at);
+      if (felt_[at] > least) best.blamed.push_back(at);
     return true;
   }
   return false;

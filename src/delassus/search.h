@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "delassus/dense_newton.h"
+#include "delassus/farkas.h"
 #include "delassus/interior_point.h"
 #include "delassus/options.h"
 #include "delassus/patches.h"
@@ -45,9 +46,9 @@ class Search {
 
   std::size_t bytes() const {
     return map_.bytes() + dense_.bytes() + (own_ ? own_->bytes() : 0) + trial_.bytes() +
-           wandering_.bytes() + cold_.bytes() + felt_.bytes() + patches_.bytes() + patch_.bytes() +
-           patchAnswer_.bytes() + bytesOf(residuals_, patchStart_) +
-           (patchSearch_ ? patchSearch_->bytes() : 0);
+           wandering_.bytes() + cold_.bytes() + felt_.bytes() + quarrel_.bytes() +
+           patches_.bytes() + patch_.bytes() + patchAnswer_.bytes() +
+           bytesOf(residuals_, patchStart_) + (patchSearch_ ? patchSearch_->bytes() : 0);
   }
 
  private:
@@ -126,6 +127,7 @@ class Search {
   Machines* machines_ = nullptr;
   Solution trial_, wandering_, cold_;
   VectorXd felt_;
+  Quarrel quarrel_;
 
   Patches patches_;
   std::unique_ptr<Search> patchSearch_;  ///< for the problems of patches

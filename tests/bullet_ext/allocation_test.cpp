@@ -11,6 +11,7 @@
 #include "bullet_ext/write_back.h"
 #include "tests/support/allocations.h"
 #include "tests/support/bullet_world.h"
+#include "tests/support/pressed_piles.h"
 
 // Eigen asks malloc, the standard library new, which asks malloc too. Sanitizers bring a malloc of their own.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
@@ -181,6 +182,24 @@ TEST(Allocation, APushTakesNoMemory) {
   };
   EXPECT_EQ(allocationsOf(optionsOfPrecision(), build, sink), 0);
   EXPECT_EQ(pushed, 89);
+}
+
+// Nor does the proof that they are pressed, and the compromise.
+TEST(Allocation, PressedBoxesTakeNoMemoryInTurn) {
+  Random random(207);
+  const PileIsland two(makePressed(2, 0.5, 0, 0.1, 1, random)),
+      three(makePressed(3, 0.5, 0, 0.1, 1, random));
+  Solver solver;
+  Solution solution;
+  for (int pass = 0; pass < 3; ++pass)
+    for (const PileIsland* island : {&three, &two}) {
+      const long before = allocations;
+      solver.solve(island->problem, {}, solution);
+      EXPECT_EQ(solution.status, Status::Incompatible);
+      if (pass > 0) {
+        EXPECT_EQ(allocations - before, 0) << pass;
+      }
+    }
 }
 
 TEST(Allocation, IslandsOfSeveralSizesTakeNoMemoryInTurn) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "delassus/solver.h"
+#include "tests/support/pressed_piles.h"
 #include "tests/support/random_piles.h"
 #include "tests/support/turning_piles.h"
 
@@ -16,23 +17,6 @@ using namespace delassus::testing;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A tower of boxes whose floor rises and whose ceiling, tilted by so much, comes down at that speed. Its corners alone touch.
-Pile makePressed(int height, double friction, double tilt, double disturbance, double speed,
-                 Random& random) {
-  Pile pile = makeTower(std::vector<double>(height, 1.0), friction, disturbance, random);
-  for (int i = 0; i < 4; ++i) pile.contacts[i].target[0] = speed;
-  for (const double x : {-0.5, 0.5})
-    for (const double y : {-0.5, 0.5}) {
-      Contact c = makeRestingPoint(height - 1, fixedWorld, {x, y, 0.5}, Vec3::Zero(), friction);
-      c.frame.col(0) = Vec3(std::sin(tilt), 0, -std::cos(tilt));
-      c.frame.col(1) = Vec3(std::cos(tilt), 0, std::sin(tilt));
-      c.frame.col(2) = Vec3(0, -1, 0);
-      c.target[0] = speed;
-      pile.contacts.push_back(c);
-    }
-  return pile;
-}
-
 // No reactions prove more than is true, and those of the motion itself prove all of it.
 TEST(Farkas, TheBoundIsBelowEveryMotionAndReachedByTheLeast) {
   Random random(201);
@@ -40,14 +24,17 @@ TEST(Farkas, TheBoundIsBelowEveryMotionAndReachedByTheLeast) {
     Pile pile = withoutFriction(makeTower(randomMasses(1 + k % 5, 10, random), 0, 0.5, random));
     for (Contact& c : pile.contacts) c.target[0] = uniform(random, 0, 1);
     const Problem problem = PileIsland(pile).problem;
-    const Problem demands = demandsAlone(problem);
+    NaturalMap map;
+    map.setProblem(problem);
+    Quarrel quarrel;
+    quarrel.setProblem(problem, map);
     const Solution least = Solver().solve(problem);
     ASSERT_EQ(least.status, Status::Solved);
     const double motion = std::sqrt(least.r.dot(problem.W * least.r));
-    EXPECT_NEAR(leastMotion(demands, least.r), motion, 1e-6 * motion);
+    EXPECT_NEAR(quarrel.leastMotion(least.r), motion, 1e-6 * motion);
     for (int i = 0; i < 20; ++i) {
-      const VectorXd r = randomReactions(demands, 1, random);
-      EXPECT_LE(leastMotion(demands, r), motion * (1 + 1e-9));
+      const VectorXd r = randomReactions(quarrel.demands(), 1, random);
+      EXPECT_LE(quarrel.leastMotion(r), motion * (1 + 1e-9));
     }
   }
 }
@@ -66,7 +53,11 @@ TEST(Farkas, SelfStressProvesNothing) {
     for (int i = 0; i < problem.rows(); ++i) stress[3 * problem.contacts() + i] = 1;
     ASSERT_LT((problem.W * stress).norm(), 1e-12);
     const VectorXd r = std::pow(10.0, k % 12) * uniform(random, 1, 10) * stress;
-    EXPECT_LE(leastMotion(demandsAlone(problem), r), motion) << k;
+    NaturalMap map;
+    map.setProblem(problem);
+    Quarrel quarrel;
+    quarrel.setProblem(problem, map);
+    EXPECT_LE(quarrel.leastMotion(r), motion) << k;
   }
 }
 
@@ -81,7 +72,11 @@ TEST(Farkas, WhatIsBoundedDemandsNothing) {
   pile.rows.push_back(stop);
   resistTurning(pile, 0.1, random);
   const Problem problem = PileIsland(pile).problem;
-  const Problem demands = demandsAlone(problem);
+  NaturalMap map;
+  map.setProblem(problem);
+  Quarrel quarrel;
+  quarrel.setProblem(problem, map);
+  const Problem& demands = quarrel.demands();
   EXPECT_EQ(demands.size(), problem.size());
   EXPECT_TRUE(demands.disks.empty());
   EXPECT_EQ(demands.friction.cwiseAbs().sum(), 0);
