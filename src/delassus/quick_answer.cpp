@@ -89,12 +89,12 @@ void QuickAnswer::sweep() {
   constexpr int few = 2;
   double before = 2 * sweepOnce();  // as if from nearer: the first sets out from nothing
   measure();
-  while (!isReached() && best_.sweeps < options_.sweepBudget) {
+  for (bool gains = true; gains && !isReached() && best_.sweeps < options_.sweepBudget;) {
     const double change = sweepOnce(), ratio = change / before;
-    const bool isLast = ratio > gain || (isSmall() && best_.sweeps >= few);
+    gains = ratio <= gain && !(isSmall() && best_.sweeps >= few);
     // The next sweep would change about as much as the residual is now.
-    if (isLast || ratio * change <= toleranceFor(demand_)) measure();
-    if (isLast) return;
+    if (!gains || best_.sweeps == options_.sweepBudget || ratio * change <= toleranceFor(demand_))
+      measure();
     before = change;
   }
 }

@@ -94,6 +94,7 @@ bool answerByFormula(const Problem& problem, const Options& options, Solution& a
   const Vec3 q = problem.q, r = projectOnCone(solveOneContact(W, q, mu), mu), u = W * r + q;
   const double residual = naturalResidual(contactSize(W), mu, r, u);
   if (!(residual <= options.tolerance * q.cwiseAbs().maxCoeff())) return false;
+  answer.start(problem.q);
   answer.r = r;
   answer.u = u;
   answer.residual = answer.residualRms = residual;
@@ -133,7 +134,11 @@ Solution solve(const Problem& problem, const Options& options) {
     }
     solution = whole.take();
   }
-  if (quick) solution.sweeps += quick->best().sweeps;
+  if (quick) {
+    solution.regions += quick->best().regions;
+    solution.factorisations += quick->best().factorisations;
+    solution.sweeps += quick->best().sweeps;
+  }
   return solution;
 }
 

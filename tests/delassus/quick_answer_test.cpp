@@ -109,6 +109,29 @@ TEST(QuickAnswer, IsLeftToASolverWhereContactsFeelEachOther) {
   }
 }
 
+// What is told is told of the reactions that are returned, wherever the budget ends.
+TEST(QuickAnswer, TellsTheResidualOfItsReactionsAtAnyBudget) {
+  Random random(66);
+  Problem problem = coupledContacts(44, 0.02, random);
+  MatrixXd W = problem.W.dense();
+  W.topRightCorner(66, 66).setZero();
+  W.bottomLeftCorner(66, 66).setZero();
+  problem.W = matrix(W);
+  ASSERT_EQ(ProblemParts(problem).count(), 2);
+  for (int sweeps = 0; sweeps < 12; ++sweeps) {
+    SCOPED_TRACE(sweeps);
+    Options options;
+    options.sweepBudget = sweeps;
+    options.newtonBudget = 0;
+    const Solution solution = solve(problem, options);
+    const double demand = problem.q.cwiseAbs().maxCoeff();
+    EXPECT_NEAR(solution.residual, naturalResidual(problem, solution.r).max, 1e-13 * demand);
+    if (solution.status == Status::Solved) {
+      EXPECT_LE(solution.residual, 1e-8 * demand);
+    }
+  }
+}
+
 // Nothing moves at such a contact, whatever its reaction: no sweep answers that, and no budget makes it vanish.
 TEST(QuickAnswer, AContactThatMovesNothingIsNotAnswered) {
   Random random(65);
