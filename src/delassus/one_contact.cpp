@@ -1,43 +1,52 @@
 #include "delassus/one_contact.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace delassus {
+namespace {
 
-OneContact::OneContact(const Mat3& W) : W_(W) {
-  // Column by column: Eigen unrolls that, but not the inverse.
-  const Eigen::PartialPivLU<Mat3> factor(W);
-  for (int k = 0; k < 3; ++k) inverse_.col(k) = factor.solve(Vec3(Vec3::Unit(k)));
+/// (S + s I)⁻¹
+Mat2 inverseOf(const Mat2& S, double s) {
+  const double a = S(0, 0) + s, d = S(1, 1) + s, perDet = 1 / (a * d - S(0, 1) * S(1, 0));
+  Mat2 inverse;
+  inverse << d * perDet, -S(0, 1) * perDet, -S(1, 0) * perDet, a * perDet;
+  return inverse;
 }
 
-Vec3 OneContact::solve(const Vec3& q, double friction, double slip) const {
+}  // namespace
+
+OneContact::OneContact(const Mat3& W) : W_(W), wnt_(W(0, 1) / W(0, 0), W(0, 2) / W(0, 0)) {
+  S_ = W.bottomRightCorner<2, 2>() - W.bottomLeftCorner<2, 1>() * wnt_.transpose();
+  inverse_ = inverseOf(S_, 0);
+}
+
+Vec3 OneContact::solve(const Vec3& q, double friction, const Vec3& before) const {
   if (q[0] >= 0) return Vec3::Zero();
-  if (friction <= 0) return {-q[0] / W_(0, 0), 0, 0};
+  const double held = -q[0] / W_(0, 0);  // without tangential reactions
+  if (friction <= 0) return {held, 0, 0};
 
-  Vec3 stick = -(inverse_ * q);
-  const double most = friction * stick[0];
-  if (stick.allFinite() && stick[0] > 0 && stick.tail<2>().squaredNorm() <= most * most)
-    return stick;
-  return slide(q, friction, slip);
+  const Vec2 c = q.tail<2>() + held * W_.bottomLeftCorner<2, 1>();
+  const Vec2 rt = -(inverse_ * c);
+  const double rn = held - wnt_.dot(rt), most = friction * rn;
+  if (rt.allFinite() && rn > 0 && rt.squaredNorm() <= most * most) return {rn, rt[0], rt[1]};
+
+  // Near the end the slip is what it was.
+  const double braked = before.tail<2>().squaredNorm();
+  const Vec2 ut = W_.bottomRows<2>() * before + q.tail<2>();
+  return slide(held, c, friction, braked > 0 ? std::sqrt(ut.squaredNorm() / braked) : 0);
 }
 
-Vec3 OneContact::slide(const Vec3& q, double friction, double slip) const {
-  // The normal velocity is held; what remains is the tangential plane.
-  const double wnn = W_(0, 0), held = -q[0] / wnn;
-  const Vec2 wnt(W_(0, 1) / wnn, W_(0, 2) / wnn), wtn = W_.bottomLeftCorner<2, 1>();
-  const Mat2 S = W_.bottomRightCorner<2, 2>() - wtn * wnt.transpose();
-  const Vec2 c = q.tail<2>() + wtn * held;
-
+/// `slip`: where the search for s begins; 0: anywhere.
+Vec3 OneContact::slide(double held, const Vec2& c, double friction, double slip) const {
   // φ(s) = μ r_n − ‖r_t‖ is negative where it still sticks too much, at s = 0, and positive for large s.
   double low = 0, high = std::numeric_limits<double>::infinity();
   double s = slip;
   if (!(s > 0)) {
     // Where the reaction would have the size that the normal alone allows, or else somewhere.
     const double size = c.norm() / (friction * held);
-    s = size - 0.5 * S.trace();
+    s = size - 0.5 * S_.trace();
     if (!(s > 0)) s = 0.5 * (size + W_.norm());
   }
   constexpr int most = 100;
@@ -45,13 +54,9 @@ Vec3 OneContact::slide(const Vec3& q, double friction, double slip) const {
   Vec2 rt;
   double rn = 0, length = 0;
   for (int k = 0; k < most; ++k) {
-    const double a = S(0, 0) + s, d = S(1, 1) + s;
-    const double perDet = 1 / (a * d - S(0, 1) * S(1, 0));
-    const auto answer = [&](const Vec2& x) {
-      return Vec2((S(0, 1) * x[1] - d * x[0]) * perDet, (S(1, 0) * x[0] - a * x[1]) * perDet);
-    };
-    rt = answer(c);
-    rn = held - wnt.dot(rt);
+    const Mat2 inverse = inverseOf(S_, s);
+    rt = -(inverse * c);
+    rn = held - wnt_.dot(rt);
     length = std::sqrt(rt.squaredNorm());
     const double phi = friction * rn - length;
     (phi < 0 ? low : high) = s;
@@ -61,10 +66,10 @@ Vec3 OneContact::slide(const Vec3& q, double friction, double slip) const {
     // Newton on 1/‖r_t‖ − 1/(μ r_n), which is nearly linear in s.
     double next = std::isfinite(high) ? 0.5 * (low + high) : 4 * s;
     if (rn > 0 && length > 0) {
-      const Vec2 slope = answer(rt);
+      const Vec2 slope = -(inverse * rt);
       const double most2 = friction * rn * rn;
       const double g = 1 / length - 1 / (friction * rn);
-      const double dg = -rt.dot(slope) / (length * length * length) - wnt.dot(slope) / most2;
+      const double dg = -rt.dot(slope) / (length * length * length) - wnt_.dot(slope) / most2;
       const double newton = s - g / dg;
       if (newton > low && newton < high) next = newton;
     }

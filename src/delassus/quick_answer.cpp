@@ -16,6 +16,7 @@ QuickAnswer::QuickAnswer(const Problem& problem, const Options& options)
       demand_(problem.q.cwiseAbs().maxCoeff()),
       place_(problem.contacts(), -1),
       residuals_(problem.contacts(), std::numeric_limits<double>::infinity()) {
+  approaching_.reserve(problem.contacts());
   best_.start(problem.q);
   best_.tier = Tier::Walk;
 }
@@ -48,8 +49,10 @@ Vec3 QuickAnswer::velocityOf(int contact) const {
   Vec3 u = problem_.q.segment<3>(3 * contact);
   for (int k = 0; k < 3; ++k) {
     const int end = W.outerIndexPtr()[3 * contact + k + 1];
+    double sum = 0;
     for (int at = W.outerIndexPtr()[3 * contact + k]; at < end; ++at)
-      u[k] += entry[at] * r[column[at]];
+      sum += entry[at] * r[column[at]];
+    u[k] += sum;
   }
   return u;
 }
@@ -72,9 +75,7 @@ double QuickAnswer::sweepOnce() {
     const Approaching& a = approaching(i);
     if (!(a.block.W()(0, 0) > 0)) continue;  // moves nothing, and keeps its residual
     auto r = best_.r.segment<3>(3 * i);
-    const double tangential = r.tail<2>().squaredNorm();
-    const double slip = tangential > 0 ? std::sqrt(u.tail<2>().squaredNorm() / tangential) : 0;
-    const Vec3 next = a.block.solve(u - a.block.W() * r, problem_.friction[i], slip);
+    const Vec3 next = a.block.solve(u - a.block.W() * r, problem_.friction[i], r);
     change = std::max(change, a.size * (next - r).norm());
     r = next;
   }

@@ -56,6 +56,7 @@ bool Sweeps::readContactBlocks(const Problem& problem, int contact) {
   using Rows = Eigen::Map<const Mat3, 0, Eigen::Stride<1, Eigen::Dynamic>>;
   const double* entries = W.valuePtr() + begin[0];
   for (int k = 0; k < count; k += 3) {
+    if (columns[k] == 3 * contact) continue;
     coupled_.push_back(columns[k] / 3);
     coupling_.emplace_back(Rows(entries + k, {1, count}));
   }
@@ -70,6 +71,7 @@ void Sweeps::readContactRows(const Problem& problem, int contact, std::vector<in
     for (DelassusMatrix::Sparse::InnerIterator it(W, 3 * contact + k); it; ++it) {
       const auto column = static_cast<int>(it.col());
       if (column >= 3 * problem.contacts()) break;
+      if (column / 3 == contact) continue;
       int& at = slot[column / 3];
       if (at < first) {
         at = static_cast<int>(coupled_.size());
@@ -79,14 +81,6 @@ void Sweeps::readContactRows(const Problem& problem, int contact, std::vector<in
       coupling_[at](k, column % 3) = it.value();
     }
   }
-}
-
-Vec3 Sweeps::nextOnCone(const Problem& problem, int contact, const Vec3& r, const Vec3& u) const {
-  // Near the end the slip is what it was.
-  const double tangential = r.tail<2>().squaredNorm();
-  const double slip = tangential > 0 ? std::sqrt(u.tail<2>().squaredNorm() / tangential) : 0;
-  const OneContact& block = blocks_[contact];
-  return block.solve(u - block.W() * r, problem.friction[contact], slip);
 }
 
 Vec2 Sweeps::nextOnDisk(const Problem& problem, int k, const VectorXd& r, const Vec2& u) const {
@@ -139,8 +133,10 @@ void Sweeps::sweepBodies(const Problem& problem, VectorXd& r) {
     if (c.b >= 0) u.noalias() += c.Jb * y_.segment<6>(6 * c.b);
     const BodySpace::PartRange parts = space.partsOf(at);
     for (const BodySpace::Part& p : parts) u.noalias() += p.J * y_.segment<6>(6 * p.body);
-    const Vec3 next = nextOnCone(problem, static_cast<int>(i), r.segment<3>(at), u);
-    const Vec3 dr = next - r.segment<3>(at);
+    const OneContact& block = blocks_[i];
+    const Vec3 before = r.segment<3>(at);
+    const Vec3 next = block.solve(u - block.W() * before, problem.friction[i], before);
+    const Vec3 dr = next - before;
     if (c.a >= 0) y_.segment<6>(6 * c.a).noalias() += c.Ja.transpose() * dr;
     if (c.b >= 0) y_.segment<6>(6 * c.b).noalias() += c.Jb.transpose() * dr;
     for (const BodySpace::Part& p : parts)
@@ -189,14 +185,14 @@ void Sweeps::sweepEntries(const Problem& problem, VectorXd& r) {
   for (int i = 0; i < n; ++i) {
     const int at = 3 * i;
     if (!(diagonal_[at] > 0)) continue;
-    Vec3 u = problem.q.segment<3>(at);
+    Vec3 q = problem.q.segment<3>(at);  // what it sees without a reaction of its own
     for (int k = couplingBegin_[i]; k < couplingBegin_[i + 1]; ++k)
-      u += coupling_[k] * r.segment<3>(3 * coupled_[k]);
+      q += coupling_[k] * r.segment<3>(3 * coupled_[k]);
     for (int k = 0; k < 3; ++k)
       for (DelassusMatrix::Sparse::ReverseInnerIterator it(W, at + k); it && it.col() >= 3 * n;
            --it)
-        u[k] += it.value() * r[it.col()];
-    r.segment<3>(at) = nextOnCone(problem, i, r.segment<3>(at), u);
+        q[k] += it.value() * r[it.col()];
+    r.segment<3>(at) = blocks_[i].solve(q, problem.friction[i], r.segment<3>(at));
   }
   const auto velocityOf = [&](int unknown) {
     double u = problem.q[unknown];

@@ -39,14 +39,11 @@ class Sweeps {
   /// The reaction of disk `k` with the others held: u is what it sees with r.
   Vec2 nextOnDisk(const Problem& problem, int k, const VectorXd& r, const Vec2& u) const;
 
-  /// The next reaction of a contact, the others held: u is what it sees with r.
-  Vec3 nextOnCone(const Problem& problem, int contact, const Vec3& r, const Vec3& u) const;
-
   std::vector<OneContact> blocks_;
   std::vector<Mat2> diskBlocks_;
   VectorXd diagonal_;
   VectorXd y_;
-  // Explicit W between contacts, in blocks: that of `contact` are from couplingBegin_[contact] on.
+  // Explicit W between different contacts, in blocks: those of `contact` are from couplingBegin_[contact] on.
   std::vector<Mat3> coupling_;
   std::vector<int> coupled_;  ///< with which contact
   std::vector<int> couplingBegin_;
