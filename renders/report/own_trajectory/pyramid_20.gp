@@ -2,167 +2,167 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.399364 8.76715e-11 0.399364 0.399364
+0.36978 7.53309e-11 0.36978 0.36978
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.37642 1.61587e-05 0.37642 0.37642
+1.83869 0.000238501 1.83869 1.83869
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.609937 0.0861536 0.609937 0.609937
+0.608275 0.0861536 0.608275 0.608275
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-2.25258 0.00905939 2.25258 2.25258
+2.28908 0.00905939 2.28908 2.28908
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-8.49223 0.00855399 8.49223 8.49223
+8.46663 0.00855399 8.46663 8.46663
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-52.9999 0.000888988 52.9999 52.9999
+42.4041 0.00113598 42.4041 42.4041
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-3.55912 0.132401 3.55912 3.55912
+3.49315 0.132401 3.49315 3.49315
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.837046 0.0854176 0.837046 0.837046
+0.844056 0.0854176 0.844056 0.844056
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-3.46131 33.2113 3.46131 3.46131
+3.47845 33.2113 3.47845 3.47845
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-126.225 0.00490081 126.225 126.225
+103.806 0.00497431 103.806 103.806
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-92.8218 0.0340875 92.8218 92.8218
+78.7859 0.038802 78.7859 78.7859
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.399364 4.03738e-12 0.399364 0.399364
+0.36978 2.9412e-12 0.36978 0.36978
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.37642 2.91865e-07 0.37642 0.37642
+1.83869 6.71702e-06 1.83869 1.83869
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.609937 0.00611616 0.609937 0.609937
+0.608275 0.00611616 0.608275 0.608275
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-2.25258 0.000726752 2.25258 2.25258
+2.28908 0.000726752 2.28908 2.28908
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-8.49223 6.46454e-05 8.49223 8.49223
+8.46663 6.46454e-05 8.46663 8.46663
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-52.9999 4.75653e-06 52.9999 52.9999
+42.4041 4.75653e-06 42.4041 42.4041
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-3.55912 0.0114209 3.55912 3.55912
+3.49315 0.0114209 3.49315 3.49315
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.837046 0.0209408 0.837046 0.837046
+0.844056 0.0209408 0.844056 0.844056
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-3.46131 0.456277 3.46131 3.46131
+3.47845 0.456277 3.47845 3.47845
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-126.225 0.000726761 126.225 126.225
+103.806 0.000726761 103.806 103.806
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-92.8218 0.00611616 92.8218 92.8218
+78.7859 0.00611616 78.7859 78.7859
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.399364 1.27178e-09 0.399364 0.399364
+0.36978 1.25173e-09 0.36978 0.36978
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.37642 0.00012184 0.37642 0.37642
+1.83869 0.0021002 1.83869 1.83869
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.609937 0.00043191 0.609937 0.609937
+0.608275 0.00043191 0.608275 0.608275
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-2.25258 0.000140512 2.25258 2.25258
+2.28908 0.000140512 2.28908 2.28908
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-8.49223 0.000184248 8.49223 8.49223
+8.46663 0.000184248 8.46663 8.46663
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-52.9999 1e-12 52.9999 52.9999
+42.4041 2.82674e-05 42.4041 42.4041
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-3.55912 0.00375766 3.55912 3.55912
+3.49315 0.00375766 3.49315 3.49315
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.837046 0.0556839 0.837046 0.837046
+0.844056 0.0556839 0.844056 0.844056
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-3.46131 0.174073 3.46131 3.46131
+3.47845 0.174073 3.47845 3.47845
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-126.225 1e-12 126.225 126.225
+103.806 1e-12 103.806 103.806
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-92.8218 1e-12 92.8218 92.8218
+78.7859 1e-12 78.7859 78.7859
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -182,7 +182,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.239821:689.87]
+set xrange [0.238859:538.64]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -193,17 +193,17 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0909748, graph 0.0725276 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.47757 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.70473, graph 0.611454 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.813687, graph 0.668482 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.474814, graph 0.68709 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.308187, graph 0.689008 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.775092, graph 0.733277 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.183889, graph 0.752327 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.144147, graph 0.799166 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.365623, graph 0.778607 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:50" at graph 0.362124, graph 0.963176 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.0835457, graph 0.0674595 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.29128, graph 0.567499 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.697733, graph 0.619644 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.813687, graph 0.668979 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.489064, graph 0.68709 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.319657, graph 0.689008 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.777968, graph 0.737604 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.190438, graph 0.752327 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.148009, graph 0.799166 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.374398, graph 0.778607 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:50" at graph 0.373852, graph 0.963176 left front noenhanced textcolor rgb '#009e73'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -224,7 +224,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.239821:689.87]
+set xrange [0.238859:538.64]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -235,17 +235,17 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0909748, graph 0.0505083 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.455432 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.70473, graph 0.556441 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.474814, graph 0.650878 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.308187, graph 0.738449 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.0835457, graph 0.0390437 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.697733, graph 0.556441 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.29128, graph 0.568931 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.489064, graph 0.650878 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.319657, graph 0.738449 left front noenhanced textcolor rgb '#d55e00'
 set label "pgs:50" at graph 0.813687, graph 0.738449 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:10" at graph 0.144147, graph 0.81554 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.775092, graph 0.81554 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.365623, graph 0.838142 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.183889, graph 0.871721 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.362124, graph 0.971602 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.148009, graph 0.81554 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.777968, graph 0.81554 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.374398, graph 0.838142 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.190438, graph 0.871721 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.373852, graph 0.971602 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -266,7 +266,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.239821:689.87]
+set xrange [0.238859:538.64]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -277,18 +277,17 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:1000" at graph 0.493685, graph 0.0769231 left front noenhanced textcolor rgb '#d55e00'
 set label "pgs:50" at graph 0.813687, graph 0.0769231 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.775092, graph 0.123475 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.748151, graph 0.0769231 to graph 0.775092, graph 0.123475 nohead lw 0.6 lc rgb '#555555'
-set label "delassus" at graph 0.0909748, graph 0.315724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.675631 left front noenhanced textcolor rgb '#0060a8'
-set label "si:50" at graph 0.308187, graph 0.726946 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.474814, graph 0.712723 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.144147, graph 0.741184 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.365623, graph 0.813455 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.183889, graph 0.903518 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.362124, graph 0.941595 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.566922, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.0835457, graph 0.315193 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.697733, graph 0.650099 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.319657, graph 0.70367 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.489064, graph 0.712723 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.148009, graph 0.741184 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.29128, graph 0.782382 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.374398, graph 0.836731 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.190438, graph 0.903518 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.373852, graph 0.941595 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

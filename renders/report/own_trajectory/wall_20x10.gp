@@ -2,182 +2,182 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.355108 3.71956e-12 0.355108 0.355108
+0.354417 3.77209e-12 0.354417 0.354417
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-1.79284 0.000759727 1.79284 1.79284
+1.14839 0.000330859 1.14839 1.14839
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.576348 0.0438397 0.576348 0.576348
+0.582275 0.0438397 0.582275 0.582275
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-2.12921 0.0105485 2.12921 2.12921
+2.241 0.0105485 2.241 2.241
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-8.0426 0.00659824 8.0426 8.0426
+7.85334 0.00659824 7.85334 7.85334
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-39.2669 0.00105672 39.2669 39.2669
+38.3806 0.00109589 38.3806 38.3806
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-3.26132 0.0199257 3.26132 3.26132
+3.22812 0.0199257 3.22812 3.22812
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.754432 0.0231155 0.754432 0.754432
+0.744548 0.0231155 0.744548 0.744548
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-3.11421 0.0149387 3.11421 3.11421
+3.07312 0.0149387 3.07312 3.07312
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-96.9197 0.0037179 96.9197 96.9197
+93.7979 0.00386511 93.7979 93.7979
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-69.7217 0.0228851 69.7217 69.7217
+66.32 0.0228851 66.32 66.32
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-5985.26 5.93084e-06 5985.26 5985.26
+5259.67 5.93084e-06 5259.67 5259.67
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.355108 2.84917e-12 0.355108 0.355108
+0.354417 3.02169e-12 0.354417 0.354417
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-1.79284 0.00174584 1.79284 1.79284
+1.14839 0.000513089 1.14839 1.14839
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.576348 0.00529454 0.576348 0.576348
+0.582275 0.00529454 0.582275 0.582275
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-2.12921 0.000600495 2.12921 2.12921
+2.241 0.000600495 2.241 2.241
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-8.0426 0.00158638 8.0426 8.0426
+7.85334 0.00158638 7.85334 7.85334
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-39.2669 5.61565e-06 39.2669 39.2669
+38.3806 5.61565e-06 38.3806 38.3806
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-3.26132 0.00400995 3.26132 3.26132
+3.22812 0.00400995 3.22812 3.22812
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.754432 0.00505557 0.754432 0.754432
+0.744548 0.00505557 0.744548 0.744548
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-3.11421 0.00532771 3.11421 3.11421
+3.07312 0.00532771 3.07312 3.07312
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-96.9197 0.000547417 96.9197 96.9197
+93.7979 0.000547417 93.7979 93.7979
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-69.7217 0.00501571 69.7217 69.7217
+66.32 0.00501571 66.32 66.32
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-5985.26 9.88466e-07 5985.26 5985.26
+5259.67 9.88466e-07 5259.67 5259.67
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.355108 2.79736e-10 0.355108 0.355108
+0.354417 2.0813e-10 0.354417 0.354417
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-1.79284 0.00228716 1.79284 1.79284
+1.14839 0.00181885 1.14839 1.14839
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.576348 0.00394506 0.576348 0.576348
+0.582275 0.00394506 0.582275 0.582275
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-2.12921 0.000987845 2.12921 2.12921
+2.241 0.000987845 2.241 2.241
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-8.0426 0.000209218 8.0426 8.0426
+7.85334 0.000209218 7.85334 7.85334
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-39.2669 2.36969e-05 39.2669 39.2669
+38.3806 2.20682e-05 38.3806 38.3806
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-3.26132 0.00328214 3.26132 3.26132
+3.22812 0.00328214 3.22812 3.22812
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.754432 0.00685518 0.754432 0.754432
+0.744548 0.00685518 0.744548 0.744548
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-3.11421 0.105036 3.11421 3.11421
+3.07312 0.105036 3.07312 3.07312
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-96.9197 1e-12 96.9197 96.9197
+93.7979 1e-12 93.7979 93.7979
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-69.7217 1e-12 69.7217 69.7217
+66.32 1e-12 66.32 66.32
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-5985.26 1e-12 5985.26 5985.26
+5259.67 1e-12 5259.67 5259.67
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -197,7 +197,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.143983:1.21484e+06]
+set xrange [0.145409:995905]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -208,21 +208,21 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0518628 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0835457, graph 0.0524166 left front noenhanced textcolor rgb '#0060a8'
 set label "dantzig:1e-6" at graph 0.693796, graph 0.615738 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.18507, graph 0.795695 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.378608, graph 0.843636 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.435261, graph 0.893303 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.279185, graph 0.904313 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0297101, graph 0.911199 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.219693, graph 0.959851 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.222588, graph 0.854845 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.195646, graph 0.93631 to graph 0.222588, graph 0.854845 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig" at graph 0.414608, graph 0.941777 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.130795, graph 0.744328 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.103853, graph 0.942173 to graph 0.130795, graph 0.744328 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.113912, graph 0.688132 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0869702, graph 0.967442 to graph 0.113912, graph 0.688132 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.158239, graph 0.774513 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.381192, graph 0.821797 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.437965, graph 0.87156 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.280388, graph 0.904313 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0345735, graph 0.911199 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.220777, graph 0.959851 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.223904, graph 0.854845 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.196962, graph 0.93631 to graph 0.223904, graph 0.854845 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig" at graph 0.415941, graph 0.941777 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.130707, graph 0.721052 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.103765, graph 0.942173 to graph 0.130707, graph 0.721052 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.115088, graph 0.664856 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0881464, graph 0.967442 to graph 0.115088, graph 0.664856 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -244,7 +244,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.143983:1.21484e+06]
+set xrange [0.145409:995905]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -255,23 +255,20 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0454718 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0835457, graph 0.048025 left front noenhanced textcolor rgb '#0060a8'
 set label "dantzig:1e-6" at graph 0.693796, graph 0.599496 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.378608, graph 0.67494 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.435261, graph 0.873832 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.195852, graph 0.877851 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.279185, graph 0.931679 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.18507, graph 0.819459 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.158128, graph 0.9242 to graph 0.18507, graph 0.819459 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.033994, graph 0.890486 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.195646, graph 0.960314 to graph 0.168704, graph 0.890486 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig" at graph 0.414608, graph 0.970033 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.130795, graph 0.772532 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.103853, graph 0.970377 to graph 0.130795, graph 0.772532 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.113912, graph 0.716348 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0869702, graph 0.972383 to graph 0.113912, graph 0.716348 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:50" at graph 0.00864832, graph 0.832999 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.192752, graph 0.972654 to graph 0.16581, graph 0.832999 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000" at graph 0.381192, graph 0.67494 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.158239, graph 0.847743 left front noenhanced textcolor rgb '#0060a8'
+set label "pgs:50" at graph 0.437965, graph 0.897108 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.0345735, graph 0.901127 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.280388, graph 0.920041 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.223904, graph 0.971952 left front noenhanced textcolor rgb '#e69f00'
+set label "dantzig" at graph 0.415941, graph 0.970033 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.130707, graph 0.795808 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.103765, graph 0.970377 to graph 0.130707, graph 0.795808 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.115088, graph 0.739624 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0881464, graph 0.972383 to graph 0.115088, graph 0.739624 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:50" at graph 0.00973233, graph 0.972654 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -293,7 +290,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.143983:1.21484e+06]
+set xrange [0.145409:995905]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -304,23 +301,23 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "pgs:50" at graph 0.435261, graph 0.0769231 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.203563, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
+set label "pgs:50" at graph 0.437965, graph 0.0769231 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.204896, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
 set label "dantzig:1e-6" at graph 0.693796, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
-set label "delassus" at graph 0.0835457, graph 0.265134 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.378608, graph 0.644207 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.279185, graph 0.716969 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.195852, graph 0.768822 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.18507, graph 0.843421 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.158128, graph 0.796869 to graph 0.18507, graph 0.843421 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.033994, graph 0.762383 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.195646, graph 0.808935 to graph 0.168704, graph 0.762383 nohead lw 0.6 lc rgb '#e69f00'
-set label "si:10" at graph 0.113912, graph 0.896547 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0869702, graph 0.815081 to graph 0.113912, graph 0.896547 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.130795, graph 0.949919 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.103853, graph 0.83354 to graph 0.130795, graph 0.949919 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.00864832, graph 0.715236 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.192752, graph 0.924718 to graph 0.16581, graph 0.715236 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus" at graph 0.0835457, graph 0.255257 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.381192, graph 0.641828 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.280388, graph 0.716969 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.200715, graph 0.768822 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.158239, graph 0.835767 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.131297, graph 0.789215 to graph 0.158239, graph 0.835767 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.0353103, graph 0.762383 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.196962, graph 0.808935 to graph 0.17002, graph 0.762383 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:10" at graph 0.115088, graph 0.884909 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0881464, graph 0.815081 to graph 0.115088, graph 0.884909 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.130707, graph 0.949919 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.103765, graph 0.83354 to graph 0.130707, graph 0.949919 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.00973233, graph 0.715236 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.193836, graph 0.924718 to graph 0.166894, graph 0.715236 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -1,129 +1,129 @@
 # Draws pyramid.svg and pyramid.png: gnuplot pyramid.gp
 $line0_0 << EOD
-4 5.54075 4 4
-16 47.1208 16 16
-64 68.0381 64 64
-256 923.094 256 256
-1024 1077.58 1024 1024
-4096 1655.24 4096 4096
+4 5.23025 4 4
+16 40.2236 16 16
+64 71.707 64 64
+256 1185.43 256 256
+1024 968.521 1024 1024
+4096 1181.98 4096 4096
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 1.75775 4 4
-16 33.1612 16 16
-64 14.2586 64 64
-256 24.9967 256 256
-1024 128.239 1024 1024
-4096 1279.8 4096 4096
+4 1.63975 4 4
+16 29.5903 16 16
+64 12.5715 64 64
+256 23.0079 256 256
+1024 114.179 1024 1024
+4096 1076.53 4096 4096
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.358 4 4
-16 0.330438 16 16
-64 0.340047 64 64
-256 0.346023 256 256
-1024 0.353182 1024 1024
-4096 0.394968 4096 4096
-15876 0.484393 15876 15876
-40000 0.792276 40000 40000
+4 0.353 4 4
+16 0.333 16 16
+64 0.340828 64 64
+256 0.352789 256 256
+1024 0.365808 1024 1024
+4096 0.397117 4096 4096
+15876 0.481428 15876 15876
+40000 0.620176 40000 40000
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 2.47625 4 4
-16 2.33656 16 16
-64 2.42281 64 64
-256 2.47246 256 256
-1024 2.59149 1024 1024
-4096 2.89808 4096 4096
-15876 2.96029 15876 15876
-40000 4.30536 40000 40000
+4 2.43625 4 4
+16 2.35913 16 16
+64 2.45177 64 64
+256 2.53005 256 256
+1024 2.58815 1024 1024
+4096 2.82872 4096 4096
+15876 2.86851 15876 15876
+40000 3.43309 40000 40000
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.41825 4 4
-16 0.43875 16 16
-64 0.439875 64 64
-256 0.44093 256 256
-1024 0.456881 1024 1024
-4096 0.699828 4096 4096
-15876 0.993717 15876 15876
-40000 1.10905 40000 40000
+4 0.40825 4 4
+16 0.415625 16 16
+64 0.438938 64 64
+256 0.450238 256 256
+1024 0.456851 1024 1024
+4096 0.500122 4096 4096
+15876 0.592008 15876 15876
+40000 0.856073 40000 40000
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 0.96125 4 4
-16 1.41213 16 16
-64 2.54394 64 64
-256 7.51109 256 256
-1024 50.6131 1024 1024
-4096 183.922 4096 4096
+4 0.974 4 4
+16 1.41525 16 16
+64 2.55208 64 64
+256 7.414 256 256
+1024 46.807 1024 1024
+4096 176.205 4096 4096
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 0.6835 4 4
-16 0.811875 16 16
-64 6.28498 64 64
+4 0.671 4 4
+16 0.8325 16 16
+64 6.26072 64 64
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 0.656 4 4
-16 0.861875 16 16
-64 5.11605 64 64
-256 301.75 256 256
-1024 6233.94 1024 1024
+4 0.65825 4 4
+16 0.878812 16 16
+64 5.3043 64 64
+256 324.48 256 256
+1024 5539.72 1024 1024
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-4 5.348 4 4
+4 4.84225 4 4
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-256 2.4535 256 256
-1024 4.84147 1024 1024
-4096 13.8199 4096 4096
+256 2.1504 256 256
+1024 4.57933 1024 1024
+4096 14.0616 4096 4096
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-1024 4.66125 1024 1024
-4096 13.6888 4096 4096
+1024 4.46464 1024 1024
+4096 13.996 4096 4096
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4096 5.39853 4096 4096
-15876 20.3489 15876 15876
-40000 73.4659 40000 40000
+4096 5.33709 4096 4096
+15876 15.5812 15876 15876
+40000 68.4073 40000 40000
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4096 5.39853 4096 4096
-15876 20.3489 15876 15876
-40000 73.4659 40000 40000
+4096 5.33709 4096 4096
+15876 15.5812 15876 15876
+40000 68.4073 40000 40000
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4096 5.52141 4096 4096
-15876 20.6029 15876 15876
-40000 73.4659 40000 40000
+4096 5.51731 4096 4096
+15876 15.9007 15876 15876
+40000 68.6981 40000 40000
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-256 5.12 256 256
-1024 70.1686 1024 1024
-4096 1086.24 4096 4096
+256 5.07494 256 256
+1024 70.2546 1024 1024
+4096 1085.93 4096 4096
 EOD
 $marks1_5 << EOD
 EOD
@@ -132,8 +132,8 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-256 9.41261 256 256
-1024 137.277 1024 1024
+256 9.33888 256 256
+1024 137.232 1024 1024
 EOD
 $marks1_7 << EOD
 EOD
@@ -170,16 +170,16 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.179775 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.232266 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.326802 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.076027, graph 0.543483 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.0566038, graph 0.345638 to graph 0.076027, graph 0.543483 nohead lw 0.6 lc rgb '#999999'
-set label "dantzig" at graph 0.152765, graph 0.359661 left front noenhanced textcolor rgb '#555555'
-set label "pgs:10" at graph 0.648245, graph 0.652927 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.648245, graph 0.821429 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.648245, graph 0.878686 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.533801, graph 0.958953 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.836374, graph 0.158503 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.209778 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.307137 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.076027, graph 0.523216 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.0566038, graph 0.337009 to graph 0.076027, graph 0.523216 nohead lw 0.6 lc rgb '#999999'
+set label "dantzig" at graph 0.152765, graph 0.359325 left front noenhanced textcolor rgb '#555555'
+set label "pgs:10" at graph 0.648245, graph 0.649204 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.648245, graph 0.806405 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.47991, graph 0.837798 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.533801, graph 0.948698 left front noenhanced textcolor rgb '#555555'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -227,14 +227,14 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.244093, graph 0.307367 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.493358, graph 0.32004 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.836374, graph 0.466521 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.478159 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.513073 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.466521 to graph 0.836374, graph 0.513073 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig:1e-6" at graph 0.0516134, graph 0.5344 left front noenhanced textcolor rgb '#555555'
-set label "pgs:10" at graph 0.493358, graph 0.758981 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.244093, graph 0.298139 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.493358, graph 0.298646 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.458776 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.458776 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.505788 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.459236 to graph 0.836374, graph 0.505788 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.0516134, graph 0.534364 left front noenhanced textcolor rgb '#555555'
+set label "pgs:10" at graph 0.493358, graph 0.75895 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \

@@ -1,81 +1,81 @@
 # Draws wall.svg and wall.png: gnuplot wall.gp
 $line0_0 << EOD
-4 15.205 4 4
-8 17.5699 8 8
-44 61.5443 44 44
-240 894.18 240 240
-992 1009.59 992 992
-4156 1096.57 4156 4156
+4 24.0308 4 4
+8 12.2419 8 8
+44 53.6266 44 44
+240 860.454 240 240
+992 901.103 992 992
+4156 938.493 4156 4156
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 6.19175 4 4
-8 6.19425 8 8
-44 12.4205 44 44
-240 20.2931 240 240
-992 24.1658 992 992
-4156 412.926 4156 4156
+4 6.049 4 4
+8 6.14412 8 8
+44 11.2763 44 44
+240 18.4828 240 240
+992 22.4231 992 992
+4156 356.441 4156 4156
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.3605 4 4
-8 0.3255 8 8
-44 0.330273 44 44
-240 0.355112 240 240
-992 0.361788 992 992
-4156 0.43766 4156 4156
-17032 0.598584 17032 17032
-42644 0.741054 42644 42644
+4 0.3555 4 4
+8 0.32925 8 8
+44 0.332091 44 44
+240 0.356571 240 240
+992 0.372005 992 992
+4156 0.396099 4156 4156
+17032 0.595339 17032 17032
+42644 0.761073 42644 42644
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 2.43875 4 4
+4 2.4035 4 4
 8 2.26838 8 8
-44 2.23789 44 44
-240 2.55534 240 240
-992 2.65009 992 992
-4156 2.94468 4156 4156
-17032 3.16433 17032 17032
-42644 4.52678 42644 42644
+44 2.30366 44 44
+240 2.58672 240 240
+992 2.68606 992 992
+4156 2.89994 4156 4156
+17032 3.18825 17032 17032
+42644 4.603 42644 42644
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.44825 4 4
-8 0.403125 8 8
-44 0.420386 44 44
-240 0.466612 240 240
-992 0.460786 992 992
-4156 0.532081 4156 4156
-17032 0.713722 17032 17032
-42644 1.01529 42644 42644
+4 0.423 4 4
+8 0.395625 8 8
+44 0.440886 44 44
+240 0.472787 240 240
+992 0.477595 992 992
+4156 0.503328 4156 4156
+17032 0.738162 17032 17032
+42644 1.00895 42644 42644
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 0.9565 4 4
-8 0.86 8 8
-44 1.95723 44 44
-240 4.57084 240 240
-992 23.9182 992 992
-4156 165.681 4156 4156
+4 0.9365 4 4
+8 0.8625 8 8
+44 1.94357 44 44
+240 4.54143 240 240
+992 22.2742 992 992
+4156 160.298 4156 4156
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 0.70875 4 4
+4 0.70125 4 4
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 0.6085 4 4
-8 0.648375 8 8
-44 2.05284 44 44
-240 145.953 240 240
-992 8070.15 992 992
+4 0.59325 4 4
+8 0.66225 8 8
+44 2.06193 44 44
+240 144.836 240 240
+992 6664.83 992 992
 EOD
 $marks0_7 << EOD
 EOD
@@ -84,43 +84,43 @@ EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-240 2.40845 240 240
-992 4.66534 992 992
-4156 15.7041 4156 4156
+240 2.11354 240 240
+992 4.46464 992 992
+4156 14.7374 4156 4156
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-992 3.76422 992 992
-4156 15.573 4156 4156
+992 3.55123 992 992
+4156 14.6719 4156 4156
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4156 9.9369 4156 4156
-17032 39.1127 17032 17032
-42644 73.7116 42644 42644
+4156 9.94099 4156 4156
+17032 39.1291 17032 17032
+42644 58.3926 42644 42644
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4156 9.9369 4156 4156
-17032 39.1086 17032 17032
-42644 73.7116 42644 42644
+4156 9.94099 4156 4156
+17032 39.1291 17032 17032
+42644 58.3926 42644 42644
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4156 10.0598 4156 4156
-17032 39.3789 17032 17032
-42644 73.9942 42644 42644
+4156 10.1212 4156 4156
+17032 39.3339 17032 17032
+42644 56.9467 42644 42644
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
 240 4.41958 240 240
-992 65.794 992 992
-4156 1120.92 4156 4156
+992 65.9292 992 992
+4156 1120.8 4156 4156
 EOD
 $marks1_5 << EOD
 EOD
@@ -129,8 +129,8 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-240 8.17562 240 240
-992 128.709 992 992
+240 8.15923 240 240
+992 128.713 992 992
 EOD
 $marks1_7 << EOD
 EOD
@@ -162,20 +162,20 @@ set logscale y
 set ytics 10 nomirror
 set mytics
 set format y "10^{%T}"
-set yrange [0.1:100000]
+set yrange [0.1:10000]
 set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig" at graph 0.076027, graph 0.0602833 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.141749 to graph 0.076027, graph 0.0602833 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.836374, graph 0.144975 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.684225, graph 0.191041 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.275965 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:10" at graph 0.645488, graph 0.536545 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.645488, graph 0.602645 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.645488, graph 0.673339 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.528039, graph 0.817814 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.076027, graph 0.0760711 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.169175 to graph 0.076027, graph 0.0760711 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.836374, graph 0.176285 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.22405 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.332608 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:10" at graph 0.645488, graph 0.640986 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.645488, graph 0.710398 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.645488, graph 0.794486 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.528039, graph 0.964758 left front noenhanced textcolor rgb '#555555'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -220,15 +220,15 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.245344, graph 0.309731 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.326274, graph 0.357193 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.475186, graph 0.299003 to graph 0.455763, graph 0.357193 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:10" at graph 0.836374, graph 0.466884 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.49016 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.513851 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.467299 to graph 0.836374, graph 0.513851 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig:1e-6" at graph 0.0512482, graph 0.527402 left front noenhanced textcolor rgb '#555555'
-set label "pgs:10" at graph 0.494609, graph 0.762394 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.245344, graph 0.303259 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.494609, graph 0.233916 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.475186, graph 0.292105 to graph 0.494609, graph 0.233916 nohead lw 0.6 lc rgb '#0060a8'
+set label "nncg:10" at graph 0.836374, graph 0.438867 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.716597, graph 0.464865 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.836374, graph 0.488141 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.81695, graph 0.441589 to graph 0.836374, graph 0.488141 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.0512482, graph 0.527405 left front noenhanced textcolor rgb '#555555'
+set label "pgs:10" at graph 0.494609, graph 0.762382 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
