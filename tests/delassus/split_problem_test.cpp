@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "delassus/solver.h"
+#include "tests/support/explicit_problems.h"
 #include "tests/support/random_piles.h"
 #include "tests/support/turning_piles.h"
 
@@ -20,25 +21,6 @@ std::vector<int> unknownsOf(const ProblemParts& parts, int part) {
   std::vector<int> unknowns;
   for (int k = 0; k < parts.sizeOf(part); ++k) unknowns.push_back(parts.unknown(part, k));
   return unknowns;
-}
-
-DelassusMatrix matrix(const MatrixXd& W) {
-  return DelassusMatrix(DelassusMatrix::Sparse(W.sparseView()));
-}
-
-/// Contacts that nothing couples, of all modes.
-Problem loneContacts(int n, Random& random) {
-  Problem problem;
-  MatrixXd W = MatrixXd::Zero(3 * n, 3 * n);
-  problem.q.resize(3 * n);
-  problem.friction.resize(n);
-  for (int i = 0; i < n; ++i) {
-    W.block<3, 3>(3 * i, 3 * i) = randomDelassus(3, 100, random);
-    for (int k = 0; k < 3; ++k) problem.q[3 * i + k] = uniform(random, -1, 1);
-    problem.friction[i] = i % 7 == 0 ? 0 : uniform(random, 0, 1.5);
-  }
-  problem.W = matrix(W);
-  return problem;
 }
 
 TEST(ProblemParts, AreWhatEntriesOfEitherTriangleConnect) {
