@@ -35,8 +35,11 @@ Answer solveWithin(const Problem& problem, double tolerance) {
   constexpr int most = 2;  // decades
   Options options;
   options.tolerance = tolerance;
+  int regions = 0;  // of all attempts
   for (int decade = 0;; ++decade, options.tolerance *= 0.1) {
     Solution solution = delassus::solve(problem, options);
+    regions += solution.regions;
+    solution.regions = regions;
     const FclibMeasures measures = fclibMeasures(problem, solution.r);
     const bool within = measures.rel <= tolerance && measures.vel <= tolerance;
     if (within || solution.status != Status::Solved || decade == most)

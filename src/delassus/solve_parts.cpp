@@ -116,9 +116,14 @@ Solution solve(const Problem& problem, const Options& options) {
     quick.emplace(problem, options);
     if (quick->find(solution)) return solution;
   }
+  Options left = options;
+  if (quick) {
+    left.newtonBudget -= quick->best().regions;
+    left.sweepBudget -= quick->best().sweeps;
+  }
   const ProblemParts parts(problem);
   if (parts.count() == 1) {
-    Solver(options).solve(problem, {}, solution);
+    Solver(left).solve(problem, {}, solution);
   } else {
     Whole whole(problem);
     std::optional<Solver> solver;  // made when a part needs it
@@ -127,7 +132,7 @@ Solution solve(const Problem& problem, const Options& options) {
         whole.put(parts, k, *quick);
         continue;
       }
-      if (!solver) solver.emplace(options);
+      if (!solver) solver.emplace(left);
       const Problem part = parts.problemOf(k);
       solver->solve(part, {}, solution);
       whole.put(parts, k, part, solution);

@@ -113,6 +113,23 @@ TEST(QuickAnswer, TellsTheResidualOfItsReactionsAtAnyBudget) {
   }
 }
 
+// What it took of the budget is not there for the solver any more.
+TEST(QuickAnswer, KeepsToTheBudgetTogetherWithTheSolver) {
+  Random random(67);
+  for (const int contacts : {4, 12}) {
+    Problem problem = loneContacts(contacts, random);
+    problem.W = matrix(randomDelassus(3 * contacts, 1e4, random));
+    for (int i = 0; i < contacts; ++i) problem.q[3 * i] = -1;
+    for (int budget = 0; budget < 12; ++budget) {
+      Options options;
+      options.sweepBudget = options.newtonBudget = budget;
+      const Solution solution = solve(problem, options);
+      EXPECT_LE(solution.sweeps, budget);
+      EXPECT_LE(solution.regions, budget);
+    }
+  }
+}
+
 // Nothing moves at such a contact, whatever its reaction: no sweep answers that, and no budget makes it vanish.
 TEST(QuickAnswer, AContactThatMovesNothingIsNotAnswered) {
   Random random(65);

@@ -99,7 +99,7 @@ TEST(Arch, standsForASecond) { expectResting("arch", 1, 0.02); }
 TEST(Arch, standsForTenSecondsSlow) { expectResting("arch", 10, 0.02); }
 
 // Bullet keeps four points of a joint, one of which is new in each step. Where two that the thrust needs replace each other for
-// ever, that stone creeps, some centimetres in ten seconds: from about one start in twenty that differ in nothing but the rounding.
+// ever, that stone creeps, some centimetres in ten seconds: from two of 69 starts that differ in nothing but the rounding.
 TEST(Arch, thinStandsForTenSecondsFromNearlyEqualStarts) {
   std::vector<double> drifts;
   for (const double change : {0.0, 1e-9, -1e-9}) {
