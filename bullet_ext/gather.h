@@ -38,6 +38,7 @@ struct PointSource {
   btPersistentManifold* manifold;
   int point;
   Trouble trouble = Trouble::None;  ///< of a point that takes no part
+  bool fresh = false;               ///< the manifold has just got it
 };
 struct JointSource {
   btTypedConstraint* constraint;

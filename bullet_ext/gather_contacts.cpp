@@ -9,6 +9,7 @@
 #include "bullet_ext/contact_frame.h"
 #include "bullet_ext/convert.h"
 #include "bullet_ext/gather.h"
+#include "bullet_ext/prefetch.h"
 
 namespace delassus::bullet {
 namespace {
@@ -195,7 +196,8 @@ void gatherManifold(Group& group, const Pair& pair, const btContactSolverInfo& i
       group.idle.push_back(source);
       continue;
     }
-    group.contactSources.push_back({&manifold, i});
+    const bool fresh = point.getLifeTime() <= 1;
+    group.contactSources.push_back({&manifold, i, Trouble::None, fresh});
     group.pushes.push_back(push);
     group.bouncing += point.m_combinedRestitution != 0;
     group.turning += point.m_combinedRollingFriction > 0 || point.m_combinedSpinningFriction > 0;
@@ -207,8 +209,10 @@ void gatherManifold(Group& group, const Pair& pair, const btContactSolverInfo& i
 
 void gatherContacts(Group& group, btPersistentManifold** manifolds, int count,
                     const btContactSolverInfo& info, btDispatcher* dispatcher, StepReport& report) {
+  constexpr int ahead = 3;  // 2 to 8 are the same
   for (int i = 0; i < count; ++i) {
     btPersistentManifold& manifold = *manifolds[i];
+    if (i + ahead < count) prefetch(manifolds[i + ahead]);
     if (manifold.getNumContacts() == 0) continue;
     // Manifolds carry their bodies as const; the solver's are not, as in every Bullet solver.
     auto& a = const_cast<btCollisionObject&>(*manifold.getBody0());

@@ -16,12 +16,6 @@
 namespace delassus::bullet {
 namespace {
 
-const btManifoldPoint& pointOf(const PointSource& source) {
-  return source.manifold->getContactPoint(source.point);
-}
-
-bool isFresh(const btManifoldPoint& point) { return point.getLifeTime() <= 1; }
-
 const Vec3& armOf(const Group& group, const Contact& contact) {
   return group.movable(contact.a) ? contact.armA : contact.armB;
 }
@@ -84,7 +78,7 @@ void Memory::nextStep() {
 /// Gives each point that is fresh, or that is not, the nearest point of the last step that is left.
 void Memory::claim(Group& group, int begin, int end, const Owner& owner, bool fresh) {
   for (int i = begin; i < end; ++i) {
-    if (isFresh(pointOf(group.contactSources[i])) != fresh) continue;
+    if (group.contactSources[i].fresh != fresh) continue;
     const Vec3 arm = armOf(group, group.contacts[i]);
     int nearest = -1;
     double distance = std::numeric_limits<double>::max();
@@ -170,7 +164,7 @@ void Memory::keepForce(Group& group, int contact, const Owner& owner) const {
 
 void Memory::recallPoints(Group& group, int begin, int end) {
   int fresh = 0;
-  for (int i = begin; i < end; ++i) fresh += isFresh(pointOf(group.contactSources[i]));
+  for (int i = begin; i < end; ++i) fresh += group.contactSources[i].fresh;
   if (fresh == 0) return;
   const Owner* owner = last_.manifolds.find(ownerOf(*group.contactSources[begin].manifold));
   if (!owner) return;
@@ -190,8 +184,8 @@ void Memory::recallRestless(Group& group) {
   group.restless.assign(group.contacts.size(), 0);
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {
     const PointSource& source = group.contactSources[i];
-    group.restless[i] = !isFresh(pointOf(source)) && (restless_.find(source.manifold->getBody0()) ||
-                                                      restless_.find(source.manifold->getBody1()));
+    group.restless[i] = !source.fresh && (restless_.find(source.manifold->getBody0()) ||
+                                          restless_.find(source.manifold->getBody1()));
   }
 }
 

@@ -18,25 +18,22 @@ using namespace delassus::bullet;
 /// One body on the ground at points below it, as the door gathers them.
 class Touch {
  public:
-  explicit Touch(const std::vector<Vec3>& arms, int lifeTime) {
+  explicit Touch(const std::vector<Vec3>& arms) {
     group_.bodies.emplace_back().inverseMass.setOnes();
     for (const Vec3& arm : arms) {
-      btManifoldPoint point;
-      point.m_lifeTime = lifeTime;
-      manifold_.addManifoldPoint(point, true);
       Contact& contact = group_.contacts.emplace_back();
       contact.a = 0;
       contact.armA = arm;
       contact.friction = 0.5;
-      group_.contactSources.push_back({&manifold_, manifold_.getNumContacts() - 1});
+      group_.contactSources.push_back({&manifold_, static_cast<int>(group_.contactSources.size())});
       group_.guess.push_back(Vec3::Zero());
     }
   }
 
   /// The same manifold with other points.
-  void replace(const std::vector<Vec3>& arms, int lifeTime) {
+  void replace(const std::vector<Vec3>& arms, bool fresh) {
     for (std::size_t i = 0; i < arms.size(); ++i) {
-      manifold_.getContactPoint(static_cast<int>(i)).m_lifeTime = lifeTime;
+      group_.contactSources[i].fresh = fresh;
       group_.contacts[i].armA = arms[i];
       group_.guess[i].setZero();
     }
@@ -67,26 +64,26 @@ Answer answerOf(const std::vector<Vec3>& contacts) {
 }
 
 TEST(Memory, FreshPointsPushAndTurnAsThoseThatAreGone) {
-  Touch touch(corners, 5);
+  Touch touch(corners);
   const Vec6 before = touch.wrench(reactions);
   Memory memory;
   memory.nextStep();
   memory.keep(touch.group(), answerOf(reactions));
   memory.nextStep();
 
-  touch.replace({{-1, 0.4, 0.3}, {-1, -0.5, 0.5}, {-1, -0.3, -0.5}, {-1, 0.5, -0.2}}, 0);
+  touch.replace({{-1, 0.4, 0.3}, {-1, -0.5, 0.5}, {-1, -0.3, -0.5}, {-1, 0.5, -0.2}}, true);
   memory.recall(touch.group());
   EXPECT_LT((touch.wrench(touch.group().guess) - before).norm(), 1e-6 * before.norm());
 }
 
 // A smaller polygon on one side cannot pull, nor hold a moment about itself: what it starts from is allowed all the same.
 TEST(Memory, FreshPointsThatCannotCarryTheWrenchStartInsideTheirCones) {
-  Touch touch(corners, 5);
+  Touch touch(corners);
   Memory memory;
   memory.nextStep();
   memory.keep(touch.group(), answerOf({{0, 0, 0}, {0.1, 0, 0}, {6, 3, 0}, {6, -3, 0}}));
   memory.nextStep();
-  touch.replace({{-1, 0.5, 0.5}, {-1, 0.4, 0.5}, {-1, 0.4, 0.4}, {-1, 0.5, 0.4}}, 0);
+  touch.replace({{-1, 0.5, 0.5}, {-1, 0.4, 0.5}, {-1, 0.4, 0.4}, {-1, 0.5, 0.4}}, true);
   memory.recall(touch.group());
   double pushed = 0;
   for (const Vec3& r : touch.group().guess) {
@@ -101,7 +98,7 @@ TEST(Memory, FreshPointsThatCannotCarryTheWrenchStartInsideTheirCones) {
 TEST(Memory, ALonePointTakesOverTheForce) {
   for (const Vec3& lengths : {Vec3(1, 1, 1), Vec3(1, 0.2, 3), Vec3(1, 2, 0)}) {
     SCOPED_TRACE(lengths.transpose());
-    Touch touch({{-1, 0, 0}}, 5);
+    Touch touch({{-1, 0, 0}});
     const Mat3 turned = Eigen::AngleAxisd(0.01, Vec3(1, 2, 3).normalized()).toRotationMatrix();
     touch.group().contacts[0].frame = turned * lengths.asDiagonal();
     const std::vector<Vec3> last{{3, 0.4, lengths[2] > 0 ? -0.2 : 0}};
@@ -111,7 +108,7 @@ TEST(Memory, ALonePointTakesOverTheForce) {
     memory.keep(touch.group(), answerOf(last));
     memory.nextStep();
 
-    touch.replace({{-1, 0.3, 0.1}}, 0);
+    touch.replace({{-1, 0.3, 0.1}}, true);
     touch.group().contacts[0].frame = lengths.asDiagonal();
     memory.recall(touch.group());
     const Vec3& guess = touch.group().guess[0];
@@ -123,14 +120,33 @@ TEST(Memory, ALonePointTakesOverTheForce) {
 }
 
 TEST(Memory, PointsThatStayAreLeftAlone) {
-  Touch touch(corners, 5);
+  Touch touch(corners);
   Memory memory;
   memory.nextStep();
   memory.keep(touch.group(), answerOf(reactions));
   memory.nextStep();
-  touch.replace({{-1, 0.4, 0.3}, {-1, -0.5, 0.5}, {-1, -0.3, -0.5}, {-1, 0.5, -0.2}}, 5);
+  touch.replace({{-1, 0.4, 0.3}, {-1, -0.5, 0.5}, {-1, -0.3, -0.5}, {-1, 0.5, -0.2}}, false);
   memory.recall(touch.group());
   for (const Vec3& guess : touch.group().guess) EXPECT_EQ(guess, Vec3::Zero());
+}
+
+// Bullet counts the steps of a point, the one that made it included.
+TEST(Memory, PointsOfThisStepAreFresh) {
+  DelassusWorld world;
+  world.addGround();
+  world.addCube({0, btScalar(0.499), 0});
+  world.advance();
+  const std::vector<btManifoldPoint*> points = world.points();
+  ASSERT_GE(points.size(), 3u);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i]->m_lifeTime = static_cast<int>(i);
+
+  Group group;
+  StepReport report;
+  btPersistentManifold* manifold = world.dispatcher().getManifoldByIndexInternal(0);
+  gatherContacts(group, &manifold, 1, world.info(), &world.dispatcher(), report);
+  ASSERT_EQ(group.contactSources.size(), points.size());
+  for (const PointSource& source : group.contactSources)
+    EXPECT_EQ(source.fresh, source.point <= 1) << source.point;
 }
 
 }  // namespace
