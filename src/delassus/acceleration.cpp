@@ -5,24 +5,34 @@
 #include <cmath>
 
 namespace delassus {
+namespace {
+
+void goOn(double beta, const VectorXd& g, VectorXd& direction, VectorXd& x) {
+  if (beta > 0) {
+    direction = beta * direction + (g - x);
+    x += direction;
+  } else {
+    direction = g - x;
+    x = g;
+  }
+}
+
+}  // namespace
 
 void ConjugateGradient::start(const VectorXd& weights) {
   weights_ = &weights;
-  direction_.setZero(weights.size());
   last_ = 0;
 }
 
 void ConjugateGradient::next(const VectorXd& g, VectorXd& x) {
   const double energy = (g - x).cwiseAbs2().dot(*weights_);
-  const double beta = last_ > 0 ? energy / last_ : 2;
+  beta_ = last_ > 0 && energy <= last_ ? energy / last_ : 0;
   last_ = energy;
-  if (beta > 1) {
-    direction_ = g - x;
-    x = g;
-  } else {
-    direction_ = beta * direction_ + (g - x);
-    x += direction_;
-  }
+  goOn(beta_, g, direction_, x);
+}
+
+void ConjugateGradient::nextImage(const VectorXd& imageOfG, VectorXd& image) {
+  goOn(beta_, imageOfG, imageOfDirection_, image);
 }
 
 void Anderson::start(const VectorXd& weights, int memory) {

@@ -19,12 +19,16 @@ class ConjugateGradient {
  public:
   void start(const VectorXd& weights);
   void next(const VectorXd& g, VectorXd& x);
-  std::size_t bytes() const { return bytesOf(direction_); }
+  /// What `next` has just done, for a linear image of all vectors: from that of g and of the last x, that of x. From the start on
+  /// it is asked for after every step, or never.
+  void nextImage(const VectorXd& imageOfG, VectorXd& image);
+  std::size_t bytes() const { return bytesOf(direction_, imageOfDirection_); }
 
  private:
   const VectorXd* weights_ = nullptr;
-  VectorXd direction_;
+  VectorXd direction_, imageOfDirection_;
   double last_ = 0;  ///< ‖f‖² of the last step
+  double beta_ = 0;  ///< of the last step
 };
 
 /// Anderson's acceleration from its last steps (type II: Anderson 1965; Walker and Ni 2011):

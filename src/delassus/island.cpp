@@ -69,7 +69,8 @@ void Assembler::addIsland() {
 }
 
 std::size_t Assembler::bytes() const {
-  std::size_t sum = bytesOf(islands_, islandOf_, roots_) + links_.bytes() + problem_.bytes();
+  std::size_t sum =
+      bytesOf(islands_, islandOf_, placeOf_, roots_) + links_.bytes() + problem_.bytes();
   for (const Island& island : islands_) sum += island.bytes();
   return sum;
 }
@@ -136,12 +137,12 @@ const Problem& Assembler::assemble(const std::vector<Body>& bodies,
   problem_.disks.clear();
 
   roots_.clear();
-  for (int body : island.bodies) roots_.push_back(rootOf(bodies[body]));
-  const auto local = [&](int body) {
-    if (!movable(bodies, body)) return fixedWorld;
-    const auto at = std::lower_bound(island.bodies.begin(), island.bodies.end(), body);
-    return static_cast<int>(at - island.bodies.begin());
-  };
+  placeOf_.resize(bodies.size());
+  for (int body : island.bodies) {
+    placeOf_[body] = static_cast<int>(roots_.size());
+    roots_.push_back(rootOf(bodies[body]));
+  }
+  const auto local = [&](int body) { return movable(bodies, body) ? placeOf_[body] : fixedWorld; };
   /// One body's share: its velocity in q, and J B in the place of J (nothing if it is immovable).
   double largestTerm = 0;
   const auto takeShare = [&](int body, int place, auto& J, auto& q) {

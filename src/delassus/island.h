@@ -59,6 +59,8 @@ class Assembler {
   int count_ = 0;
   Links links_;
   std::vector<int> islandOf_;  ///< of each body
+  std::vector<int>
+      placeOf_;  ///< of each body of the island that is being assembled, among its bodies
   std::vector<RootOfInverseMass> roots_;
   Problem problem_;
 };

@@ -40,7 +40,7 @@ void blockSizes(const Problem& problem, const VectorXd& diagonal, ContactSize co
                 VectorXd& sizes) {
   const int n = problem.contacts(), m = problem.rows();
   sizes.resize(n + m);
-  for (int a = 0; a < n; ++a) sizes[a] = contactSize(problem.W.contactBlock(3 * a));
+  for (int a = 0; a < n; ++a) sizes[a] = contactSize(a);
   sizes.tail(m) = diagonal.tail(m).cwiseAbs();
   for (const Disk& disk : problem.disks)
     if (disk.unknowns == 2)
@@ -85,7 +85,10 @@ void visitNaturalMap(const Problem& problem, const VectorXd& r, const VectorXd& 
 void NaturalMap::setProblem(const Problem& problem) {
   problem_ = &problem;
   problem.W.diagonal(diagonal_);
-  blockSizes(problem, diagonal_, spectralNorm<Mat3>, sizes_);
+  blocks_.resize(problem.contacts());
+  for (int a = 0; a < problem.contacts(); ++a) blocks_[a] = problem.W.contactBlock(3 * a);
+  blockSizes(
+      problem, diagonal_, [&](int a) { return spectralNorm(blocks_[a]); }, sizes_);
 }
 
 void NaturalMap::meanDiagonal(VectorXd& mean) const {
@@ -159,8 +162,9 @@ FclibMeasures fclibMeasures(const Problem& problem, const VectorXd& r) {
   assert(r.size() == problem.size() && "one number an unknown");
   const VectorXd u = problem.W * r + problem.q;
   VectorXd size;
-  const auto meanDiagonal = [](const Mat3& W) { return std::abs(W.trace()) / 3; };
-  blockSizes(problem, problem.W.diagonal(), meanDiagonal, size);
+  const VectorXd diagonal = problem.W.diagonal();
+  const auto meanDiagonal = [&](int a) { return std::abs(diagonal.segment<3>(3 * a).sum()) / 3; };
+  blockSizes(problem, diagonal, meanDiagonal, size);
 
   double unscaled2 = 0, velocity2 = 0;
   visitNaturalMap(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "delassus/problem.h"
 
@@ -29,16 +30,18 @@ class NaturalMap {
   void residuals(const VectorXd& r, const VectorXd& u, VectorXd& each) const;
   /// What round-off alone leaves in u = W r + q, m/s: a few ε of the largest W_aa r_a. A residual cannot be read finer.
   double roundOff(const VectorXd& r) const;
-  const VectorXd& diagonal() const { return diagonal_; }  ///< of W
+  const VectorXd& diagonal() const { return diagonal_; }                    ///< of W
+  const Mat3& contactBlock(int contact) const { return blocks_[contact]; }  ///< W_aa
   /// The mean of W_aa over the unknowns of each contact and disk, one number an unknown: a unit for what answers alike in all
   /// directions. At least 1e-14 of the largest: what moves nothing (W_ii = 0) can do nothing, and any finite number is harmless.
   void meanDiagonal(VectorXd& mean) const;
-  std::size_t bytes() const { return bytesOf(sizes_, diagonal_); }
+  std::size_t bytes() const { return bytesOf(sizes_, diagonal_, blocks_); }
 
  private:
   const Problem* problem_ = nullptr;
   VectorXd sizes_;     ///< ‖W_aa‖ per contact and row
   VectorXd diagonal_;  ///< one an unknown
+  std::vector<Mat3> blocks_;
 };
 
 /// One-off use, with u = W r + q.

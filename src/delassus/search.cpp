@@ -133,12 +133,6 @@ template <class Motion>
 Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const Options& options,
                          double tolerance, const VectorXd* guess, Solution& best) {
   const auto left = [&](int most) { return std::min(most, options.newtonBudget - best.regions); };
-  // A few regions settle a small island; where there are many contacts they only take time.
-  const int least = isHeap(problem) || isLargePile(problem) ? shortWalk : 1;
-  if (isHurried(options) && left(least) < least) {
-    sweepAll(problem, options, keptShare * tolerance, best);
-    return best.residual <= tolerance ? Outcome::Reached : Outcome::Lost;
-  }
   ProximalNewton<Motion>& newton = engines.walk;
   newton.setProblem(problem, map_);
   newton.keepFactors(options.economies.factors);
@@ -284,7 +278,7 @@ Outcome Search::wander(Engines<Motion>& engines, const Problem& problem, const O
     if (outcome != Outcome::Lost) return outcome;
 
     const int count = sweepsLeft(length);
-    machines().sweeps.setProblem(problem);
+    machines().sweeps.setProblem(problem, map_);
     machines().sweeps.sweep(problem, count, wandering_.r);
     best.sweeps += count;
     consider(problem, wandering_, best);
@@ -346,6 +340,12 @@ Outcome Search::walk(const Problem& problem, const Options& options, double tole
   if (DenseNewton::fits(problem, map_) &&
       dense_.solve(problem, map_, tolerance, options.newtonBudget, best))
     return Outcome::Reached;
+  // A few regions settle a small island; where there are many contacts they only take time.
+  const int least = isHeap(problem) || isLargePile(problem) ? shortWalk : 1;
+  if (isHurried(options) && options.newtonBudget - best.regions < least) {
+    sweepAll(problem, options, keptShare * tolerance, best);
+    return best.residual <= tolerance ? Outcome::Reached : Outcome::Lost;
+  }
   const Outcome outcome =
       problem.W.inBodySpace()
           ? walkTwice(machines().bodies, problem, options, tolerance, guess, best)

@@ -15,7 +15,7 @@ bool Search::sweepAndLearn(const Problem& problem, const Options& options, doubl
   constexpr int shortest = 3, longest = 10;  // from one look at the residual to the next
   constexpr int patience = 20, memory = 5;
   constexpr double gain = 0.5;
-  machines().sweeps.setProblem(problem);
+  machines().sweeps.setProblem(problem, map_);
   trial_.r = best.r;
   double mark = best.residualRms;
   int idle = 0;
@@ -38,7 +38,7 @@ void Search::sweepAll(const Problem& problem, const Options& options, double tol
   constexpr int burst = 10;
   constexpr double trusted = 0.8;
   trial_.r = trusted * best.r;
-  machines().sweeps.setProblem(problem);
+  machines().sweeps.setProblem(problem, map_);
   while (best.sweeps < options.sweepBudget && best.residual > tolerance) {
     const int count = std::min(burst, options.sweepBudget - best.sweeps);
     machines().sweeps.sweep(problem, count, trial_.r);
@@ -52,7 +52,7 @@ void Search::sweepWhileItGains(const Problem& problem, const Options& options, d
   constexpr int burst = 20;
   constexpr double gain = 0.7;
   double before = std::numeric_limits<double>::infinity();
-  machines().sweeps.setProblem(problem);
+  machines().sweeps.setProblem(problem, map_);
   while (best.residual < gain * before && best.residual > tolerance &&
          best.sweeps + burst <= options.sweepBudget) {
     before = best.residual;
@@ -76,7 +76,7 @@ void Search::settle(const Problem& problem, const Options& options, double toler
   double lowest = std::numeric_limits<double>::infinity();
   for (int failures = 0; failures < patience;) {
     double before;
-    machines().sweeps.setProblem(problem);  // since patches may have been swept
+    machines().sweeps.setProblem(problem, map_);  // since patches may have been swept
     do {
       if (best.sweeps + burst > options.sweepBudget) return;
       before = trial_.residualRms;

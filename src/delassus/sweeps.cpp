@@ -12,16 +12,15 @@ double boundedRow(double r, double u, double diagonal, double lower, double uppe
 
 }  // namespace
 
-void Sweeps::setProblem(const Problem& problem) {
+void Sweeps::setProblem(const Problem& problem, const NaturalMap& map) {
   blocks_.resize(problem.contacts());
-  for (int i = 0; i < problem.contacts(); ++i)
-    blocks_[i] = OneContact(problem.W.contactBlock(3 * i));
-  problem.W.diagonal(diagonal_);
+  for (int i = 0; i < problem.contacts(); ++i) blocks_[i] = OneContact(map.contactBlock(i));
+  diagonal_ = &map.diagonal();
   diskBlocks_.resize(problem.disks.size());
   for (std::size_t k = 0; k < problem.disks.size(); ++k) {
     const Disk& disk = problem.disks[k];
     diskBlocks_[k] = disk.unknowns == 2 ? problem.W.pairBlock(disk.first)
-                                        : Mat2(diagonal_[disk.first] * Mat2::Identity());
+                                        : Mat2((*diagonal_)[disk.first] * Mat2::Identity());
   }
   if (!problem.W.inBodySpace()) readEntries(problem);
   learnt_ = false;
@@ -95,25 +94,38 @@ Vec2 Sweeps::nextOnDisk(const Problem& problem, int k, const VectorXd& r, const 
 
 void Sweeps::sweep(const Problem& problem, int count, VectorXd& r) {
   learnt_ = false;
-  conjugate_.start(diagonal_);
+  conjugate_.start(*diagonal_);
   hurry(conjugate_, problem, count, r);
 }
 
 void Sweeps::sweepOn(const Problem& problem, int count, int memory, VectorXd& r) {
-  if (!learnt_ || swept_ != r) anderson_.start(diagonal_, memory);
+  if (!learnt_ || swept_ != r) anderson_.start(*diagonal_, memory);
   learnt_ = true;
   hurry(anderson_, problem, count, r);
 }
 
 template <class Acceleration>
 void Sweeps::hurry(Acceleration& acceleration, const Problem& problem, int count, VectorXd& r) {
+  if (problem.W.inBodySpace()) problem.W.bodySpace().impulse(r, y_);
   for (int k = 0; k < count; ++k) {
     swept_ = r;
+    yBefore_ = y_;
     sweepOnce(problem, swept_);
-    if (k + 1 < count) acceleration.next(swept_, r);
+    if (k + 1 == count) break;
+    acceleration.next(swept_, r);
+    if (problem.W.inBodySpace()) follow(acceleration, problem, r);
   }
   // The last sweep brings what overshot back into the cones.
   if (count > 0) r = swept_;
+}
+
+void Sweeps::follow(ConjugateGradient& acceleration, const Problem&, const VectorXd&) {
+  acceleration.nextImage(y_, yBefore_);
+  y_.swap(yBefore_);
+}
+
+void Sweeps::follow(Anderson&, const Problem& problem, const VectorXd& r) {
+  problem.W.bodySpace().impulse(r, y_);
 }
 
 void Sweeps::sweepOnce(const Problem& problem, VectorXd& r) {
@@ -121,11 +133,11 @@ void Sweeps::sweepOnce(const Problem& problem, VectorXd& r) {
 }
 
 void Sweeps::sweepBodies(const Problem& problem, VectorXd& r) {
+  const VectorXd& diagonal = *diagonal_;
   const BodySpace& space = problem.W.bodySpace();
-  space.impulse(r, y_);
   int at = 0;
   for (std::size_t i = 0; i < space.contacts.size(); ++i, at += 3) {
-    if (!(diagonal_[at] > 0)) continue;
+    if (!(diagonal[at] > 0)) continue;
     const auto& c = space.contacts[i];
     Vec3 u =
         problem.q.segment<3>(at) + space.compliance.segment<3>(at).cwiseProduct(r.segment<3>(at));
@@ -163,10 +175,10 @@ void Sweeps::sweepBodies(const Problem& problem, VectorXd& r) {
     r[unknown] = next;
   };
   for (; at < problem.disksBegin(); ++at) {
-    if (!(diagonal_[at] > 0)) continue;
+    if (!(diagonal[at] > 0)) continue;
     const int row = at - firstRow;
     react(at,
-          boundedRow(r[at], velocityOf(at), diagonal_[at], problem.lower[row], problem.upper[row]));
+          boundedRow(r[at], velocityOf(at), diagonal[at], problem.lower[row], problem.upper[row]));
   }
   for (std::size_t k = 0; k < problem.disks.size(); ++k) {
     const Disk& disk = problem.disks[k];
@@ -180,11 +192,12 @@ void Sweeps::sweepBodies(const Problem& problem, VectorXd& r) {
 }
 
 void Sweeps::sweepEntries(const Problem& problem, VectorXd& r) {
+  const VectorXd& diagonal = *diagonal_;
   const DelassusMatrix::Sparse& W = problem.W.entries();
   const int n = problem.contacts();
   for (int i = 0; i < n; ++i) {
     const int at = 3 * i;
-    if (!(diagonal_[at] > 0)) continue;
+    if (!(diagonal[at] > 0)) continue;
     Vec3 q = problem.q.segment<3>(at);  // what it sees without a reaction of its own
     for (int k = couplingBegin_[i]; k < couplingBegin_[i + 1]; ++k)
       q += coupling_[k] * r.segment<3>(3 * coupled_[k]);
@@ -201,8 +214,8 @@ void Sweeps::sweepEntries(const Problem& problem, VectorXd& r) {
     return u;
   };
   for (int at = 3 * n; at < problem.disksBegin(); ++at) {
-    if (!(diagonal_[at] > 0)) continue;
-    r[at] = boundedRow(r[at], velocityOf(at), diagonal_[at], problem.lower[at - 3 * n],
+    if (!(diagonal[at] > 0)) continue;
+    r[at] = boundedRow(r[at], velocityOf(at), diagonal[at], problem.lower[at - 3 * n],
                        problem.upper[at - 3 * n]);
   }
   for (std::size_t k = 0; k < problem.disks.size(); ++k) {

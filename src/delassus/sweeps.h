@@ -5,13 +5,15 @@
 #include "delassus/acceleration.h"
 #include "delassus/one_contact.h"
 #include "delassus/problem.h"
+#include "delassus/residual.h"
 
 namespace delassus {
 
 /// Block Gauss-Seidel: each contact, row and disk in turn is solved exactly with the others held (algorithms §6.3).
 class Sweeps {
  public:
-  void setProblem(const Problem& problem);
+  /// Keeps a pointer to the diagonal in `map`, which is that of the problem.
+  void setProblem(const Problem& problem, const NaturalMap& map);
 
   /// `count` sweeps over all contacts and rows, each but the last followed by a step of the conjugate gradient. The reactions
   /// end in their cones and bounds.
@@ -22,7 +24,7 @@ class Sweeps {
   void sweepOn(const Problem& problem, int count, int memory, VectorXd& r);
 
   std::size_t bytes() const {
-    return bytesOf(blocks_, diskBlocks_, diagonal_, y_, swept_, coupling_, coupled_,
+    return bytesOf(blocks_, diskBlocks_, y_, yBefore_, swept_, coupling_, coupled_,
                    couplingBegin_) +
            conjugate_.bytes() + anderson_.bytes();
   }
@@ -30,6 +32,9 @@ class Sweeps {
  private:
   template <class Acceleration>
   void hurry(Acceleration& acceleration, const Problem& problem, int count, VectorXd& r);
+  /// y_ after the reactions have become r by that step.
+  void follow(ConjugateGradient& acceleration, const Problem& problem, const VectorXd& r);
+  void follow(Anderson& acceleration, const Problem& problem, const VectorXd& r);
   void sweepOnce(const Problem& problem, VectorXd& r);
   void sweepBodies(const Problem& problem, VectorXd& r);
   void sweepEntries(const Problem& problem, VectorXd& r);
@@ -41,8 +46,9 @@ class Sweeps {
 
   std::vector<OneContact> blocks_;
   std::vector<Mat2> diskBlocks_;
-  VectorXd diagonal_;
-  VectorXd y_;
+  const VectorXd* diagonal_ = nullptr;  ///< of W
+  VectorXd y_;                          ///< J̃ᵀ r, in body space
+  VectorXd yBefore_;                    ///< that before the last sweep
   // Explicit W between different contacts, in blocks: those of `contact` are from couplingBegin_[contact] on.
   std::vector<Mat3> coupling_;
   std::vector<int> coupled_;  ///< with which contact

@@ -9,6 +9,28 @@
 namespace delassus {
 namespace {
 
+// Whatever the iteration does, also where it begins anew.
+TEST(ConjugateGradient, TakesALinearImageAlong) {
+  Random random(72);
+  constexpr int dimension = 6, imageDimension = 4, steps = 30;
+  const MatrixXd L = MatrixXd::Random(imageDimension, dimension);
+  const VectorXd weights = VectorXd::Constant(dimension, 2);
+  ConjugateGradient accelerator;
+  accelerator.start(weights);
+  VectorXd x = normalVector(dimension, random);
+  VectorXd image = L * x;
+  int begunAnew = 0;
+  for (int step = 0; step < steps; ++step) {
+    const VectorXd g = x + uniform(random, 0.1, 1) * normalVector(dimension, random);
+    accelerator.next(g, x);
+    accelerator.nextImage(L * g, image);
+    EXPECT_LT((image - L * x).norm(), 1e-12 * (1 + x.norm()));
+    begunAnew += x == g;
+  }
+  EXPECT_GT(begunAnew, 5);
+  EXPECT_LT(begunAnew, steps - 5);
+}
+
 // Affine maps of as many dimensions as steps are remembered: Krylov's subspace is the whole space then.
 TEST(Anderson, SolvesSmallAffineMaps) {
   Random random(71);

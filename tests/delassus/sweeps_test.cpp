@@ -23,8 +23,10 @@ void sweep(Sweeps& sweeps, const Problem& problem, int count, int memory, Vector
 }
 
 VectorXd swept(const Problem& problem, int count, VectorXd r, int memory = 0) {
+  NaturalMap map;
+  map.setProblem(problem);
   Sweeps sweeps;
-  sweeps.setProblem(problem);
+  sweeps.setProblem(problem, map);
   sweep(sweeps, problem, count, memory, r);
   return r;
 }
@@ -145,14 +147,17 @@ TEST(Sweeps, HaveNoMemory) {
   Random random(48);
   const PileIsland large = towerWithRows(4, random), small = towerWithRows(1, random);
   const VectorXd start = VectorXd::Zero(small.problem.size());
+  NaturalMap largeMap, smallMap;
+  largeMap.setProblem(large.problem);
+  smallMap.setProblem(small.problem);
   Sweeps used;
   VectorXd r;
   for (const int last : memories) {
     for (const int memory : memories) {
-      used.setProblem(large.problem);
+      used.setProblem(large.problem, largeMap);
       r = VectorXd::Zero(large.problem.size());
       sweep(used, large.problem, 5, last, r);
-      used.setProblem(small.problem);
+      used.setProblem(small.problem, smallMap);
       r = start;
       sweep(used, small.problem, 5, last, r);
       r = start;
@@ -171,11 +176,14 @@ TEST(Sweeps, AndersonsForgetWhatIsOfAnotherProblemOrOtherSweeps) {
     };
     const Problem problem = makeProblem(), other = makeProblem();
     ASSERT_EQ(problem.size(), other.size());
+    NaturalMap map, otherMap;
+    map.setProblem(problem);
+    otherMap.setProblem(other);
     Sweeps used;
-    used.setProblem(other);
+    used.setProblem(other, otherMap);
     VectorXd r = VectorXd::Zero(problem.size());
     used.sweepOn(other, 5, 4, r);
-    used.setProblem(problem);
+    used.setProblem(problem, map);
     VectorXd expected = swept(problem, 5, r, 4);
     used.sweepOn(problem, 5, 4, r);
     EXPECT_EQ(r, expected);
@@ -209,8 +217,10 @@ TEST(Sweeps, AndersonsGoOnFromWhatTheyLearnt) {
   double inBites = 0, alone = 0;
   for (int k = 0; k < problems; ++k) {
     const Problem problem = PileIsland(makeHeap(12, 0.4, random)).problem;
+    NaturalMap map;
+    map.setProblem(problem);
     Sweeps sweeps;
-    sweeps.setProblem(problem);
+    sweeps.setProblem(problem, map);
     VectorXd r = VectorXd::Zero(problem.size());
     for (int n = 0; n < bites; ++n) sweeps.sweepOn(problem, bite, memory, r);
     inBites += std::log10(naturalResidual(problem, r).max);

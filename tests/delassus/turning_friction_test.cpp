@@ -289,8 +289,10 @@ TEST(TurningFriction, AgreesWithManySweeps) {
     Pile pile = makeHeap(3 + k % 4, 0.4, random);
     resistTurning(pile, 0.1, random);
     const PileIsland island(std::move(pile));
+    NaturalMap map;
+    map.setProblem(island.problem);
     Sweeps sweeps;
-    sweeps.setProblem(island.problem);
+    sweeps.setProblem(island.problem, map);
     VectorXd slow = VectorXd::Zero(island.problem.size());
     // One at a time: plain Gauss-Seidel, without its acceleration.
     for (int i = 0; i < 4000; ++i) sweeps.sweep(island.problem, 1, slow);
