@@ -130,7 +130,7 @@ void Memory::keepWrench(Group& group, int begin, int end, const Owner& owner) co
   // Two points cannot make every wrench.
   constexpr double negligible = 1e-10;
   sum.diagonal().array() += negligible * sum.trace();
-  const Eigen::LDLT<Mat6> factor(sum);
+  const Mat6 inverse = sum.ldlt().solve(Mat6::Identity());
   const auto add = [&](int i, const Vec6& share) {
     const Mat63 g = wrenchPerReaction(i);
     Vec3& r = group.guess[i];
@@ -140,12 +140,12 @@ void Memory::keepWrench(Group& group, int begin, int end, const Owner& owner) co
     missing -= g * (r - before);
     return r == wanted;
   };
-  const Vec6 share = factor.solve(missing);
+  const Vec6 share = inverse * missing;
   bool inCones = true;
   for (int i = begin; i < end; ++i) inCones = add(i, share) && inCones;
   constexpr int rounds = 20;
   for (int k = 0; k < rounds && !inCones; ++k)
-    for (int i = begin; i < end; ++i) add(i, factor.solve(missing));
+    for (int i = begin; i < end; ++i) add(i, inverse * missing);
 }
 
 /// A point that is alone, as those of spheres are: it takes over the force, and its moment follows.
