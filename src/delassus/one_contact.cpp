@@ -42,13 +42,14 @@ Vec3 OneContact::solve(const Vec3& q, double friction, const Vec3& before) const
 Vec3 OneContact::slide(double held, const Vec2& c, double friction, double slip) const {
   // φ(s) = μ r_n − ‖r_t‖ is negative where it still sticks too much, at s = 0, and positive for large s.
   double low = 0, high = std::numeric_limits<double>::infinity();
-  double s = slip;
-  if (!(s > 0)) {
-    // Where the reaction would have the size that the normal alone allows, or else somewhere.
-    const double size = c.norm() / (friction * held);
-    s = size - 0.5 * S_.trace();
-    if (!(s > 0)) s = 0.5 * (size + W_.norm());
-  }
+  // Where the reaction would have the size that the normal alone allows, or else somewhere.
+  const double size = c.norm() / (friction * held);
+  if (!std::isfinite(size)) return {held, 0, 0};  // what may be braked is below all numbers
+  // Reactions that all but vanish tell of no slip that the search could come back from.
+  constexpr double farthest = 1e6;
+  double s = slip <= farthest * size ? slip : 0;
+  if (!(s > 0)) s = size - 0.5 * S_.trace();
+  if (!(s > 0)) s = 0.5 * (size + W_.norm());
   constexpr int most = 100;
   constexpr double rounding = std::numeric_limits<double>::epsilon();
   Vec2 rt;

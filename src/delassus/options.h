@@ -15,7 +15,7 @@ struct Options {
   int newtonBudget = 1800;
   /// Most block Gauss-Seidel sweeps, and alternations, per island. Below 300 there are no alternations: all sweeps are made, before
   /// the walk, as sequential impulses make theirs.
-  int sweepBudget = 6000;
+  int sweepBudget = 64000;
   double guessShare = 1;  ///< a guess within this share of the tolerance is kept as it is
   Economies economies;
 };

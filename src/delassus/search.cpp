@@ -127,6 +127,7 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
 ///   - much is disturbed: accelerated sweeps as long as they gain, in heaps with patches;
 ///   - large piles: alternating directions, which share the loads anew among contacts that squeeze each other.
 /// Then a short walk. Where it loses its way, many contacts are at a wall of their region:
+///   - in heaps plain sweeps, to outlast what hurried ones run past;
 ///   - alternating directions, if it began without them; a proof that nothing can meet the demands; an interior point, which
 ///     comes down between the walls; a longer walk from there; and `wander`.
 template <class Motion>
@@ -142,6 +143,8 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
                             ? knownRegion
                             : proximalWeight(problem, best, 1e-2);
   outcome = newton.walk(problem, tolerance, weight, left(shortWalk), best);
+  if (outcome == Outcome::Lost && guess && isHeap(problem))
+    outcome = outlast(newton, problem, options, tolerance, *guess, false, best);
   return outcome == Outcome::Lost ? findBack(engines, problem, options, tolerance, guess, best)
                                   : outcome;
 }
@@ -184,6 +187,38 @@ Outcome Search::startOut(ProximalNewton<Motion>& newton, const Problem& problem,
   const bool alternates = guess && isLargePile(problem) && !isReached();
   return alternates && alternate(newton, problem, options, tolerance, best) ? Outcome::Reached
                                                                             : Outcome::Lost;
+}
+
+/// Plain sweeps by the thousand from where the step began, and a walk from where they come to; then on from there, or from where the
+/// walk came to if that is nearer than ever.
+///
+/// A heap of spheres has as many contacts as motions, and stresses that grow by the same little in every sweep until a contact
+/// slips; which one is next depends on all that slipped before. What hurries sweeps runs past that order and ends far from any
+/// answer, though its residual is small. Plain sweeps go through it slip after slip, as the heap does. Where they go round for ever,
+/// those that go there and back may come to an end, and the other way round.
+template <class Motion>
+Outcome Search::outlast(ProximalNewton<Motion>& newton, const Problem& problem,
+                        const Options& options, double tolerance, const VectorXd& guess,
+                        bool thereAndBack, Solution& best) {
+  constexpr int manySweeps = 8000, regions = 100;
+  wandering_.r = guess;
+  makeFeasible(problem, wandering_.r);
+  for (;;) {
+    const int sweepsLeft = std::min(manySweeps, options.sweepBudget - best.sweeps);
+    const int regionsLeft = std::min(regions, options.newtonBudget - best.regions);
+    if (sweepsLeft <= 0 || regionsLeft <= 0) return Outcome::Lost;
+    machines().sweeps.setProblem(problem, map_);
+    machines().sweeps.sweepPlainly(problem, sweepsLeft, thereAndBack, wandering_.r);
+    best.sweeps += sweepsLeft;
+    consider(problem, wandering_, best);
+    const double before = best.residual;
+    newton.setProblem(problem, map_);
+    const Outcome outcome =
+        newton.walkFrom(wandering_, problem, tolerance, proximalWeight(problem, wandering_, 1e-4),
+                        regionsLeft, best);
+    if (outcome != Outcome::Lost) return outcome;
+    if (best.residual < before) wandering_.r = best.r;
+  }
 }
 
 /// What comes after a walk that has lost its way.
@@ -257,7 +292,7 @@ template <class Motion>
 Outcome Search::wander(Engines<Motion>& engines, const Problem& problem, const Options& options,
                        double tolerance, const VectorXd* guess, Solution& best) {
   ProximalNewton<Motion>& newton = engines.walk;
-  constexpr int shortest = 100, longWalk = 400, tryFromAfar = 40;
+  constexpr int shortest = 100, longest = 3200, longWalk = 400, tryFromAfar = 40;
   const auto sweepsLeft = [&](int most) {
     return std::min(most, options.sweepBudget - best.sweeps);
   };
@@ -267,7 +302,8 @@ Outcome Search::wander(Engines<Motion>& engines, const Problem& problem, const O
   wandering_.r.setZero(problem.size());
   if (guess) wandering_.r = *guess;
   makeFeasible(problem, wandering_.r);
-  for (int length = shortest; sweepsLeft(1) > 0 && regionsLeft(1) > 0; length *= 2) {
+  for (int length = shortest; length <= longest && sweepsLeft(1) > 0 && regionsLeft(1) > 0;
+       length *= 2) {
     if (isLargePile(problem))
       sweepWhileItGains(problem, options, keptShare * tolerance, best);
     else
@@ -309,6 +345,8 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Problem& problem, cons
   share.newtonBudget -= 3 * options.newtonBudget / 8;
   share.sweepBudget -= options.sweepBudget / 2;
   Outcome outcome = walkOnce(engines, problem, share, tolerance, guess, best);
+  if (outcome == Outcome::Lost && isHeap(problem))
+    outcome = outlast(engines.walk, problem, options, tolerance, *guess, true, best);
   if (outcome != Outcome::Lost) return outcome;
 
   cold_.start(problem.q);

@@ -86,6 +86,9 @@ class Search {
   Outcome startOut(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
                    double tolerance, const VectorXd* guess, Solution& best);
   template <class Motion>
+  Outcome outlast(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
+                  double tolerance, const VectorXd& guess, bool thereAndBack, Solution& best);
+  template <class Motion>
   Outcome findBack(Engines<Motion>& engines, const Problem& problem, const Options& options,
                    double tolerance, const VectorXd* guess, Solution& best);
   template <class Motion>

@@ -98,6 +98,12 @@ void Sweeps::sweep(const Problem& problem, int count, VectorXd& r) {
   hurry(conjugate_, problem, count, r);
 }
 
+void Sweeps::sweepPlainly(const Problem& problem, int count, bool thereAndBack, VectorXd& r) {
+  learnt_ = false;
+  problem.W.bodySpace().impulse(r, y_);
+  for (int k = 0; k < count; ++k) sweepBodies(problem, thereAndBack && k % 2 == 1, r);
+}
+
 void Sweeps::sweepOn(const Problem& problem, int count, int memory, VectorXd& r) {
   if (!learnt_ || swept_ != r) anderson_.start(*diagonal_, memory);
   learnt_ = true;
@@ -129,66 +135,87 @@ void Sweeps::follow(Anderson&, const Problem& problem, const VectorXd& r) {
 }
 
 void Sweeps::sweepOnce(const Problem& problem, VectorXd& r) {
-  problem.W.inBodySpace() ? sweepBodies(problem, r) : sweepEntries(problem, r);
+  problem.W.inBodySpace() ? sweepBodies(problem, false, r) : sweepEntries(problem, r);
 }
 
-void Sweeps::sweepBodies(const Problem& problem, VectorXd& r) {
-  const VectorXd& diagonal = *diagonal_;
+/// Contacts, rows and disks in this order, or all of it from the end.
+void Sweeps::sweepBodies(const Problem& problem, bool backwards, VectorXd& r) {
+  const auto contacts = static_cast<int>(problem.W.bodySpace().contacts.size());
+  const auto disks = static_cast<int>(problem.disks.size());
+  const int firstRow = 3 * contacts, rowsEnd = problem.disksBegin();
+  if (backwards) {
+    for (int k = disks; k-- > 0;) sweepDisk(problem, k, r);
+    for (int at = rowsEnd; at-- > firstRow;) sweepRow(problem, at, r);
+    for (int i = contacts; i-- > 0;) sweepContact(problem, i, r);
+  } else {
+    for (int i = 0; i < contacts; ++i) sweepContact(problem, i, r);
+    for (int at = firstRow; at < rowsEnd; ++at) sweepRow(problem, at, r);
+    for (int k = 0; k < disks; ++k) sweepDisk(problem, k, r);
+  }
+}
+
+void Sweeps::sweepContact(const Problem& problem, int contact, VectorXd& r) {
   const BodySpace& space = problem.W.bodySpace();
-  int at = 0;
-  for (std::size_t i = 0; i < space.contacts.size(); ++i, at += 3) {
-    if (!(diagonal[at] > 0)) continue;
-    const auto& c = space.contacts[i];
-    Vec3 u =
-        problem.q.segment<3>(at) + space.compliance.segment<3>(at).cwiseProduct(r.segment<3>(at));
-    if (c.a >= 0) u.noalias() += c.Ja * y_.segment<6>(6 * c.a);
-    if (c.b >= 0) u.noalias() += c.Jb * y_.segment<6>(6 * c.b);
-    const BodySpace::PartRange parts = space.partsOf(at);
-    for (const BodySpace::Part& p : parts) u.noalias() += p.J * y_.segment<6>(6 * p.body);
-    const OneContact& block = blocks_[i];
-    const Vec3 before = r.segment<3>(at);
-    const Vec3 next = block.solve(u - block.W() * before, problem.friction[i], before);
-    const Vec3 dr = next - before;
-    if (c.a >= 0) y_.segment<6>(6 * c.a).noalias() += c.Ja.transpose() * dr;
-    if (c.b >= 0) y_.segment<6>(6 * c.b).noalias() += c.Jb.transpose() * dr;
-    for (const BodySpace::Part& p : parts)
-      y_.segment<6>(6 * p.body).noalias() += p.J.transpose() * dr;
-    r.segment<3>(at) = next;
-  }
-  const int firstRow = at;
-  const auto velocityOf = [&](int unknown) {
-    const auto& c = space.rows[unknown - firstRow];
-    double u = problem.q[unknown] + space.compliance[unknown] * r[unknown];
-    if (c.a >= 0) u += c.Ja.dot(y_.segment<6>(6 * c.a));
-    if (c.b >= 0) u += c.Jb.dot(y_.segment<6>(6 * c.b));
-    for (const BodySpace::Part& p : space.partsOf(unknown))
-      u += p.J.row(0).dot(y_.segment<6>(6 * p.body));
-    return u;
-  };
-  const auto react = [&](int unknown, double next) {
-    const auto& c = space.rows[unknown - firstRow];
-    const double dr = next - r[unknown];
-    if (c.a >= 0) y_.segment<6>(6 * c.a) += c.Ja.transpose() * dr;
-    if (c.b >= 0) y_.segment<6>(6 * c.b) += c.Jb.transpose() * dr;
-    for (const BodySpace::Part& p : space.partsOf(unknown))
-      y_.segment<6>(6 * p.body) += p.J.row(0).transpose() * dr;
-    r[unknown] = next;
-  };
-  for (; at < problem.disksBegin(); ++at) {
-    if (!(diagonal[at] > 0)) continue;
-    const int row = at - firstRow;
-    react(at,
-          boundedRow(r[at], velocityOf(at), diagonal[at], problem.lower[row], problem.upper[row]));
-  }
-  for (std::size_t k = 0; k < problem.disks.size(); ++k) {
-    const Disk& disk = problem.disks[k];
-    if (!(diskBlocks_[k].trace() > 0)) continue;
-    const bool pair = disk.unknowns == 2;
-    const Vec2 u(velocityOf(disk.first), pair ? velocityOf(disk.first + 1) : 0);
-    const Vec2 next = nextOnDisk(problem, static_cast<int>(k), r, u);
-    react(disk.first, next[0]);
-    if (pair) react(disk.first + 1, next[1]);
-  }
+  const int at = 3 * contact;
+  if (!((*diagonal_)[at] > 0)) return;
+  const auto& c = space.contacts[contact];
+  Vec3 u =
+      problem.q.segment<3>(at) + space.compliance.segment<3>(at).cwiseProduct(r.segment<3>(at));
+  if (c.a >= 0) u.noalias() += c.Ja * y_.segment<6>(6 * c.a);
+  if (c.b >= 0) u.noalias() += c.Jb * y_.segment<6>(6 * c.b);
+  const BodySpace::PartRange parts = space.partsOf(at);
+  for (const BodySpace::Part& p : parts) u.noalias() += p.J * y_.segment<6>(6 * p.body);
+  const OneContact& block = blocks_[contact];
+  const Vec3 before = r.segment<3>(at);
+  const Vec3 next = block.solve(u - block.W() * before, problem.friction[contact], before);
+  const Vec3 dr = next - before;
+  if (c.a >= 0) y_.segment<6>(6 * c.a).noalias() += c.Ja.transpose() * dr;
+  if (c.b >= 0) y_.segment<6>(6 * c.b).noalias() += c.Jb.transpose() * dr;
+  for (const BodySpace::Part& p : parts)
+    y_.segment<6>(6 * p.body).noalias() += p.J.transpose() * dr;
+  r.segment<3>(at) = next;
+}
+
+double Sweeps::velocityOf(const Problem& problem, int unknown, const VectorXd& r) const {
+  const BodySpace& space = problem.W.bodySpace();
+  const auto& c = space.rows[unknown - 3 * space.contacts.size()];
+  double u = problem.q[unknown] + space.compliance[unknown] * r[unknown];
+  if (c.a >= 0) u += c.Ja.dot(y_.segment<6>(6 * c.a));
+  if (c.b >= 0) u += c.Jb.dot(y_.segment<6>(6 * c.b));
+  for (const BodySpace::Part& p : space.partsOf(unknown))
+    u += p.J.row(0).dot(y_.segment<6>(6 * p.body));
+  return u;
+}
+
+void Sweeps::react(const Problem& problem, int unknown, double next, VectorXd& r) {
+  const BodySpace& space = problem.W.bodySpace();
+  const auto& c = space.rows[unknown - 3 * space.contacts.size()];
+  const double dr = next - r[unknown];
+  if (c.a >= 0) y_.segment<6>(6 * c.a) += c.Ja.transpose() * dr;
+  if (c.b >= 0) y_.segment<6>(6 * c.b) += c.Jb.transpose() * dr;
+  for (const BodySpace::Part& p : space.partsOf(unknown))
+    y_.segment<6>(6 * p.body) += p.J.row(0).transpose() * dr;
+  r[unknown] = next;
+}
+
+void Sweeps::sweepRow(const Problem& problem, int at, VectorXd& r) {
+  if (!((*diagonal_)[at] > 0)) return;
+  const int row = at - 3 * problem.contacts();
+  react(problem, at,
+        boundedRow(r[at], velocityOf(problem, at, r), (*diagonal_)[at], problem.lower[row],
+                   problem.upper[row]),
+        r);
+}
+
+void Sweeps::sweepDisk(const Problem& problem, int k, VectorXd& r) {
+  const Disk& disk = problem.disks[k];
+  if (!(diskBlocks_[k].trace() > 0)) return;
+  const bool pair = disk.unknowns == 2;
+  const Vec2 u(velocityOf(problem, disk.first, r),
+               pair ? velocityOf(problem, disk.first + 1, r) : 0);
+  const Vec2 next = nextOnDisk(problem, k, r, u);
+  react(problem, disk.first, next[0], r);
+  if (pair) react(problem, disk.first + 1, next[1], r);
 }
 
 void Sweeps::sweepEntries(const Problem& problem, VectorXd& r) {

@@ -19,6 +19,9 @@ class Sweeps {
   /// end in their cones and bounds.
   void sweep(const Problem& problem, int count, VectorXd& r);
 
+  /// The same without a step in between, if asked for with every other sweep from the last to the first. In body space only.
+  void sweepPlainly(const Problem& problem, int count, bool thereAndBack, VectorXd& r);
+
   /// The same with Anderson's acceleration, which remembers so many steps. What its last sweeps of this problem returned is gone
   /// on from with what they learnt.
   void sweepOn(const Problem& problem, int count, int memory, VectorXd& r);
@@ -36,7 +39,13 @@ class Sweeps {
   void follow(ConjugateGradient& acceleration, const Problem& problem, const VectorXd& r);
   void follow(Anderson& acceleration, const Problem& problem, const VectorXd& r);
   void sweepOnce(const Problem& problem, VectorXd& r);
-  void sweepBodies(const Problem& problem, VectorXd& r);
+  void sweepBodies(const Problem& problem, bool backwards, VectorXd& r);
+  void sweepContact(const Problem& problem, int contact, VectorXd& r);
+  void sweepRow(const Problem& problem, int at, VectorXd& r);
+  void sweepDisk(const Problem& problem, int k, VectorXd& r);
+  /// u of a row, and its next reaction.
+  double velocityOf(const Problem& problem, int unknown, const VectorXd& r) const;
+  void react(const Problem& problem, int unknown, double next, VectorXd& r);
   void sweepEntries(const Problem& problem, VectorXd& r);
   void readEntries(const Problem& problem);
   bool readContactBlocks(const Problem& problem, int contact);

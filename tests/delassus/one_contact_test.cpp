@@ -111,6 +111,24 @@ TEST(OneContact, DoesNotDependOnTheTangents) {
 }
 
 // A body that can only rise, or move in a plane: the tangential block is singular or vanishes.
+// Whatever reaction the search is told to begin from, also one that has all but vanished or that has nothing to do with the answer.
+TEST(OneContact, WhereTheSearchBeginsDoesNotMatter) {
+  Random random(23);
+  for (int k = 0; k < 3000; ++k) {
+    const Mat3 W = randomBlock(k, random);
+    const Vec3 q = normalVector(3, random);
+    const double mu = uniform(random, 0.1, 2);
+    const OneContact contact(W);
+    const Vec3 expected = contact.solve(q, mu);
+    const Vec3 direction = normalVector(3, random);
+    for (const double size : {1e-320, 1e-200, 1e-160, 1e-30, 1.0, 1e30, 1e200}) {
+      const Vec3 r = contact.solve(q, mu, size * direction);
+      ASSERT_LT(lawViolation(W, q, mu, r), 1e-10 * q.norm()) << size;
+      ASSERT_LE((r - expected).norm(), 1e-8 * expected.norm()) << size;
+    }
+  }
+}
+
 TEST(OneContact, SingularTangentialBlocks) {
   for (const double mu : {0.0, 0.3, 2.0}) {
     const Mat3 rises = Vec3(2, 0, 0).asDiagonal();
