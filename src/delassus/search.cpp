@@ -127,7 +127,7 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
 ///   - much is disturbed: accelerated sweeps as long as they gain, in heaps with patches;
 ///   - large piles: alternating directions, which share the loads anew among contacts that squeeze each other.
 /// Then a short walk. Where it loses its way, many contacts are at a wall of their region:
-///   - in heaps plain sweeps, to outlast what hurried ones run past;
+///   - in large heaps plain sweeps, to outlast what hurried ones run past;
 ///   - alternating directions, if it began without them; a proof that nothing can meet the demands; an interior point, which
 ///     comes down between the walls; a longer walk from there; and `wander`.
 template <class Motion>
@@ -143,7 +143,9 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
                             ? knownRegion
                             : proximalWeight(problem, best, 1e-2);
   outcome = newton.walk(problem, tolerance, weight, left(shortWalk), best);
-  if (outcome == Outcome::Lost && guess && isHeap(problem))
+  // In small heaps regions cost no more than tens of sweeps: there that is left for the end.
+  constexpr int manyContacts = 1000;
+  if (outcome == Outcome::Lost && guess && isHeap(problem) && problem.contacts() > manyContacts)
     outcome = outlast(newton, problem, options, tolerance, *guess, false, best);
   return outcome == Outcome::Lost ? findBack(engines, problem, options, tolerance, guess, best)
                                   : outcome;
