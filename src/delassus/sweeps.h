@@ -19,10 +19,10 @@ class Sweeps {
   /// end in their cones and bounds.
   void sweep(const Problem& problem, int count, VectorXd& r);
 
-  /// The same without a step in between, if asked for with every other sweep from the last to the first. In body space only.
+  /// As many sweeps with nothing in between, if asked for with every other one from the last to the first. In body space only.
   void sweepPlainly(const Problem& problem, int count, bool thereAndBack, VectorXd& r);
 
-  /// The same with Anderson's acceleration, which remembers so many steps. What its last sweeps of this problem returned is gone
+  /// As `sweep`, with Anderson's acceleration, which remembers so many steps. What its last sweeps of this problem returned is gone
   /// on from with what they learnt.
   void sweepOn(const Problem& problem, int count, int memory, VectorXd& r);
 
