@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 #include "delassus/pile_kind.h"
 #include "delassus/pivoting.h"
@@ -34,7 +33,7 @@ bool hasOneRegion(const Problem& problem) {
          problem.upper.array().isInf().all();
 }
 
-constexpr double unknownRegion = 1e-1, knownRegion = 1e-6;  ///< proximal weights
+constexpr double knownRegion = 1e-6;  ///< proximal weight
 constexpr double disturbed = 1e-3,
                  nearly = 1e-6;    ///< shares of the demands that reactions leave open
 constexpr int shortWalk = 16;      ///< regions
@@ -42,12 +41,6 @@ constexpr int alternations = 300;  ///< what brings a large pile to rest
 
 /// With so few sweeps none are to be lost on what may gain nothing.
 bool isHurried(const Options& options) { return options.sweepBudget < alternations; }
-
-/// How far a walk from here must look, by what is left to correct; at least `least`.
-double proximalWeight(const Problem& problem, const Solution& from, double least) {
-  return std::clamp(std::sqrt(from.residual / problem.q.cwiseAbs().maxCoeff()), least,
-                    unknownRegion);
-}
 
 /// Has the reactions of `candidate` as the best answer.
 void take(const Solution& candidate, Solution& best) {
@@ -58,6 +51,11 @@ void take(const Solution& candidate, Solution& best) {
 }
 
 }  // namespace
+
+double Search::proximalWeight(const Problem& problem, const Solution& from, double least) {
+  return std::clamp(std::sqrt(from.residual / problem.q.cwiseAbs().maxCoeff()), least,
+                    unknownRegion);
+}
 
 void Search::measure(const Problem& problem, Solution& candidate) {
   candidate.u = problem.q;
@@ -144,8 +142,7 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
                             : proximalWeight(problem, best, 1e-2);
   outcome = newton.walk(problem, tolerance, weight, left(shortWalk), best);
   // In small heaps regions cost no more than tens of sweeps: there that is left for the end.
-  constexpr int manyContacts = 1000;
-  if (outcome == Outcome::Lost && guess && isHeap(problem) && problem.contacts() > manyContacts)
+  if (outcome == Outcome::Lost && guess && isLargeHeap(problem))
     outcome = outlast(newton, problem, options, tolerance, *guess, false, best);
   return outcome == Outcome::Lost ? findBack(engines, problem, options, tolerance, guess, best)
                                   : outcome;
@@ -191,56 +188,6 @@ Outcome Search::startOut(ProximalNewton<Motion>& newton, const Problem& problem,
                                                                             : Outcome::Lost;
 }
 
-/// Plain sweeps by the thousand from where the step began, and a walk from where they come to; then on from there, or from where the
-/// walk came to if that is nearer than ever.
-///
-/// A heap of spheres has as many contacts as motions, and stresses that grow by the same little in every sweep until a contact
-/// slips; which one is next depends on all that slipped before. What hurries sweeps runs past that order and ends far from any
-/// answer, though its residual is small. Plain sweeps go through it slip after slip, as the heap does. Where they go round for ever,
-/// those that go there and back may come to an end, and the other way round.
-template <class Motion>
-Outcome Search::outlast(ProximalNewton<Motion>& newton, const Problem& problem,
-                        const Options& options, double tolerance, const VectorXd& guess,
-                        bool thereAndBack, Solution& best) {
-  constexpr int manySweeps = 8000, regions = 100;
-  wandering_.r = guess;
-  makeFeasible(problem, wandering_.r);
-  for (;;) {
-    const int sweepsLeft = std::min(manySweeps, options.sweepBudget - best.sweeps);
-    const int regionsLeft = std::min(regions, options.newtonBudget - best.regions);
-    if (sweepsLeft <= 0 || regionsLeft <= 0) return Outcome::Lost;
-    machines().sweeps.setProblem(problem, map_);
-    machines().sweeps.sweepPlainly(problem, sweepsLeft, thereAndBack, wandering_.r);
-    best.sweeps += sweepsLeft;
-    consider(problem, wandering_, best);
-    const double before = best.residual;
-    newton.setProblem(problem, map_);
-    const Outcome outcome =
-        newton.walkFrom(wandering_, problem, tolerance, proximalWeight(problem, wandering_, 1e-4),
-                        regionsLeft, best);
-    if (outcome != Outcome::Lost) return outcome;
-    if (best.residual < before) wandering_.r = best.r;
-  }
-}
-
-/// What comes after a walk that has lost its way.
-template <class Motion>
-Outcome Search::findBack(Engines<Motion>& engines, const Problem& problem, const Options& options,
-                         double tolerance, const VectorXd* guess, Solution& best) {
-  constexpr int proof = 90, interiorSteps = 40, longWalk = 400;
-  ProximalNewton<Motion>& newton = engines.walk;
-  const auto left = [&](int most) { return std::min(most, options.newtonBudget - best.regions); };
-  if (alternate(newton, problem, options, tolerance, best)) return Outcome::Reached;
-  if (left(1) == 0) return Outcome::Lost;
-  if (compromise(engines, problem, tolerance, left(proof), best)) return Outcome::Incompatible;
-  if (engines.interior.solve(newton.motion(), problem, map_, tolerance, left(interiorSteps), best))
-    return Outcome::Reached;
-  const Outcome outcome =
-      newton.walk(problem, tolerance, proximalWeight(problem, best, 1e-4), left(longWalk), best);
-  return outcome == Outcome::Lost ? wander(engines, problem, options, tolerance, guess, best)
-                                  : outcome;
-}
-
 /// Alternating directions. False if they do not reach the tolerance.
 template <class Motion>
 bool Search::alternate(ProximalNewton<Motion>& newton, const Problem& problem,
@@ -252,6 +199,11 @@ bool Search::alternate(ProximalNewton<Motion>& newton, const Problem& problem,
   return true;
 }
 
+template bool Search::alternate(ProximalNewton<BodyMotion>&, const Problem&, const Options&, double,
+                                Solution&);
+template bool Search::alternate(ProximalNewton<FactoredMotion>&, const Problem&, const Options&,
+                                double, Solution&);
+
 /// What first-order methods leave is slow; one step in the region that they have found takes it away.
 template <class Motion>
 Outcome Search::finish(ProximalNewton<Motion>& newton, const Problem& problem,
@@ -260,72 +212,6 @@ Outcome Search::finish(ProximalNewton<Motion>& newton, const Problem& problem,
   const int most = std::min(fewRegions, options.newtonBudget - best.regions);
   newton.polish(problem, polishedShare * tolerance, knownRegion, most, best);
   return Outcome::Reached;
-}
-
-/// Where demands are proven incompatible, `best` is the compromise, that of bodies a little compliant where they touch, friction
-/// included, and names those that quarrel. Explicit entries tell it by reactions that grow (ProximalNewton::converge).
-template <class Motion>
-bool Search::compromise(Engines<Motion>& engines, const Problem& problem, double tolerance,
-                        int regionBudget, Solution& best) {
-  constexpr double compliances[] = {1e-6, 1e-4, 1e-2};  // relative to W_aa
-  constexpr double negligible = 0.1;  // share of the largest push, in the norm of its energy
-  if constexpr (std::is_same_v<Motion, BodyMotion>) {
-    ProximalNewton<Motion>& newton = engines.walk;
-    const bool areIncompatible =
-        quarrel_.find(newton, problem, map_, tolerance, regionBudget, trial_, best);
-    newton.setProblem(problem, map_);
-    if (!areIncompatible) return false;
-    for (const double compliance : compliances)
-      if (newton.yield(problem, tolerance, compliance, regionBudget, best)) break;
-    felt_ = map_.diagonal().cwiseSqrt().cwiseProduct(quarrel_.reactions()).cwiseAbs();
-    const double least = negligible * felt_.maxCoeff();
-    best.blamed.clear();
-    for (int at = 0; at < problem.size(); ++at)
-      if (felt_[at] > least) best.blamed.push_back(at);
-    return true;
-  }
-  return false;
-}
-
-/// Two ways on, in turn. Sweeps and patches mend the best answer and the walk goes on from there. And since what is near in
-/// residual may be far from any answer, sweeps set out anew from where the step began, go on whether or not they better
-/// the best answer, further each time, and a short walk is tried from wherever they are.
-template <class Motion>
-Outcome Search::wander(Engines<Motion>& engines, const Problem& problem, const Options& options,
-                       double tolerance, const VectorXd* guess, Solution& best) {
-  ProximalNewton<Motion>& newton = engines.walk;
-  constexpr int shortest = 100, longest = 3200, longWalk = 400, tryFromAfar = 40;
-  const auto sweepsLeft = [&](int most) {
-    return std::min(most, options.sweepBudget - best.sweeps);
-  };
-  const auto regionsLeft = [&](int most) {
-    return std::min(most, options.newtonBudget - best.regions);
-  };
-  wandering_.r.setZero(problem.size());
-  if (guess) wandering_.r = *guess;
-  makeFeasible(problem, wandering_.r);
-  for (int length = shortest; length <= longest && sweepsLeft(1) > 0 && regionsLeft(1) > 0;
-       length *= 2) {
-    if (isLargePile(problem))
-      sweepWhileItGains(problem, options, keptShare * tolerance, best);
-    else
-      settle(problem, options, keptShare * tolerance, best);
-    if (best.residual <= tolerance) return Outcome::Reached;
-    newton.setProblem(problem, map_);
-    Outcome outcome = newton.walk(problem, tolerance, unknownRegion, regionsLeft(longWalk), best);
-    if (outcome != Outcome::Lost) return outcome;
-
-    const int count = sweepsLeft(length);
-    machines().sweeps.setProblem(problem, map_);
-    machines().sweeps.sweep(problem, count, wandering_.r);
-    best.sweeps += count;
-    consider(problem, wandering_, best);
-    outcome =
-        newton.walkFrom(wandering_, problem, tolerance, proximalWeight(problem, wandering_, 1e-4),
-                        regionsLeft(tryFromAfar), best);
-    if (outcome != Outcome::Lost) return outcome;
-  }
-  return Outcome::Lost;
 }
 
 template <class Motion>

@@ -117,6 +117,10 @@ class Search {
   bool mendPatches(const Problem& problem, const Options& options, double tolerance,
                    double outstanding, Solution& unsettled, Solution& best);
 
+  static constexpr double unknownRegion = 1e-1;  ///< proximal weight
+  /// How far a walk from here must look, by what is left to correct; at least `least`.
+  static double proximalWeight(const Problem& problem, const Solution& from, double least);
+
   /// Completes u and the residuals of a candidate r.
   void measure(const Problem& problem, Solution& candidate);
   /// Measures it, and takes it as the best answer if its residual is smaller.

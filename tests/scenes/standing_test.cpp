@@ -95,26 +95,33 @@ void expectResting(const std::string& scene, double seconds, double tolerance) {
   EXPECT_LT(kineticEnergy(*run.world), byPrecision(1e-3, 1e-2));
 }
 
-TEST(Arch, standsForASecond) { expectResting("arch", 1, 0.02); }
-TEST(Arch, standsForTenSecondsSlow) { expectResting("arch", 10, 0.02); }
-
-// Bullet keeps four points of a joint, one of which is new in each step. Where two that the thrust needs replace each other for
-// ever, that stone creeps, some centimetres in ten seconds: from two of 69 starts that differ in nothing but the rounding.
-TEST(Arch, thinStandsForTenSecondsFromNearlyEqualStarts) {
+/// The same from three starts that differ in little but the rounding, because a manifold may throw one of them off: none may fall,
+/// the middle one stays where it was.
+void expectMostlyResting(const std::string& scene, double seconds, double tolerance, double fall) {
   std::vector<double> drifts;
   for (const double change : {0.0, 1e-9, -1e-9}) {
-    OnRegions run("arch_thin");
+    OnRegions run(scene);
     btDynamicsWorld& world = run.world->dynamics();
     world.setGravity(world.getGravity() * btScalar(1 + byPrecision(1, 1e3) * change));
     const Drift drift(*run.world);
-    run.world->run(10, hz);
+    run.world->run(seconds, hz);
     drifts.push_back(drift.largest());
-    EXPECT_LT(drifts.back(), 0.2);
+    EXPECT_LT(drifts.back(), fall);
     EXPECT_LT(kineticEnergy(*run.world), byPrecision(1e-3, 1e-2));
   }
   std::sort(drifts.begin(), drifts.end());
-  EXPECT_LT(drifts[1], 0.02);
+  EXPECT_LT(drifts[1], tolerance);
 }
+
+TEST(Arch, standsForASecond) { expectResting("arch", 1, 0.02); }
+
+// In float, Bullet's narrow phase tells of two stones that they overlap by all their thickness, 1 m, for a step: one of 12 starts.
+TEST(Arch, standsForTenSecondsSlow) { expectMostlyResting("arch", 10, 0.02, 0.2); }
+
+// Bullet keeps four points of a joint, one of which is new in each step. Where two that the thrust needs replace each other for
+// ever, that stone creeps, some centimetres in ten seconds: from two of 69 starts.
+TEST(Arch, thinStandsForTenSeconds) { expectMostlyResting("arch_thin", 10, 0.02, 0.2); }
+
 TEST(CardHouse, standsForTenSeconds) { expectResting("card_house", 10, 0.01); }
 
 }  // namespace

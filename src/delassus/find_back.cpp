@@ -1,0 +1,134 @@
+/// What the search does after a walk that has lost its way.
+#include <algorithm>
+#include <type_traits>
+
+#include "delassus/pile_kind.h"
+#include "delassus/search.h"
+
+namespace delassus {
+
+template <class Motion>
+Outcome Search::findBack(Engines<Motion>& engines, const Problem& problem, const Options& options,
+                         double tolerance, const VectorXd* guess, Solution& best) {
+  constexpr int proof = 90, interiorSteps = 40, longWalk = 400;
+  ProximalNewton<Motion>& newton = engines.walk;
+  const auto left = [&](int most) { return std::min(most, options.newtonBudget - best.regions); };
+  if (alternate(newton, problem, options, tolerance, best)) return Outcome::Reached;
+  if (left(1) == 0) return Outcome::Lost;
+  if (compromise(engines, problem, tolerance, left(proof), best)) return Outcome::Incompatible;
+  if (engines.interior.solve(newton.motion(), problem, map_, tolerance, left(interiorSteps), best))
+    return Outcome::Reached;
+  const Outcome outcome =
+      newton.walk(problem, tolerance, proximalWeight(problem, best, 1e-4), left(longWalk), best);
+  return outcome == Outcome::Lost ? wander(engines, problem, options, tolerance, guess, best)
+                                  : outcome;
+}
+
+/// Plain sweeps by the thousand from where the step began, and a walk from where they come to; then on from there, or from where the
+/// walk came to if that is nearer than ever.
+///
+/// A heap of spheres has as many contacts as motions, and stresses that grow by the same little in every sweep until a contact
+/// slips; which one is next depends on all that slipped before. What hurries sweeps runs past that order and ends far from any
+/// answer, though its residual is small. Plain sweeps go through it slip after slip, as the heap does. Where they go round for ever,
+/// those that go there and back may come to an end, and the other way round.
+template <class Motion>
+Outcome Search::outlast(ProximalNewton<Motion>& newton, const Problem& problem,
+                        const Options& options, double tolerance, const VectorXd& guess,
+                        bool thereAndBack, Solution& best) {
+  constexpr int manySweeps = 8000, regions = 100;
+  wandering_.r = guess;
+  makeFeasible(problem, wandering_.r);
+  for (;;) {
+    const int sweepsLeft = std::min(manySweeps, options.sweepBudget - best.sweeps);
+    const int regionsLeft = std::min(regions, options.newtonBudget - best.regions);
+    if (sweepsLeft <= 0 || regionsLeft <= 0) return Outcome::Lost;
+    machines().sweeps.setProblem(problem, map_);
+    machines().sweeps.sweepPlainly(problem, sweepsLeft, thereAndBack, wandering_.r);
+    best.sweeps += sweepsLeft;
+    consider(problem, wandering_, best);
+    const double before = best.residual;
+    newton.setProblem(problem, map_);
+    const Outcome outcome =
+        newton.walkFrom(wandering_, problem, tolerance, proximalWeight(problem, wandering_, 1e-4),
+                        regionsLeft, best);
+    if (outcome != Outcome::Lost) return outcome;
+    if (best.residual < before) wandering_.r = best.r;
+  }
+}
+
+/// Where demands are proven incompatible, `best` is the compromise, that of bodies a little compliant where they touch, friction
+/// included, and names those that quarrel. Explicit entries tell it by reactions that grow (ProximalNewton::converge).
+template <class Motion>
+bool Search::compromise(Engines<Motion>& engines, const Problem& problem, double tolerance,
+                        int regionBudget, Solution& best) {
+  constexpr double compliances[] = {1e-6, 1e-4, 1e-2};  // relative to W_aa
+  constexpr double negligible = 0.1;  // share of the largest push, in the norm of its energy
+  if constexpr (std::is_same_v<Motion, BodyMotion>) {
+    ProximalNewton<Motion>& newton = engines.walk;
+    const bool areIncompatible =
+        quarrel_.find(newton, problem, map_, tolerance, regionBudget, trial_, best);
+    newton.setProblem(problem, map_);
+    if (!areIncompatible) return false;
+    for (const double compliance : compliances)
+      if (newton.yield(problem, tolerance, compliance, regionBudget, best)) break;
+    felt_ = map_.diagonal().cwiseSqrt().cwiseProduct(quarrel_.reactions()).cwiseAbs();
+    const double least = negligible * felt_.maxCoeff();
+    best.blamed.clear();
+    for (int at = 0; at < problem.size(); ++at)
+      if (felt_[at] > least) best.blamed.push_back(at);
+    return true;
+  }
+  return false;
+}
+
+/// Two ways on, in turn. Sweeps and patches mend the best answer and the walk goes on from there. And since what is near in
+/// residual may be far from any answer, sweeps set out anew from where the step began, go on whether or not they better
+/// the best answer, further each time, and a short walk is tried from wherever they are.
+template <class Motion>
+Outcome Search::wander(Engines<Motion>& engines, const Problem& problem, const Options& options,
+                       double tolerance, const VectorXd* guess, Solution& best) {
+  ProximalNewton<Motion>& newton = engines.walk;
+  constexpr int shortest = 100, longest = 3200, longWalk = 400, tryFromAfar = 40;
+  const auto sweepsLeft = [&](int most) {
+    return std::min(most, options.sweepBudget - best.sweeps);
+  };
+  const auto regionsLeft = [&](int most) {
+    return std::min(most, options.newtonBudget - best.regions);
+  };
+  wandering_.r.setZero(problem.size());
+  if (guess) wandering_.r = *guess;
+  makeFeasible(problem, wandering_.r);
+  for (int length = shortest; sweepsLeft(1) > 0 && regionsLeft(1) > 0;
+       length = std::min(2 * length, longest)) {
+    if (isLargePile(problem))
+      sweepWhileItGains(problem, options, keptShare * tolerance, best);
+    else
+      settle(problem, options, keptShare * tolerance, best);
+    if (best.residual <= tolerance) return Outcome::Reached;
+    newton.setProblem(problem, map_);
+    Outcome outcome = newton.walk(problem, tolerance, unknownRegion, regionsLeft(longWalk), best);
+    if (outcome != Outcome::Lost) return outcome;
+
+    const int count = sweepsLeft(length);
+    machines().sweeps.setProblem(problem, map_);
+    machines().sweeps.sweep(problem, count, wandering_.r);
+    best.sweeps += count;
+    consider(problem, wandering_, best);
+    outcome =
+        newton.walkFrom(wandering_, problem, tolerance, proximalWeight(problem, wandering_, 1e-4),
+                        regionsLeft(tryFromAfar), best);
+    if (outcome != Outcome::Lost) return outcome;
+  }
+  return Outcome::Lost;
+}
+
+template Outcome Search::findBack(Engines<BodyMotion>&, const Problem&, const Options&, double,
+                                  const VectorXd*, Solution&);
+template Outcome Search::findBack(Engines<FactoredMotion>&, const Problem&, const Options&, double,
+                                  const VectorXd*, Solution&);
+template Outcome Search::outlast(ProximalNewton<BodyMotion>&, const Problem&, const Options&,
+                                 double, const VectorXd&, bool, Solution&);
+template Outcome Search::outlast(ProximalNewton<FactoredMotion>&, const Problem&, const Options&,
+                                 double, const VectorXd&, bool, Solution&);
+
+}  // namespace delassus
