@@ -58,9 +58,12 @@ void BlockFactor::eliminate(int column) {
 
 bool BlockFactor::factorise() {
   const BlockPattern& p = pattern();
+  isNegative_ = false;
   for (int column = 0; column < p.bodies; ++column) {
     eliminate(column);
-    const Mat6 inverse = diagonal_[column].partialPivLu().inverse();
+    const auto pivot = diagonal_[column].partialPivLu();
+    if (pivot.determinant() < 0) isNegative_ = !isNegative_;
+    const Mat6 inverse = pivot.inverse();
     if (!inverse.allFinite()) return false;
     diagonalInverse_[column] = inverse;
     for (int at = p.begin[column]; at < p.begin[column + 1]; ++at) {

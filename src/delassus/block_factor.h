@@ -46,6 +46,8 @@ class BlockFactor {
 
   /// False if a pivot block is singular or not finite.
   bool factorise();
+  /// Of the matrix that is factored.
+  bool isDeterminantNegative() const { return isNegative_; }
   /// Overwrites x with the solution.
   void solve(VectorXd& x) const;
 
@@ -56,7 +58,7 @@ class BlockFactor {
   void eliminate(int column);
 
   std::list<BlockPattern> patterns_;  ///< those last used, the last first
-  bool symmetric_ = false;
+  bool symmetric_ = false, isNegative_ = false;
   std::vector<int> slot_;  ///< scratch: row -> block of the column being eliminated
 
   std::vector<Mat6> diagonal_, diagonalInverse_;

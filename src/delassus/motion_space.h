@@ -53,6 +53,8 @@ class BodyMotion {
   void relativeVelocity(const VectorXd& y, VectorXd& u) const { space_->relativeVelocity(y, u); }
   bool factorise(const Stiffness& G);
   void solve(VectorXd& y) const { factor_.solve(y); }
+  /// Of K.
+  bool isDeterminantNegative() const { return factor_.isDeterminantNegative(); }
   std::size_t bytes() const { return factor_.bytes() + bytesOf(shares_, edges_); }
 
  private:

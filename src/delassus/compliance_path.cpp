@@ -1,0 +1,287 @@
+#include "delassus/compliance_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "delassus/cone.h"
+
+namespace delassus {
+namespace {
+
+/// Coulomb's answer r = P(z) as one mode gives it, whether or not that is the mode of z; and its derivative dr/dz.
+Vec3 reactionIn(Mode mode, const Vec3& z, double mu, Mat3& derivative) {
+  if (mode == Mode::Open) {
+    derivative.setZero();
+    return Vec3::Zero();
+  }
+  if (mode == Mode::Stick) {
+    derivative.setIdentity();
+    return z;
+  }
+  const double zt = lengthOf(z[1], z[2]), radius = mu * z[0];
+  if (!(zt > 0)) {  // at the tip of the cone all directions are as good
+    derivative << 1, 0, 0, mu, 0, 0, 0, 0, 0;
+    return {z[0], radius, 0};
+  }
+  const double c = z[1] / zt, s = z[2] / zt, turn = radius / zt;
+  derivative << 1, 0, 0,                    //
+      mu * c, turn * s * s, -turn * s * c,  //
+      mu * s, -turn * s * c, turn * c * c;
+  return {z[0], radius * c, radius * s};
+}
+
+Mode modeAt(const Vec3& z, double mu) {
+  return z[0] <= 0 ? Mode::Open : lengthOf(z[1], z[2]) <= mu * z[0] ? Mode::Stick : Mode::Slide;
+}
+
+}  // namespace
+
+void CompliancePath::setProblem(BodyMotion& motion, const Problem& problem, const NaturalMap& map) {
+  motion_ = &motion;
+  problem_ = &problem;
+  map.meanDiagonal(scale_);
+  own_ = problem.W.bodySpace().compliance;
+  G_.reset(problem);
+  region_.contacts.resize(problem.contacts());
+  region_.rows.resize(problem.rows());
+}
+
+double CompliancePath::compliance() const { return std::exp(tau_); }
+
+const VectorXd& CompliancePath::reactions() {
+  respond(false);
+  return r_;
+}
+
+/// l, u, z, r and G here; as the region has them or as they are.
+void CompliancePath::respond(bool inRegion) {
+  const int n = problem_->contacts(), m = problem_->rows();
+  l_ = (own_ + compliance() * scale_).cwiseInverse();
+  motion_->relativeVelocity(delta_, u_);
+  u_ += problem_->q;
+  z_ = -l_.cwiseProduct(u_);
+  r_.resize(z_.size());
+  for (int i = 0; i < n; ++i) {
+    const int at = 3 * i;
+    const Vec3 z = z_.segment<3>(at);
+    const double mu = problem_->friction[i];
+    r_.segment<3>(at) = inRegion ? reactionIn(region_.contacts[i], z, mu, G_.contacts[i])
+                                 : reactionTo(z, mu, &G_.contacts[i]);
+    G_.contacts[i] *= l_.segment<3>(at).asDiagonal();
+  }
+  for (int i = 0; i < m; ++i) {
+    const int at = 3 * n + i;
+    const double lower = problem_->lower[i], upper = problem_->upper[i];
+    const RowState state = inRegion          ? region_.rows[i]
+                           : z_[at] <= lower ? RowState::AtLower
+                           : z_[at] >= upper ? RowState::AtUpper
+                                             : RowState::Free;
+    r_[at] = state == RowState::Free ? z_[at] : state == RowState::AtLower ? lower : upper;
+    G_.rows[i] = state == RowState::Free ? l_[at] : 0;
+  }
+}
+
+/// The region of z.
+void CompliancePath::readRegion() {
+  const int n = problem_->contacts();
+  for (int i = 0; i < n; ++i)
+    region_.contacts[i] = modeAt(z_.segment<3>(3 * i), problem_->friction[i]);
+  for (int i = 0; i < problem_->rows(); ++i) {
+    const double z = z_[3 * n + i];
+    region_.rows[i] = z <= problem_->lower[i]   ? RowState::AtLower
+                      : z >= problem_->upper[i] ? RowState::AtUpper
+                                                : RowState::Free;
+  }
+}
+
+bool CompliancePath::factorise(Solution& count) {
+  ++count.factorisations;
+  return motion_->factorise(G_);
+}
+
+/// E, and its size beside what the bodies feel.
+double CompliancePath::error() {
+  constexpr double nothing = 1e-300;
+  motion_->impulse(r_, felt_);
+  error_ = delta_ - felt_;
+  return error_.norm() / std::max(felt_.norm(), nothing);
+}
+
+/// Errors that rounding leaves: u is a difference that l magnifies.
+double CompliancePath::noise() const { return std::max(1e-11, 1e-15 / compliance()); }
+
+/// K⁻¹ J̃ᵀ ∂r/∂ln c: the motion that goes with a change of ln c by one.
+void CompliancePath::findDrive() {
+  const int n = problem_->contacts();
+  r_ = compliance() * scale_.cwiseProduct(l_).cwiseProduct(u_);
+  for (int i = 0; i < n; ++i) r_.segment<3>(3 * i) = (G_.contacts[i] * r_.segment<3>(3 * i)).eval();
+  r_.tail(problem_->rows()).array() *= G_.rows.array();
+  motion_->impulse(r_, drive_);
+  motion_->solve(drive_);
+}
+
+double CompliancePath::distance(const VectorXd& delta, double tau) const {
+  return std::sqrt(delta.squaredNorm() / (unit_ * unit_) + tau * tau);
+}
+
+/// The tangent here, where K is factored; returns its product with the last one.
+double CompliancePath::findTangent() {
+  findDrive();
+  const double length = distance(drive_, 1);
+  newTangentTau_ = (motion_->isDeterminantNegative() == downward_ ? -1 : 1) / length;
+  newTangent_ = newTangentTau_ * drive_;
+  return newTangent_.dot(tangent_) / (unit_ * unit_) + newTangentTau_ * tangentTau_;
+}
+
+/// Goes on along the tangent that was found.
+void CompliancePath::takeTangent() {
+  // Motions count for much: where the curve turns back in c they go on.
+  constexpr double share = 0.1, slowly = 0.3, least = 1e-12;
+  tangent_.swap(newTangent_);
+  tangentTau_ = newTangentTau_;
+  unit_ = (1 - slowly) * unit_ + slowly * std::max(share * drive_.norm(), least);
+  const double length = distance(tangent_, tangentTau_);
+  tangent_ /= length;
+  tangentTau_ /= length;
+}
+
+/// dz for changes of δ and of ln c.
+void CompliancePath::changeOfZ(const VectorXd& delta, double tau, VectorXd& change) {
+  motion_->relativeVelocity(delta, change);
+  change =
+      l_.cwiseProduct((tau * compliance()) * scale_.cwiseProduct(l_).cwiseProduct(u_) - change);
+}
+
+bool CompliancePath::setOut(const VectorXd& reactions, double compliance, int budget,
+                            Solution& count) {
+  constexpr int mostSteps = 20;
+  const int last = count.factorisations + budget;
+  tau_ = std::log(compliance);
+  motion_->impulse(reactions, delta_);
+  for (int k = 0;; ++k) {
+    respond(false);
+    const double now = error();
+    if (now <= noise()) break;
+    if (!std::isfinite(now) || count.factorisations >= last || k == mostSteps || !factorise(count))
+      return false;
+    motion_->solve(error_);
+    delta_ -= error_;
+  }
+  start_ = delta_;
+  startTau_ = tau_;
+  hasTurned_ = false;
+  return stand(false, count);
+}
+
+/// Where it set out, looking to less compliance or to more.
+bool CompliancePath::stand(bool upward, Solution& count) {
+  constexpr double firstStride = 0.05;
+  delta_ = start_;
+  tau_ = startTau_;
+  respond(false);
+  readRegion();
+  if (!factorise(count)) return false;
+  downward_ = motion_->isDeterminantNegative() != upward;
+  findDrive();
+  unit_ = std::max(0.1 * drive_.norm(), 1e-12);
+  tangent_.setZero(delta_.size());
+  tangentTau_ = 0;
+  findTangent();
+  takeTangent();
+  strideLength_ = firstStride;
+  stepsAtWalls_ = 1;
+  return true;
+}
+
+bool CompliancePath::descend(double compliance, int budget, Solution& count) {
+  constexpr double shortest = 1e-4, retried = 2e-3, longest = 3, unanswered = 10;
+  constexpr int mostSteps = 16, mostInVain = 5;
+  const int last = count.factorisations + budget;
+  const double aim = std::log(compliance);
+  int inVain = 0;
+  while (tau_ > aim) {
+    if (count.factorisations >= last) return false;
+    if (this->compliance() > unanswered) {
+      // There is but one answer, which has been reached from below: the other way from the start is the one that ends at 0.
+      if (hasTurned_ || !stand(true, count)) return false;
+      hasTurned_ = true;
+    }
+    const int before = count.factorisations;
+    if (strideLength_ > shortest && stride(strideLength_, count)) {
+      const int effort = count.factorisations - before;
+      strideLength_ = std::min(longest, strideLength_ * (effort <= 4   ? 2
+                                                         : effort <= 6 ? 1.3
+                                                                       : 0.7));
+      stepsAtWalls_ = 1;
+      continue;
+    }
+    // Where strides fail again and again, ever more steps come before the next.
+    strideLength_ = std::max(strideLength_ / 4, retried);
+    bool goesOn = true;
+    for (int k = 0; k < stepsAtWalls_ && goesOn && count.factorisations < last; ++k)
+      goesOn = stepToWall(count);
+    stepsAtWalls_ = std::min(2 * stepsAtWalls_, mostSteps);
+    inVain = goesOn ? 0 : inVain + 1;
+    if (inVain > mostInVain) return false;
+  }
+  return true;
+}
+
+/// Along the tangent, from where from_ remembers.
+void CompliancePath::advance(double length) {
+  delta_ = from_ + length * tangent_;
+  tau_ = fromTau_ + length * tangentTau_;
+}
+
+void CompliancePath::goBack() {
+  delta_ = from_;
+  tau_ = fromTau_;
+}
+
+/// How far it is from where this length of tangent led.
+double CompliancePath::strayed(double length) {
+  felt_ = delta_ - from_ - length * tangent_;
+  return distance(felt_, tau_ - fromTau_ - length * tangentTau_);
+}
+
+/// Newton's method across the tangent, back to the curve.
+bool CompliancePath::meetCurve(bool inRegion, int most, Solution& count) {
+  constexpr int patience = 3;
+  double before = 0;
+  for (int k = 0;; ++k) {
+    respond(inRegion);
+    const double now = error();
+    if (!std::isfinite(now)) return false;
+    if (now <= noise()) return true;
+    if (k == most || (k > patience && now > 0.5 * before)) return now <= 100 * noise();
+    before = now;
+    if (!factorise(count)) return false;
+    findDrive();
+    motion_->solve(error_);
+    // (−error + x drive, x) is at right angles to the tangent.
+    const double x = tangent_.dot(error_) / (tangent_.dot(drive_) + unit_ * unit_ * tangentTau_);
+    if (!std::isfinite(x)) return false;
+    delta_ += x * drive_ - error_;
+    tau_ += x;
+  }
+}
+
+/// Along the tangent through as many regions as there are.
+bool CompliancePath::stride(double length, Solution& count) {
+  constexpr double mostTau = 1, near = 0.7;
+  constexpr int mostSteps = 8;
+  length = std::min(length, mostTau / std::abs(tangentTau_));
+  from_ = delta_;
+  fromTau_ = tau_;
+  advance(length);
+  if (!meetCurve(false, mostSteps, count) || strayed(length) > near * length || !factorise(count) ||
+      !(findTangent() > 0)) {
+    goBack();
+    return false;
+  }
+  takeTangent();
+  readRegion();
+  return true;
+}
+
+}  // namespace delassus

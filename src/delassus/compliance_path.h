@@ -1,0 +1,116 @@
+#pragma once
+
+#include "delassus/motion_space.h"
+#include "delassus/residual.h"
+#include "delassus/solution.h"
+
+namespace delassus {
+
+/// The way from bodies that are compliant where they touch to rigid ones, along the answers to all compliances in between.
+///
+/// If every contact and row gives way by c W_aa r, reactions follow from the motion, and the law is one equation there:
+///
+///     E(δ, c) = δ − J̃ᵀ r = 0,    r = P(z),    z = −u / (compliance + c W_aa),    u = J̃ δ + q
+///
+/// with P as in ProximalNewton. Its answers are curves. For large c there is but one, and one there is for any c where bodies can part
+/// (Acary, Cadoux, Lemaréchal, Malick 2011). So the curve that begins there ends nowhere but at c = 0, at rigid bodies; but it may
+/// turn back on its way, where what is wedged snaps through, and c grows for a while. A search that only ever takes the next
+/// region, or only lets c fall, is stuck there.
+///
+/// The curve is followed by its own length. A stride goes along the tangent, K y = J̃ᵀ ∂r/∂ln c with K = I + J̃ᵀ G J̃, and then by
+/// Newton's method across it, through as many regions as it may. Where that fails, steps go from wall to wall of the regions, one
+/// contact at a time. Which of its two ways a tangent points is told by the sign of det K: along one curve it tells whether c grows
+/// (Eaves and Scarf 1976; Allgower and Georg, Introduction to Numerical Continuation Methods, ch. 2 and 14).
+/// For body space without disks.
+class CompliancePath {
+ public:
+  static bool canFollow(const Problem& problem) {
+    return problem.W.inBodySpace() && problem.disks.empty();
+  }
+
+  /// All must outlive the path.
+  void setProblem(BodyMotion& motion, const Problem& problem, const NaturalMap& map);
+
+  /// Stands on the answer for bodies that are compliant by `compliance` W_aa, looking towards rigid ones. `reactions`: that
+  /// answer, or so near to it that Newton's method finds it: if not, false. Work is counted in `count`, a factorisation
+  /// a region.
+  bool setOut(const VectorXd& reactions, double compliance, int budget, Solution& count);
+
+  /// Goes on until bodies are compliant by `compliance` W_aa or less. False if there is no way on within the budget.
+  bool descend(double compliance, int budget, Solution& count);
+
+  double compliance() const;
+  /// Reactions where it stands.
+  const VectorXd& reactions();
+
+  std::size_t bytes() const {
+    return G_.bytes() + bytesOf(scale_, own_, delta_, start_, tangent_, l_, u_, z_, r_, error_,
+                                felt_, drive_, newTangent_, from_, alongZ_, acrossZ_, gaps_,
+                                region_.contacts, region_.rows);
+  }
+
+ private:
+  /// A contact or row, and which of the walls that its mode has.
+  struct Wall {
+    int part, side;
+    double ahead;  ///< length of path to it
+  };
+  struct Gap {
+    double value, growth;  ///< to the wall; of it, along a change of z
+  };
+
+  int parts() const { return static_cast<int>(region_.contacts.size() + region_.rows.size()); }
+  int wallsOf(int part) const;
+  Gap gapTo(int part, int side, const VectorXd& change) const;
+  double leastGap(int part) const;
+
+  void respond(bool inRegion);
+  void readRegion();
+  bool factorise(Solution& count);
+  bool stand(bool upward, Solution& count);
+  double error();
+  double noise() const;
+  double gapNoise() const;
+  void findDrive();
+  double findTangent();
+  void takeTangent();
+  void changeOfZ(const VectorXd& delta, double tau, VectorXd& change);
+  double distance(const VectorXd& delta, double tau) const;
+  double strayed(double length);
+
+  void advance(double length);
+  void goBack();
+  bool meetCurve(bool inRegion, int most, Solution& count);
+  bool stride(double length, Solution& count);
+  bool stepToWall(Solution& count);
+  bool stepInRegion(double length, Solution& count);
+  bool meetWall(const Wall& wall, Solution& count);
+  void findWalls(double within);
+  bool hasLeftRegion() const;
+  void pass(const Wall& wall);
+
+  BodyMotion* motion_ = nullptr;
+  const Problem* problem_ = nullptr;
+  VectorXd scale_, own_;  ///< mean W_aa; compliance of the problem itself
+
+  VectorXd delta_;  ///< δ
+  double tau_ = 0;  ///< ln c
+  ActiveSet region_;
+  VectorXd tangent_;
+  double tangentTau_ = 0;
+  double unit_ = 1;  ///< length in δ that counts as much as one in ln c
+  VectorXd start_;   ///< δ where it set out
+  double startTau_ = 0;
+  bool hasTurned_ = false;  ///< round, since it set out
+  bool downward_ = false;   ///< sign of det K where the tangent leads to smaller c: negative?
+  double strideLength_ = 0;
+  int stepsAtWalls_ = 1;  ///< after a stride that failed
+
+  VectorXd l_, u_, z_, r_, error_, felt_, drive_, newTangent_, from_, alongZ_, acrossZ_, gaps_;
+  double newTangentTau_ = 0, fromTau_ = 0;
+  double push_ = 0;  ///< largest reaction, the measure of gaps
+  std::vector<Wall> walls_;
+  Stiffness G_;
+};
+
+}  // namespace delassus
