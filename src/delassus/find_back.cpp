@@ -24,21 +24,99 @@ Outcome Search::findBack(Engines<Motion>& engines, const Problem& problem, const
                                   : outcome;
 }
 
-/// Plain sweeps by the thousand from where the step began, and a walk from where they come to; then on from there, or from where the
-/// walk came to if that is nearer than ever.
+/// The answer, in softAnswer_, for bodies that are as little compliant where they touch as sweeps and a short walk can find it;
+/// returns how compliant, in W_aa, or 0 if they find none.
+double Search::soften(const Problem& problem, const Options& options, Solution& best) {
+  constexpr double softest = 1, hardest = 1e-5, finer = 0.3162, tolerance = 1e-10;
+  constexpr int sweeps = 1000, regions = 60;
+  Options few = options;
+  few.sweepBudget = sweeps;
+  few.newtonBudget = regions;
+  few.pathBudget = 0;
+  soft_.q = problem.q;
+  soft_.friction = problem.friction;
+  soft_.lower = problem.lower;
+  soft_.upper = problem.upper;
+  soft_.disks = problem.disks;
+  soft_.roundOff = problem.roundOff;
+  BodySpace& space = soft_.W.refill(problem.size());
+  space = problem.W.bodySpace();
+  map_.meanDiagonal(felt_);
+  const double demand = problem.q.cwiseAbs().maxCoeff();
+  if (!softSearch_) softSearch_.reset(new Search(machines()));
+  double found = 0;
+  for (double compliance = softest; compliance > hardest; compliance *= finer) {
+    space.compliance = problem.W.bodySpace().compliance + compliance * felt_;
+    softSearch_->setProblem(soft_);
+    softAnswer_.start(soft_.q);
+    softSearch_->offer(soft_, softStart_, softAnswer_);
+    const Outcome outcome =
+        softSearch_->walk(soft_, few, tolerance * demand, &softStart_, softAnswer_);
+    best.factorisations += softAnswer_.factorisations;
+    best.sweeps += softAnswer_.sweeps;
+    if (outcome != Outcome::Reached) break;
+    softStart_ = softAnswer_.r;
+    found = compliance;
+  }
+  return found;
+}
+
+/// Along the path of compliance, from bodies that are so compliant where they touch that their answer is found, to rigid ones; and a walk
+/// from the answers of those that are nearly rigid.
+///
+/// Not in islands of thousands: there the one compliance would have to turn back and forth for each of the places where something is
+/// wedged, whatever the others do.
+template <class Motion>
+Outcome Search::harden(ProximalNewton<Motion>& newton, const Problem& problem,
+                       const Options& options, double tolerance, const VectorXd* guess,
+                       Solution& best) {
+  constexpr double nearlyRigid = 1e-5, rigid = 1e-8, finest = 1e-7;
+  constexpr int few = 300, many = 1000, regions = 60;
+  if constexpr (std::is_same_v<Motion, BodyMotion>) {
+    const int parts = problem.contacts() + problem.rows();
+    const int budget = static_cast<int>(options.pathBudget * std::min(1.0, double(few) / parts));
+    if (budget == 0 || parts > many || !CompliancePath::canFollow(problem)) return Outcome::Lost;
+    softStart_.setZero(problem.size());
+    if (guess) softStart_ = *guess;
+    const double softness = soften(problem, options, best);
+    newton.setProblem(problem, map_);
+    if (softness == 0) return Outcome::Lost;
+    CompliancePath& path = machines().path;
+    path.setProblem(newton.motion(), problem, map_);
+    const int last = best.factorisations + budget, walked = best.regions;
+    if (!path.setOut(softStart_, softness, budget, best)) return Outcome::Lost;
+    for (double compliance = nearlyRigid; compliance >= rigid; compliance *= 0.1) {
+      if (!path.descend(compliance, last - best.factorisations, best)) return Outcome::Lost;
+      wandering_.r = path.reactions();
+      consider(problem, wandering_, best);
+      newton.motion();  // its factor is that of the path
+      const double weight = std::max(compliance, finest);
+      const Outcome outcome =
+          newton.walkFrom(wandering_, problem, tolerance, weight, regions, best);
+      best.regions = walked;
+      if (outcome != Outcome::Lost) return outcome;
+    }
+  }
+  return Outcome::Lost;
+}
+
+/// Plain sweeps by the thousand from where the step began, a walk from where they come to, and patches; then on from there, or from where
+/// the walk came to if that is nearer than ever.
 ///
 /// A heap of spheres has as many contacts as motions, and stresses that grow by the same little in every sweep until a contact
 /// slips; which one is next depends on all that slipped before. What hurries sweeps runs past that order and ends far from any
 /// answer, though its residual is small. Plain sweeps go through it slip after slip, as the heap does. Where they go round for ever,
-/// those that go there and back may come to an end, and the other way round.
+/// those that go there and back may come to an end, and the other way round. Patches let what is wedged snap through.
 template <class Motion>
 Outcome Search::outlast(ProximalNewton<Motion>& newton, const Problem& problem,
                         const Options& options, double tolerance, const VectorXd& guess,
                         bool thereAndBack, Solution& best) {
-  constexpr int manySweeps = 8000, regions = 100;
+  constexpr int manySweeps = 2000, regions = 100;
+  constexpr int rounds = 3;  // with ever more around what is unsettled
+  constexpr double outstanding = 3;
   wandering_.r = guess;
   makeFeasible(problem, wandering_.r);
-  for (;;) {
+  for (int round = 0;; ++round) {
     const int sweepsLeft = std::min(manySweeps, options.sweepBudget - best.sweeps);
     const int regionsLeft = std::min(regions, options.newtonBudget - best.regions);
     if (sweepsLeft <= 0 || regionsLeft <= 0) return Outcome::Lost;
@@ -53,6 +131,9 @@ Outcome Search::outlast(ProximalNewton<Motion>& newton, const Problem& problem,
                         regionsLeft, best);
     if (outcome != Outcome::Lost) return outcome;
     if (best.residual < before) wandering_.r = best.r;
+    measure(problem, wandering_);
+    mendPatches(problem, options, tolerance, outstanding / (1 + round % rounds), wandering_, best);
+    consider(problem, wandering_, best);
   }
 }
 
@@ -126,6 +207,10 @@ template Outcome Search::findBack(Engines<BodyMotion>&, const Problem&, const Op
                                   const VectorXd*, Solution&);
 template Outcome Search::findBack(Engines<FactoredMotion>&, const Problem&, const Options&, double,
                                   const VectorXd*, Solution&);
+template Outcome Search::harden(ProximalNewton<BodyMotion>&, const Problem&, const Options&, double,
+                                const VectorXd*, Solution&);
+template Outcome Search::harden(ProximalNewton<FactoredMotion>&, const Problem&, const Options&,
+                                double, const VectorXd*, Solution&);
 template Outcome Search::outlast(ProximalNewton<BodyMotion>&, const Problem&, const Options&,
                                  double, const VectorXd&, bool, Solution&);
 template Outcome Search::outlast(ProximalNewton<FactoredMotion>&, const Problem&, const Options&,

@@ -227,16 +227,27 @@ void Search::polishWith(Engines<Motion>& engines, const Problem& problem, const 
 template <class Motion>
 Outcome Search::walkTwice(Engines<Motion>& engines, const Problem& problem, const Options& options,
                           double tolerance, const VectorXd* guess, Solution& best) {
-  if (!guess || isHurried(options))
-    return walkOnce(engines, problem, options, tolerance, guess, best);
-  Options share = options;
-  share.newtonBudget -= 3 * options.newtonBudget / 8;
-  share.sweepBudget -= options.sweepBudget / 2;
-  Outcome outcome = walkOnce(engines, problem, share, tolerance, guess, best);
-  if (outcome == Outcome::Lost && isHeap(problem))
-    outcome = outlast(engines.walk, problem, options, tolerance, *guess, true, best);
-  if (outcome != Outcome::Lost) return outcome;
+  if (isHurried(options)) return walkOnce(engines, problem, options, tolerance, guess, best);
+  Outcome outcome;
+  if (guess) {
+    Options share = options;
+    share.newtonBudget -= 3 * options.newtonBudget / 8;
+    share.sweepBudget -= options.sweepBudget / 2;
+    outcome = walkOnce(engines, problem, share, tolerance, guess, best);
+    if (outcome == Outcome::Lost && isLargeHeap(problem))
+      outcome = outlast(engines.walk, problem, options, tolerance, *guess, true, best);
+    if (outcome == Outcome::Lost) outcome = walkCold(engines, problem, options, tolerance, best);
+  } else {
+    outcome = walkOnce(engines, problem, options, tolerance, nullptr, best);
+  }
+  return outcome == Outcome::Lost ? harden(engines.walk, problem, options, tolerance, guess, best)
+                                  : outcome;
+}
 
+/// With what is left of the budget, as if there were no guess.
+template <class Motion>
+Outcome Search::walkCold(Engines<Motion>& engines, const Problem& problem, const Options& options,
+                         double tolerance, Solution& best) {
   cold_.start(problem.q);
   makeFeasible(problem, cold_.r);
   consider(problem, cold_, best);
@@ -244,7 +255,7 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Problem& problem, cons
   cold_.factorisations = best.factorisations;
   cold_.sweeps = best.sweeps;
   cold_.patches = best.patches;
-  outcome = walkOnce(engines, problem, options, tolerance, nullptr, cold_);
+  const Outcome outcome = walkOnce(engines, problem, options, tolerance, nullptr, cold_);
   best.regions = cold_.regions;
   best.factorisations = cold_.factorisations;
   best.sweeps = cold_.sweeps;

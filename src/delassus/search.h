@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "delassus/compliance_path.h"
 #include "delassus/dense_newton.h"
 #include "delassus/farkas.h"
 #include "delassus/interior_point.h"
@@ -37,7 +38,7 @@ class Search {
                     Solution& best);
 
   /// Walks from `guess`, or without one (null) from nothing; if that is lost, with what is left of the budget as if there
-  /// had been none.
+  /// had been none; and if that is lost too, along the path of compliance.
   Outcome walk(const Problem& problem, const Options& options, double tolerance,
                const VectorXd* guess, Solution& best);
 
@@ -48,7 +49,8 @@ class Search {
     return map_.bytes() + dense_.bytes() + (own_ ? own_->bytes() : 0) + trial_.bytes() +
            wandering_.bytes() + cold_.bytes() + felt_.bytes() + quarrel_.bytes() +
            patches_.bytes() + patch_.bytes() + patchAnswer_.bytes() +
-           bytesOf(residuals_, patchStart_) + (patchSearch_ ? patchSearch_->bytes() : 0);
+           bytesOf(residuals_, patchStart_, softStart_) + soft_.bytes() + softAnswer_.bytes() +
+           (patchSearch_ ? patchSearch_->bytes() : 0) + (softSearch_ ? softSearch_->bytes() : 0);
   }
 
  private:
@@ -60,9 +62,12 @@ class Search {
   };
   struct Machines {
     Sweeps sweeps;
+    CompliancePath path;
     Engines<BodyMotion> bodies;
     Engines<FactoredMotion> factored;
-    std::size_t bytes() const { return sweeps.bytes() + bodies.bytes() + factored.bytes(); }
+    std::size_t bytes() const {
+      return sweeps.bytes() + path.bytes() + bodies.bytes() + factored.bytes();
+    }
   };
 
   /// Made when they are needed first: a problem that a formula answers needs none.
@@ -73,7 +78,7 @@ class Search {
     }
     return *machines_;
   }
-  /// For the patches of another search: it takes turns with that one.
+  /// For the patches of another search, or its bodies if they were compliant: it takes turns with that one.
   explicit Search(Machines& machines) : machines_(&machines) {}
 
   template <class Motion>
@@ -83,11 +88,18 @@ class Search {
   Outcome walkOnce(Engines<Motion>& engines, const Problem& problem, const Options& options,
                    double tolerance, const VectorXd* guess, Solution& best);
   template <class Motion>
+  Outcome walkCold(Engines<Motion>& engines, const Problem& problem, const Options& options,
+                   double tolerance, Solution& best);
+  template <class Motion>
   Outcome startOut(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
                    double tolerance, const VectorXd* guess, Solution& best);
   template <class Motion>
   Outcome outlast(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
                   double tolerance, const VectorXd& guess, bool thereAndBack, Solution& best);
+  template <class Motion>
+  Outcome harden(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
+                 double tolerance, const VectorXd* guess, Solution& best);
+  double soften(const Problem& problem, const Options& options, Solution& best);
   template <class Motion>
   Outcome findBack(Engines<Motion>& engines, const Problem& problem, const Options& options,
                    double tolerance, const VectorXd* guess, Solution& best);
@@ -142,6 +154,11 @@ class Search {
   VectorXd patchStart_;
   Solution patchAnswer_;
   VectorXd residuals_;
+
+  std::unique_ptr<Search> softSearch_;  ///< for bodies that are compliant
+  Problem soft_;
+  VectorXd softStart_;
+  Solution softAnswer_;
 };
 
 }  // namespace delassus

@@ -133,6 +133,7 @@ bool Search::mendPatches(const Problem& problem, const Options& options, double 
     const double sweepsLeft = options.sweepBudget - best.sweeps - sweeps;
     if (!(regionsLeft > 0 && sweepsLeft > 0)) break;
     Options few = options;
+    few.pathBudget = 0;  // what is not mended is so again, with more around it
     few.newtonBudget = static_cast<int>(std::min(mostRegions, regionsLeft / factorShare));
     few.sweepBudget = static_cast<int>(std::min(mostSweeps, sweepsLeft / share));
     patches_.cutOut(k, problem, unsettled.r, unsettled.u, patch_, patchStart_);
