@@ -30,6 +30,10 @@ Vec3 reactionIn(Mode mode, const Vec3& z, double mu, Mat3& derivative) {
   return {z[0], radius * c, radius * s};
 }
 
+RowState stateAt(double z, double lower, double upper) {
+  return z <= lower ? RowState::AtLower : z >= upper ? RowState::AtUpper : RowState::Free;
+}
+
 Mode modeAt(const Vec3& z, double mu) {
   return z[0] <= 0 ? Mode::Open : lengthOf(z[1], z[2]) <= mu * z[0] ? Mode::Stick : Mode::Slide;
 }
@@ -72,10 +76,7 @@ void CompliancePath::respond(bool inRegion) {
   for (int i = 0; i < m; ++i) {
     const int at = 3 * n + i;
     const double lower = problem_->lower[i], upper = problem_->upper[i];
-    const RowState state = inRegion          ? region_.rows[i]
-                           : z_[at] <= lower ? RowState::AtLower
-                           : z_[at] >= upper ? RowState::AtUpper
-                                             : RowState::Free;
+    const RowState state = inRegion ? region_.rows[i] : stateAt(z_[at], lower, upper);
     r_[at] = state == RowState::Free ? z_[at] : state == RowState::AtLower ? lower : upper;
     G_.rows[i] = state == RowState::Free ? l_[at] : 0;
   }
@@ -86,12 +87,8 @@ void CompliancePath::readRegion() {
   const int n = problem_->contacts();
   for (int i = 0; i < n; ++i)
     region_.contacts[i] = modeAt(z_.segment<3>(3 * i), problem_->friction[i]);
-  for (int i = 0; i < problem_->rows(); ++i) {
-    const double z = z_[3 * n + i];
-    region_.rows[i] = z <= problem_->lower[i]   ? RowState::AtLower
-                      : z >= problem_->upper[i] ? RowState::AtUpper
-                                                : RowState::Free;
-  }
+  for (int i = 0; i < problem_->rows(); ++i)
+    region_.rows[i] = stateAt(z_[3 * n + i], problem_->lower[i], problem_->upper[i]);
 }
 
 bool CompliancePath::factorise(Solution& count) {

@@ -100,6 +100,21 @@ TEST(CompliancePath, LeadsToRigidBodies) {
   }
 }
 
+// There are several answers for one compliance. From some, less of it leads back to softness: then the other way is the one that ends
+// at rigid bodies.
+TEST(CompliancePath, ArrivesFromEveryStart) {
+  Random random(77);
+  for (int k = 0; k < 6; ++k) {
+    const Problem problem = wedgedHeap(random);
+    for (const double softness : {1.0, 0.1, 0.01}) {
+      Way way(problem);
+      ASSERT_TRUE(way.setOut(softness));
+      EXPECT_TRUE(way.descend(1e-7))
+          << k << " from " << softness << " ends at " << way.compliance();
+    }
+  }
+}
+
 // Where only ever less compliance is tried, Newton's method loses its way, or jumps to another answer: the curve turned back.
 TEST(CompliancePath, GoesOnWhereAnswersForLessComplianceEnd) {
   Random random(73);
