@@ -100,23 +100,21 @@ Outcome Search::harden(ProximalNewton<Motion>& newton, const Problem& problem,
   return Outcome::Lost;
 }
 
-/// Plain sweeps by the thousand from where the step began, a walk from where they come to, and patches; then on from there, or from where
-/// the walk came to if that is nearer than ever.
+/// Plain sweeps by the thousand from where the step began, and a walk from where they come to; then on from there, or from where the
+/// walk came to if that is nearer than ever.
 ///
 /// A heap of spheres has as many contacts as motions, and stresses that grow by the same little in every sweep until a contact
 /// slips; which one is next depends on all that slipped before. What hurries sweeps runs past that order and ends far from any
 /// answer, though its residual is small. Plain sweeps go through it slip after slip, as the heap does. Where they go round for ever,
-/// those that go there and back may come to an end, and the other way round. Patches let what is wedged snap through.
+/// those that go there and back may come to an end, and the other way round.
 template <class Motion>
 Outcome Search::outlast(ProximalNewton<Motion>& newton, const Problem& problem,
                         const Options& options, double tolerance, const VectorXd& guess,
                         bool thereAndBack, Solution& best) {
-  constexpr int manySweeps = 2000, regions = 100;
-  constexpr int rounds = 3;  // with ever more around what is unsettled
-  constexpr double outstanding = 3;
+  constexpr int manySweeps = 8000, regions = 100;
   wandering_.r = guess;
   makeFeasible(problem, wandering_.r);
-  for (int round = 0;; ++round) {
+  for (;;) {
     const int sweepsLeft = std::min(manySweeps, options.sweepBudget - best.sweeps);
     const int regionsLeft = std::min(regions, options.newtonBudget - best.regions);
     if (sweepsLeft <= 0 || regionsLeft <= 0) return Outcome::Lost;
@@ -131,9 +129,6 @@ Outcome Search::outlast(ProximalNewton<Motion>& newton, const Problem& problem,
                         regionsLeft, best);
     if (outcome != Outcome::Lost) return outcome;
     if (best.residual < before) wandering_.r = best.r;
-    measure(problem, wandering_);
-    mendPatches(problem, options, tolerance, outstanding / (1 + round % rounds), wandering_, best);
-    consider(problem, wandering_, best);
   }
 }
 
