@@ -133,7 +133,8 @@ bool Search::mendPatches(const Problem& problem, const Options& options, double 
     const double sweepsLeft = options.sweepBudget - best.sweeps - sweeps;
     if (!(regionsLeft > 0 && sweepsLeft > 0)) break;
     Options few = options;
-    few.pathBudget = 0;  // what is not mended is so again, with more around it
+    few.pathBudget =
+        0;  // a patch that is not mended is tried again with more around it, which costs less
     few.newtonBudget = static_cast<int>(std::min(mostRegions, regionsLeft / factorShare));
     few.sweepBudget = static_cast<int>(std::min(mostSweeps, sweepsLeft / share));
     patches_.cutOut(k, problem, unsettled.r, unsettled.u, patch_, patchStart_);

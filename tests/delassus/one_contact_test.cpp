@@ -110,7 +110,6 @@ TEST(OneContact, DoesNotDependOnTheTangents) {
   }
 }
 
-// A body that can only rise, or move in a plane: the tangential block is singular or vanishes.
 // Whatever reaction the search is told to begin from, also one that has all but vanished or that has nothing to do with the answer.
 TEST(OneContact, WhereTheSearchBeginsDoesNotMatter) {
   Random random(23);
@@ -129,6 +128,7 @@ TEST(OneContact, WhereTheSearchBeginsDoesNotMatter) {
   }
 }
 
+// A body that can only rise, or move in a plane: the tangential block is singular or vanishes.
 TEST(OneContact, SingularTangentialBlocks) {
   for (const double mu : {0.0, 0.3, 2.0}) {
     const Mat3 rises = Vec3(2, 0, 0).asDiagonal();
