@@ -6,36 +6,39 @@
 
 namespace delassus {
 
-bool DenseNewton::fits(const Problem& problem, const NaturalMap& map) {
+bool fitsDenseNewton(const Problem& problem, const NaturalMap& map) {
   constexpr int mostUnknowns = 90;
   return problem.size() <= mostUnknowns && problem.disks.empty() && !problem.W.inBodySpace() &&
          map.diagonal().minCoeff() > 0;
 }
 
-void DenseNewton::start(const Problem& problem, const NaturalMap& map, const Solution& best) {
+template <int Most>
+void DenseNewton<Most>::start(const Problem& problem, const NaturalMap& map, const Solution& best) {
   W_ = problem.W.entries();
   K_.resize(problem.size(), problem.size());
   error_.resize(problem.size());
-  map.meanDiagonal(rho_);
+  map.meanDiagonal(candidate_.u);
+  rho_ = candidate_.u;
   r_ = best.r;
   u_ = best.u;
 }
 
-double DenseNewton::evaluate(const Problem& problem, const VectorXd& r, const VectorXd& u,
-                             bool differentiate) {
+template <int Most>
+double DenseNewton<Most>::evaluate(const Problem& problem, const Vector& r, const Vector& u,
+                                   bool differentiate) {
   const int n = problem.contacts();
   double sum = 0;
   for (int i = 0; i < n; ++i) {
     const int at = 3 * i;
-    const Vec3 z = r.segment<3>(at) - u.segment<3>(at) / rho_[at];
+    const Vec3 z = r.template segment<3>(at) - u.template segment<3>(at) / rho_[at];
     Mat3 P;
-    const Vec3 f =
-        reactionTo(z, problem.friction[i], differentiate ? &P : nullptr) - r.segment<3>(at);
-    error_.segment<3>(at) = f;
+    const Vec3 f = reactionTo(z, problem.friction[i], differentiate ? &P : nullptr) -
+                   r.template segment<3>(at);
+    error_.template segment<3>(at) = f;
     sum += (rho_[at] * f).squaredNorm();
     if (!differentiate) continue;
-    K_.middleRows<3>(at).noalias() = (P / rho_[at]) * W_.middleRows<3>(at);
-    K_.block<3, 3>(at, at) += Mat3::Identity() - P;
+    K_.template middleRows<3>(at).noalias() = (P / rho_[at]) * W_.template middleRows<3>(at);
+    K_.template block<3, 3>(at, at) += Mat3::Identity() - P;
   }
   for (int i = 0; i < problem.rows(); ++i) {
     const int at = 3 * n + i;
@@ -50,52 +53,56 @@ double DenseNewton::evaluate(const Problem& problem, const VectorXd& r, const Ve
       K_(at, at) = 1;
     }
   }
-  return sum;
+  return std::sqrt(sum);
 }
 
-bool DenseNewton::isSingular() const {
-  constexpr double negligible = 1e-10;
-  const auto pivots = lu_.matrixLU().diagonal().cwiseAbs();
-  return !(pivots.minCoeff() > negligible * pivots.maxCoeff());
+/// Whether r_ keeps the law; rounding may have left a cone by its last digit.
+template <int Most>
+bool DenseNewton<Most>::judge(const Problem& problem, const NaturalMap& map, double tolerance,
+                              Solution& best) {
+  candidate_.r = r_;
+  makeFeasible(problem, candidate_.r);
+  problem.W.multiply(candidate_.r, felt_, candidate_.u);
+  candidate_.u += problem.q;
+  const NaturalResidual residual = map.residual(candidate_.r, candidate_.u);
+  if (!(residual.max <= tolerance)) return false;
+  best.r = candidate_.r;
+  best.u = candidate_.u;
+  best.residual = residual.max;
+  best.residualRms = residual.rms;
+  return true;
 }
 
-bool DenseNewton::solve(const Problem& problem, const NaturalMap& map, double tolerance, int budget,
-                        Solution& best) {
+template <int Most>
+bool DenseNewton<Most>::solve(const Problem& problem, const NaturalMap& map, double tolerance,
+                              int budget, Solution& best) {
   constexpr int mostSteps = 20, mostHalvings = 5;
+  constexpr double near = 10;
   start(problem, map, best);
   for (int k = 0; k < std::min(mostSteps, budget); ++k) {
-    const double error = evaluate(problem, r_, u_, true);
-    lu_.compute(K_);
+    const double before = evaluate(problem, r_, u_, true);
+    step_ = error_;
     ++best.regions;
     ++best.factorisations;
-    if (isSingular()) return false;
-    const VectorXd step = lu_.solve(error_);
-    if (!step.allFinite()) return false;
+    if (!elimination_.solve(K_, step_) || !step_.allFinite()) return false;
     // A step that gains nothing is taken all the same, a short one: behind the wall there may be a better region.
-    double t = 1;
-    for (int h = 0; h <= mostHalvings; ++h, t *= 0.5) {
-      trialR_ = r_ + t * step;
+    double share = 1, error = before;
+    for (int h = 0; h <= mostHalvings; ++h, share *= 0.5) {
+      trialR_ = r_ + share * step_;
       trialU_ = problem.q;
       trialU_.noalias() += W_ * trialR_;
-      if (evaluate(problem, trialR_, trialU_, false) < error) break;
+      error = evaluate(problem, trialR_, trialU_, false);
+      if (error < before) break;
     }
     r_.swap(trialR_);
     u_.swap(trialU_);
-    if (!(map.residual(r_, u_).max <= tolerance)) continue;
-    // Rounding may have left a cone by its last digit.
-    trialR_ = r_;
-    makeFeasible(problem, trialR_);
-    trialU_ = problem.q;
-    trialU_.noalias() += W_ * trialR_;
-    const NaturalResidual residual = map.residual(trialR_, trialU_);
-    if (!(residual.max <= tolerance)) continue;
-    best.r = trialR_;
-    best.u = trialU_;
-    best.residual = residual.max;
-    best.residualRms = residual.rms;
-    return true;
+    // Two measures of the same distance: only what is near by this one may be there by the other.
+    if (error <= near * tolerance && judge(problem, map, tolerance, best)) return true;
   }
   return false;
 }
+
+template class DenseNewton<fewUnknowns>;
+template class DenseNewton<Eigen::Dynamic>;
 
 }  // namespace delassus

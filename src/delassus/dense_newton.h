@@ -1,7 +1,6 @@
 #pragma once
 
-#include <Eigen/LU>
-
+#include "delassus/elimination.h"
 #include "delassus/residual.h"
 #include "delassus/solution.h"
 
@@ -13,28 +12,44 @@ namespace delassus {
 ///     F(r) = P(r − u/ρ) − r = 0,    u = W r + q,    ρ = mean of the diagonal of W_ii
 ///
 /// P as in `reactionTo`, for rows the projection on their bounds. Each step solves F in one region, without anything to hold
-/// reactions apart that W does not tell from each other: where it is singular in that region the method gives up.
+/// reactions apart that W does not tell from each other: where it is singular in that region the method gives up. `Most` unknowns
+/// or fewer, or any number (Eigen::Dynamic).
+template <int Most>
 class DenseNewton {
  public:
-  /// Whether a problem is small enough, and made of contacts and rows that can move.
-  static bool fits(const Problem& problem, const NaturalMap& map);
-
   /// From the reactions of `best` to some with a natural residual of at most `tolerance` (m/s): true, and they are the best; or
-  /// until `budget` regions are spent, or they lead nowhere. `map` is that of the problem.
+  /// until `budget` regions are spent, or they lead nowhere. `map` is that of the problem, which has entries and no disks.
   bool solve(const Problem& problem, const NaturalMap& map, double tolerance, int budget,
              Solution& best);
 
-  std::size_t bytes() const { return bytesOf(W_, K_, K_, rho_, r_, u_, error_, trialR_, trialU_); }
+  std::size_t bytes() const {
+    // The factors are as large as K_.
+    std::size_t sum = candidate_.bytes() + felt_.bytes();
+    if constexpr (Most == Eigen::Dynamic)
+      sum += bytesOf(W_, K_, K_, rho_, r_, u_, step_, error_, trialR_, trialU_);
+    return sum;
+  }
 
  private:
-  void start(const Problem& problem, const NaturalMap& map, const Solution& best);
-  /// F in error_ for reactions and velocities, and if asked −dF/dr in K_. Returns |ρ F|² (m/s)².
-  double evaluate(const Problem& problem, const VectorXd& r, const VectorXd& u, bool differentiate);
-  bool isSingular() const;
+  using Matrix = typename Elimination<Most>::Matrix;
+  using Vector = typename Elimination<Most>::Vector;
 
-  MatrixXd W_, K_;
-  Eigen::PartialPivLU<MatrixXd> lu_;
-  VectorXd rho_, r_, u_, error_, trialR_, trialU_;
+  void start(const Problem& problem, const NaturalMap& map, const Solution& best);
+  /// F in step_ for these reactions and velocities, and if asked −dF/dr in K_. Returns ‖ρ F‖ (m/s).
+  double evaluate(const Problem& problem, const Vector& r, const Vector& u, bool differentiate);
+  bool judge(const Problem& problem, const NaturalMap& map, double tolerance, Solution& best);
+
+  Elimination<Most> elimination_;
+  Matrix W_, K_;
+  Vector rho_, r_, u_, step_, error_, trialR_, trialU_;
+  Solution candidate_;
+  VectorXd felt_;
 };
+
+/// So few that they are solved without a workspace.
+constexpr int fewUnknowns = 15;
+
+/// Whether a problem is small enough, and made of contacts and rows that can move.
+bool fitsDenseNewton(const Problem& problem, const NaturalMap& map);
 
 }  // namespace delassus

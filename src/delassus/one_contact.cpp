@@ -42,16 +42,22 @@ Vec3 OneContact::solve(const Vec3& q, double friction, const Vec3& before) const
 Vec3 OneContact::slide(double held, const Vec2& c, double friction, double slip) const {
   // φ(s) = μ r_n − ‖r_t‖ is negative where it still sticks too much, at s = 0, and positive for large s.
   double low = 0, high = std::numeric_limits<double>::infinity();
-  // Where the reaction would have the size that the normal alone allows, or else somewhere.
-  const double size = c.norm() / (friction * held);
+  // Where the reaction would have the size that the normal allows if it braked straight against c.
+  const double drift = c.norm(), size = drift / (friction * held);
   if (!std::isfinite(size)) return {held, 0, 0};  // what may be braked is below all numbers
   // Reactions that all but vanish tell of no slip that the search could come back from.
   constexpr double farthest = 1e6;
   double s = slip <= farthest * size ? slip : 0;
-  if (!(s > 0)) s = size - 0.5 * S_.trace();
+  if (!(s > 0)) {
+    const Vec2 along = c / drift;
+    s = size * (1 - friction * wnt_.dot(along)) - along.dot(S_ * along);
+  }
   if (!(s > 0)) s = 0.5 * (size + W_.norm());
   constexpr int most = 100;
   constexpr double rounding = std::numeric_limits<double>::epsilon();
+  // Digits double in every step: the one after so small a change has them all.
+  constexpr double lastChange = 1e-9;
+  bool isLast = false;
   Vec2 rt;
   double rn = 0, length = 0;
   for (int k = 0; k < most; ++k) {
@@ -59,20 +65,24 @@ Vec3 OneContact::slide(double held, const Vec2& c, double friction, double slip)
     rt = -(inverse * c);
     rn = held - wnt_.dot(rt);
     length = std::sqrt(rt.squaredNorm());
-    const double phi = friction * rn - length;
+    const double radius = friction * rn, phi = radius - length;
+    if (isLast || std::abs(phi) <= 2 * rounding * length) break;
     (phi < 0 ? low : high) = s;
-    if (std::abs(phi) <= rounding * length) break;
-    if (std::isfinite(high) && high - low <= rounding * high) break;
+    const bool isBounded = high < std::numeric_limits<double>::infinity();
+    if (isBounded && high - low <= rounding * high) break;
 
     // Newton on 1/‖r_t‖ − 1/(μ r_n), which is nearly linear in s.
-    double next = std::isfinite(high) ? 0.5 * (low + high) : 4 * s;
+    double next = isBounded ? 0.5 * (low + high) : 4 * s;
     if (rn > 0 && length > 0) {
       const Vec2 slope = -(inverse * rt);
-      const double most2 = friction * rn * rn;
-      const double g = 1 / length - 1 / (friction * rn);
-      const double dg = -rt.dot(slope) / (length * length * length) - wnt_.dot(slope) / most2;
-      const double newton = s - g / dg;
-      if (newton > low && newton < high) next = newton;
+      const double perLength = 1 / length, share = radius * perLength;
+      const double change =
+          phi * share / (rt.dot(slope) * perLength * share * share + friction * wnt_.dot(slope));
+      const double newton = s + change;
+      if (newton > low && newton < high) {
+        next = newton;
+        isLast = std::abs(change) <= lastChange * s;
+      }
     }
     if (next == s) break;
     s = next;

@@ -21,10 +21,7 @@ QuickAnswer::QuickAnswer(const Problem& problem, const Options& options)
   best_.tier = Tier::Walk;
 }
 
-bool QuickAnswer::isSmall() const {
-  constexpr int fewUnknowns = 15;
-  return problem_.size() <= fewUnknowns;
-}
+bool QuickAnswer::isSmall() const { return problem_.size() <= fewUnknowns; }
 
 double QuickAnswer::toleranceFor(double demand) const {
   return std::max(options_.tolerance * demand, problem_.roundOff);
@@ -44,14 +41,19 @@ bool QuickAnswer::find(Solution& answer) {
 /// u_i = W_i r + q_i.
 Vec3 QuickAnswer::velocityOf(int contact) const {
   const DelassusMatrix::Sparse& W = problem_.W.entries();
+  const int* begin = W.outerIndexPtr() + 3 * contact;
   const int* column = W.innerIndexPtr();
   const double *entry = W.valuePtr(), *r = best_.r.data();
   Vec3 u = problem_.q.segment<3>(3 * contact);
+  if (begin[3] - begin[0] == 3 * problem_.size()) {
+    // Nothing is left out: the columns are as they are numbered.
+    using Rows = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
+    u.noalias() += Eigen::Map<const Rows>(entry + begin[0], 3, problem_.size()) * best_.r;
+    return u;
+  }
   for (int k = 0; k < 3; ++k) {
-    const int end = W.outerIndexPtr()[3 * contact + k + 1];
     double sum = 0;
-    for (int at = W.outerIndexPtr()[3 * contact + k]; at < end; ++at)
-      sum += entry[at] * r[column[at]];
+    for (int at = begin[k]; at < begin[k + 1]; ++at) sum += entry[at] * r[column[at]];
     u[k] += sum;
   }
   return u;
@@ -76,21 +78,23 @@ double QuickAnswer::sweepOnce() {
     if (!(a.block.W()(0, 0) > 0)) continue;  // moves nothing, and keeps its residual
     auto r = best_.r.segment<3>(3 * i);
     const Vec3 next = a.block.solve(u - a.block.W() * r, problem_.friction[i], r);
-    change = std::max(change, a.size * (next - r).norm());
+    change = std::max(change, a.size * a.size * (next - r).squaredNorm());
     r = next;
   }
   ++best_.sweeps;
-  return change;
+  return std::sqrt(change);
 }
 
-/// Two where regions are cheap; else as long as each takes away most of what is left. Contacts that feel little of each other, or
-/// nothing, need no more.
+/// As long as each takes away most of what is left; where regions are cheap, two at most. Contacts that feel little of each other,
+/// or nothing, need no more.
 void QuickAnswer::sweep() {
   constexpr double gain = 0.2;
   constexpr int few = 2;
-  double before = 2 * sweepOnce();  // as if from nearer: the first sets out from nothing
+  const double first = sweepOnce();
   measure();
-  for (bool gains = true; gains && !isReached() && best_.sweeps < options_.sweepBudget;) {
+  double before = 2 * first;  // as if from nearer: the first sets out from nothing
+  bool gains = !isSmall() || best_.residual <= gain * first;
+  while (gains && !isReached() && best_.sweeps < options_.sweepBudget) {
     const double change = sweepOnce(), ratio = change / before;
     gains = ratio <= gain && !(isSmall() && best_.sweeps >= few);
     // The next sweep would change about as much as the residual is now.
@@ -119,10 +123,17 @@ void QuickAnswer::measure() {
 
 /// From region to region, from what the sweeps found.
 bool QuickAnswer::walk() {
+  std::vector<Mat3> blocks(problem_.contacts());
+  VectorXd sizes(problem_.contacts());
+  for (int i = 0; i < problem_.contacts(); ++i) {
+    blocks[i] = approaching(i).block.W();
+    sizes[i] = approaching(i).size;
+  }
   NaturalMap map;
-  map.setProblem(problem_);
-  if (!DenseNewton::fits(problem_, map) ||
-      !DenseNewton().solve(problem_, map, toleranceFor(demand_), options_.newtonBudget, best_))
+  map.setProblem(problem_, std::move(blocks), sizes);
+  if (!fitsDenseNewton(problem_, map) ||
+      !DenseNewton<fewUnknowns>().solve(problem_, map, toleranceFor(demand_), options_.newtonBudget,
+                                        best_))
     return false;
   readActiveSet(problem_, map.diagonal(), best_.r, best_.u, best_.activeSet);
   return true;

@@ -29,7 +29,7 @@ class QuickAnswer {
   double residualOf(int contact) const { return residuals_[contact]; }  ///< m/s
 
  private:
-  /// A contact that was found to approach.
+  /// What a contact that approaches, or has a region, needs.
   struct Approaching {
     OneContact block;
     double size;  ///< ‖W_aa‖, 1/kg

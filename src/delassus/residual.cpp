@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "delassus/cone.h"
 #include "delassus/disk.h"
@@ -89,6 +90,15 @@ void NaturalMap::setProblem(const Problem& problem) {
   for (int a = 0; a < problem.contacts(); ++a) blocks_[a] = problem.W.contactBlock(3 * a);
   blockSizes(
       problem, diagonal_, [&](int a) { return spectralNorm(blocks_[a]); }, sizes_);
+}
+
+void NaturalMap::setProblem(const Problem& problem, std::vector<Mat3> blocks,
+                            const VectorXd& norms) {
+  problem_ = &problem;
+  problem.W.diagonal(diagonal_);
+  blocks_ = std::move(blocks);
+  blockSizes(
+      problem, diagonal_, [&](int a) { return norms[a]; }, sizes_);
 }
 
 void NaturalMap::meanDiagonal(VectorXd& mean) const {

@@ -24,6 +24,8 @@ class NaturalMap {
  public:
   /// Keeps a pointer to `problem`, which must outlive the measuring.
   void setProblem(const Problem& problem);
+  /// The same where W_aa and ‖W_aa‖ of all contacts are known.
+  void setProblem(const Problem& problem, std::vector<Mat3> blocks, const VectorXd& norms);
 
   NaturalResidual residual(const VectorXd& r, const VectorXd& u) const;
   /// ‖F‖/ρ one by one, m/s: of the contacts, then of the rows (of a disk in the place of its first).

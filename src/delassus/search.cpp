@@ -270,11 +270,10 @@ Outcome Search::walkCold(Engines<Motion>& engines, const Problem& problem, const
 
 Outcome Search::walk(const Problem& problem, const Options& options, double tolerance,
                      const VectorXd* guess, Solution& best) {
-  constexpr int fewUnknowns = 15;
   if (!problem.W.inBodySpace() && problem.size() > fewUnknowns &&
       sweepAndLearn(problem, options, tolerance, best))
     return Outcome::Reached;
-  if (DenseNewton::fits(problem, map_) &&
+  if (fitsDenseNewton(problem, map_) &&
       dense_.solve(problem, map_, tolerance, options.newtonBudget, best))
     return Outcome::Reached;
   // A few regions settle a small island; where there are many contacts they only take time.

@@ -141,7 +141,7 @@ class Search {
   void allow(const Problem& problem, Solution& best);
 
   NaturalMap map_;
-  DenseNewton dense_;
+  DenseNewton<Eigen::Dynamic> dense_;
   std::unique_ptr<Machines> own_;  ///< none in a search for patches
   Machines* machines_ = nullptr;
   Solution trial_, wandering_, cold_;

@@ -19,16 +19,30 @@ struct Attempt {
   Solution solution;
 };
 
-Attempt run(const Problem& problem, const VectorXd& start, int budget = 100) {
+template <int Most>
+Attempt runWithRoomFor(const Problem& problem, const VectorXd& start, int budget) {
   NaturalMap map;
   map.setProblem(problem);
-  EXPECT_TRUE(DenseNewton::fits(problem, map));
+  EXPECT_TRUE(fitsDenseNewton(problem, map));
   Attempt attempt;
   attempt.tolerance = 1e-10 * problem.q.cwiseAbs().maxCoeff();
   attempt.solution = startFrom(problem, map, start);
   attempt.before = attempt.solution.residual;
-  attempt.reached = DenseNewton().solve(problem, map, attempt.tolerance, budget, attempt.solution);
+  attempt.reached =
+      DenseNewton<Most>().solve(problem, map, attempt.tolerance, budget, attempt.solution);
   return attempt;
+}
+
+/// With room for any number of unknowns; and with room for few, if they fit, which goes the same way.
+Attempt run(const Problem& problem, const VectorXd& start, int budget = 100) {
+  const Attempt any = runWithRoomFor<Eigen::Dynamic>(problem, start, budget);
+  if (problem.size() <= fewUnknowns) {
+    const Attempt few = runWithRoomFor<fewUnknowns>(problem, start, budget);
+    EXPECT_EQ(few.reached, any.reached);
+    EXPECT_EQ(few.solution.regions, any.solution.regions);
+    EXPECT_LE((few.solution.r - any.solution.r).norm(), 1e-9 * any.solution.r.norm());
+  }
+  return any;
 }
 
 /// Contacts whose W has full rank, however they are coupled.
@@ -114,11 +128,11 @@ TEST(DenseNewton, LeavesDisksAndBodiesToOthers) {
   NaturalMap map;
   const PileIsland bodies(pile);
   map.setProblem(bodies.problem);
-  EXPECT_FALSE(DenseNewton::fits(bodies.problem, map));
+  EXPECT_FALSE(fitsDenseNewton(bodies.problem, map));
   resistTurning(pile, 0.1, random);
   const Problem turning = withEntries(PileIsland(pile).problem);
   map.setProblem(turning);
-  EXPECT_FALSE(DenseNewton::fits(turning, map));
+  EXPECT_FALSE(fitsDenseNewton(turning, map));
 }
 
 }  // namespace
