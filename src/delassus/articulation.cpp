@@ -130,7 +130,7 @@ const Problem& Coupling::couple(const Articulation& articulation, const Problem&
     });
     body = fixedWorld;
   };
-  for (BodySpace::ContactRows& c : space_->contacts) {
+  for (ContactRows& c : space_->contacts) {
     moveSide(c.a, c.Ja);
     moveSide(c.b, c.Jb);
     at += 3;

@@ -7,6 +7,25 @@
 #include "delassus/bytes.h"
 
 namespace delassus {
+namespace {
+
+/// A⁻¹ column by column, which for blocks this small is several times as fast as what Eigen does for all columns at once; Gauss and
+/// Jordan's way would be faster still, but loses digits of stiff contacts. `isNegative`: whether det A < 0. False if A is singular or
+/// not finite.
+bool invert(const Mat6& A, Mat6& inverse, bool& isNegative) {
+  const Eigen::PartialPivLU<Mat6> lu(A);
+  isNegative = lu.determinant() < 0;
+  inverse = lu.permutationP() * Mat6::Identity();
+  for (int k = 0; k < 6; ++k) {
+    Vec6 x = inverse.col(k);
+    lu.matrixLU().triangularView<Eigen::UnitLower>().solveInPlace(x);
+    lu.matrixLU().triangularView<Eigen::Upper>().solveInPlace(x);
+    inverse.col(k) = x;
+  }
+  return inverse.allFinite();
+}
+
+}  // namespace
 
 void BlockFactor::analyse(int bodies, const std::vector<Edge>& edges) {
   // Of large islands there are few kinds at a time: room is counted in edges.
@@ -61,11 +80,10 @@ bool BlockFactor::factorise() {
   isNegative_ = false;
   for (int column = 0; column < p.bodies; ++column) {
     eliminate(column);
-    const auto pivot = diagonal_[column].partialPivLu();
-    if (pivot.determinant() < 0) isNegative_ = !isNegative_;
-    const Mat6 inverse = pivot.inverse();
-    if (!inverse.allFinite()) return false;
-    diagonalInverse_[column] = inverse;
+    Mat6& inverse = diagonalInverse_[column];
+    bool isNegative;
+    if (!invert(diagonal_[column], inverse, isNegative)) return false;
+    if (isNegative) isNegative_ = !isNegative_;
     for (int at = p.begin[column]; at < p.begin[column + 1]; ++at) {
       if (symmetric_) upper_[at] = lower_[at];
       lower_[at] = (lower_[at] * inverse).eval();

@@ -25,9 +25,7 @@ void BodySpace::impulse(const VectorXd& r, VectorXd& y) const {
   y.setZero(6 * bodies);
   int at = 0;
   for (const ContactRows& c : contacts) {
-    const Vec3 rc = r.segment<3>(at);
-    if (c.a >= 0) y.segment<6>(6 * c.a).noalias() += c.Ja.transpose() * rc;
-    if (c.b >= 0) y.segment<6>(6 * c.b).noalias() += c.Jb.transpose() * rc;
+    c.push(r.segment<3>(at), y);
     at += 3;
   }
   for (const ScalarRow& c : rows) {
@@ -40,14 +38,14 @@ void BodySpace::impulse(const VectorXd& r, VectorXd& y) const {
 }
 
 void BodySpace::relativeVelocity(const VectorXd& y, VectorXd& u) const {
-  u.setZero(compliance.size());
+  u.resize(compliance.size());
   int at = 0;
   for (const ContactRows& c : contacts) {
-    if (c.a >= 0) u.segment<3>(at).noalias() += c.Ja * y.segment<6>(6 * c.a);
-    if (c.b >= 0) u.segment<3>(at).noalias() += c.Jb * y.segment<6>(6 * c.b);
+    u.segment<3>(at) = c.velocity(y);
     at += 3;
   }
   for (const ScalarRow& c : rows) {
+    u[at] = 0;
     if (c.a >= 0) u[at] += c.Ja.dot(y.segment<6>(6 * c.a));
     if (c.b >= 0) u[at] += c.Jb.dot(y.segment<6>(6 * c.b));
     ++at;
@@ -95,7 +93,7 @@ void DelassusMatrix::multiply(const VectorXd& r, VectorXd& y, VectorXd& u) const
 Mat3 DelassusMatrix::contactBlock(int first) const {
   Mat3 W;
   if (inBodySpace_) {
-    const BodySpace::ContactRows& c = bodySpace().contacts[first / 3];
+    const ContactRows& c = bodySpace().contacts[first / 3];
     W = Vec3(bodySpace().compliance.segment<3>(first)).asDiagonal();
     if (c.a >= 0) W.noalias() += c.Ja * c.Ja.transpose();
     if (c.b >= 0) W.noalias() += c.Jb * c.Jb.transpose();
@@ -143,7 +141,7 @@ void DelassusMatrix::diagonal(VectorXd& d) const {
   }
   d = bodySpace().compliance;
   int at = 0;
-  for (const BodySpace::ContactRows& c : bodySpace().contacts) {
+  for (const ContactRows& c : bodySpace().contacts) {
     if (c.a >= 0) d.segment<3>(at) += c.Ja.rowwise().squaredNorm();
     if (c.b >= 0) d.segment<3>(at) += c.Jb.rowwise().squaredNorm();
     at += 3;
@@ -162,7 +160,7 @@ MatrixXd DelassusMatrix::dense() const {
 
   MatrixXd J = MatrixXd::Zero(size_, 6 * bodySpace().bodies);
   int at = 0;
-  for (const BodySpace::ContactRows& c : bodySpace().contacts) {
+  for (const ContactRows& c : bodySpace().contacts) {
     if (c.a >= 0) J.block<3, 6>(at, 6 * c.a) += c.Ja;
     if (c.b >= 0) J.block<3, 6>(at, 6 * c.b) += c.Jb;
     at += 3;
@@ -189,7 +187,7 @@ DelassusMatrix::Sparse DelassusMatrix::asEntries() const {
     for (int i = 0; i < J.rows(); ++i)
       for (int j = 0; j < 6; ++j) jacobian.emplace_back(row + i, 6 * body + j, J(i, j));
   };
-  for (const BodySpace::ContactRows& c : bodySpace().contacts) {
+  for (const ContactRows& c : bodySpace().contacts) {
     append(c.a, c.Ja);
     append(c.b, c.Jb);
     row += 3;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "delassus/bytes.h"
+#include "delassus/contact_rows.h"
 #include "delassus/types.h"
 
 namespace delassus {
@@ -14,10 +15,6 @@ namespace delassus {
 /// add, y = J̃ᵀ r, and a locked axis is a zero column. Body blocks have six columns; an articulated body
 /// has as many blocks as its freedoms fill.
 struct BodySpace {
-  struct ContactRows {
-    int a, b;
-    Mat36 Ja, Jb;
-  };
   struct ScalarRow {
     int a, b;
     Row6 Ja, Jb;

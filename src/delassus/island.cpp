@@ -128,7 +128,9 @@ const Problem& Assembler::assemble(const std::vector<Body>& bodies,
   BodySpace& space = problem_.W.refill(3 * n + m);
   space.bodies = static_cast<int>(island.bodies.size());
   space.contacts.clear();
+  space.contacts.reserve(n);
   space.rows.clear();
+  space.rows.reserve(m);
   space.compliance.resize(3 * n + m);
   problem_.q.resize(3 * n + m);
   problem_.friction.resize(n);
@@ -163,7 +165,7 @@ const Problem& Assembler::assemble(const std::vector<Body>& bodies,
   int at = 0;
   for (int i : island.frictional) {
     const Contact& c = contacts[i];
-    BodySpace::ContactRows& entry = space.contacts.emplace_back();
+    ContactRows& entry = space.contacts.emplace_back();
     entry.a = local(c.a);
     entry.b = local(c.b);
     Vec3 q = Vec3::Zero();

@@ -41,7 +41,7 @@ struct Stiffness {
 };
 
 /// A motion space is where the reactions of an island are felt: y = J̃ᵀ r with M = I, so that W = J̃ J̃ᵀ + diag(compliance).
-/// Each offers impulse (y = J̃ᵀ r), relativeVelocity (u = J̃ y), and the Newton matrix K = I + J̃ᵀ G J̃ of a region.
+/// Each offers its size, impulse (y = J̃ᵀ r), relativeVelocity (u = J̃ y), and the Newton matrix K = I + J̃ᵀ G J̃ of a region.
 
 /// Bodies of a world: six columns a body, K is sparse in 6x6 blocks over the body graph.
 class BodyMotion {
@@ -49,6 +49,7 @@ class BodyMotion {
   /// Keeps pointers to the problem, which must outlive the use.
   void setProblem(const Problem& problem);
 
+  int size() const { return 6 * space_->bodies; }
   void impulse(const VectorXd& r, VectorXd& y) const { space_->impulse(r, y); }
   void relativeVelocity(const VectorXd& y, VectorXd& u) const { space_->relativeVelocity(y, u); }
   bool factorise(const Stiffness& G);
@@ -82,6 +83,7 @@ class FactoredMotion {
  public:
   void setProblem(const Problem& problem);
 
+  int size() const { return static_cast<int>(J_.cols()); }
   void impulse(const VectorXd& r, VectorXd& y) const {
     y.resize(J_.cols());
     y.noalias() = J_.transpose() * r;

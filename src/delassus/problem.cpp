@@ -16,7 +16,7 @@ bool inBodySpace(const BodySpace& space, int contacts, int part, int first) {
   double sum = 0;
   for (const BodySpace::Part& p : space.partsOf(first)) sum += p.J.cwiseAbs().sum();
   if (part < contacts) {
-    const BodySpace::ContactRows& rows = space.contacts[part];
+    const ContactRows& rows = space.contacts[part];
     sum += rows.Ja.cwiseAbs().sum() + rows.Jb.cwiseAbs().sum() +
            space.compliance.segment<3>(first).cwiseAbs().sum();
   } else {

@@ -175,8 +175,7 @@ typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
   // An inner answer only has to be better than what the outer step corrects anyway; at round-off the line search stalls.
   constexpr double stalled = 1e-2;
   constexpr int mostSteps = 40, mostHalvings = 10;
-  motion_.impulse(center_, delta_);
-  delta_.setZero();
+  delta_.setZero(motion_.size());
   trialU_ = u_;
 
   if (region) {
@@ -190,14 +189,15 @@ typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
     motion_.relativeVelocity(delta_, trialU_);
     trialU_ += u_;
   }
-  respond(problem, trialU_, &G_);
+  respond(problem, trialU_, nullptr);
   error_ = delta_ - felt();
   double error = error_.norm();
   for (int k = 0; k < mostSteps; ++k) {
-    const double size = std::max(delta_.norm(), felt().norm());
+    const double size = std::max(delta_.norm(), felt_.norm());
     if (error <= std::max(enough_ * size, fine_)) return Inner::Converged;
     if (budget-- <= 0) return Inner::Failed;
     ++count.regions;
+    respond(problem, trialU_, &G_);
     if (!factorise(count)) return Inner::Failed;
     step_ = -error_;
     motion_.solve(step_);
@@ -223,7 +223,6 @@ typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
     delta_.swap(trialDelta_);
     error_.swap(trialError_);
     error = trialNorm;
-    respond(problem, trialU_, &G_);
   }
   return Inner::Failed;
 }

@@ -33,7 +33,9 @@ bool hasOneRegion(const Problem& problem) {
          problem.upper.array().isInf().all();
 }
 
-constexpr double knownRegion = 1e-6;  ///< proximal weight
+// Proximal weights. From nothing a smaller one needs fewer steps; and were it smaller still, the first would end just within the
+// tolerance, and none would follow that takes more digits.
+constexpr double knownRegion = 1e-6, forcedRegion = 1e-7;
 constexpr double disturbed = 1e-3,
                  nearly = 1e-6;    ///< shares of the demands that reactions leave open
 constexpr int shortWalk = 16;      ///< regions
@@ -159,7 +161,7 @@ Outcome Search::startOut(ProximalNewton<Motion>& newton, const Problem& problem,
   if (!guess && !isLargePile(problem)) {
     forceActiveSet(problem, best.activeSet);
     const Outcome outcome =
-        newton.walkFromRegion(problem, tolerance, knownRegion, left(shortWalk), best);
+        newton.walkFromRegion(problem, tolerance, forcedRegion, left(shortWalk), best);
     if (outcome != Outcome::Lost) return outcome;
   }
   if (options.economies.oneRegion && hasOneRegion(problem)) {

@@ -27,7 +27,7 @@ inline LongMatrix longDense(const Problem& problem, LongMatrix& sizes) {
   const BodySpace& space = problem.W.bodySpace();
   LongMatrix J = LongMatrix::Zero(n, 6 * space.bodies);
   for (int i = 0; i < problem.contacts(); ++i) {
-    const BodySpace::ContactRows& rows = space.contacts[i];
+    const ContactRows& rows = space.contacts[i];
     if (rows.a >= 0) J.block<3, 6>(3 * i, 6 * rows.a) += rows.Ja.cast<Long>();
     if (rows.b >= 0) J.block<3, 6>(3 * i, 6 * rows.b) += rows.Jb.cast<Long>();
   }
