@@ -130,6 +130,7 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
   } else {
     summary.modes = writtenModes(dynamics);
   }
+  summary.msFirst = milliseconds.front();
   summary.msMedian = quantile(milliseconds, 0.5);
   summary.msP95 = quantile(milliseconds, 0.95);
   summary.residualMax = verdict.max;

@@ -32,7 +32,7 @@ struct RunSummary {
   double hz = 60;
   int bodies = 0;
   int contactsMax = 0;
-  double msMedian = 0, msP95 = 0;
+  double msFirst = 0, msMedian = 0, msP95 = 0;  ///< msFirst: of the first step, from nothing
   double residualRms = 0, residualMax = 0;
   int stepsAbove = 0;              ///< of all, those with a residual above `strict`
   double penetrationMax = 0;       ///< m, over the run

@@ -119,6 +119,7 @@ TEST(Judge, agreesWithOurOwnReport) {
 
 TEST(Simulate, timesEveryStep) {
   const RunSummary run = runFor(buildStack(3, 1), "si:1000", 0.2);
+  EXPECT_GT(run.msFirst, 0);
   EXPECT_GT(run.msMedian, 0);
   EXPECT_GE(run.msP95, run.msMedian);
 }
