@@ -6,14 +6,14 @@ namespace delassus {
 
 /// The three rows J̃ of a contact, six columns for each of its two bodies. A body less than 0 is not there.
 ///
-/// All methods that go from contact to contact spend most of their time on the two products here. They are worked out two numbers at
-/// a time, and the sums of a row are added up once for both bodies, not once for each.
+/// Whatever goes from contact to contact spends much of its time on the two products here. They are worked out two numbers at a time,
+/// and the sums of a row are added up once for both bodies, not once for each.
 struct ContactRows {
   int a, b;
   Mat36 Ja, Jb;
 
   /// J̃ y
-  Vec3 velocity(const VectorXd& y) const {
+  Vec3 relativeVelocity(const VectorXd& y) const {
     Pair sum[3] = {};
     if (a >= 0) add(Ja, y.data() + 6 * a, sum);
     if (b >= 0) add(Jb, y.data() + 6 * b, sum);
@@ -21,7 +21,7 @@ struct ContactRows {
   }
 
   /// y += J̃ᵀ r
-  void push(const Vec3& r, VectorXd& y) const {
+  void addImpulse(const Vec3& r, VectorXd& y) const {
     const Pair twice[3] = {{r[0], r[0]}, {r[1], r[1]}, {r[2], r[2]}};
     if (a >= 0) add(Ja, twice, y.data() + 6 * a);
     if (b >= 0) add(Jb, twice, y.data() + 6 * b);

@@ -25,7 +25,7 @@ void BodySpace::impulse(const VectorXd& r, VectorXd& y) const {
   y.setZero(6 * bodies);
   int at = 0;
   for (const ContactRows& c : contacts) {
-    c.push(r.segment<3>(at), y);
+    c.addImpulse(r.segment<3>(at), y);
     at += 3;
   }
   for (const ScalarRow& c : rows) {
@@ -41,7 +41,7 @@ void BodySpace::relativeVelocity(const VectorXd& y, VectorXd& u) const {
   u.resize(compliance.size());
   int at = 0;
   for (const ContactRows& c : contacts) {
-    u.segment<3>(at) = c.velocity(y);
+    u.segment<3>(at) = c.relativeVelocity(y);
     at += 3;
   }
   for (const ScalarRow& c : rows) {

@@ -23,9 +23,8 @@ class DenseNewton {
              Solution& best);
 
   std::size_t bytes() const {
-    // The factors are as large as K_.
     std::size_t sum = candidate_.bytes() + felt_.bytes();
-    if constexpr (Most == Eigen::Dynamic)
+    if constexpr (Most == Eigen::Dynamic)  // its factors are as large as K_
       sum += bytesOf(W_, K_, K_, rho_, r_, u_, step_, error_, trialR_, trialU_);
     return sum;
   }
@@ -35,7 +34,7 @@ class DenseNewton {
   using Vector = typename Elimination<Most>::Vector;
 
   void start(const Problem& problem, const NaturalMap& map, const Solution& best);
-  /// F in step_ for these reactions and velocities, and if asked −dF/dr in K_. Returns ‖ρ F‖ (m/s).
+  /// F in error_ for these reactions and velocities, and if asked −dF/dr in K_. Returns ‖ρ F‖ (m/s).
   double evaluate(const Problem& problem, const Vector& r, const Vector& u, bool differentiate);
   bool judge(const Problem& problem, const NaturalMap& map, double tolerance, Solution& best);
 

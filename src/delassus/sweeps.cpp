@@ -160,14 +160,14 @@ void Sweeps::sweepContact(const Problem& problem, int contact, VectorXd& r) {
   if (!((*diagonal_)[at] > 0)) return;
   const auto& c = space.contacts[contact];
   Vec3 u = problem.q.segment<3>(at) +
-           space.compliance.segment<3>(at).cwiseProduct(r.segment<3>(at)) + c.velocity(y_);
+           space.compliance.segment<3>(at).cwiseProduct(r.segment<3>(at)) + c.relativeVelocity(y_);
   const BodySpace::PartRange parts = space.partsOf(at);
   for (const BodySpace::Part& p : parts) u.noalias() += p.J * y_.segment<6>(6 * p.body);
   const OneContact& block = blocks_[contact];
   const Vec3 before = r.segment<3>(at);
   const Vec3 next = block.solve(u - block.W() * before, problem.friction[contact], before);
   const Vec3 dr = next - before;
-  c.push(dr, y_);
+  c.addImpulse(dr, y_);
   for (const BodySpace::Part& p : parts)
     y_.segment<6>(6 * p.body).noalias() += p.J.transpose() * dr;
   r.segment<3>(at) = next;

@@ -12,10 +12,6 @@ namespace {
 /// The residual that 99 % of the steps must keep: of the law, and of what single precision can say of positions.
 constexpr double residualTolerance = 1e-6;  // m/s
 
-/// Share of the steps that may end above it. A blow of 50 kg on bricks of 2 kg is beyond what the walk always solves: such
-/// steps must say so.
-double shareAbove(const std::string& scene) { return scene == "wall_and_ball" ? 0.1 : 0.01; }
-
 using Build = std::function<std::unique_ptr<World>()>;
 
 /// Bodies that end in or under what cannot move.
@@ -31,7 +27,8 @@ int throughInStock(const Build& build, int steps, double hz) {
 
 /// Steps a world and checks that the law was solved, by our solver alone, that the numbers stay numbers, and that nothing
 /// goes through what does not go through in stock (its narrow phase keeps one point of a thin rod that lies on a plane).
-void expectLawKept(const Build& build, double seconds, double hz = 60, double share = 0.01) {
+void expectLawKept(const Build& build, double seconds, double hz = 60) {
+  constexpr double share = 0.01;  // of the steps may end above it
   const int steps = int(std::lround(seconds * hz));
   OnRegions run(build());
   int above = 0, obsolete = 0;
@@ -67,14 +64,14 @@ bool isLarge(const std::string& scene) {
 
 TEST_P(EveryScene, keepsTheLawInItsFirstSteps) {
   const SceneDescription& scene = findScene(GetParam());
-  expectLawKept(scene.build, isLarge(scene.name) ? 0.05 : 0.5, scene.hz, shareAbove(scene.name));
+  expectLawKept(scene.build, isLarge(scene.name) ? 0.05 : 0.5, scene.hz);
 }
 
 class WholeScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(WholeScene, keepsTheLawToItsEndSlow) {
   const SceneDescription& scene = findScene(GetParam());
-  expectLawKept(scene.build, scene.seconds, scene.hz, shareAbove(scene.name));
+  expectLawKept(scene.build, scene.seconds, scene.hz);
 }
 
 std::vector<std::string> sceneNames() {
