@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.037095 1e-12 0.037095 0.037095
+0.041231 1e-12 0.041231 0.041231
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.033831 1e-12 0.033831 0.033831
+0.031938 1e-12 0.031938 0.031938
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.015313 1e-12 0.015313 0.015313
+0.015302 1e-12 0.015302 0.015302
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.055823 1e-12 0.055823 0.055823
+0.056003 1e-12 0.056003 0.056003
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.20811 1e-12 0.20811 0.20811
+0.277432 1e-12 0.277432 0.277432
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-1.01826 1e-12 1.01826 1.01826
+1.01707 1e-12 1.01707 1.01707
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.084956 1e-12 0.084956 0.084956
+0.084896 1e-12 0.084896 0.084896
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.018838 1e-12 0.018838 0.018838
+0.019148 1e-12 0.019148 0.019148
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.074811 1e-12 0.074811 0.074811
+0.075082 1e-12 0.075082 0.075082
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.128901 1e-12 0.128901 0.128901
+0.130413 1e-12 0.130413 0.130413
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.039489 1e-12 0.039489 0.039489
+0.039969 1e-12 0.039969 0.039969
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.123464 1e-12 0.123464 0.123464
+0.123443 1e-12 0.123443 0.123443
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-1.46655 1e-12 1.46655 1.46655
+1.46773 1e-12 1.46773 1.46773
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.037095 0.0168985 0.037095 0.037095
+0.041231 0.0168985 0.041231 0.041231
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.033831 0.0138221 0.033831 0.033831
+0.031938 0.0138221 0.031938 0.031938
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.015313 0.0111974 0.015313 0.015313
+0.015302 0.0111974 0.015302 0.015302
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.055823 0.0144332 0.055823 0.055823
+0.056003 0.0144332 0.056003 0.056003
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.20811 0.0144332 0.20811 0.20811
+0.277432 0.0144332 0.277432 0.277432
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-1.01826 0.0144332 1.01826 1.01826
+1.01707 0.0144332 1.01707 1.01707
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.084956 0.0123557 0.084956 0.084956
+0.084896 0.0123557 0.084896 0.084896
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.018838 0.0131251 0.018838 0.018838
+0.019148 0.0131251 0.019148 0.019148
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.074811 0.0129979 0.074811 0.074811
+0.075082 0.0129979 0.075082 0.075082
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.128901 0.0141521 0.128901 0.128901
+0.130413 0.0141521 0.130413 0.130413
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.039489 0.0161089 0.039489 0.039489
+0.039969 0.0161089 0.039969 0.039969
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.123464 0.0122605 0.123464 0.123464
+0.123443 0.0122605 0.123443 0.123443
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-1.46655 0.0469486 1.46655 1.46655
+1.46773 0.0469486 1.46773 1.46773
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.037095 5.24275e-09 0.037095 0.037095
+0.041231 5.24248e-09 0.041231 0.041231
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.033831 0.00021568 0.033831 0.033831
+0.031938 0.000218148 0.031938 0.031938
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.015313 7.46436e-06 0.015313 0.015313
+0.015302 7.46436e-06 0.015302 0.015302
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.055823 7.6924e-09 0.055823 0.055823
+0.056003 7.6924e-09 0.056003 0.056003
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.20811 8.36709e-09 0.20811 0.20811
+0.277432 8.36709e-09 0.277432 0.277432
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-1.01826 1.32551e-08 1.01826 1.01826
+1.01707 1.32551e-08 1.01707 1.01707
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.084956 4.43081e-09 0.084956 0.084956
+0.084896 4.43081e-09 0.084896 0.084896
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.018838 0.000438412 0.018838 0.018838
+0.019148 0.000438412 0.019148 0.019148
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.074811 1.022e-08 0.074811 0.074811
+0.075082 1.022e-08 0.075082 0.075082
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.128901 7.00686e-09 0.128901 0.128901
+0.130413 7.00686e-09 0.130413 0.130413
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.039489 1.25939e-05 0.039489 0.039489
+0.039969 1.25939e-05 0.039969 0.039969
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.123464 7.66175e-09 0.123464 0.123464
+0.123443 7.66175e-09 0.123443 0.123443
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-1.46655 0.26307 1.46655 1.46655
+1.46773 0.26307 1.46773 1.46773
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0108532:4.75086]
+set xrange [0.0108442:4.75653]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -223,24 +223,24 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.22903, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.213885, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.246475, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.204495, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.296233, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.269291, graph 0.5 to graph 0.296233, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.512603, graph 0.5 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.773683, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.365285, graph 0.593103 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.338343, graph 0.5 to graph 0.365285, graph 0.593103 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.117611, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0906694, graph 0.5 to graph 0.117611, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.133329, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.317433, graph 0.5 to graph 0.290491, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.433838, graph 0.453448 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.406896, graph 0.5 to graph 0.433838, graph 0.453448 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.0282682, graph 0.534914 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.426751, graph 0.395259 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.39981, graph 0.5 to graph 0.426751, graph 0.395259 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.296809, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.269868, graph 0.5 to graph 0.296809, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.559838, graph 0.5 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.773378, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.365193, graph 0.593103 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.338251, graph 0.5 to graph 0.365193, graph 0.593103 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.120401, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0934591, graph 0.5 to graph 0.120401, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.133955, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.318058, graph 0.5 to graph 0.291116, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.435756, graph 0.453448 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.408814, graph 0.5 to graph 0.435756, graph 0.453448 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.0303204, graph 0.534914 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6" at graph 0.426727, graph 0.395259 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.399785, graph 0.5 to graph 0.426727, graph 0.395259 nohead lw 0.6 lc rgb '#555555'
 set label "lemke" at graph 0.833669, graph 0.534914 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -264,7 +264,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0108532:4.75086]
+set xrange [0.0108442:4.75653]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -276,24 +276,25 @@ unset label
 unset arrow
 unset object
 set label "si:10" at graph 0.0835457, graph 0.524559 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.426751, graph 0.544254 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.365285, graph 0.604124 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.338343, graph 0.545934 to graph 0.365285, graph 0.604124 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:50" at graph 0.344375, graph 0.487109 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.317433, graph 0.556936 to graph 0.344375, graph 0.487109 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.117611, graph 0.640517 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0906694, graph 0.559051 to graph 0.117611, graph 0.640517 nohead lw 0.6 lc rgb '#009e73'
-set label "delassus:1e-3" at graph 0.213885, graph 0.698305 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.186943, graph 0.570288 to graph 0.213885, graph 0.698305 nohead lw 0.6 lc rgb '#0060a8'
-set label "pgs:50" at graph 0.433838, graph 0.435756 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.406896, graph 0.575411 to graph 0.433838, graph 0.435756 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:50" at graph 0.130091, graph 0.47494 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.269291, graph 0.579682 to graph 0.242349, graph 0.47494 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.512603, graph 0.59132 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.773683, graph 0.579682 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.0282682, graph 0.591895 left front noenhanced textcolor rgb '#555555'
-set label "delassus" at graph 0.22903, graph 0.75358 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.202088, graph 0.613924 to graph 0.22903, graph 0.75358 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.426727, graph 0.544254 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.365193, graph 0.604124 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.338251, graph 0.545934 to graph 0.365193, graph 0.604124 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:50" at graph 0.345, graph 0.487109 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.318058, graph 0.556936 to graph 0.345, graph 0.487109 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.120401, graph 0.640517 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0934591, graph 0.559051 to graph 0.120401, graph 0.640517 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus:1e-3" at graph 0.204495, graph 0.698305 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.177553, graph 0.570288 to graph 0.204495, graph 0.698305 nohead lw 0.6 lc rgb '#0060a8'
+set label "pgs:50" at graph 0.435756, graph 0.435756 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.408814, graph 0.575411 to graph 0.435756, graph 0.435756 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:50" at graph 0.130668, graph 0.47494 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.269868, graph 0.579682 to graph 0.242926, graph 0.47494 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.559838, graph 0.59132 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.773378, graph 0.579682 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.0303204, graph 0.696637 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.214424, graph 0.603533 to graph 0.187482, graph 0.696637 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.246475, graph 0.75358 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.219533, graph 0.613924 to graph 0.246475, graph 0.75358 nohead lw 0.6 lc rgb '#0060a8'
 set label "lemke" at graph 0.833669, graph 0.835812 left front noenhanced textcolor rgb '#999999'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -317,7 +318,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0108532:4.75086]
+set xrange [0.0108442:4.75653]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -328,22 +329,21 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "si2:50" at graph 0.365285, graph 0.0601935 left front noenhanced textcolor rgb '#e69f00'
-set label "delassus" at graph 0.22903, graph 0.138141 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.202088, graph 0.0799511 to graph 0.22903, graph 0.138141 nohead lw 0.6 lc rgb '#0060a8'
-set label "pgs:50" at graph 0.433838, graph 0.128861 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.426751, graph 0.179724 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.39981, graph 0.0982586 to graph 0.426751, graph 0.179724 nohead lw 0.6 lc rgb '#555555'
-set label "si:50" at graph 0.130091, graph 0.0518996 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.269291, graph 0.0984513 to graph 0.242349, graph 0.0518996 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.512603, graph 0.0792324 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.133329, graph 0.193627 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.317433, graph 0.112161 to graph 0.290491, graph 0.193627 nohead lw 0.6 lc rgb '#009e73'
-set label "si:1000" at graph 0.773683, graph 0.124709 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.365193, graph 0.0601935 left front noenhanced textcolor rgb '#e69f00'
+set label "delassus" at graph 0.0129786, graph 0.0799485 left front noenhanced textcolor rgb '#0060a8'
+set label "pgs:50" at graph 0.435756, graph 0.128861 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.103424, graph 0.14481 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.399785, graph 0.0982586 to graph 0.372843, graph 0.14481 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.130668, graph 0.0286237 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.269868, graph 0.0984513 to graph 0.242926, graph 0.0286237 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.559838, graph 0.0792324 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.345, graph 0.193627 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.318058, graph 0.112161 to graph 0.345, graph 0.193627 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000" at graph 0.773378, graph 0.124709 left front noenhanced textcolor rgb '#d55e00'
 set label "si:10" at graph 0.0835457, graph 0.430333 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.239313, graph 0.455573 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.213885, graph 0.592646 left front noenhanced textcolor rgb '#0060a8'
-set label "nncg:10" at graph 0.117611, graph 0.650152 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.241366, graph 0.455573 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.204495, graph 0.593195 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg:10" at graph 0.120401, graph 0.650152 left front noenhanced textcolor rgb '#009e73'
 set label "lemke" at graph 0.833669, graph 0.935564 left front noenhanced textcolor rgb '#999999'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \

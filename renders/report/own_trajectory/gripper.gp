@@ -2,42 +2,42 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.012158 39.7132 0.012158 0.012158
+0.011797 39.7132 0.011797 0.011797
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.02014 39.7131 0.02014 0.02014
+0.029063 39.7131 0.029063 0.029063
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.00673 37.9149 0.00673 0.00673
+0.007371 37.9149 0.007371 0.007371
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.023365 38.2401 0.023365 0.023365
+0.025548 38.2401 0.025548 0.025548
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.085276 38.6732 0.085276 0.085276
+0.117675 38.6732 0.117675 0.117675
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.402108 38.757 0.402108 0.402108
+0.439512 38.757 0.439512 0.439512
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.027551 39.732 0.027551 0.027551
+0.029364 39.732 0.029364 0.029364
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.007391 36.4352 0.007391 0.007391
+0.007842 36.4352 0.007842 0.007842
 EOD
 $line0_8 << EOD
 EOD
@@ -46,127 +46,127 @@ EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.07397 38.2932 0.07397 0.07397
+0.117915 38.2932 0.117915 0.117915
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.014381 32.8561 0.014381 0.014381
+0.016895 32.8561 0.016895 0.016895
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.022434 37.9822 0.022434 0.022434
+0.031997 37.9822 0.031997 0.031997
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-25.9228 37.5966 25.9228 25.9228
+27.7607 37.5966 27.7607 27.7607
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.012158 0.00333333 0.012158 0.012158
+0.011797 0.00333333 0.011797 0.011797
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.02014 0.00666647 0.02014 0.02014
+0.029063 0.00666647 0.029063 0.029063
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.00673 0.00500574 0.00673 0.00673
+0.007371 0.00500574 0.007371 0.007371
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.023365 0.00669307 0.023365 0.023365
+0.025548 0.00669307 0.025548 0.025548
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.085276 0.00333333 0.085276 0.085276
+0.117675 0.00333333 0.117675 0.117675
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.402108 0.00333333 0.402108 0.402108
+0.439512 0.00333333 0.439512 0.439512
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.027551 0.00669494 0.027551 0.027551
+0.029364 0.00669494 0.029364 0.029364
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.007391 0.0301487 0.007391 0.007391
+0.007842 0.0301487 0.007842 0.007842
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.01326 0.764133 0.01326 0.01326
+0.016695 0.764133 0.016695 0.016695
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.07397 0.00669307 0.07397 0.07397
+0.117915 0.00669307 0.117915 0.117915
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.014381 0.022196 0.014381 0.014381
+0.016895 0.022196 0.016895 0.016895
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.022434 0.00333328 0.022434 0.022434
+0.031997 0.00333328 0.031997 0.031997
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-25.9228 0.0424203 25.9228 25.9228
+27.7607 0.0424203 27.7607 27.7607
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.012158 1.18742e-11 0.012158 0.012158
+0.011797 1.35446e-11 0.011797 0.011797
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.02014 4.07389e-07 0.02014 0.02014
+0.029063 4.07394e-07 0.029063 0.029063
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.00673 0.00599616 0.00673 0.00673
+0.007371 0.00599616 0.007371 0.007371
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.023365 0.0019067 0.023365 0.023365
+0.025548 0.0019067 0.025548 0.025548
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.085276 0.000601327 0.085276 0.085276
+0.117675 0.000601327 0.117675 0.117675
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.402108 0.000111512 0.402108 0.402108
+0.439512 0.000111512 0.439512 0.439512
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.027551 0.000496805 0.027551 0.027551
+0.029364 0.000496805 0.029364 0.029364
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.007391 0.0127535 0.007391 0.007391
+0.007842 0.0127535 0.007842 0.007842
 EOD
 $line2_8 << EOD
 EOD
@@ -175,22 +175,22 @@ EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.07397 0.00216536 0.07397 0.07397
+0.117915 0.00216536 0.117915 0.117915
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.014381 0.00360595 0.014381 0.014381
+0.016895 0.00360595 0.016895 0.016895
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.022434 1.40259e-06 0.022434 0.022434
+0.031997 1.40259e-06 0.031997 0.031997
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-25.9228 0.00958296 25.9228 25.9228
+27.7607 0.00958296 27.7607 27.7607
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -210,7 +210,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00360947:217.543]
+set xrange [0.00395996:231.622]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics nomirror (10, 20, 50, 100, 200, 500)
@@ -221,25 +221,26 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig" at graph 0.152535, graph 0.516616 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.0920577, graph 0.631349 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0651158, graph 0.561522 to graph 0.0920577, graph 0.631349 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.159112, graph 0.516616 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.0891887, graph 0.631349 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0622467, graph 0.561522 to graph 0.0891887, graph 0.631349 nohead lw 0.6 lc rgb '#009e73'
 set label "lemke" at graph 0.833669, graph 0.575149 left front noenhanced textcolor rgb '#999999'
 set label "si:10" at graph 0.0835457, graph 0.683552 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.57881 to graph 0.0835457, graph 0.683552 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.192935, graph 0.463201 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.165993, graph 0.57958 to graph 0.192935, graph 0.463201 nohead lw 0.6 lc rgb '#555555'
-set label "si:50" at graph 0.0304873, graph 0.489416 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.169687, graph 0.582519 to graph 0.142745, graph 0.489416 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.301332, graph 0.618035 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.314255, graph 0.564134 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.455154, graph 0.588351 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.183134, graph 0.738589 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.156193, graph 0.598933 to graph 0.183134, graph 0.738589 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.137278, graph 0.785142 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.110336, graph 0.598935 to graph 0.137278, graph 0.785142 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.211602, graph 0.680606 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.18466, graph 0.59914 to graph 0.211602, graph 0.680606 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig:1e-6" at graph 0.217293, graph 0.684321 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.190351, graph 0.57958 to graph 0.217293, graph 0.684321 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.0306449, graph 0.489416 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.169845, graph 0.582519 to graph 0.142903, graph 0.489416 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.33612, graph 0.559846 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.335934, graph 0.622323 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.455984, graph 0.506885 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.429042, graph 0.588351 to graph 0.455984, graph 0.506885 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.208531, graph 0.738589 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.181589, graph 0.598933 to graph 0.208531, graph 0.738589 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.126391, graph 0.436004 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0994486, graph 0.598935 to graph 0.126391, graph 0.436004 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.0208757, graph 0.738795 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.182527, graph 0.59914 to graph 0.155585, graph 0.738795 nohead lw 0.6 lc rgb '#e69f00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -261,7 +262,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00360947:217.543]
+set xrange [0.00395996:231.622]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -272,21 +273,21 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig:1e-6" at graph 0.192935, graph 0.151015 left front noenhanced textcolor rgb '#555555'
-set label "delassus" at graph 0.137278, graph 0.197569 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.314255, graph 0.255758 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.287313, graph 0.174293 to graph 0.314255, graph 0.255758 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.455154, graph 0.197569 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.217293, graph 0.151015 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.126391, graph 0.197569 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.335934, graph 0.197569 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.455984, graph 0.255758 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.429042, graph 0.174293 to graph 0.455984, graph 0.255758 nohead lw 0.6 lc rgb '#d55e00'
 set label "si:10" at graph 0.0835457, graph 0.244794 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.183134, graph 0.309546 left front noenhanced textcolor rgb '#0060a8'
-set label "si:50" at graph 0.196629, graph 0.251933 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.301332, graph 0.356674 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.27439, graph 0.275208 to graph 0.301332, graph 0.356674 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si2:50" at graph 0.0230085, graph 0.298525 left front noenhanced textcolor rgb '#e69f00'
-set label "dantzig" at graph 0.152535, graph 0.448758 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.0920577, graph 0.504727 left front noenhanced textcolor rgb '#009e73'
+set label "delassus:1e-3" at graph 0.208531, graph 0.309546 left front noenhanced textcolor rgb '#0060a8'
+set label "si:50" at graph 0.196787, graph 0.251933 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.33612, graph 0.356674 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.309178, graph 0.275208 to graph 0.33612, graph 0.356674 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si2:50" at graph 0.0208757, graph 0.298525 left front noenhanced textcolor rgb '#e69f00'
+set label "dantzig" at graph 0.159112, graph 0.448758 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.0891887, graph 0.504727 left front noenhanced textcolor rgb '#009e73'
 set label "lemke" at graph 0.833669, graph 0.542525 left front noenhanced textcolor rgb '#999999'
-set label "nncg:50" at graph 0.145161, graph 0.961056 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.158027, graph 0.961056 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -309,7 +310,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00360947:217.543]
+set xrange [0.00395996:231.622]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -320,20 +321,20 @@ set ylabel "joints pulled apart, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.137278, graph 0.0976913 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.183134, graph 0.510001 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.192935, graph 0.558812 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.455154, graph 0.731575 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0230085, graph 0.790562 left front noenhanced textcolor rgb '#e69f00'
-set label "si:200" at graph 0.314255, graph 0.798101 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0304873, graph 0.843662 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.301332, graph 0.848685 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.152535, graph 0.903734 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.0835457, graph 0.958725 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0566038, graph 0.888898 to graph 0.0835457, graph 0.958725 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.126391, graph 0.102888 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.208531, graph 0.510001 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.217293, graph 0.558812 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.455984, graph 0.731575 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0208757, graph 0.790562 left front noenhanced textcolor rgb '#e69f00'
+set label "si:200" at graph 0.335934, graph 0.798101 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.196787, graph 0.843662 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.33612, graph 0.848685 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.159112, graph 0.892096 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.0835457, graph 0.947087 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0566038, graph 0.888898 to graph 0.0835457, graph 0.947087 nohead lw 0.6 lc rgb '#d55e00'
 set label "lemke" at graph 0.833669, graph 0.907409 left front noenhanced textcolor rgb '#999999'
-set label "nncg:10" at graph 0.0920577, graph 0.732487 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0651158, graph 0.918694 to graph 0.0920577, graph 0.732487 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.0891887, graph 0.732487 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0622467, graph 0.918694 to graph 0.0891887, graph 0.732487 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

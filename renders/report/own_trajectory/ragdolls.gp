@@ -2,37 +2,37 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-11.0524 1e-12 11.0524 11.0524
+12.5375 1e-12 12.5375 12.5375
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-4.13679 1e-12 4.13679 4.13679
+4.69723 1e-12 4.69723 4.69723
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.312666 1e-12 0.312666 0.312666
+0.32331 1e-12 0.32331 0.32331
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.982631 1e-12 0.982631 0.982631
+1.02391 1e-12 1.02391 1.02391
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-3.48627 1e-12 3.48627 3.48627
+3.71291 1e-12 3.71291 3.71291
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-16.7067 1e-12 16.7067 16.7067
+18.0638 1e-12 18.0638 18.0638
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-1.05383 1e-12 1.05383 1.05383
+1.11123 1e-12 1.11123 1.11123
 EOD
 $line0_7 << EOD
 EOD
@@ -45,122 +45,122 @@ EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-4.34088 1e-12 4.34088 4.34088
+4.88995 1e-12 4.88995 4.88995
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-38.6619 1e-12 38.6619 38.6619
+41.5002 1e-12 41.5002 41.5002
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-37.983 1e-12 37.983 37.983
+40.7846 1e-12 40.7846 40.7846
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-395.536 1e-12 395.536 395.536
+417.733 1e-12 417.733 417.733
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-11.0524 0.100174 11.0524 11.0524
+12.5375 0.100174 12.5375 12.5375
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-4.13679 0.100384 4.13679 4.13679
+4.69723 0.1009 4.69723 4.69723
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.312666 0.070909 0.312666 0.312666
+0.32331 0.070909 0.32331 0.32331
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.982631 0.0672482 0.982631 0.982631
+1.02391 0.0672482 1.02391 1.02391
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-3.48627 0.0753632 3.48627 3.48627
+3.71291 0.0753632 3.71291 3.71291
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-16.7067 0.0696225 16.7067 16.7067
+18.0638 0.0696225 18.0638 18.0638
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-1.05383 0.100681 1.05383 1.05383
+1.11123 0.100681 1.11123 1.11123
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.288299 1.13495 0.288299 0.288299
+0.328746 1.13495 0.328746 0.328746
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.809815 1e-12 0.809815 0.809815
+0.835289 1e-12 0.835289 0.835289
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-4.34088 0.0731354 4.34088 4.34088
+4.88995 0.0731354 4.88995 4.88995
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-38.6619 0.0847997 38.6619 38.6619
+41.5002 0.0847997 41.5002 41.5002
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-37.983 0.0786604 37.983 37.983
+40.7846 0.0786604 40.7846 40.7846
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-395.536 1e-12 395.536 395.536
+417.733 1e-12 417.733 417.733
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-11.0524 0.0389089 11.0524 11.0524
+12.5375 0.0389089 12.5375 12.5375
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-4.13679 0.039125 4.13679 4.13679
+4.69723 0.0392679 4.69723 4.69723
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.312666 0.0657587 0.312666 0.312666
+0.32331 0.0657587 0.32331 0.32331
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.982631 0.0320519 0.982631 0.982631
+1.02391 0.0320519 1.02391 1.02391
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-3.48627 0.037435 3.48627 3.48627
+3.71291 0.037435 3.71291 3.71291
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-16.7067 0.0379267 16.7067 16.7067
+18.0638 0.0379267 18.0638 18.0638
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-1.05383 0.0412119 1.05383 1.05383
+1.11123 0.0412119 1.11123 1.11123
 EOD
 $line2_7 << EOD
 EOD
@@ -173,22 +173,22 @@ EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-4.34088 0.0356133 4.34088 4.34088
+4.88995 0.0356133 4.88995 4.88995
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-38.6619 0.049883 38.6619 38.6619
+41.5002 0.049883 41.5002 41.5002
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-37.983 0.0428533 37.983 37.983
+40.7846 0.0428533 40.7846 40.7846
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-395.536 1e-12 395.536 395.536
+417.733 1e-12 417.733 417.733
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -208,7 +208,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.182389:2491.48]
+set xrange [0.188297:2645.66]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -219,20 +219,20 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.45796, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.00900211, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.466552, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0180004, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.203801, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.33679, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.501349, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.211147, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.184205, graph 0.5 to graph 0.211147, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
-set label "pgs:50" at graph 0.359814, graph 0.418534 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.332872, graph 0.5 to graph 0.359814, graph 0.418534 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.589463, graph 0.418534 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.562521, graph 0.5 to graph 0.589463, graph 0.418534 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.587603, graph 0.593103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.560661, graph 0.5 to graph 0.587603, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.20425, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.339133, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.50479, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.212819, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.185877, graph 0.5 to graph 0.212819, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
+set label "pgs:50" at graph 0.367966, graph 0.418534 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.341024, graph 0.5 to graph 0.367966, graph 0.418534 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.591884, graph 0.418534 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.564942, graph 0.5 to graph 0.591884, graph 0.418534 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.590063, graph 0.593103 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.563121, graph 0.5 to graph 0.590063, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
 set label "lemke" at graph 0.833669, graph 0.5 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -254,7 +254,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.167148:2544.12]
+set xrange [0.188297:2645.66]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -265,23 +265,23 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "nncg:50" at graph 0.19079, graph 0.0714286 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.182931, graph 0.0714286 left front noenhanced textcolor rgb '#009e73'
 set label "lemke" at graph 0.833669, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.210875, graph 0.821558 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.505082, graph 0.822635 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.0919708, graph 0.881392 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.365136, graph 0.882352 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.34237, graph 0.813455 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.590367, graph 0.872973 left front noenhanced textcolor rgb '#555555'
-set label "dantzig" at graph 0.592206, graph 0.921856 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.565264, graph 0.852028 to graph 0.592206, graph 0.921856 nohead lw 0.6 lc rgb '#555555'
-set label "delassus" at graph 0.228683, graph 0.938662 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.435238, graph 0.857197 to graph 0.408296, graph 0.938662 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.360136, graph 0.764158 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.333194, graph 0.857262 to graph 0.360136, graph 0.764158 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.218139, graph 0.880629 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.0835457, graph 0.769567 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0566038, graph 0.932498 to graph 0.0835457, graph 0.769567 nohead lw 0.6 lc rgb '#009e73'
+set label "si:50" at graph 0.20425, graph 0.821558 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.50479, graph 0.822635 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.0835457, graph 0.881392 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.367966, graph 0.882352 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.339133, graph 0.813455 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.590063, graph 0.872973 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.591884, graph 0.921856 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.564942, graph 0.852028 to graph 0.591884, graph 0.921856 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.233055, graph 0.938662 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.43961, graph 0.857197 to graph 0.412668, graph 0.938662 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.024225, graph 0.822439 left front noenhanced textcolor rgb '#e69f00'
+set label "delassus:1e-3" at graph 0.363755, graph 0.764317 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.336813, graph 0.857421 to graph 0.363755, graph 0.764317 nohead lw 0.6 lc rgb '#0060a8'
+set label "nncg:10" at graph 0.0852916, graph 0.769567 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0583496, graph 0.932498 to graph 0.0852916, graph 0.769567 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -304,7 +304,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.182389:2491.48]
+set xrange [0.188297:2645.66]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -316,23 +316,22 @@ unset label
 unset arrow
 unset object
 set label "lemke" at graph 0.833669, graph 0.0833333 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.0376588, graph 0.958821 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.359814, graph 0.939358 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.148196, graph 0.90625 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.309848, graph 0.96444 to graph 0.282906, graph 0.90625 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.501349, graph 0.941636 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus" at graph 0.45796, graph 0.884372 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.431018, graph 0.965837 to graph 0.45796, graph 0.884372 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.00900211, graph 0.849659 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.327815, graph 0.966038 to graph 0.300873, graph 0.849659 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.211147, graph 0.79335 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.184205, graph 0.967919 to graph 0.211147, graph 0.79335 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig:1e-6" at graph 0.587603, graph 0.829677 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.560661, graph 0.969332 to graph 0.587603, graph 0.829677 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig" at graph 0.378418, graph 0.835174 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.562521, graph 0.974829 to graph 0.535579, graph 0.835174 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.0835457, graph 0.802155 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0566038, graph 0.984829 to graph 0.0835457, graph 0.802155 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.0381078, graph 0.958821 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.367966, graph 0.939358 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.150539, graph 0.929526 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.50479, graph 0.941636 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.466552, graph 0.884372 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.43961, graph 0.965837 to graph 0.466552, graph 0.884372 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0180004, graph 0.873066 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.336813, graph 0.96617 to graph 0.309871, graph 0.873066 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.212819, graph 0.816625 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.185877, graph 0.967919 to graph 0.212819, graph 0.816625 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig:1e-6" at graph 0.590063, graph 0.829677 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.563121, graph 0.969332 to graph 0.590063, graph 0.829677 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig" at graph 0.380839, graph 0.835174 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.564942, graph 0.974829 to graph 0.538001, graph 0.835174 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.0835457, graph 0.825431 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0566038, graph 0.984829 to graph 0.0835457, graph 0.825431 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.008983 4.2732e-11 0.008983 0.008983
+0.009094 6.03286e-11 0.009094 0.009094
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.008954 4.48105e-06 0.008954 0.008954
+0.009134 4.62009e-07 0.009134 0.009134
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.015062 10.3048 0.015062 0.015062
+0.015072 10.3048 0.015072 0.015072
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.036604 30.3781 0.036604 0.036604
+0.037005 30.3781 0.037005 0.037005
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.15441 24.4721 0.15441 0.15441
+0.193397 24.4721 0.193397 0.193397
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.467145 24.2105 0.467145 0.467145
+0.525039 24.2105 0.525039 0.525039
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.037947 26.6817 0.037947 0.037947
+0.037796 26.6817 0.037796 0.037796
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.014482 12.8078 0.014482 0.014482
+0.014521 12.8078 0.014521 0.014521
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.056604 10.2186 0.056604 0.056604
+0.056924 10.2186 0.056924 0.056924
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.082643 50.1919 0.082643 0.082643
+0.102773 50.1919 0.102773 0.102773
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.032288 14.3894 0.032288 0.032288
+0.046869 14.3894 0.046869 0.046869
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.103754 0.00274278 0.103754 0.103754
+0.153758 0.00274278 0.153758 0.153758
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-38.1349 14.6593 38.1349 38.1349
+37.6602 12.1587 37.6602 37.6602
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.008983 1.25828e-11 0.008983 0.008983
+0.009094 7.62856e-12 0.009094 0.009094
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.008954 4.94454e-07 0.008954 0.008954
+0.009134 5.09935e-08 0.009134 0.009134
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.015062 0.830832 0.015062 0.015062
+0.015072 0.830832 0.015072 0.015072
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.036604 0.386392 0.036604 0.036604
+0.037005 0.386392 0.037005 0.037005
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.15441 0.480811 0.15441 0.15441
+0.193397 0.480811 0.193397 0.193397
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.467145 0.401292 0.467145 0.467145
+0.525039 0.401292 0.525039 0.525039
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.037947 0.218392 0.037947 0.037947
+0.037796 0.218392 0.037796 0.037796
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.014482 0.995106 0.014482 0.014482
+0.014521 0.995106 0.014521 0.014521
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.056604 0.344154 0.056604 0.056604
+0.056924 0.344154 0.056924 0.056924
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.082643 0.754963 0.082643 0.082643
+0.102773 0.754963 0.102773 0.102773
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.032288 0.949568 0.032288 0.032288
+0.046869 0.949568 0.046869 0.046869
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.103754 0.000458911 0.103754 0.103754
+0.153758 0.000458911 0.153758 0.153758
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-38.1349 0.41711 38.1349 38.1349
+37.6602 0.41711 37.6602 37.6602
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.008983 1.41333e-09 0.008983 0.008983
+0.009094 2.72366e-09 0.009094 0.009094
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.008954 1e-12 0.008954 0.008954
+0.009134 1e-12 0.009134 0.009134
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.015062 1.36442 0.015062 0.015062
+0.015072 1.36442 0.015072 0.015072
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.036604 0.00772977 0.036604 0.036604
+0.037005 0.00772977 0.037005 0.037005
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.15441 0.00579767 0.15441 0.15441
+0.193397 0.00579767 0.193397 0.193397
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.467145 1.53108 0.467145 0.467145
+0.525039 1.53108 0.525039 0.525039
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.037947 0.866882 0.037947 0.037947
+0.037796 0.866882 0.037796 0.037796
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.014482 0.00143526 0.014482 0.014482
+0.014521 0.00143526 0.014521 0.014521
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.056604 0.00262444 0.056604 0.056604
+0.056924 0.00262444 0.056924 0.056924
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.082643 0.939779 0.082643 0.082643
+0.102773 0.939779 0.102773 0.102773
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.032288 0.0051569 0.032288 0.032288
+0.046869 0.0051569 0.046869 0.046869
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.103754 2.43991e-09 0.103754 0.103754
+0.153758 2.43991e-09 0.153758 0.153758
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-38.1349 1e-12 38.1349 38.1349
+37.6602 1e-12 37.6602 37.6602
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00476598:328.42]
+set xrange [0.00485075:321.997]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,23 +223,23 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.083836, graph 0.0485195 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.434722 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.303456, graph 0.649092 left front noenhanced textcolor rgb '#555555'
-set label "nncg:50" at graph 0.249065, graph 0.923799 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.130229, graph 0.889166 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.126704, graph 0.838241 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.099762, graph 0.931344 to graph 0.126704, graph 0.838241 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.198674, graph 0.783941 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.171732, graph 0.935234 to graph 0.198674, graph 0.783941 nohead lw 0.6 lc rgb '#555555'
-set label "lemke" at graph 0.833669, graph 0.935855 left front noenhanced textcolor rgb '#999999'
-set label "si:1000" at graph 0.438514, graph 0.952616 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.339145, graph 0.871509 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.312203, graph 0.952975 to graph 0.339145, graph 0.871509 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.0245769, graph 0.955863 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.0437941, graph 0.785628 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.182994, graph 0.960197 to graph 0.156052, graph 0.785628 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.283036, graph 0.976724 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus" at graph 0.0835457, graph 0.0600403 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.083941, graph 0.358819 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.338227, graph 0.649092 left front noenhanced textcolor rgb '#555555'
+set label "nncg:50" at graph 0.248733, graph 0.923799 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.129048, graph 0.889166 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.833669, graph 0.929607 left front noenhanced textcolor rgb '#999999'
+set label "nncg:10" at graph 0.125694, graph 0.838241 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0987522, graph 0.931344 to graph 0.125694, graph 0.838241 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.0201829, graph 0.95851 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.448834, graph 0.952616 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.358884, graph 0.871509 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.331942, graph 0.952975 to graph 0.358884, graph 0.871509 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.21185, graph 0.781294 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.184908, graph 0.955863 to graph 0.21185, graph 0.781294 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:50" at graph 0.0438036, graph 0.785628 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.183004, graph 0.960197 to graph 0.156062, graph 0.785628 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.301944, graph 0.976724 left front noenhanced textcolor rgb '#cc79a7'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -262,7 +262,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00476598:328.42]
+set xrange [0.00485075:321.997]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -273,25 +273,24 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.083836, graph 0.0845983 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.43801 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.303456, graph 0.666287 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.0245769, graph 0.872249 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:50" at graph 0.249065, graph 0.864167 left front noenhanced textcolor rgb '#009e73'
-set label "si:50" at graph 0.209936, graph 0.937862 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.182994, graph 0.89131 to graph 0.209936, graph 0.937862 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.438514, graph 0.892574 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.0835457, graph 0.0678802 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.083941, graph 0.362117 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.338227, graph 0.666287 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.0232569, graph 0.872249 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:50" at graph 0.248733, graph 0.864167 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.209946, graph 0.9495 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.183004, graph 0.89131 to graph 0.209946, graph 0.9495 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.448834, graph 0.892574 left front noenhanced textcolor rgb '#d55e00'
 set label "lemke" at graph 0.833669, graph 0.893865 left front noenhanced textcolor rgb '#999999'
-set label "si:200" at graph 0.339145, graph 0.945165 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.312203, graph 0.898613 to graph 0.339145, graph 0.945165 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.0944424, graph 0.820583 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.256094, graph 0.913687 to graph 0.229152, graph 0.820583 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:10" at graph 0.130229, graph 0.765593 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.103287, graph 0.916886 to graph 0.130229, graph 0.765593 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.198674, graph 0.618762 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.171732, graph 0.921348 to graph 0.198674, graph 0.618762 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.126704, graph 0.71343 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.099762, graph 0.922913 to graph 0.126704, graph 0.71343 nohead lw 0.6 lc rgb '#009e73'
+set label "si:200" at graph 0.358884, graph 0.945165 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.331942, graph 0.898613 to graph 0.358884, graph 0.945165 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.11335, graph 0.820583 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.275002, graph 0.913687 to graph 0.24806, graph 0.820583 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:10" at graph 0.129048, graph 0.765593 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.102106, graph 0.916886 to graph 0.129048, graph 0.765593 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.0201829, graph 0.956262 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.125694, graph 0.71343 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0987522, graph 0.922913 to graph 0.125694, graph 0.71343 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -314,7 +313,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00476598:328.42]
+set xrange [0.00485075:321.997]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -325,21 +324,20 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-3" at graph 0.0835457, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.083941, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
 set label "lemke" at graph 0.833669, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
-set label "delassus" at graph 0.083836, graph 0.296446 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.303456, graph 0.313384 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.126704, graph 0.713857 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.249065, graph 0.802407 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.222123, graph 0.744217 to graph 0.249065, graph 0.802407 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.198674, graph 0.858274 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.171732, graph 0.765171 to graph 0.198674, graph 0.858274 nohead lw 0.6 lc rgb '#555555'
-set label "si:200" at graph 0.339145, graph 0.745528 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0437941, graph 0.777726 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0245769, graph 0.912502 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.283036, graph 0.915007 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:10" at graph 0.130229, graph 0.961487 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.438514, graph 0.941785 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.338227, graph 0.313384 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.0835457, graph 0.316797 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg:10" at graph 0.125694, graph 0.713857 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.248733, graph 0.802407 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.221791, graph 0.744217 to graph 0.248733, graph 0.802407 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.0201829, graph 0.765171 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.358884, graph 0.745528 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0438036, graph 0.81264 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0232569, graph 0.912502 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.301944, graph 0.915007 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:10" at graph 0.129048, graph 0.961487 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.448834, graph 0.941785 left front noenhanced textcolor rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -1,145 +1,145 @@
 # Draws pile.svg and pile.png: gnuplot pile.gp
 $line0_0 << EOD
-2 1.4025 2 2
-19 9.12305 19 19
-60 28.2427 60 60
-134 12.0901 134 134
-722 1295.3 722 722
+2 1.1215 2 2
+19 8.46574 19 19
+60 39.2459 60 60
+134 12.0272 134 134
+722 891.243 722 722
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-2 1.252 2 2
-19 9.18732 19 19
-60 22.9039 60 60
-134 8.27253 134 134
-722 801.07 722 722
+2 2.2285 2 2
+19 11.7796 19 19
+60 31.3755 60 60
+134 11.0618 134 134
+722 658.134 722 722
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-2 0.2205 2 2
-19 0.355263 19 19
-60 0.372733 60 60
-134 0.398433 134 134
-722 0.426855 722 722
-3051 0.62199 3051 3051
-10851 1.07745 10851 10851
-24829 1.38247 24829 24829
+2 0.3405 2 2
+19 0.357895 19 19
+60 0.478383 60 60
+134 0.390657 134 134
+722 0.600712 722 722
+3051 0.899134 3051 3051
+10851 1.48877 10851 10851
+24829 1.86572 24829 24829
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-2 0.2155 2 2
-19 3.02553 19 19
-60 2.41742 60 60
-134 2.54722 134 134
-722 2.6813 722 722
-3051 3.97037 3051 3051
-10851 4.33527 10851 10851
-24829 6.1175 24829 24829
+2 0.3405 2 2
+19 3.19158 19 19
+60 3.44845 60 60
+134 2.55401 134 134
+722 3.89282 722 722
+3051 4.00256 3051 3051
+10851 5.7746 10851 10851
+24829 10.1168 24829 24829
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-2 0.2355 2 2
-19 0.417947 19 19
-60 0.461017 60 60
-134 0.475187 134 134
-722 0.520345 722 722
-3051 0.76408 3051 3051
-10851 1.22108 10851 10851
-24829 1.64426 24829 24829
+2 0.3405 2 2
+19 0.557158 19 19
+60 0.628433 60 60
+134 0.479142 134 134
+722 0.51858 722 722
+3051 1.04902 3051 3051
+10851 1.4335 10851 10851
+24829 2.82706 24829 24829
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-2 0.811 2 2
-19 0.935053 19 19
-60 1.40525 60 60
-134 2.18863 134 134
-722 13.3897 722 722
-3051 108.088 3051 3051
+2 1.222 2 2
+19 1.42632 19 19
+60 2.16188 60 60
+134 2.41656 134 134
+722 14.5626 722 722
+3051 121.729 3051 3051
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-2 0.596 2 2
-19 1.24868 19 19
-60 5.27702 60 60
-134 23.9341 134 134
-722 687.474 722 722
+2 0.9465 2 2
+19 1.38942 19 19
+60 8.15543 60 60
+134 24.3138 134 134
+722 817.284 722 722
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-2 0.6055 2 2
-19 1.30563 19 19
-60 5.26117 60 60
-134 24.0423 134 134
-722 692.97 722 722
+2 1.0315 2 2
+19 1.24079 19 19
+60 5.59347 60 60
+134 23.7977 134 134
+722 882.739 722 722
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-19 12.993 19 19
-60 133.312 60 60
-134 732.432 134 134
+19 14.3797 19 19
+60 140.601 60 60
+134 811.807 134 134
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-722 5.82861 722 722
+722 5.74259 722 722
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-722 5.80813 722 722
+722 5.66886 722 722
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-3051 5.28794 3051 3051
-10851 19.6485 10851 10851
-24829 42.8564 24829 24829
+3051 4.68582 3051 3051
+10851 19.6198 10851 10851
+24829 42.8524 24829 24829
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-3051 5.28794 3051 3051
-10851 19.6485 10851 10851
-24829 42.8564 24829 24829
+3051 4.68582 3051 3051
+10851 19.6198 10851 10851
+24829 42.8524 24829 24829
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-3051 5.38624 3051 3051
-10851 19.8984 10851 10851
-24829 43.3193 24829 24829
+3051 4.78003 3051 3051
+10851 19.8697 10851 10851
+24829 43.3152 24829 24829
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-722 35.7908 722 722
-3051 601.752 3051 3051
+722 35.713 722 722
+3051 601.952 3051 3051
 EOD
 $marks1_5 << EOD
 EOD
 $line1_6 << EOD
-134 3.12525 134 134
-722 69.4845 722 722
+134 3.04742 134 134
+722 69.2675 722 722
 EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-134 3.12525 134 134
-722 69.5091 722 722
+134 3.04742 134 134
+722 69.2675 722 722
 EOD
 $marks1_7 << EOD
 EOD
 $line1_8 << EOD
-60 4.25984 60 60
-134 22.1635 134 134
+60 4.1943 60 60
+134 22.1348 134 134
 EOD
 $marks1_8 << EOD
 EOD
@@ -172,15 +172,17 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.228131 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.684225, graph 0.26647 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.357315 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:10" at graph 0.667268, graph 0.606756 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.551021, graph 0.767451 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.317942, graph 0.803057 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.415176, graph 0.749678 left front noenhanced textcolor rgb '#999999'
-set label "delassus:1e-4" at graph 0.551021, graph 0.815648 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.382686, graph 0.857388 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.254169 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.301905 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.401008 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:10" at graph 0.667268, graph 0.617079 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.551021, graph 0.763663 left front noenhanced textcolor rgb '#0060a8'
+set label "lemke" at graph 0.415176, graph 0.781891 left front noenhanced textcolor rgb '#999999'
+set label "dantzig" at graph 0.551021, graph 0.817388 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6" at graph 0.317942, graph 0.835718 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.531598, graph 0.789166 to graph 0.512175, graph 0.835718 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.551021, graph 0.871465 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.531598, graph 0.789999 to graph 0.551021, graph 0.871465 nohead lw 0.6 lc rgb '#0060a8'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -228,18 +230,18 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.389947, graph 0.208127 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.370524, graph 0.254679 to graph 0.389947, graph 0.208127 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.389947, graph 0.255188 left front noenhanced textcolor rgb '#0060a8'
-set label "lemke" at graph 0.17742, graph 0.448546 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.836374, graph 0.544005 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.555643 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.592112 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.54556 to graph 0.836374, graph 0.592112 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.237798, graph 0.613963 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.156868, graph 0.660566 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.370524, graph 0.614014 to graph 0.3511, graph 0.660566 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:10" at graph 0.571811, graph 0.926472 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.389947, graph 0.309355 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.370524, graph 0.251165 to graph 0.389947, graph 0.309355 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.389947, graph 0.253036 left front noenhanced textcolor rgb '#0060a8'
+set label "lemke" at graph 0.17742, graph 0.448358 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.836374, graph 0.543992 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.555629 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.592098 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.545547 to graph 0.836374, graph 0.592098 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.237798, graph 0.61351 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6" at graph 0.156868, graph 0.660061 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.370524, graph 0.61351 to graph 0.3511, graph 0.660061 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:10" at graph 0.571811, graph 0.926521 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \

@@ -1,129 +1,129 @@
 # Draws pyramid.svg and pyramid.png: gnuplot pyramid.gp
 $line0_0 << EOD
-4 5.23025 4 4
-16 40.2236 16 16
-64 71.707 64 64
-256 1185.43 256 256
-1024 968.521 1024 1024
-4096 1181.98 4096 4096
+4 13.5277 4 4
+16 41.3632 16 16
+64 68.6659 64 64
+256 2841.48 256 256
+1024 1848.63 1024 1024
+4096 1935.96 4096 4096
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 1.63975 4 4
-16 29.5903 16 16
-64 12.5715 64 64
-256 23.0079 256 256
-1024 114.179 1024 1024
-4096 1076.53 4096 4096
+4 5.57075 4 4
+16 30.9377 16 16
+64 21.3312 64 64
+256 28.6585 256 256
+1024 114.612 1024 1024
+4096 1434.58 4096 4096
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.353 4 4
-16 0.333 16 16
-64 0.340828 64 64
-256 0.352789 256 256
-1024 0.365808 1024 1024
-4096 0.397117 4096 4096
-15876 0.481428 15876 15876
-40000 0.620176 40000 40000
+4 0.358 4 4
+16 0.341125 16 16
+64 0.428766 64 64
+256 0.503051 256 256
+1024 0.466424 1024 1024
+4096 0.529188 4096 4096
+15876 0.717384 15876 15876
+40000 0.973561 40000 40000
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 2.43625 4 4
-16 2.35913 16 16
-64 2.45177 64 64
-256 2.53005 256 256
-1024 2.58815 1024 1024
-4096 2.82872 4096 4096
-15876 2.86851 15876 15876
-40000 3.43309 40000 40000
+4 3.345 4 4
+16 2.41794 16 16
+64 2.58633 64 64
+256 3.50512 256 256
+1024 3.46203 1024 1024
+4096 3.66879 4096 4096
+15876 3.98857 15876 15876
+40000 8.13872 40000 40000
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.40825 4 4
-16 0.415625 16 16
-64 0.438938 64 64
-256 0.450238 256 256
-1024 0.456851 1024 1024
-4096 0.500122 4096 4096
-15876 0.592008 15876 15876
-40000 0.856073 40000 40000
+4 0.43825 4 4
+16 0.574 16 16
+64 0.460688 64 64
+256 0.656871 256 256
+1024 0.775115 1024 1024
+4096 0.892268 4096 4096
+15876 0.824603 15876 15876
+40000 1.85048 40000 40000
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 0.974 4 4
-16 1.41525 16 16
-64 2.55208 64 64
-256 7.414 256 256
-1024 46.807 1024 1024
-4096 176.205 4096 4096
+4 1.0315 4 4
+16 1.43588 16 16
+64 2.65222 64 64
+256 8.99389 256 256
+1024 53.682 1024 1024
+4096 268.603 4096 4096
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 0.671 4 4
-16 0.8325 16 16
-64 6.26072 64 64
+4 0.701 4 4
+16 0.8475 16 16
+64 8.38353 64 64
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 0.65825 4 4
-16 0.878812 16 16
-64 5.3043 64 64
-256 324.48 256 256
-1024 5539.72 1024 1024
+4 1.0515 4 4
+16 0.890125 16 16
+64 7.38581 64 64
+256 324.792 256 256
+1024 8296.61 1024 1024
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-4 4.84225 4 4
+4 5.1275 4 4
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-256 2.1504 256 256
-1024 4.57933 1024 1024
-4096 14.0616 4096 4096
+256 2.62554 256 256
+1024 4.69402 1024 1024
+4096 14.0288 4096 4096
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-1024 4.46464 1024 1024
-4096 13.996 4096 4096
+1024 4.53837 1024 1024
+4096 13.9223 4096 4096
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4096 5.33709 4096 4096
-15876 15.5812 15876 15876
-40000 68.4073 40000 40000
+4096 5.28794 4096 4096
+15876 20.2465 15876 15876
+40000 73.3635 40000 40000
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4096 5.33709 4096 4096
-15876 15.5812 15876 15876
-40000 68.4073 40000 40000
+4096 5.28794 4096 4096
+15876 20.2465 15876 15876
+40000 73.3962 40000 40000
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4096 5.51731 4096 4096
-15876 15.9007 15876 15876
-40000 68.6981 40000 40000
+4096 5.41901 4096 4096
+15876 20.566 15876 15876
+40000 73.5314 40000 40000
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-256 5.07494 256 256
-1024 70.2546 1024 1024
-4096 1085.93 4096 4096
+256 5.03398 256 256
+1024 70.0621 1024 1024
+4096 1084.3 4096 4096
 EOD
 $marks1_5 << EOD
 EOD
@@ -132,8 +132,8 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-256 9.33888 256 256
-1024 137.232 1024 1024
+256 9.28563 256 256
+1024 136.909 1024 1024
 EOD
 $marks1_7 << EOD
 EOD
@@ -165,21 +165,21 @@ set logscale y
 set ytics 10 nomirror
 set mytics
 set format y "10^{%T}"
-set yrange [0.1:10000]
+set yrange [0.1:100000]
 set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.158503 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.209778 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.307137 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.076027, graph 0.523216 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.0566038, graph 0.337009 to graph 0.076027, graph 0.523216 nohead lw 0.6 lc rgb '#999999'
-set label "dantzig" at graph 0.152765, graph 0.359325 left front noenhanced textcolor rgb '#555555'
-set label "pgs:10" at graph 0.648245, graph 0.649204 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.648245, graph 0.806405 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.47991, graph 0.837798 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.533801, graph 0.948698 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.836374, graph 0.164727 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.222852 left front noenhanced textcolor rgb '#009e73'
+set label "lemke" at graph 0.076027, graph 0.459553 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.0566038, graph 0.284984 to graph 0.076027, graph 0.459553 nohead lw 0.6 lc rgb '#999999'
+set label "si:100" at graph 0.836374, graph 0.318426 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.152765, graph 0.320571 left front noenhanced textcolor rgb '#555555'
+set label "pgs:10" at graph 0.648245, graph 0.571519 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.648245, graph 0.692788 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.648245, graph 0.749397 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.533801, graph 0.819817 left front noenhanced textcolor rgb '#555555'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -227,14 +227,14 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.244093, graph 0.298139 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.493358, graph 0.298646 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.836374, graph 0.458776 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.458776 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.505788 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.459236 to graph 0.836374, graph 0.505788 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig:1e-6" at graph 0.0516134, graph 0.534364 left front noenhanced textcolor rgb '#555555'
-set label "pgs:10" at graph 0.493358, graph 0.75895 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.244093, graph 0.309204 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.493358, graph 0.321669 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.46637 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.478056 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.51317 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.466618 to graph 0.836374, graph 0.51317 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.0516134, graph 0.534108 left front noenhanced textcolor rgb '#555555'
+set label "pgs:10" at graph 0.493358, graph 0.758787 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \

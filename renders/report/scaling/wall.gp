@@ -1,81 +1,80 @@
 # Draws wall.svg and wall.png: gnuplot wall.gp
 $line0_0 << EOD
-4 24.0308 4 4
-8 12.2419 8 8
-44 53.6266 44 44
-240 860.454 240 240
-992 901.103 992 992
-4156 938.493 4156 4156
+4 8.64775 4 4
+8 19.6391 8 8
+44 50.7937 44 44
+240 3008.07 240 240
+992 3378.34 992 992
+4156 973.094 4156 4156
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 6.049 4 4
-8 6.14412 8 8
-44 11.2763 44 44
-240 18.4828 240 240
-992 22.4231 992 992
-4156 356.441 4156 4156
+4 5.44325 4 4
+8 6.36062 8 8
+44 15.4486 44 44
+240 17.3315 240 240
+992 21.3844 992 992
+4156 361.773 4156 4156
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.3555 4 4
+4 0.353 4 4
 8 0.32925 8 8
-44 0.332091 44 44
-240 0.356571 240 240
-992 0.372005 992 992
-4156 0.396099 4156 4156
-17032 0.595339 17032 17032
-42644 0.761073 42644 42644
+44 0.435886 44 44
+240 0.347263 240 240
+992 0.391993 992 992
+4156 0.413016 4156 4156
+17032 0.751982 17032 17032
+42644 0.84978 42644 42644
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 2.4035 4 4
+4 2.4135 4 4
 8 2.26838 8 8
-44 2.30366 44 44
-240 2.58672 240 240
-992 2.68606 992 992
-4156 2.89994 4156 4156
-17032 3.18825 17032 17032
-42644 4.603 42644 42644
+44 3.03086 44 44
+240 2.52074 240 240
+992 2.74205 992 992
+4156 2.95219 4156 4156
+17032 4.34072 17032 17032
+42644 6.67707 42644 42644
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.423 4 4
-8 0.395625 8 8
-44 0.440886 44 44
-240 0.472787 240 240
-992 0.477595 992 992
-4156 0.503328 4156 4156
-17032 0.738162 17032 17032
-42644 1.00895 42644 42644
+4 0.42575 4 4
+8 0.403125 8 8
+44 0.546045 44 44
+240 0.4621 240 240
+992 0.47718 992 992
+4156 0.543298 4156 4156
+17032 1.22912 17032 17032
+42644 1.68141 42644 42644
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 0.9365 4 4
-8 0.8625 8 8
-44 1.94357 44 44
-240 4.54143 240 240
-992 22.2742 992 992
-4156 160.298 4156 4156
+4 0.969 4 4
+8 0.845 8 8
+44 2.77048 44 44
+240 4.81422 240 240
+992 25.2592 992 992
+4156 176.192 4156 4156
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 0.70125 4 4
+4 0.73125 4 4
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 0.59325 4 4
-8 0.66225 8 8
-44 2.06193 44 44
-240 144.836 240 240
-992 6664.83 992 992
+4 0.631 4 4
+8 0.635875 8 8
+44 3.36886 44 44
+240 149.956 240 240
 EOD
 $marks0_7 << EOD
 EOD
@@ -84,43 +83,43 @@ EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-240 2.11354 240 240
-992 4.46464 992 992
-4156 14.7374 4156 4156
+240 2.51494 240 240
+992 5.45587 992 992
+4156 14.1066 4156 4156
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-992 3.55123 992 992
-4156 14.6719 4156 4156
+992 3.46522 992 992
+4156 14.0042 4156 4156
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4156 9.94099 4156 4156
-17032 39.1291 17032 17032
-42644 58.3926 42644 42644
+4156 9.9369 4156 4156
+17032 39.1168 17032 17032
+42644 73.6993 42644 42644
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4156 9.94099 4156 4156
-17032 39.1291 17032 17032
-42644 58.3926 42644 42644
+4156 9.9369 4156 4156
+17032 39.1168 17032 17032
+42644 73.6993 42644 42644
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4156 10.1212 4156 4156
-17032 39.3339 17032 17032
-42644 56.9467 42644 42644
+4156 10.1007 4156 4156
+17032 39.4609 17032 17032
+42644 74.2482 42644 42644
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-240 4.41958 240 240
-992 65.9292 992 992
-4156 1120.8 4156 4156
+240 4.43597 240 240
+992 65.7981 992 992
+4156 1120.14 4156 4156
 EOD
 $marks1_5 << EOD
 EOD
@@ -129,8 +128,7 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-240 8.15923 240 240
-992 128.713 992 992
+240 8.17562 240 240
 EOD
 $marks1_7 << EOD
 EOD
@@ -167,15 +165,16 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig" at graph 0.076027, graph 0.0760711 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.169175 to graph 0.076027, graph 0.0760711 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.836374, graph 0.176285 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.22405 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.332608 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:10" at graph 0.645488, graph 0.640986 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.645488, graph 0.710398 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.645488, graph 0.794486 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.528039, graph 0.964758 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.076027, graph 0.0797097 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.172813 to graph 0.076027, graph 0.0797097 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.836374, graph 0.185861 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.245135 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.364917 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.411697, graph 0.693383 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.392274, graph 0.635193 to graph 0.411697, graph 0.693383 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:10" at graph 0.645488, graph 0.649197 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.645488, graph 0.711687 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.645488, graph 0.797631 left front noenhanced textcolor rgb '#0060a8'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -220,15 +219,16 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.245344, graph 0.303259 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.494609, graph 0.233916 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.475186, graph 0.292105 to graph 0.494609, graph 0.233916 nohead lw 0.6 lc rgb '#0060a8'
-set label "nncg:10" at graph 0.836374, graph 0.438867 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.716597, graph 0.464865 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.836374, graph 0.488141 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.81695, graph 0.441589 to graph 0.836374, graph 0.488141 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.0512482, graph 0.527405 left front noenhanced textcolor rgb '#555555'
-set label "pgs:10" at graph 0.494609, graph 0.762382 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.076027, graph 0.076837 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.22813 to graph 0.076027, graph 0.076837 nohead lw 0.6 lc rgb '#555555'
+set label "delassus:1e-4" at graph 0.245344, graph 0.309841 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.494609, graph 0.229166 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.475186, graph 0.287356 to graph 0.494609, graph 0.229166 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.466866 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.490142 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.514223 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.467671 to graph 0.836374, graph 0.514223 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:10" at graph 0.494609, graph 0.762318 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \

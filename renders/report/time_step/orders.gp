@@ -67,7 +67,7 @@ $line2_5 << EOD
 4.16667 0.000398784 4.16667 4.16667
 8.33333 0.000797569 8.33333 8.33333
 16.6667 0.0015959 16.6667 16.6667
-33.3333 0.00844513 33.3333 33.3333
+33.3333 0.00332664 33.3333 33.3333
 EOD
 $marks2_5 << EOD
 EOD
@@ -110,7 +110,7 @@ $line3_5 << EOD
 2.08333 1.35256 2.08333 2.08333
 4.16667 1.35908 4.16667 4.16667
 8.33333 1.32169 8.33333 8.33333
-16.6667 0.0768501 16.6667 16.6667
+16.6667 0.0773137 16.6667 16.6667
 33.3333 0.292812 33.3333 33.3333
 EOD
 $marks3_5 << EOD
@@ -192,13 +192,14 @@ set ylabel "error, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.821968, graph 0.512223 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus" at graph 0.821968, graph 0.585321 left front noenhanced textcolor rgb '#0060a8'
-set label "si:50" at graph 0.821968, graph 0.639234 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.669819, graph 0.676503 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.802545, graph 0.618313 to graph 0.783122, graph 0.676503 nohead lw 0.6 lc rgb '#555555'
-set label "si2:10" at graph 0.821968, graph 0.692169 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.821968, graph 0.742735 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.821968, graph 0.504401 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.821968, graph 0.558774 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.802545, graph 0.512223 to graph 0.821968, graph 0.558774 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.821968, graph 0.615958 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.821968, graph 0.664865 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.802545, graph 0.618313 to graph 0.821968, graph 0.664865 nohead lw 0.6 lc rgb '#555555'
+set label "si2:10" at graph 0.686005, graph 0.680531 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.821968, graph 0.719459 left front noenhanced textcolor rgb '#009e73'
 plot $line2_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line2_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line2_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
