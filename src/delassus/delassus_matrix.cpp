@@ -99,6 +99,10 @@ Mat3 DelassusMatrix::contactBlock(int first) const {
     if (c.b >= 0) W.noalias() += c.Jb * c.Jb.transpose();
     for (const BodySpace::Part& p : bodySpace().partsOf(first))
       W.noalias() += p.J * p.J.transpose();
+  } else if (isFull()) {
+    W = Eigen::Map<const Mat3, 0, Eigen::OuterStride<>>(entries_.valuePtr() + first * (size_ + 1),
+                                                        Eigen::OuterStride<>(size_))
+            .transpose();
   } else {
     W = diagonalBlock<3>(entries_, first);
   }

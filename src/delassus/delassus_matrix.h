@@ -78,6 +78,10 @@ class DelassusMatrix {
     others_ = &factored.bodySpace();
   }
   const Sparse& entries() const { return entries_; }  ///< explicit storage only
+  /// Whether all entries are stored, so that the values are those of a row-major n x n matrix.
+  bool isFull() const {
+    return !inBodySpace_ && entries_.nonZeros() == Eigen::Index(size_) * size_;
+  }
 
   VectorXd operator*(const VectorXd& r) const;  ///< W r
   /// u = W r; y is scratch (J̃ᵀ r afterwards, if factored).

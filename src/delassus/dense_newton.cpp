@@ -14,13 +14,31 @@ bool fitsDenseNewton(const Problem& problem, const NaturalMap& map) {
 
 template <int Most>
 void DenseNewton<Most>::start(const Problem& problem, const NaturalMap& map, const Solution& best) {
-  W_ = problem.W.entries();
-  K_.resize(problem.size(), problem.size());
-  error_.resize(problem.size());
+  const int n = problem.size();
+  if constexpr (Most == Eigen::Dynamic) {
+    W_ = problem.W.entries();
+  } else {
+    W_.setZero(n, W_.cols());
+    if (problem.W.isFull()) {
+      W_.leftCols(n) =
+          Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+              problem.W.entries().valuePtr(), n, n);
+    } else {
+      W_.leftCols(n) = problem.W.entries();
+    }
+  }
+  K_.resize(n, W_.cols());
+  error_.resize(n);
   map.meanDiagonal(candidate_.u);
   rho_ = candidate_.u;
   r_ = best.r;
   u_ = best.u;
+}
+
+template <int Most>
+void DenseNewton<Most>::feel(const Problem& problem, const Vector& r, Vector& u) const {
+  u = problem.q;
+  u += W_.leftCols(r.size()).lazyProduct(r);
 }
 
 template <int Most>
@@ -62,8 +80,9 @@ bool DenseNewton<Most>::judge(const Problem& problem, const NaturalMap& map, dou
                               Solution& best) {
   candidate_.r = r_;
   makeFeasible(problem, candidate_.r);
-  problem.W.multiply(candidate_.r, felt_, candidate_.u);
-  candidate_.u += problem.q;
+  trialR_ = candidate_.r;
+  feel(problem, trialR_, trialU_);
+  candidate_.u = trialU_;
   const NaturalResidual residual = map.residual(candidate_.r, candidate_.u);
   if (!(residual.max <= tolerance)) return false;
   best.r = candidate_.r;
@@ -89,8 +108,7 @@ bool DenseNewton<Most>::solve(const Problem& problem, const NaturalMap& map, dou
     double share = 1, error = before;
     for (int h = 0; h <= mostHalvings; ++h, share *= 0.5) {
       trialR_ = r_ + share * step_;
-      trialU_ = problem.q;
-      trialU_.noalias() += W_ * trialR_;
+      feel(problem, trialR_, trialU_);
       error = evaluate(problem, trialR_, trialU_, false);
       if (error < before) break;
     }

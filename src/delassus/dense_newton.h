@@ -23,7 +23,7 @@ class DenseNewton {
              Solution& best);
 
   std::size_t bytes() const {
-    std::size_t sum = candidate_.bytes() + felt_.bytes();
+    std::size_t sum = candidate_.bytes();
     if constexpr (Most == Eigen::Dynamic)  // its factors are as large as K_
       sum += bytesOf(W_, K_, K_, rho_, r_, u_, step_, error_, trialR_, trialU_);
     return sum;
@@ -34,6 +34,8 @@ class DenseNewton {
   using Vector = typename Elimination<Most>::Vector;
 
   void start(const Problem& problem, const NaturalMap& map, const Solution& best);
+  /// u = W r + q
+  void feel(const Problem& problem, const Vector& r, Vector& u) const;
   /// F in error_ for these reactions and velocities, and if asked −dF/dr in K_. Returns ‖ρ F‖ (m/s).
   double evaluate(const Problem& problem, const Vector& r, const Vector& u, bool differentiate);
   bool judge(const Problem& problem, const NaturalMap& map, double tolerance, Solution& best);
@@ -42,7 +44,6 @@ class DenseNewton {
   Matrix W_, K_;
   Vector rho_, r_, u_, step_, error_, trialR_, trialU_;
   Solution candidate_;
-  VectorXd felt_;
 };
 
 /// So few that they are solved without a workspace.

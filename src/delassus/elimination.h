@@ -17,7 +17,9 @@ constexpr double negligiblePivot = 1e-10;
 template <int Most>
 class Elimination {
  public:
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, Most, Most>;
+  /// Rows of one length, whatever n is, so that loops over them are of fixed length; what is not used is zero.
+  static constexpr int width = (Most + 1) / 2 * 2;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, width, Eigen::RowMajor, Most, width>;
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, Most, 1>;
 
   /// x in b; K is used up. False if K is singular.
@@ -25,27 +27,30 @@ class Elimination {
     const int n = static_cast<int>(b.size());
     double least = 0, largest = 0;
     for (int k = 0; k < n; ++k) {
-      const int left = n - k - 1;
       int pivot = k;
       for (int i = k + 1; i < n; ++i)
         if (std::abs(K(i, k)) > std::abs(K(pivot, k))) pivot = i;
       if (pivot != k) {
-        for (int j = k; j < n; ++j) std::swap(K(k, j), K(pivot, j));
+        K.row(k).swap(K.row(pivot));
         std::swap(b[k], b[pivot]);
       }
       const double size = std::abs(K(k, k));
       if (!(size > 0)) return false;
       least = k == 0 ? size : std::min(least, size);
       largest = std::max(largest, size);
-      K.col(k).tail(left) *= 1 / K(k, k);
-      const auto column = K.col(k).tail(left);
-      for (int j = k + 1; j < n; ++j)
-        if (K(k, j) != 0) K.col(j).tail(left) -= K(k, j) * column;
-      b.tail(left) -= b[k] * column;
+      const double perPivot = 1 / K(k, k);
+      for (int i = k + 1; i < n; ++i) {
+        const double share = K(i, k) * perPivot;
+        if (share == 0) continue;
+        // All of the row, a loop of fixed length: what is left of the pivot is not read again.
+        K.row(i) -= share * K.row(k);
+        b[i] -= share * b[k];
+      }
     }
     for (int k = n - 1; k >= 0; --k) {
-      b[k] /= K(k, k);
-      b.head(k) -= b[k] * K.col(k).head(k);
+      double sum = b[k];
+      for (int j = k + 1; j < n; ++j) sum -= K(k, j) * b[j];
+      b[k] = sum / K(k, k);
     }
     return least > negligiblePivot * largest;
   }

@@ -41,16 +41,17 @@ bool QuickAnswer::find(Solution& answer) {
 /// u_i = W_i r + q_i.
 Vec3 QuickAnswer::velocityOf(int contact) const {
   const DelassusMatrix::Sparse& W = problem_.W.entries();
-  const int* begin = W.outerIndexPtr() + 3 * contact;
-  const int* column = W.innerIndexPtr();
-  const double *entry = W.valuePtr(), *r = best_.r.data();
+  const double* entry = W.valuePtr();
   Vec3 u = problem_.q.segment<3>(3 * contact);
-  if (begin[3] - begin[0] == 3 * problem_.size()) {
-    // Nothing is left out: the columns are as they are numbered.
-    using Rows = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
-    u.noalias() += Eigen::Map<const Rows>(entry + begin[0], 3, problem_.size()) * best_.r;
+  if (problem_.W.isFull()) {
+    const int n = problem_.size();
+    for (int k = 0; k < 3; ++k)
+      u[k] += Eigen::Map<const Eigen::VectorXd>(entry + (3 * contact + k) * n, n).dot(best_.r);
     return u;
   }
+  const int* begin = W.outerIndexPtr() + 3 * contact;
+  const int* column = W.innerIndexPtr();
+  const double* r = best_.r.data();
   for (int k = 0; k < 3; ++k) {
     double sum = 0;
     for (int at = begin[k]; at < begin[k + 1]; ++at) sum += entry[at] * r[column[at]];
@@ -93,7 +94,8 @@ void QuickAnswer::sweep() {
   const double first = sweepOnce();
   measure();
   double before = 2 * first;  // as if from nearer: the first sets out from nothing
-  bool gains = !isSmall() || best_.residual <= gain * first;
+  firstGains_ = best_.residual <= gain * first;
+  bool gains = !isSmall() || firstGains_;
   while (gains && !isReached() && best_.sweeps < options_.sweepBudget) {
     const double change = sweepOnce(), ratio = change / before;
     gains = ratio <= gain && !(isSmall() && best_.sweeps >= few);
@@ -121,7 +123,7 @@ void QuickAnswer::measure() {
   best_.residualRms = std::sqrt(squares / problem_.contacts());
 }
 
-/// From region to region, from what the sweeps found.
+/// From region to region: from what the sweeps found, or where the first gained little from no reactions.
 bool QuickAnswer::walk() {
   std::vector<Mat3> blocks(problem_.contacts());
   VectorXd sizes(problem_.contacts());
@@ -131,12 +133,22 @@ bool QuickAnswer::walk() {
   }
   NaturalMap map;
   map.setProblem(problem_, std::move(blocks), sizes);
-  if (!fitsDenseNewton(problem_, map) ||
-      !DenseNewton<fewUnknowns>().solve(problem_, map, toleranceFor(demand_), options_.newtonBudget,
-                                        best_))
-    return false;
-  readActiveSet(problem_, map.diagonal(), best_.r, best_.u, best_.activeSet);
-  return true;
+  if (!fitsDenseNewton(problem_, map)) return false;
+  Solution answer = best_;
+  if (!firstGains_) {
+    answer.r.setZero();
+    answer.u = problem_.q;
+  }
+  const bool isFound = DenseNewton<fewUnknowns>().solve(problem_, map, toleranceFor(demand_),
+                                                        options_.newtonBudget, answer);
+  if (isFound) {
+    best_ = std::move(answer);
+    readActiveSet(problem_, map.diagonal(), best_.r, best_.u, best_.activeSet);
+  } else {
+    best_.regions = answer.regions;
+    best_.factorisations = answer.factorisations;
+  }
+  return isFound;
 }
 
 bool QuickAnswer::answers(const ProblemParts& parts, int part) const {

@@ -48,6 +48,7 @@ class QuickAnswer {
   const Problem& problem_;
   const Options& options_;
   double demand_;                         ///< the largest |q|
+  bool firstGains_ = false;               ///< the first sweep took away most of it
   std::vector<int> place_;                ///< of each contact in approaching_; -1: not in it
   std::vector<Approaching> approaching_;  ///< in the order in which they were found
   Solution best_;

@@ -94,9 +94,11 @@ void NaturalMap::setProblem(const Problem& problem) {
 
 void NaturalMap::setProblem(const Problem& problem, std::vector<Mat3> blocks,
                             const VectorXd& norms) {
+  assert(problem.rows() == 0);
   problem_ = &problem;
-  problem.W.diagonal(diagonal_);
   blocks_ = std::move(blocks);
+  diagonal_.resize(problem.size());
+  for (int a = 0; a < problem.contacts(); ++a) diagonal_.segment<3>(3 * a) = blocks_[a].diagonal();
   blockSizes(
       problem, diagonal_, [&](int a) { return norms[a]; }, sizes_);
 }

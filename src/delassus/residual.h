@@ -24,7 +24,7 @@ class NaturalMap {
  public:
   /// Keeps a pointer to `problem`, which must outlive the measuring.
   void setProblem(const Problem& problem);
-  /// The same where W_aa and ‖W_aa‖ of all contacts are known.
+  /// The same for contacts alone, of which W_aa and ‖W_aa‖ are known.
   void setProblem(const Problem& problem, std::vector<Mat3> blocks, const VectorXd& norms);
 
   NaturalResidual residual(const VectorXd& r, const VectorXd& u) const;
