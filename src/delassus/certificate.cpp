@@ -10,19 +10,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-struct Interval {
-  double lower, upper;
-
-  bool contains(double x) const { return lower <= x && x <= upper; }
-};
-
-/// Where the reaction of one unknown may lie without friction.
-Interval allowedReactions(const Problem& problem, int unknown) {
-  const int row = unknown - 3 * problem.contacts();
-  if (row >= 0) return {problem.lower[row], problem.upper[row]};
-  return unknown % 3 == 0 ? Interval{0, infinity} : Interval{0, 0};
-}
-
 }  // namespace
 
 MotionBound motionBound(const Problem& problem, const VectorXd& r, const VectorXd& u,
@@ -35,7 +22,7 @@ MotionBound motionBound(const Problem& problem, const VectorXd& r, const VectorX
 
   MotionBound bound;
   for (int i = 0; i < problem.size(); ++i) {
-    const Interval allowed = allowedReactions(problem, i);
+    const Interval allowed = allowedWithoutFriction(problem, i);
     if (!allowed.contains(r[i]) || std::isnan(u[i])) return nothingKnown;
     if (u[i] == 0) continue;
 

@@ -152,14 +152,15 @@ void CompliancePath::changeOfZ(const VectorXd& delta, double tau, VectorXd& chan
 bool CompliancePath::setOut(const VectorXd& reactions, double compliance, int budget,
                             Solution& count) {
   constexpr int mostSteps = 20;
-  const int last = count.factorisations + budget;
+  const int begun = count.factorisations;
   tau_ = std::log(compliance);
   motion_->impulse(reactions, delta_);
   for (int k = 0;; ++k) {
     respond(false);
     const double now = error();
     if (now <= noise()) break;
-    if (!std::isfinite(now) || count.factorisations >= last || k == mostSteps || !factorise(count))
+    if (!std::isfinite(now) || count.factorisations - begun >= budget || k == mostSteps ||
+        !factorise(count))
       return false;
     motion_->solve(error_);
     delta_ -= error_;
@@ -193,11 +194,11 @@ bool CompliancePath::stand(bool upward, Solution& count) {
 bool CompliancePath::descend(double compliance, int budget, Solution& count) {
   constexpr double shortest = 1e-4, retried = 2e-3, longest = 3, unanswered = 10;
   constexpr int mostSteps = 16, mostInVain = 5;
-  const int last = count.factorisations + budget;
+  const int begun = count.factorisations;
   const double aim = std::log(compliance);
   int inVain = 0;
   while (tau_ > aim) {
-    if (count.factorisations >= last) return false;
+    if (count.factorisations - begun >= budget) return false;
     if (this->compliance() > unanswered) {
       // There is but one answer, which has been reached from below: the other way from the start is the one that ends at 0.
       if (hasTurned_ || !stand(true, count)) return false;
@@ -215,7 +216,7 @@ bool CompliancePath::descend(double compliance, int budget, Solution& count) {
     // Where strides fail again and again, ever more steps come before the next.
     strideLength_ = std::max(strideLength_ / 4, retried);
     bool goesOn = true;
-    for (int k = 0; k < stepsAtWalls_ && goesOn && count.factorisations < last; ++k)
+    for (int k = 0; k < stepsAtWalls_ && goesOn && count.factorisations - begun < budget; ++k)
       goesOn = stepToWall(count);
     stepsAtWalls_ = std::min(2 * stepsAtWalls_, mostSteps);
     inVain = goesOn ? 0 : inVain + 1;

@@ -10,17 +10,6 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Bounds of the reaction of one unknown of the demands.
-struct Bounds {
-  double lower, upper;
-};
-
-Bounds boundsOf(const Problem& demands, int unknown) {
-  const int row = unknown - 3 * demands.contacts();
-  if (row >= 0) return {demands.lower[row], demands.upper[row]};
-  return {0, unknown % 3 == 0 ? infinity : 0};
-}
-
 }  // namespace
 
 void Quarrel::setProblem(const Problem& problem, const NaturalMap& map) {
@@ -57,7 +46,7 @@ double Quarrel::leastMotion(const VectorXd& r) {
 double Quarrel::hardestAlone() const {
   double hardest = 0;
   for (int i = 0; i < demands_.size(); ++i) {
-    const Bounds bounds = boundsOf(demands_, i);
+    const Interval bounds = allowedWithoutFriction(demands_, i);
     const double missing = std::max(bounds.upper > 0 ? -demands_.q[i] : 0,  //
                                     bounds.lower < 0 ? demands_.q[i] : 0);
     const double diagonal = map_->diagonal()[i];
@@ -88,7 +77,7 @@ bool Quarrel::find(ProximalNewton<BodyMotion>& newton, const Problem& problem,
   if (!yield(fine)) return false;
   quarrel_ = scratch.r - quarrel_;
   for (int i = 0; i < quarrel_.size(); ++i) {
-    const Bounds bounds = boundsOf(demands_, i);
+    const Interval bounds = allowedWithoutFriction(demands_, i);
     quarrel_[i] = std::clamp(quarrel_[i], bounds.lower, bounds.upper);
   }
   return leastMotion(quarrel_) > proportion * hardestAlone();

@@ -14,7 +14,7 @@ Outcome Search::findBack(Engines<Motion>& engines, const Problem& problem, const
   ProximalNewton<Motion>& newton = engines.walk;
   const auto left = [&](int most) { return std::min(most, options.newtonBudget - best.regions); };
   if (alternate(newton, problem, options, tolerance, best)) return Outcome::Reached;
-  if (left(1) == 0) return Outcome::Lost;
+  if (left(1) <= 0) return Outcome::Lost;
   if (compromise(engines, problem, tolerance, left(proof), best)) return Outcome::Incompatible;
   if (engines.interior.solve(newton.motion(), problem, map_, tolerance, left(interiorSteps), best))
     return Outcome::Reached;
@@ -83,10 +83,11 @@ Outcome Search::harden(ProximalNewton<Motion>& newton, const Problem& problem,
     if (softness == 0) return Outcome::Lost;
     CompliancePath& path = machines().path;
     path.setProblem(newton.motion(), problem, map_);
-    const int last = best.factorisations + budget, walked = best.regions;
+    const int begun = best.factorisations, walked = best.regions;
     if (!path.setOut(softStart_, softness, budget, best)) return Outcome::Lost;
     for (double compliance = nearlyRigid; compliance >= rigid; compliance *= 0.1) {
-      if (!path.descend(compliance, last - best.factorisations, best)) return Outcome::Lost;
+      if (!path.descend(compliance, budget - (best.factorisations - begun), best))
+        return Outcome::Lost;
       wandering_.r = path.reactions();
       consider(problem, wandering_, best);
       newton.motion();  // its factor is that of the path

@@ -71,8 +71,7 @@ double diagonalShare(const std::vector<Body>& bodies, int body, const Row6& J) {
 }
 
 double diagonal(const std::vector<Body>& bodies, const Row& c) {
-  return diagonalShare(bodies, c.a, c.jacobianA) + diagonalShare(bodies, c.b, c.jacobianB) +
-         c.compliance;
+  return diagonalShare(bodies, c.a, c.jacobianA) + diagonalShare(bodies, c.b, c.jacobianB);
 }
 
 /// The natural residuals of an island, one contact or row after the other, until one is too large.
@@ -142,6 +141,7 @@ bool IslandCheck::isFree(const std::vector<Body>& bodies, const std::vector<Cont
     if (c.governor >= 0) return residuals.add(0);  // its disk is a point
     if (c.lower > 0 || c.upper < 0) return false;
     const double q = relativeVelocity(bodies, c);
+    if (!std::isfinite(q)) return false;  // the solver names it
     const double missed = std::max(c.lower < 0 ? q : 0, c.upper > 0 ? -q : 0);
     return missed <= roundOff(along(bodies, c.a, c.jacobianA), along(bodies, c.b, c.jacobianB)) &&
            residuals.add(std::max(missed, 0.0));
@@ -290,7 +290,7 @@ bool IslandCheck::isKept(const std::vector<Body>& bodies, const std::vector<Cont
     const Row& c = rows[i];
     if (c.governor >= 0) return keepsDisk(c);
     return keepsBounds(relativeVelocity(moved, c) + c.compliance * r[at], c.lower, c.upper,
-                       diagonal(moved, c));
+                       diagonal(moved, c) + c.compliance);
   };
   if (std::all_of(island.frictional.begin(), island.frictional.end(), keepsCone) &&
       std::all_of(island.frictionless.begin(), island.frictionless.end(), keepsNormal) &&

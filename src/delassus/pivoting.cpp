@@ -161,15 +161,16 @@ PivotResult pivotLinked(const MatrixXd& W, const VectorXd& q, const VectorXd& lo
     best.residual = rows.naturalResidual(best.r);
   }
 
+  const auto left = [&] { return options.regionBudget - walk.regions() - result.regions; };
   const auto solved = [&] { return best.residual <= std::max(wanted, rows.roundOff(best.r)); };
   if (!solved() && rows.size() <= largestTableau) {
-    if (const auto r = lemke(rows, options.regionBudget, result.regions)) {
+    if (const auto r = lemke(rows, left(), result.regions)) {
       const VectorXd clamped = rows.clamp(*r);
       const double residual = rows.naturalResidual(clamped);
       RegionWalk polish(rows, statesAt(rows, *r));
       if (residual < best.residual) best = {clamped, statesAt(rows, clamped), residual};
-      if (polish.settle(rest, 0, options.regionBudget) == RegionWalk::End::Settled)
-        best.offer(rows, polish);
+      if (polish.settle(rest, 0, left()) == RegionWalk::End::Settled) best.offer(rows, polish);
+      result.regions += polish.regions();
       result.factorisations += polish.factorisations();
     }
   }
@@ -203,7 +204,7 @@ PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
   result.rows.assign(n, RowState::Free);
   if (!W.allFinite() || !q.allFinite()) {
     result.u = VectorXd::Zero(n);
-    result.status = Status::OutOfBudget;
+    result.status = Status::NonFinite;
     return result;
   }
 
@@ -213,10 +214,12 @@ PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
     if (!guess.empty())
       for (const int i : group) groupGuess.push_back(guess[i]);
     const int first = group.front();
-    const PivotResult part = group.size() == 1 && W(first, first) == 0
-                                 ? immovableRow(q[first], lower[first], upper[first], tolerance)
-                                 : pivotLinked(W(group, group), q(group), lower(group),
-                                               upper(group), groupGuess, options);
+    PivotOptions left = options;
+    left.regionBudget -= result.regions;
+    const PivotResult part =
+        group.size() == 1 && W(first, first) == 0
+            ? immovableRow(q[first], lower[first], upper[first], tolerance)
+            : pivotLinked(W(group, group), q(group), lower(group), upper(group), groupGuess, left);
     result.r(group) = part.r;
     result.u(group) = part.u;
     for (size_t k = 0; k < group.size(); ++k) result.rows[group[k]] = part.rows[k];

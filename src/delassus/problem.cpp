@@ -27,11 +27,10 @@ bool inBodySpace(const BodySpace& space, int contacts, int part, int first) {
 }
 
 bool inEntries(const DelassusMatrix::Sparse& entries, int first, int unknowns) {
-  double sum = 0;
-  for (int i = first; i < first + unknowns; ++i)
-    for (DelassusMatrix::Sparse::InnerIterator entry(entries, i); entry; ++entry)
-      sum += std::abs(entry.value());
-  return sum <= largest;
+  const int begin = entries.outerIndexPtr()[first], end = entries.outerIndexPtr()[first + unknowns];
+  return Eigen::Map<const Eigen::VectorXd>(entries.valuePtr() + begin, end - begin)
+             .cwiseAbs()
+             .sum() <= largest;
 }
 
 bool isFit(const Problem& problem, int part, int first, int unknowns) {
@@ -57,6 +56,12 @@ bool isFit(const Problem& problem, const Disk& disk, int next) {
 }
 
 }  // namespace
+
+Interval allowedWithoutFriction(const Problem& problem, int unknown) {
+  const int row = unknown - 3 * problem.contacts();
+  if (row >= 0) return {problem.lower[row], problem.upper[row]};
+  return {0, unknown % 3 == 0 ? infinity : 0};
+}
 
 std::vector<int> unfitParts(const Problem& problem) {
   const int contacts = problem.contacts();

@@ -33,6 +33,16 @@ struct Problem {
   int disksBegin() const { return disks.empty() ? size() : disks.front().first; }
 };
 
+/// Where the reaction of one unknown may lie.
+struct Interval {
+  double lower, upper;
+
+  bool contains(double x) const { return lower <= x && x <= upper; }
+};
+
+/// That of an unknown of a contact, if it had no friction, or of a row.
+Interval allowedWithoutFriction(const Problem& problem, int unknown);
+
 /// First unknowns of the contacts, rows and disks that no law can be stated for: numbers in their part of q, μ, κ or W, or
 /// bounds, that are none or so large (1e100) that squares overflow, μ < 0, lower > upper, κ ≤ 0, most load ≤ 0, r_n not
 /// before the disks. Ascending.

@@ -47,13 +47,9 @@ VectorXd readFriction(WordReader& in, int contacts) {
   return toVector(friction);
 }
 
-/// The optional section of bounds; without it all rows are unilateral.
-void readBounds(WordReader& in, Problem& problem, int rows) {
-  if (!in.openOptionalSection("bounds", rows)) {
-    problem.lower = VectorXd::Zero(rows);
-    problem.upper = VectorXd::Constant(rows, infinity);
-    return;
-  }
+/// The optional section of bounds. False without it.
+bool readBounds(WordReader& in, Problem& problem, int rows) {
+  if (!in.openOptionalSection("bounds", rows)) return false;
   std::vector<double> lower, upper;
   for (int k = 0; k < rows; ++k) {
     in.nextEntry();
@@ -63,6 +59,7 @@ void readBounds(WordReader& in, Problem& problem, int rows) {
   }
   problem.lower = toVector(lower);
   problem.upper = toVector(upper);
+  return true;
 }
 
 struct Place {
@@ -154,8 +151,12 @@ Problem readRowProblem(WordReader& in) {
   Problem problem;
   const Head head = readHead(in, "size", "entries", 1);
   problem.name = head.name;
-  readBounds(in, problem, head.size);
+  const bool isBounded = readBounds(in, problem, head.size);
   problem.q = readNumbers(in, "q", head.size, 1);
+  if (!isBounded) {  // all rows are unilateral
+    problem.lower.setZero(problem.q.size());
+    problem.upper = VectorXd::Constant(problem.q.size(), infinity);
+  }
   problem.W = DelassusMatrix(readMatrix(in, "M", head.size, head.entries, 1));
   in.end();
   return problem;

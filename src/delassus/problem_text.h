@@ -22,7 +22,7 @@ Problem readProblem(std::istream& in, const std::string& source);
 
 /// Writes the format that fits: `lcp v1` if the problem has no contacts, `delassus-problem v1` if it has no rows.
 /// A problem with both is not expressible and throws std::invalid_argument. W in body space is written as entries.
-/// Numbers have as many digits as reproduce them exactly; reading back gives the same problem, bit for bit.
+/// Numbers have as many digits as reproduce them exactly: reading back gives the same W, q, friction and bounds, bit for bit.
 void writeProblem(std::ostream& out, const Problem& problem);
 void writeProblem(const std::string& path, const Problem& problem);
 

@@ -183,7 +183,7 @@ RegionAnswer solveRegion(const SmallMatrix& W, const SmallVector& q) {
   answer.regionsTried = 1;
   if (n == 1) {
     r = SmallVector::Constant(1, oneContact(1, free[0]));
-  } else if (n == 2 && 1 - unit(0, 1) * unit(0, 1) <= dependentPivot) {
+  } else if (n == 2 && std::abs(1 - unit(0, 1) * unit(0, 1)) <= dependentPivot) {
     answer.redundancy = redundantPair(unit(0, 1) < 0, free, r);
   } else if (n == 2) {
     if (const auto closed = twoContacts(unit, free)) r = *closed;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "delassus/pile_kind.h"
 #include "delassus/pivoting.h"
@@ -37,12 +36,15 @@ bool hasOneRegion(const Problem& problem) {
 // tolerance, and none would follow that takes more digits.
 constexpr double knownRegion = 1e-6, forcedRegion = 1e-7;
 constexpr double disturbed = 1e-3,
-                 nearly = 1e-6;    ///< shares of the demands that reactions leave open
-constexpr int shortWalk = 16;      ///< regions
+                 nearly = 1e-6;  ///< shares of the demands that reactions leave open
+constexpr int shortWalk = 16, fewRegions = 8;
 constexpr int alternations = 300;  ///< what brings a large pile to rest
 
-/// With so few sweeps none are to be lost on what may gain nothing.
-bool isHurried(const Options& options) { return options.sweepBudget < alternations; }
+/// Explicit entries that are too many for a dense matrix and its factor are swept over, and no more.
+bool isTooLargeToFactor(const Problem& problem) {
+  constexpr int most = 10000;
+  return !problem.W.inBodySpace() && problem.size() > most;
+}
 
 /// Has the reactions of `candidate` as the best answer.
 void take(const Solution& candidate, Solution& best) {
@@ -97,6 +99,7 @@ void Search::allow(const Problem& problem, Solution& best) {
 
 Outcome Search::pivotRows(const Problem& problem, const Options& options, double tolerance,
                           Solution& best) {
+  if (isTooLargeToFactor(problem)) return Outcome::Lost;
   PivotOptions pivoting;
   pivoting.regionBudget = options.newtonBudget;
   const PivotResult result =
@@ -128,7 +131,7 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
 ///   - large piles: alternating directions, which share the loads anew among contacts that squeeze each other.
 /// Then a short walk. Where it loses its way, many contacts are at a wall of their region:
 ///   - in large heaps plain sweeps, to outlast what hurried ones run past;
-///   - alternating directions, if it began without them; a proof that nothing can meet the demands; an interior point, which
+///   - alternating directions; a proof that nothing can meet the demands; an interior point, which
 ///     comes down between the walls; a longer walk from there; and `wander`.
 template <class Motion>
 Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const Options& options,
@@ -138,7 +141,7 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
   newton.setProblem(problem, map_);
   newton.keepFactors(options.economies.factors);
   Outcome outcome = startOut(newton, problem, options, tolerance, guess, best);
-  if (outcome != Outcome::Lost || left(1) == 0) return outcome;
+  if (outcome != Outcome::Lost || left(1) <= 0) return outcome;
   const double weight = best.residual <= nearly * problem.q.cwiseAbs().maxCoeff()
                             ? knownRegion
                             : proximalWeight(problem, best, 1e-2);
@@ -170,7 +173,7 @@ Outcome Search::startOut(ProximalNewton<Motion>& newton, const Problem& problem,
   } else if (!guess && alternate(newton, problem, options, tolerance, best)) {
     return Outcome::Reached;
   }
-  if (isHurried(options)) {
+  if (isHurried_) {
     sweepAll(problem, options, aim, best);
     if (isReached()) return Outcome::Reached;
   } else if (best.residual > disturbed * demand && isHeap(problem)) {
@@ -194,7 +197,7 @@ Outcome Search::startOut(ProximalNewton<Motion>& newton, const Problem& problem,
 template <class Motion>
 bool Search::alternate(ProximalNewton<Motion>& newton, const Problem& problem,
                        const Options& options, double tolerance, Solution& best) {
-  if (isHurried(options)) return false;
+  if (isHurried_) return false;
   const int most = std::min(alternations, options.sweepBudget - best.sweeps);
   if (!newton.alternate(problem, keptShare * tolerance, most, best)) return false;
   finish(newton, problem, options, tolerance, best);
@@ -210,7 +213,6 @@ template bool Search::alternate(ProximalNewton<FactoredMotion>&, const Problem&,
 template <class Motion>
 Outcome Search::finish(ProximalNewton<Motion>& newton, const Problem& problem,
                        const Options& options, double tolerance, Solution& best) {
-  constexpr int fewRegions = 8;
   const int most = std::min(fewRegions, options.newtonBudget - best.regions);
   newton.polish(problem, polishedShare * tolerance, knownRegion, most, best);
   return Outcome::Reached;
@@ -220,20 +222,20 @@ template <class Motion>
 void Search::polishWith(Engines<Motion>& engines, const Problem& problem, const Options& options,
                         double aim, Solution& best) {
   constexpr double weight = polishedShare;
-  constexpr int regions = 8;
+  const int most = std::min(fewRegions, options.newtonBudget - best.regions);
   engines.walk.setProblem(problem, map_);
   engines.walk.keepFactors(options.economies.factors);
-  engines.walk.polish(problem, aim, weight, regions, best);
+  engines.walk.polish(problem, aim, weight, most, best);
 }
 
 template <class Motion>
 Outcome Search::walkTwice(Engines<Motion>& engines, const Problem& problem, const Options& options,
                           double tolerance, const VectorXd* guess, Solution& best) {
-  if (isHurried(options)) return walkOnce(engines, problem, options, tolerance, guess, best);
+  if (isHurried_) return walkOnce(engines, problem, options, tolerance, guess, best);
   Outcome outcome;
   if (guess) {
     Options share = options;
-    share.newtonBudget -= 3 * options.newtonBudget / 8;
+    share.newtonBudget -= options.newtonBudget / 8 * 3;
     share.sweepBudget -= options.sweepBudget / 2;
     outcome = walkOnce(engines, problem, share, tolerance, guess, best);
     if (outcome == Outcome::Lost && isLargeHeap(problem))
@@ -272,15 +274,16 @@ Outcome Search::walkCold(Engines<Motion>& engines, const Problem& problem, const
 
 Outcome Search::walk(const Problem& problem, const Options& options, double tolerance,
                      const VectorXd* guess, Solution& best) {
+  isHurried_ = options.sweepBudget < alternations;
   if (!problem.W.inBodySpace() && problem.size() > fewUnknowns &&
       sweepAndLearn(problem, options, tolerance, best))
     return Outcome::Reached;
   if (fitsDenseNewton(problem, map_) &&
-      dense_.solve(problem, map_, tolerance, options.newtonBudget, best))
+      dense_.solve(problem, map_, tolerance, options.newtonBudget - best.regions, best))
     return Outcome::Reached;
   // A few regions settle a small island; where there are many contacts they only take time.
   const int least = isHeap(problem) || isLargePile(problem) ? shortWalk : 1;
-  if (isHurried(options) && options.newtonBudget - best.regions < least) {
+  if (isTooLargeToFactor(problem) || (isHurried_ && options.newtonBudget - best.regions < least)) {
     sweepAll(problem, options, keptShare * tolerance, best);
     return best.residual <= tolerance ? Outcome::Reached : Outcome::Lost;
   }
@@ -293,6 +296,7 @@ Outcome Search::walk(const Problem& problem, const Options& options, double tole
 }
 
 void Search::polish(const Problem& problem, const Options& options, double aim, Solution& best) {
+  if (isTooLargeToFactor(problem)) return;
   if (problem.W.inBodySpace())
     polishWith(machines().bodies, problem, options, aim, best);
   else

@@ -140,6 +140,8 @@ class Search {
   /// Puts the answer of a walk back into the cones and bounds that rounding, or a compromise, left.
   void allow(const Problem& problem, Solution& best);
 
+  /// With so few sweeps none are to be lost on what may gain nothing: as the user has it, whatever share of them a walk has.
+  bool isHurried_ = false;
   NaturalMap map_;
   DenseNewton<Eigen::Dynamic> dense_;
   std::unique_ptr<Machines> own_;  ///< none in a search for patches

@@ -11,7 +11,7 @@
 namespace delassus {
 
 enum class Status : unsigned char {
-  Solved,        ///< the natural residual is within the tolerance
+  Solved,  ///< the natural residual is within the tolerance, or within what rounding leaves of it
   OutOfBudget,   ///< best answer found within the budget; see its residual
   Incompatible,  ///< no motion meets all demands: a compromise was taken; see `blamed`
   NonFinite,     ///< the problem holds numbers that are none, or that overflow: no reactions

@@ -31,7 +31,7 @@ Solver::~Solver() = default;
 Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
 
-std::size_t Solver::bytes() const { return search_->bytes() + formula_.bytes(); }
+std::size_t Solver::bytes() const { return search_->bytes() + bytesOf(formula_, guess_); }
 
 Solution Solver::solve(const Problem& problem, const VectorXd& guess) {
   Solution solution;
@@ -40,6 +40,10 @@ Solution Solver::solve(const Problem& problem, const VectorXd& guess) {
 }
 
 void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best) {
+  if (&guess == &best.r) {
+    guess_ = guess;
+    return solve(problem, guess_, best);
+  }
   Search& search = *search_;
   best.start(problem.q);
   if (std::vector<int> unfit = unfitParts(problem); !unfit.empty()) {
@@ -54,7 +58,8 @@ void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best
   search.setProblem(problem);
   const double demand = problem.size() > 0 ? problem.q.cwiseAbs().maxCoeff() : 0;
   const double tolerance = std::max(options_.tolerance * demand, problem.roundOff);
-  bool warm = guess.size() == problem.size() && problem.size() > 0 && guess.any();
+  bool warm =
+      guess.size() == problem.size() && problem.size() > 0 && guess.any() && guess.allFinite();
   if (warm) search.offer(problem, guess, best);
   best.startResidual = best.residual;
   const Economies& economies = options_.economies;

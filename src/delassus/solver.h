@@ -20,7 +20,7 @@ class Solver {
 
   /// Solves `problem`, starting from the reactions `guess` (empty: from rest). The best answer is always returned.
   Solution solve(const Problem& problem, const VectorXd& guess = {});
-  /// The same into storage that is used again.
+  /// The same into storage that is used again; `guess` may be its reactions.
   void solve(const Problem& problem, const VectorXd& guess, Solution& into);
 
   const Options& options() const { return options_; }
@@ -31,6 +31,7 @@ class Solver {
   Options options_;
   std::unique_ptr<Search> search_;
   VectorXd formula_;  ///< reactions of a part that is alone
+  VectorXd guess_;    ///< where it was in the answer's place
 };
 
 /// One-off use.

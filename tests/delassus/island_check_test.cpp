@@ -133,6 +133,24 @@ TEST(IslandCheck, FreeMeansThatNoReactionIsAskedFor) {
   EXPECT_LT(free, 380);
 }
 
+TEST(IslandCheck, WhatIsNoNumberIsNotFree) {
+  Random random(85);
+  for (const double lower : {-1.0, 0.0})
+    for (const bool ofTarget : {true, false}) {
+      Pile pile = mixedTower(1, random);
+      pile.contacts.clear();
+      pile.rows.resize(1);
+      pile.rows[0].lower = lower;
+      pile.rows[0].upper = std::numeric_limits<double>::infinity();
+      (ofTarget ? pile.rows[0].target : pile.bodies[0].velocity[5]) =
+          std::numeric_limits<double>::quiet_NaN();
+      Solution seen;
+      EXPECT_FALSE(IslandCheck(Options()).isFree(
+          pile.bodies, pile.contacts, pile.rows,
+          splitIslands(pile.bodies, pile.contacts, pile.rows).at(0), seen));
+    }
+}
+
 // Bodies that fall together touch with q_n = 0, up to the rounding of their velocities.
 TEST(IslandCheck, RoundingIsNoApproach) {
   Random random(84);

@@ -136,6 +136,8 @@ TEST(ProblemTextErrors, HugeCountsAskForNoMemory) {
               HasSubstr("in entry 2 of 200000000 of 'mu', found the end of the text"));
   EXPECT_THAT(complaint("lcp v1\nname n\nsize 2000000000\nentries 2147483647\nbounds\n0"),
               HasSubstr("in entry 1 of 2000000000 of 'bounds', found the end of the text"));
+  EXPECT_THAT(complaint("lcp v1\nname n\nsize 2000000000\nentries 2147483647\nq\n0"),
+              HasSubstr("in entry 2 of 2000000000 of 'q', found the end of the text"));
 }
 
 /// A text without end, and a device that fails after a few characters.

@@ -139,6 +139,7 @@ TEST(Solver, ASpentBudgetIsSaidAndNeverWorseThanTheGuess) {
     const VectorXd guess = randomReactions(island.problem, 0.1, random);
     const Solution solution = Solver(options).solve(island.problem, guess);
     EXPECT_LE(solution.residual, naturalResidual(island.problem, guess).max);
+    EXPECT_LE(solution.regions, std::max(1, options.newtonBudget));  // a formula is one region
     expectHonest(island, solution, options);
   }
 }
@@ -185,6 +186,50 @@ TEST(Solver, AGuessThatIsASolutionComesBackWithoutWork) {
     EXPECT_EQ(again.activeSet, first.activeSet);
   }
   EXPECT_GE(inside, 15);
+}
+
+TEST(Solver, TheGuessMayBeTheAnswersOwnReactions) {
+  Random random(76);
+  for (int k = 0; k < 20; ++k) {
+    const PileIsland island = randomIsland(k, 10, 1, random);
+    Solver solver;
+    const Solution first = solver.solve(island.problem);
+    const Solution apart = solver.solve(island.problem, first.r);
+    Solution own = first;
+    solver.solve(island.problem, own.r, own);
+    EXPECT_EQ(own.tier, apart.tier);
+    EXPECT_TRUE(sameBits(own.r, apart.r)) << "island " << k;
+  }
+}
+
+TEST(Solver, AGuessThatIsNoNumberIsNone) {
+  Random random(77);
+  for (int k = 0; k < 20; ++k) {
+    const PileIsland island = randomIsland(k, 10, 1, random);
+    VectorXd guess = randomReactions(island.problem, 0.1, random);
+    guess[k % guess.size()] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(
+        sameBits(Solver().solve(island.problem, guess).r, Solver().solve(island.problem).r));
+  }
+}
+
+// A chain of rows whose dense matrix would take 3 GB.
+TEST(Solver, ManyExplicitRowsTakeNoDenseMatrix) {
+  constexpr int n = 20000;
+  Random random(78);
+  DelassusMatrix::Sparse W(n, n);
+  for (int i = 0; i < n; ++i)
+    for (int j = std::max(0, i - 1); j < std::min(n, i + 2); ++j)
+      W.insert(i, j) = i == j ? 2.5 : -1;
+  Problem problem;
+  problem.W = DelassusMatrix(W);
+  problem.q = normalVector(n, random);
+  problem.lower.setZero(n);
+  problem.upper = VectorXd::Constant(n, std::numeric_limits<double>::infinity());
+  const Solution solution = solve(problem);
+  EXPECT_EQ(solution.status, Status::Solved);
+  EXPECT_LE(naturalResidual(problem, solution.r).max, 1e-8 * problem.q.cwiseAbs().maxCoeff());
+  EXPECT_EQ(solution.factorisations, 0);
 }
 
 // Contacts that rest, slide and open are named so.
