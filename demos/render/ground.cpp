@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 namespace demos::render {
 
@@ -33,6 +34,15 @@ HalfSpace inWorld(const Plane& plane, const Eigen::Matrix4f& pose) {
   const Eigen::Matrix4d matrix = pose.cast<double>();
   const Vector3d normal = matrix.topLeftCorner<3, 3>() * plane.normal;
   return {normal, plane.offset + normal.dot(matrix.topRightCorner<3, 1>())};
+}
+
+/// Turns e_y to a unit vector. (Eigen's FromTwoVectors has a singular value decomposition for the one that looks straight
+/// down, which takes long to compile.)
+Eigen::Quaterniond turnUpTo(const Vector3d& n) {
+  const double s = std::sqrt(2 * std::max(0.0, 1 + n.y()));
+  if (s < 1e-6) return {0, 1, 0, 0};
+  const Vector3d axis = Vector3d::UnitY().cross(n) / s;
+  return {s / 2, axis.x(), axis.y(), axis.z()};
 }
 
 /// The prism of `thickness` below a polygon that looks up, both in a frame whose e_y is the normal.
@@ -73,8 +83,7 @@ void layPlanes(Film& film, const Box& stage) {
     // A frame of the plane: e_y along its normal, its origin under the stage's centre.
     const Vector3d origin =
         stage.centre() - (space.normal.dot(stage.centre()) - space.offset) * space.normal;
-    const Eigen::Quaterniond turn =
-        Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitY(), space.normal);
+    const Eigen::Quaterniond turn = turnUpTo(space.normal.normalized());
     const bool endless = planes.size() == 1 && space.normal.dot(film.up) > 0.99;
     const double reach = (endless ? 60 : 4) * std::max(extent, 1.0);
     std::vector<Vector3d> polygon;

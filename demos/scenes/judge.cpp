@@ -24,6 +24,11 @@ Vec3 inFrame(const Contact& contact, const btManifoldPoint& point) {
   return r;
 }
 
+/// The x of least norm that brings A x closest to b.
+VectorXd leastNorm(const MatrixXd& A, const VectorXd& b) {
+  return A.completeOrthogonalDecomposition().solve(b);
+}
+
 }  // namespace
 
 double Verdict::rms() const { return count > 0 ? std::sqrt(sumOfSquares / double(count)) : 0; }
@@ -80,10 +85,7 @@ void JudgedSolver::addTurning(const Island& island, const Problem& problem, Vect
   const VectorXd missing =
       (assemble(after, group_.contacts, group_.rows, island).q - problem.q - problem.W * r)
           .tail(count);
-  r.tail(count) = problem.W.dense()
-                      .bottomRightCorner(count, count)
-                      .completeOrthogonalDecomposition()
-                      .solve(missing);
+  r.tail(count) = leastNorm(problem.W.dense().bottomRightCorner(count, count), missing);
 }
 
 void JudgedSolver::lendFeedback(const GroupArguments& arguments) {
@@ -121,9 +123,7 @@ std::vector<double> JudgedSolver::rowReactions(double timeStep) const {
       const Row& row = group_.rows[joint.firstRow + i];
       directions.col(i) << row.jacobianA.transpose(), row.jacobianB.transpose();
     }
-    const VectorXd r = (factor.asDiagonal() * directions)
-                           .completeOrthogonalDecomposition()
-                           .solve(impulse * timeStep);
+    const VectorXd r = leastNorm(factor.asDiagonal() * directions, impulse * timeStep);
     std::copy(r.begin(), r.end(), reactions.begin() + joint.firstRow);
   }
   return reactions;

@@ -20,11 +20,7 @@ constexpr double tolerance(double inDouble, double inFloat) {
 }
 
 /// A tolerance that poses and velocities of this precision can meet from step to step.
-inline Options optionsOfPrecision() {
-  Options options;
-  options.tolerance = tolerance(1e-8, 1e-5);
-  return options;
-}
+Options optionsOfPrecision();
 
 /// A world that owns all that is in it: gravity 9.81 along −y, 60 Hz, bodies of friction 0.5 that
 /// never sleep.
@@ -156,16 +152,12 @@ using BulletWorld = OwningWorld<btDiscreteDynamicsWorld, btConstraintSolver>;
 
 /// A world with our solver.
 struct DelassusWorld : BulletWorld {
-  DelassusWorld() : BulletWorld(std::make_unique<btDelassusConstraintSolver>()) {}
+  DelassusWorld();
 };
 
 /// A world with Bullet's own solver, run until it has converged: the measure of parity.
 struct StockWorld : BulletWorld {
-  explicit StockWorld(int sweeps = 1000)
-      : BulletWorld(std::make_unique<btSequentialImpulseConstraintSolver>()) {
-    info().m_numIterations = sweeps;
-    info().m_leastSquaresResidualThreshold = 0;
-  }
+  explicit StockWorld(int sweeps = 1000);
 };
 
 }  // namespace delassus::testing

@@ -2,7 +2,6 @@
 /// Two small problem texts; texts to problems and back; and whether two problems are the same, bit for bit.
 
 #include <cstring>
-#include <sstream>
 #include <string>
 
 #include "delassus/problem_text.h"
@@ -45,16 +44,8 @@ inline const char* const rowText =
     "1 1 4\n"       // 14
     "end\n";        // 15
 
-inline Problem fromText(const std::string& text) {
-  std::istringstream in(text);
-  return readProblem(in, "text");
-}
-
-inline std::string toText(const Problem& problem) {
-  std::ostringstream out;
-  writeProblem(out, problem);
-  return out.str();
-}
+Problem fromText(const std::string& text);
+std::string toText(const Problem& problem);
 
 /// Equal as bits: tells 0 from -0.
 template <class X>
@@ -67,23 +58,6 @@ inline bool sameBits(const VectorXd& a, const VectorXd& b) {
 }
 
 /// In what two problems differ, stored entries and all; empty if they are the same, bit for bit.
-inline std::string difference(const Problem& a, const Problem& b) {
-  const DelassusMatrix::Sparse &A = a.W.entries(), &B = b.W.entries();
-  const bool samePlaces = A.rows() == B.rows() && A.nonZeros() == B.nonZeros() &&
-                          sameBits(A.outerIndexPtr(), B.outerIndexPtr(), A.rows() + 1) &&
-                          sameBits(A.innerIndexPtr(), B.innerIndexPtr(), A.nonZeros());
-  std::string parts;
-  const auto compare = [&parts](const char* part, bool same) {
-    if (!same) parts += (parts.empty() ? "" : ", ") + std::string(part);
-  };
-  compare("name", a.name == b.name);
-  compare("q", sameBits(a.q, b.q));
-  compare("friction", sameBits(a.friction, b.friction));
-  compare("lower", sameBits(a.lower, b.lower));
-  compare("upper", sameBits(a.upper, b.upper));
-  compare("places in W", samePlaces);
-  compare("W", samePlaces && sameBits(A.valuePtr(), B.valuePtr(), A.nonZeros()));
-  return parts;
-}
+std::string difference(const Problem& a, const Problem& b);
 
 }  // namespace delassus::test

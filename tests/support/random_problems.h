@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/QR>
-#include <cmath>
 #include <random>
 
 #include "delassus/types.h"
@@ -10,56 +8,20 @@ namespace delassus {
 
 using Random = std::mt19937_64;
 
-inline double uniform(Random& random, double from, double to) {
-  return std::uniform_real_distribution<double>(from, to)(random);
-}
-
-inline VectorXd normalVector(int n, Random& random) {
-  std::normal_distribution<double> normal;
-  return VectorXd::NullaryExpr(n, [&] { return normal(random); });
-}
-
-inline MatrixXd normalMatrix(int rows, int columns, Random& random) {
-  std::normal_distribution<double> normal;
-  return MatrixXd::NullaryExpr(rows, columns, [&] { return normal(random); });
-}
+double uniform(Random& random, double from, double to);
+VectorXd normalVector(int n, Random& random);
+MatrixXd normalMatrix(int rows, int columns, Random& random);
 
 /// Symmetric positive definite, eigenvalues log-uniform over [1/condition, 1] with both ends taken,
 /// random axes.
-inline MatrixXd randomDelassus(int n, double condition, Random& random) {
-  const MatrixXd Q = normalMatrix(n, n, random).householderQr().householderQ();
-  VectorXd eigenvalues =
-      VectorXd::NullaryExpr(n, [&] { return std::pow(condition, -uniform(random, 0, 1)); });
-  eigenvalues[0] = 1;
-  if (n > 1) eigenvalues[n - 1] = 1 / condition;
-  const MatrixXd W = Q * eigenvalues.asDiagonal() * Q.transpose();
-  return (W + W.transpose()) / 2;
-}
+MatrixXd randomDelassus(int n, double condition, Random& random);
 
 /// W = J Jᵀ of n contacts that a system with `freedoms` degrees of freedom and unit masses feels;
 /// singular if n > freedoms.
-inline MatrixXd randomJacobian(int n, int freedoms, Random& random) {
-  return normalMatrix(n, freedoms, random);
-}
+MatrixXd randomJacobian(int n, int freedoms, Random& random);
 
 /// W = J M⁻¹ Jᵀ of a stack of `boxes` unit cubes resting on the ground, normals only, four corners
 /// a face: rank 3 a face. `massRatio` is the mass of each box over the mass of the box below it.
-inline MatrixXd boxStackJacobian(int boxes, double massRatio = 1) {
-  MatrixXd J = MatrixXd::Zero(4 * boxes, 3 * boxes);
-  for (int box = 0; box < boxes; ++box) {
-    const double mass = std::pow(massRatio, box);
-    for (int corner = 0; corner < 4; ++corner) {
-      const double x = corner & 1 ? 0.5 : -0.5, y = corner & 2 ? 0.5 : -0.5;
-      // Rise, and rotation about the two horizontal axes (I = m/6), all normalised by the square
-      // root of inertia.
-      const Vec3 row(1, y * std::sqrt(6.0), -x * std::sqrt(6.0));
-      J.block<1, 3>(4 * box + corner, 3 * box) = row.transpose() / std::sqrt(mass);
-      if (box > 0)
-        J.block<1, 3>(4 * box + corner, 3 * (box - 1)) =
-            -row.transpose() / std::sqrt(mass / massRatio);
-    }
-  }
-  return J;
-}
+MatrixXd boxStackJacobian(int boxes, double massRatio = 1);
 
 }  // namespace delassus

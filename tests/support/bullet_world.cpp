@@ -1,0 +1,19 @@
+#include "tests/support/bullet_world.h"
+
+namespace delassus::testing {
+
+Options optionsOfPrecision() {
+  Options options;
+  options.tolerance = tolerance(1e-8, 1e-5);
+  return options;
+}
+
+DelassusWorld::DelassusWorld() : BulletWorld(std::make_unique<btDelassusConstraintSolver>()) {}
+
+StockWorld::StockWorld(int sweeps)
+    : BulletWorld(std::make_unique<btSequentialImpulseConstraintSolver>()) {
+  info().m_numIterations = sweeps;
+  info().m_leastSquaresResidualThreshold = 0;
+}
+
+}  // namespace delassus::testing
