@@ -89,9 +89,14 @@ int MultiBodyParts::addTree(Group& group, TreeSource& source) {
   MatrixXd& inverseMass = source.inverseMass;
   inverseMass.setZero(n, n);
   unit_.resize(n);
-  response_.resize(n);
   for (int i = 0; i < n; ++i) unit_[i] = 0;
   for (int i = body.hasFixedBase() ? 6 : 0; i < n; ++i) {
+    // Bullet passes over links that are kinematic down to the base: neither their entries here nor their accelerations,
+    // which the next links start from, are written.
+    response_.resizeNoInitialize(0);
+    response_.resize(n, 0);
+    data_.scratch_v.resizeNoInitialize(0);
+    data_.scratch_v.resize(4 * (body.getNumLinks() + 1), btVector3(0, 0, 0));
     unit_[i] = 1;
     body.calcAccelerationDeltasMultiDof(&unit_[0], &response_[0], data_.scratch_r, data_.scratch_v);
     unit_[i] = 0;
