@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
@@ -52,11 +51,9 @@ void addForce(btMultiBody& body, int link, const btVector3& force, const btVecto
   }
 }
 
-/// A bound on an impulse; Bullet's constraints write "as much as it takes" as a large number.
-double boundOf(btScalar bound) {
-  if (std::abs(bound) < BT_LARGE_FLOAT) return bound;
-  return std::copysign(std::numeric_limits<double>::infinity(), bound);
-}
+/// Bodies that are not passed, static ones and kinematic ones that touch nothing, carry the numbers −1 and −2, and constraints
+/// look them up as they are.
+constexpr int unlent = 2;
 
 constexpr const char* brokenBody = "one of its bodies is left out";
 
@@ -180,10 +177,13 @@ void MultiBodyParts::lendCompanionIds(const Group& group) {
   const auto count = static_cast<int>(group.bodies.size());
   const int fixed = count, absent = count + 1;
   solverBodies_.resizeNoInitialize(0);
+  for (int i = 0; i < unlent; ++i) solverBodies_.push_back(solverBody(group, fixedWorld));
   for (int i = 0; i < count; ++i) solverBodies_.push_back(solverBody(group, i));
   solverBodies_.push_back(solverBody(group, fixedWorld));
   solverBodies_.push_back(solverBody(group, fixedWorld));
-  data_.m_solverBodyPool = &solverBodies_;
+  const int size = solverBodies_.size() - unlent;
+  solverBodyPool_.initializeFromBuffer(&solverBodies_[unlent], size, size);
+  data_.m_solverBodyPool = &solverBodyPool_;
   data_.m_fixedBodyId = fixed;
 
   for (int i = 0; i < input_.bodyCount; ++i) {
@@ -276,8 +276,8 @@ void MultiBodyParts::addRow(Group& group, btMultiBodyConstraint& constraint, int
                  from.m_relpos1CrossNormal, row.jacobianA);
   row.b = sideOf(from.m_multiBodyB, from.m_jacBindex, from.m_solverBodyIdB, from.m_contactNormal2,
                  from.m_relpos2CrossNormal, row.jacobianB);
-  row.lower = boundOf(from.m_lowerLimit);
-  row.upper = boundOf(from.m_upperLimit);
+  row.lower = toCoreBound(from.m_lowerLimit);
+  row.upper = toCoreBound(from.m_upperLimit);
   row.compliance = from.m_cfm * response;
 
   const char* fault = row.a == leftOut || row.b == leftOut ? brokenBody : faultOf(row);

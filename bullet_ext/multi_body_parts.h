@@ -35,7 +35,11 @@ class MultiBodyParts : public Extension {
     int constraintCount;
     const btContactSolverInfo* info;
   };
-  void setInput(const Input& input) { input_ = input; }
+  void setInput(const Input& input) {
+    input_ = input;
+    // Of an unsplit group Bullet passes as many as there are joints, of an array that may be none.
+    if (!input_.constraints) input_.constraintCount = 0;
+  }
 
   void gatherBodies(Group& group, StepReport& report) override;
   void gatherRows(Group& group, StepReport& report) override;
@@ -83,8 +87,10 @@ class MultiBodyParts : public Extension {
   std::vector<RowSource> rowSources_;
   btMultiBodyConstraintArray rows_;
   btMultiBodyJacobianData data_;
-  /// Those of the group, then the fixed one, then the one that is left out.
+  /// Two fixed ones, those of the group, a fixed one, the one that is left out.
   btAlignedObjectArray<btSolverBody> solverBodies_;
+  btAlignedObjectArray<btSolverBody>
+      solverBodyPool_;  ///< the same without the first two; owns nothing
   btAlignedObjectArray<btScalar> unit_, response_;
 };
 
