@@ -187,7 +187,7 @@ void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount
   gatherJoints(w.group, constraints, constraintCount, info, w.report);
   if (extension) extension->gatherRows(w.group, w.report);
   gatherTurningFriction(w.group, stockRollingFriction_);
-  if (info.m_solverMode & SOLVER_USE_WARMSTARTING) {
+  if (warmStarts(info)) {
     w.memory.recall(w.group);
     if (extension) extension->recall(w.group);
     if (geometricStiffness_) w.report.stiffened += w.stiffness.stiffen(w.group, info);

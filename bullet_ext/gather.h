@@ -121,6 +121,10 @@ void gatherBodies(Group& group, btCollisionObject** bodies, int count,
 void gatherContacts(Group& group, btPersistentManifold** manifolds, int count,
                     const btContactSolverInfo& info, btDispatcher* dispatcher, StepReport& report);
 
+/// Whether the step starts from the reactions of the last one. An exact answer needs no damping of where it starts from:
+/// m_warmstartingFactor only says whether to start there.
+bool warmStarts(const btContactSolverInfo& info);
+
 /// Rows of the joints as their getInfo1 and getInfo2 answer. With the joint's damping D and its
 /// dimensionless softness χ:
 ///
