@@ -195,7 +195,8 @@ void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount
   laps.end(w.report.secondsGather);
 
   const bool heard = listener_ || troubleListener_ || turningListener_;
-  const Plan plan = makePlan(w.group, heard, economies, w.answer.assembler);
+  findIslands(w.group, economies, w.answer);
+  const Plan plan = makePlan(w.group, heard, economies, w.answer);
   startFromGuess(w.group, w.answer);
   w.workshop.clearCounts();
   checkIslands(w.group, w.workshop, w.answer);

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bullet_ext/gather.h"
-#include "delassus/island.h"
+#include "bullet_ext/solve_group.h"
 
 namespace delassus {
 
@@ -21,7 +20,7 @@ void Plan::add(const Plan& group) {
 
 namespace bullet {
 
-Plan makePlan(const Group& group, bool heard, const Economies& economies, Assembler& islands) {
+Plan makePlan(const Group& group, bool heard, const Economies& economies, const Answer& islands) {
   Plan plan;
   plan.bouncing = group.bouncing;
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {
@@ -42,9 +41,8 @@ Plan makePlan(const Group& group, bool heard, const Economies& economies, Assemb
   plan.obsolete = static_cast<int>(group.obsolete.size());
   plan.heard = heard;
 
-  islands.split(group.bodies, group.contacts, group.rows, !economies.tangents);
-  plan.islands = islands.islands();
-  for (int i = 0; i < islands.islands(); ++i) {
+  plan.islands = islands.islandCount();
+  for (int i = 0; i < plan.islands; ++i) {
     const int size = islands.island(i).unknowns();
     plan.unknowns += size;
     plan.largestIsland = std::max(plan.largestIsland, size);

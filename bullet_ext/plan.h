@@ -4,9 +4,8 @@
 
 namespace delassus {
 
-class Assembler;
-
 namespace bullet {
+struct Answer;
 struct Group;
 }
 
@@ -42,8 +41,8 @@ struct Plan {
 
 namespace bullet {
 
-/// Finds the islands of the group, which `islands` keeps, and reads off the plan.
-Plan makePlan(const Group& group, bool heard, const Economies& economies, Assembler& islands);
+/// The plan of a group whose islands have been found.
+Plan makePlan(const Group& group, bool heard, const Economies& economies, const Answer& islands);
 
 }  // namespace bullet
 }  // namespace delassus

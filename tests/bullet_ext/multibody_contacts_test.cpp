@@ -222,6 +222,16 @@ TEST(MultiBodyContacts, ArmOnTwoStopsKeepsTheContactsOfItsRegion) {
   EXPECT_EQ(regions.size(), 4u);
 }
 
+TEST(MultiBodyContacts, ThePlanCountsATreeWithAllThatItTouchesAsOneIsland) {
+  ArmOnStops scene;
+  scene.world.advance();
+  const StepReport& report = scene.world.report();
+  EXPECT_EQ(report.plan.islands, 1);
+  EXPECT_EQ(report.plan.islands, report.islands);
+  EXPECT_EQ(report.plan.largestIsland, 2);
+  EXPECT_EQ(report.plan.unknowns, 2);
+}
+
 /// A body on four legs of two links each, feet of radius 5 cm, motors in the joints.
 struct Quadruped {
   static constexpr btScalar bodyMass = 20, legMass = btScalar(0.7);
