@@ -63,7 +63,7 @@ class btDelassusConstraintSolver : public btConstraintSolver {
 
   /// The whole last world step. In a solver pool, which does not announce steps, sums go on until
   /// reset().
-  const delassus::StepReport& report() const;
+  const delassus::StepReport& report() const { return report_; }
 
   /// Called at the end of each solveGroup with every contact whose mode changed, in the order of
   /// Bullet's manifolds: first those that took part, then those that were left out. The listener must
@@ -87,6 +87,7 @@ class btDelassusConstraintSolver : public btConstraintSolver {
 
   struct Workspace;
   std::unique_ptr<Workspace> workspace_;
+  delassus::StepReport report_;
   std::function<void(const delassus::ContactEvent&)> listener_, troubleListener_, turningListener_;
   bool stockRollingFriction_ = false, geometricStiffness_ = false;
 };

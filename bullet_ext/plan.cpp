@@ -2,17 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bullet_ext/solve_group.h"
 
 namespace delassus {
+
+void addTo(int& sum, int more) {
+  constexpr int most = std::numeric_limits<int>::max();
+  sum = more > most - sum ? most : sum + more;
+}
 
 void Plan::add(const Plan& group) {
   for (const auto count :
        {&Plan::frictional, &Plan::frictionless, &Plan::bouncing, &Plan::soft, &Plan::deep,
         &Plan::rolling, &Plan::spinning, &Plan::joints, &Plan::rows, &Plan::boundedRows,
         &Plan::softRows, &Plan::obsolete, &Plan::islands, &Plan::unknowns, &Plan::pushContacts})
-    this->*count += group.*count;
+    addTo(this->*count, group.*count);
   largestIsland = std::max(largestIsland, group.largestIsland);
   heard |= group.heard;
   events |= group.events;

@@ -7,7 +7,10 @@ namespace delassus {
 namespace bullet {
 struct Answer;
 struct Group;
-}
+}  // namespace bullet
+
+/// Adds to a count, which stays at the largest number rather than overflow.
+void addTo(int& sum, int more);
 
 /// What a step asks for, counted in what was gathered before anything is solved, and what it is made of therefore. Nothing
 /// else exists in the step: no unknowns, no pass, no events.
