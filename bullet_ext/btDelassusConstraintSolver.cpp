@@ -103,7 +103,7 @@ struct btDelassusConstraintSolver::Workspace {
     return group.bytes() + memory.bytes() + stiffness.bytes() + answer.bytes() + pushes.bytes() +
            workshop.bytes() + bytesOf(events);
   }
-  void countSolve(const Bench::Counts& counts, StepReport& report);
+  Work countSolve(const Bench::Counts& counts, StepReport& report);
 };
 
 void btDelassusConstraintSolver::Workspace::release() {
@@ -115,8 +115,11 @@ void btDelassusConstraintSolver::Workspace::release() {
   events = {};
 }
 
-void btDelassusConstraintSolver::Workspace::countSolve(const Bench::Counts& counts,
-                                                       StepReport& report) {
+btDelassusConstraintSolver::Work btDelassusConstraintSolver::Workspace::countSolve(
+    const Bench::Counts& counts, StepReport& report) {
+  Work work;
+  work.iterations = counts.regions + counts.sweeps;
+  work.residualMax = 0;
   addTo(report.contacts, static_cast<int>(group.contacts.size()));
   addTo(report.rows, static_cast<int>(group.rows.size()) - group.turningRows);
   addTo(report.islands, static_cast<int>(answer.islands.size()));
@@ -124,12 +127,13 @@ void btDelassusConstraintSolver::Workspace::countSolve(const Bench::Counts& coun
     const IslandResult& island = answer.islands[i];
     countStatus(island.status, report);
     countTier(island.tier, report);
-    report.residualMax = std::max(report.residualMax, island.residualMax);
+    work.residualMax = std::max(work.residualMax, island.residualMax);
     residualSquares += island.residualRms * island.residualRms * island.parts;
     residualParts += island.parts;
     for (int unknown : island.blamed)
       report.tell(nameOf(group, answer, static_cast<int>(i), unknown) + reasonOf(island.status));
   }
+  report.residualMax = std::max(report.residualMax, work.residualMax);
   if (residualParts > 0) report.residualRms = std::sqrt(residualSquares / residualParts);
 
   addTo(report.matrices, answer.matrices);
@@ -140,6 +144,7 @@ void btDelassusConstraintSolver::Workspace::countSolve(const Bench::Counts& coun
   addTo(report.obsoleteConstraints, answer.obsoleteConstraints);
   addTo(report.pushIslands, pushes.islands);
   addTo(report.pushUnsolved, pushes.counts.unsolved);
+  return work;
 }
 
 btDelassusConstraintSolver::btDelassusConstraintSolver(const Options& options, btDelassusPrecision)
@@ -165,15 +170,14 @@ btScalar btDelassusConstraintSolver::solveGroup(btCollisionObject** bodies, int 
   return 0;
 }
 
-void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount,
-                                       btPersistentManifold** manifolds, int manifoldCount,
-                                       btTypedConstraint** constraints, int constraintCount,
-                                       const btContactSolverInfo& info, btDispatcher* dispatcher,
-                                       Extension* extension) {
+btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(
+    btCollisionObject** bodies, int bodyCount, btPersistentManifold** manifolds, int manifoldCount,
+    btTypedConstraint** constraints, int constraintCount, const btContactSolverInfo& info,
+    btDispatcher* dispatcher, Extension* extension) {
   Workspace& w = *workspace_;
   if (!(info.m_timeStep > 0) || !std::isfinite(info.m_timeStep)) {
     report_.leaveOut("step", "its time step is not a positive number");
-    return;
+    return {};
   }
 
   const Economies& economies = w.options.economies;
@@ -212,7 +216,7 @@ void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount
     laps.end(report_.secondsPush);
   }
   report_.plan.add(plan);
-  w.countSolve(counts, report_);
+  const Work work = w.countSolve(counts, report_);
   report_.workspaceBytes = std::max(report_.workspaceBytes, w.bytes());
   w.memory.keep(w.group, w.answer);
 
@@ -237,6 +241,7 @@ void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount
     }
     laps.end(report_.secondsListener);
   }
+  return work;
 }
 
 void btDelassusConstraintSolver::setThreads(int threads) {

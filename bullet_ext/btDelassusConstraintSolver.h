@@ -80,7 +80,12 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   friend class btDelassusMultiBodyConstraintSolver;
   btDelassusConstraintSolver(const delassus::Options& options, btDelassusPrecision);
 
-  void solve(btCollisionObject** bodies, int bodyCount, btPersistentManifold** manifolds,
+  /// What one group took.
+  struct Work {
+    int iterations = 0;       ///< regions and sweeps, without those of pushes
+    double residualMax = -1;  ///< m/s; −1 if nothing was solved
+  };
+  Work solve(btCollisionObject** bodies, int bodyCount, btPersistentManifold** manifolds,
              int manifoldCount, btTypedConstraint** constraints, int constraintCount,
              const btContactSolverInfo& info, btDispatcher* dispatcher,
              delassus::bullet::Extension* extension);
