@@ -182,7 +182,10 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(
 
   const Economies& economies = w.options.economies;
   Laps laps;
-  if (!economies.storage) w.release();
+  if (!economies.storage) {
+    w.release();
+    if (extension) extension->release();
+  }
   w.group.clear();
   gatherBodies(w.group, bodies, bodyCount, info, report_);
   if (extension) extension->gatherBodies(w.group, report_);
@@ -217,7 +220,8 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(
   }
   report_.plan.add(plan);
   const Work work = w.countSolve(counts, report_);
-  report_.workspaceBytes = std::max(report_.workspaceBytes, w.bytes());
+  report_.workspaceBytes =
+      std::max(report_.workspaceBytes, w.bytes() + (extension ? extension->bytes() : 0));
   w.memory.keep(w.group, w.answer);
 
   w.events.clear();

@@ -65,7 +65,10 @@ void btDelassusMultiBodyConstraintSolver::setGeometricStiffness(bool on) {
   parts_->rigid.setGeometricStiffness(on);
 }
 
-void btDelassusMultiBodyConstraintSolver::reset() { parts_->rigid.reset(); }
+void btDelassusMultiBodyConstraintSolver::reset() {
+  parts_->rigid.reset();
+  parts_->articulated.release();
+}
 
 const StepReport& btDelassusMultiBodyConstraintSolver::report() const {
   return parts_->rigid.report();

@@ -374,4 +374,31 @@ void MultiBodyParts::writeBack(const Group& group, const Answer& answer) {
   }
 }
 
+void MultiBodyParts::release() {
+  trees_ = {};
+  limbs_ = {};
+  rows_.clear();
+  data_.m_jacobians.clear();
+  data_.m_deltaVelocitiesUnitImpulse.clear();
+  data_.m_deltaVelocities.clear();
+  data_.scratch_r.clear();
+  data_.scratch_v.clear();
+  data_.scratch_m.clear();
+  solverBodyPool_.clear();
+  solverBodies_.clear();
+  unit_.clear();
+  response_.clear();
+}
+
+std::size_t MultiBodyParts::bytes() const {
+  const auto of = [](const auto&... lists) {
+    return (std::size_t{0} + ... + (lists.capacity() * sizeof(lists[0])));
+  };
+  // What finds the root keeps two matrices of that size.
+  return trees_.bytes([](const TreeSource& tree) { return 3 * bytesOf(tree.inverseMass); }) +
+         limbs_.bytes([](const LimbSource& limb) { return sizeof(double) * limb.L.size(); }) +
+         of(rows_, data_.m_jacobians, data_.m_deltaVelocitiesUnitImpulse, data_.m_deltaVelocities,
+            data_.scratch_r, data_.scratch_v, data_.scratch_m, solverBodies_, unit_, response_);
+}
+
 }  // namespace delassus::bullet

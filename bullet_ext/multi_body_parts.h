@@ -46,6 +46,8 @@ class MultiBodyParts : public Extension {
   void recall(Group& group) const override;
   /// Velocities, forces on links for joint feedback, and the impulses of constraints.
   void writeBack(const Group& group, const Answer& answer) override;
+  void release() override;
+  std::size_t bytes() const override;
 
  private:
   struct TreeSource {

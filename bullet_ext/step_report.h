@@ -43,7 +43,7 @@ struct StepReport {
   double secondsWriteBack = 0;
   double secondsListener = 0;  ///< inside the user's function
   std::size_t workspaceBytes =
-      0;  ///< kept from step to step, for all threads (not counted: MultiBodyParts)
+      0;  ///< kept from step to step, for all threads
   std::vector<std::string>
       messages;  ///< bodies, contacts, joints left out or not solved: what, where, why
 

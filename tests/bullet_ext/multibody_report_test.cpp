@@ -1,6 +1,8 @@
-/// What a step of articulated bodies tells of itself: Bullet's analytics.
+/// What a step of articulated bodies tells of itself: storage and Bullet's analytics.
 
 #include <gtest/gtest.h>
+
+#include <tuple>
 
 #include "tests/support/multibody_world.h"
 
@@ -20,6 +22,52 @@ void addChains(MultiBodyWorld& world, int count, int links = 3) {
                          btVector3(btScalar(0.2), 0, 0), true);
     world.addCollider(tree, links - 1, std::make_unique<btSphereShape>(radius));
     world.finish(tree);
+  }
+}
+
+TEST(MultiBodyReport, StorageCountsTheTrees) {
+  constexpr int links = 40, freedoms = 6 + links;
+  std::size_t shortChain = 0, longChain = 0, twoChains = 0;
+  for (auto [bytes, chains, length] :
+       {std::tuple(&shortChain, 1, 3), std::tuple(&longChain, 1, links),
+        std::tuple(&twoChains, 2, links)}) {
+    DelassusMultiBodyWorld world;
+    world->setGravity({0, 0, 0});
+    addChains(world, chains, length);
+    world.advance(10);
+    *bytes = world.report().workspaceBytes;
+    world.advance(30);
+    EXPECT_EQ(world.report().workspaceBytes, *bytes) << "once warm";
+  }
+  // M⁻¹, and what finds its root.
+  constexpr std::size_t ofTree = 3 * freedoms * freedoms * sizeof(double);
+  EXPECT_GE(longChain, shortChain + ofTree);
+  EXPECT_GE(twoChains, longChain + ofTree);
+}
+
+TEST(MultiBodyReport, ResetAndUnkeptStorageLetGoOfAll) {
+  for (const bool kept : {true, false}) {
+    Options options = optionsOfPrecision();
+    options.economies.storage = kept;
+    MultiBodyWorld world(std::make_unique<btDelassusMultiBodyConstraintSolver>(options));
+    world.advance();
+    const std::size_t empty = world.report().workspaceBytes;
+    world->setGravity({0, 0, 0});
+    addChains(world, 8);
+    const StepReport& report = world.report();
+    world.advance(5);
+    EXPECT_EQ(report.contacts, 8);
+    const std::size_t full = report.workspaceBytes;
+    EXPECT_GT(full, empty);
+
+    // Nothing is passed any more: a step of it shows what is held.
+    if (kept) world.solver().reset();
+    EXPECT_EQ(report.contacts, kept ? 0 : 8) << "the report that was asked for is the solver's";
+    btContactSolverInfo info;
+    world.solver().prepareSolve(0, 0);
+    world.solver().solveGroup(nullptr, 0, nullptr, 0, nullptr, 0, info, nullptr,
+                              &world.dispatcher());
+    EXPECT_LT(report.workspaceBytes, empty + (full - empty) / 4);
   }
 }
 
