@@ -51,6 +51,9 @@ struct JointSource {
 struct MultiBodyRowSource {
   int row;  ///< among Group::rows
   btMultiBodyConstraint* constraint;
+  int asked;     ///< among the rows that the constraints made
+  int dof;       ///< the constraint's own number of it
+  double guess;  ///< the impulse that the last step left there
 };
 
 /// What a joint writes for one row. Four scalars an axis and this alignment, because some joints
@@ -146,11 +149,11 @@ void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
 /// μ without limit.
 void gatherTurningFriction(Group& group, bool asStock = false);
 
-/// How messages call an object: by its place in the world. Contacts and joints: by their bodies. A link: by its number and
-/// its multibody too, which is called by the name of its base, or by the place of its first collider.
 /// What is wrong with a row, or null.
 const char* faultOf(const Row& row);
 
+/// How messages call an object: by its place in the world. Contacts and joints: by their bodies. A link: by its number and
+/// its multibody too, which is called by the name of its base, or by the place of its first collider.
 std::string nameOf(const btCollisionObject& object);
 std::string nameOf(const PointSource& source);
 std::string nameOf(const btTypedConstraint& joint);

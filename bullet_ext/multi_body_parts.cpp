@@ -289,12 +289,11 @@ void MultiBodyParts::addRow(Group& group, btMultiBodyConstraint& constraint, int
     return;
   }
   group.rows.push_back(row);
-  group.multiBodyRows.push_back({rowIndex, &constraint});
-  rowSources_.push_back({rowIndex, asked, &constraint, dof, constraint.getAppliedImpulse(dof)});
+  group.multiBodyRows.push_back(
+      {rowIndex, &constraint, asked, dof, constraint.getAppliedImpulse(dof)});
 }
 
 void MultiBodyParts::gatherRows(Group& group, StepReport& report) {
-  rowSources_.clear();
   rows_.resizeNoInitialize(0);
   if (input_.constraintCount == 0) return;
   data_.m_jacobians.resizeNoInitialize(0);
@@ -320,38 +319,31 @@ void MultiBodyParts::gatherRows(Group& group, StepReport& report) {
 
 void MultiBodyParts::recall(Group& group) const {
   group.rowGuess.resize(group.rows.size(), 0);
-  for (const RowSource& source : rowSources_)
+  for (const MultiBodyRowSource& source : group.multiBodyRows)
     if (std::isfinite(source.guess)) group.rowGuess[source.row] = source.guess;
 }
 
 void MultiBodyParts::writeBack(const Group& group, const Answer& answer) {
   const double h = input_.info->m_timeStep;
-  const auto addToLimb = [&](int body, const Vec3& force, const Vec3& arm) {
+  const auto addToLimb = [&](int body, const Vec3& force, const Vec3& torque) {
     const Articulation::Limb* limb = group.articulation.limbOf(body);
     if (!limb) return;
     const LimbSource& source = limbs_[limb - group.articulation.limbs.data()];
-    addForce(*source.body, source.link, toBullet(force), toBullet(arm.cross(force).eval()));
+    addForce(*source.body, source.link, toBullet(force), toBullet(torque));
   };
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {
     const Contact& contact = group.contacts[i];
     const Vec3 force = contact.frame * answer.contacts[i] / h;
-    addToLimb(contact.a, force, contact.armA);
-    addToLimb(contact.b, -force, contact.armB);
+    addToLimb(contact.a, force, contact.armA.cross(force));
+    addToLimb(contact.b, -force, -contact.armB.cross(force));
   }
-
-  const auto turnLimb = [&](int body, const Vec3& torque) {
-    const Articulation::Limb* limb = group.articulation.limbOf(body);
-    if (!limb) return;
-    const LimbSource& source = limbs_[limb - group.articulation.limbs.data()];
-    addForce(*source.body, source.link, btVector3(0, 0, 0), toBullet(torque));
-  };
   for (std::size_t i = group.rows.size() - group.turningRows; i < group.rows.size(); ++i) {
     const Row& row = group.rows[i];
-    turnLimb(row.a, row.jacobianA.tail<3>().transpose() * (answer.rows[i] / h));
-    turnLimb(row.b, row.jacobianB.tail<3>().transpose() * (answer.rows[i] / h));
+    addToLimb(row.a, Vec3::Zero(), row.jacobianA.tail<3>().transpose() * (answer.rows[i] / h));
+    addToLimb(row.b, Vec3::Zero(), row.jacobianB.tail<3>().transpose() * (answer.rows[i] / h));
   }
 
-  for (const RowSource& source : rowSources_) {
+  for (const MultiBodyRowSource& source : group.multiBodyRows) {
     const btMultiBodySolverConstraint& row = rows_[source.asked];
     const auto r = static_cast<btScalar>(answer.rows[source.row]);
     source.constraint->internalSetAppliedImpulse(source.dof, r);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <cstddef>
 
 #include "BulletDynamics/Featherstone/btMultiBodyConstraint.h"
 #include "bullet_ext/extension.h"
@@ -62,13 +62,6 @@ class MultiBodyParts : public Extension {
     int link;    ///< −1 for the base
     Matrix6X L;  ///< velocity of the limb = L v
   };
-  struct RowSource {
-    int row;    ///< among Group::rows
-    int asked;  ///< among rows_
-    btMultiBodyConstraint* constraint;
-    int dof;
-    double guess;
-  };
 
   const TreeSource& treeOf(Group& group, btMultiBody& body);
   int addTree(Group& group, TreeSource& source);
@@ -86,7 +79,6 @@ class MultiBodyParts : public Extension {
   Input input_{};
   KeptList<TreeSource> trees_;
   KeptList<LimbSource> limbs_;  ///< as in the articulation; stems have no body
-  std::vector<RowSource> rowSources_;
   btMultiBodyConstraintArray rows_;
   btMultiBodyJacobianData data_;
   /// Two fixed ones, those of the group, a fixed one, the one that is left out.
