@@ -41,9 +41,8 @@ struct StepReport {
   double secondsSolve = 0;  ///< the others, and constraints that solve themselves
   double secondsPush = 0;
   double secondsWriteBack = 0;
-  double secondsListener = 0;  ///< inside the user's function
-  std::size_t workspaceBytes =
-      0;  ///< kept from step to step, for all threads
+  double secondsListener = 0;      ///< inside the user's function
+  std::size_t workspaceBytes = 0;  ///< kept from step to step, for all threads
   std::vector<std::string>
       messages;  ///< bodies, contacts, joints left out or not solved: what, where, why
 
