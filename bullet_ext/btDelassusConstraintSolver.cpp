@@ -37,25 +37,26 @@ class Laps {
 void countStatus(Status status, StepReport& report) {
   switch (status) {
     case Status::Solved:
-      ++report.solved;
+      addTo(report.solved, 1);
       break;
     case Status::OutOfBudget:
-      ++report.outOfBudget;
+      addTo(report.outOfBudget, 1);
       break;
     case Status::Incompatible:
-      ++report.incompatible;
+      addTo(report.incompatible, 1);
       break;
     case Status::NonFinite:
-      ++report.nonFinite;
+      addTo(report.nonFinite, 1);
       break;
   }
 }
 
 void countTier(Tier tier, StepReport& report) {
-  ++(tier == Tier::Free         ? report.freeIslands
-     : tier == Tier::Kept       ? report.keptIslands
-     : tier == Tier::ClosedForm ? report.closedForms
-                                : report.walks);
+  addTo(tier == Tier::Free         ? report.freeIslands
+        : tier == Tier::Kept       ? report.keptIslands
+        : tier == Tier::ClosedForm ? report.closedForms
+                                   : report.walks,
+        1);
 }
 
 /// What messages say after the name of a contact or joint that is blamed.
@@ -93,18 +94,16 @@ struct btDelassusConstraintSolver::Workspace {
   Answer answer;
   Pushes pushes;
   std::vector<ContactEvent> events;
-  StepReport report;
   double residualSquares = 0;  ///< of the whole step, (m/s)²
   long residualParts = 0;
 
-  void clearReport() {
-    report = StepReport{};
-    residualSquares = 0;
-    residualParts = 0;
-  }
   /// Lets go of all storage that no later step depends on.
   void release();
-  void countSolve(const Bench::Counts& work);
+  std::size_t bytes() const {
+    return group.bytes() + memory.bytes() + stiffness.bytes() + answer.bytes() + pushes.bytes() +
+           workshop.bytes() + bytesOf(events);
+  }
+  Work countSolve(const Bench::Counts& counts, StepReport& report);
 };
 
 void btDelassusConstraintSolver::Workspace::release() {
@@ -116,33 +115,36 @@ void btDelassusConstraintSolver::Workspace::release() {
   events = {};
 }
 
-void btDelassusConstraintSolver::Workspace::countSolve(const Bench::Counts& work) {
-  report.contacts += static_cast<int>(group.contacts.size());
-  report.rows += static_cast<int>(group.rows.size()) - group.turningRows;
-  report.islands += static_cast<int>(answer.islands.size());
+btDelassusConstraintSolver::Work btDelassusConstraintSolver::Workspace::countSolve(
+    const Bench::Counts& counts, StepReport& report) {
+  Work work;
+  work.iterations = counts.regions + counts.sweeps;
+  work.residualMax = 0;
+  addTo(report.contacts, static_cast<int>(group.contacts.size()));
+  addTo(report.rows, static_cast<int>(group.rows.size()) - group.turningRows);
+  addTo(report.islands, static_cast<int>(answer.islands.size()));
   for (std::size_t i = 0; i < answer.islands.size(); ++i) {
     const IslandResult& island = answer.islands[i];
     countStatus(island.status, report);
     countTier(island.tier, report);
-    report.residualMax = std::max(report.residualMax, island.residualMax);
+    work.residualMax = std::max(work.residualMax, island.residualMax);
     residualSquares += island.residualRms * island.residualRms * island.parts;
     residualParts += island.parts;
     for (int unknown : island.blamed)
       report.tell(nameOf(group, answer, static_cast<int>(i), unknown) + reasonOf(island.status));
   }
+  report.residualMax = std::max(report.residualMax, work.residualMax);
   if (residualParts > 0) report.residualRms = std::sqrt(residualSquares / residualParts);
 
-  report.matrices += answer.matrices;
-  report.regions += work.regions + pushes.counts.regions;
-  report.factorisations += work.factorisations + pushes.counts.factorisations;
-  report.sweeps += work.sweeps + pushes.counts.sweeps;
-  report.patches += work.patches + pushes.counts.patches;
-  report.obsoleteConstraints += answer.obsoleteConstraints;
-  report.pushIslands += pushes.islands;
-  report.pushUnsolved += pushes.counts.unsolved;
-  report.workspaceBytes = std::max(
-      report.workspaceBytes, group.bytes() + memory.bytes() + stiffness.bytes() + answer.bytes() +
-                                 pushes.bytes() + workshop.bytes() + bytesOf(events));
+  addTo(report.matrices, answer.matrices);
+  addTo(report.regions, counts.regions + pushes.counts.regions);
+  addTo(report.factorisations, counts.factorisations + pushes.counts.factorisations);
+  addTo(report.sweeps, counts.sweeps + pushes.counts.sweeps);
+  addTo(report.patches, counts.patches + pushes.counts.patches);
+  addTo(report.obsoleteConstraints, answer.obsoleteConstraints);
+  addTo(report.pushIslands, pushes.islands);
+  addTo(report.pushUnsolved, pushes.counts.unsolved);
+  return work;
 }
 
 btDelassusConstraintSolver::btDelassusConstraintSolver(const Options& options, btDelassusPrecision)
@@ -151,7 +153,9 @@ btDelassusConstraintSolver::btDelassusConstraintSolver(const Options& options, b
 btDelassusConstraintSolver::~btDelassusConstraintSolver() = default;
 
 void btDelassusConstraintSolver::prepareSolve(int, int) {
-  workspace_->clearReport();
+  report_ = {};
+  workspace_->residualSquares = 0;
+  workspace_->residualParts = 0;
   workspace_->memory.nextStep();
 }
 
@@ -166,64 +170,69 @@ btScalar btDelassusConstraintSolver::solveGroup(btCollisionObject** bodies, int 
   return 0;
 }
 
-void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount,
-                                       btPersistentManifold** manifolds, int manifoldCount,
-                                       btTypedConstraint** constraints, int constraintCount,
-                                       const btContactSolverInfo& info, btDispatcher* dispatcher,
-                                       Extension* extension) {
+btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(
+    btCollisionObject** bodies, int bodyCount, btPersistentManifold** manifolds, int manifoldCount,
+    btTypedConstraint** constraints, int constraintCount, const btContactSolverInfo& info,
+    btDispatcher* dispatcher, Extension* extension) {
   Workspace& w = *workspace_;
   if (!(info.m_timeStep > 0) || !std::isfinite(info.m_timeStep)) {
-    w.report.leaveOut("step", "its time step is not a positive number");
-    return;
+    report_.leaveOut("step", "its time step is not a positive number");
+    return {};
   }
 
   const Economies& economies = w.options.economies;
   Laps laps;
-  if (!economies.storage) w.release();
+  if (!economies.storage) {
+    w.release();
+    if (extension) extension->release();
+  }
   w.group.clear();
-  gatherBodies(w.group, bodies, bodyCount, info, w.report);
-  if (extension) extension->gatherBodies(w.group, w.report);
-  gatherContacts(w.group, manifolds, manifoldCount, info, dispatcher, w.report);
-  gatherJoints(w.group, constraints, constraintCount, info, w.report);
-  if (extension) extension->gatherRows(w.group, w.report);
+  gatherBodies(w.group, bodies, bodyCount, info, report_);
+  if (extension) extension->gatherBodies(w.group, report_);
+  gatherContacts(w.group, manifolds, manifoldCount, info, dispatcher, report_);
+  gatherJoints(w.group, constraints, constraintCount, info, report_);
+  if (extension) extension->gatherRows(w.group, report_);
   gatherTurningFriction(w.group, stockRollingFriction_);
-  if (info.m_solverMode & SOLVER_USE_WARMSTARTING) {
+  if (warmStarts(info)) {
     w.memory.recall(w.group);
     if (extension) extension->recall(w.group);
-    if (geometricStiffness_) w.report.stiffened += w.stiffness.stiffen(w.group, info);
+    if (geometricStiffness_) addTo(report_.stiffened, w.stiffness.stiffen(w.group, info));
   }
-  laps.end(w.report.secondsGather);
+  laps.end(report_.secondsGather);
 
   const bool heard = listener_ || troubleListener_ || turningListener_;
-  const Plan plan = makePlan(w.group, heard, economies, w.answer.assembler);
+  findIslands(w.group, economies, w.answer);
+  const Plan plan = makePlan(w.group, heard, economies, w.answer);
   startFromGuess(w.group, w.answer);
   w.workshop.clearCounts();
   checkIslands(w.group, w.workshop, w.answer);
-  laps.end(w.report.secondsPlan);
+  laps.end(report_.secondsPlan);
 
   if (!w.answer.open.empty() || plan.obsolete > 0) {
-    solveIslands(w.group, info, w.workshop, w.answer, w.report);
-    laps.end(w.report.secondsSolve);
+    solveIslands(w.group, info, w.workshop, w.answer, report_);
+    laps.end(report_.secondsSolve);
   }
-  const Bench::Counts work = w.workshop.counts();
+  const Bench::Counts counts = w.workshop.counts();
   w.pushes.clear();
   if (plan.pushContacts > 0) {
     solvePushes(w.group, plan.pushContacts > plan.deep, w.workshop, w.pushes);
-    laps.end(w.report.secondsPush);
+    laps.end(report_.secondsPush);
   }
-  w.report.plan.add(plan);
-  w.countSolve(work);
+  report_.plan.add(plan);
+  const Work work = w.countSolve(counts, report_);
+  report_.workspaceBytes =
+      std::max(report_.workspaceBytes, w.bytes() + (extension ? extension->bytes() : 0));
   w.memory.keep(w.group, w.answer);
 
   w.events.clear();
   writeVelocities(w.group, w.answer);
   writePushes(w.group, w.pushes, info);
-  writeContacts(w.group, w.answer, w.report, plan.events ? &w.events : nullptr,
+  writeContacts(w.group, w.answer, report_, plan.events ? &w.events : nullptr,
                 turningListener_ != nullptr);
   writeJoints(w.group, w.answer, info);
   if (extension) extension->writeBack(w.group, w.answer);
-  w.report.events += static_cast<int>(w.events.size());
-  laps.end(w.report.secondsWriteBack);
+  addTo(report_.events, static_cast<int>(w.events.size()));
+  laps.end(report_.secondsWriteBack);
 
   if (plan.heard && !w.events.empty()) {
     // Who listens may end that while it is called.
@@ -234,8 +243,9 @@ void btDelassusConstraintSolver::solve(btCollisionObject** bodies, int bodyCount
       if (troubleListener && event.trouble != Trouble::None) troubleListener(event);
       if (turningListener && !event.moment.isZero()) turningListener(event);
     }
-    laps.end(w.report.secondsListener);
+    laps.end(report_.secondsListener);
   }
+  return work;
 }
 
 void btDelassusConstraintSolver::setThreads(int threads) {
@@ -250,9 +260,8 @@ void btDelassusConstraintSolver::reset() {
   const int threads = workspace_->workshop.threads();
   workspace_ = std::make_unique<Workspace>(workspace_->options);
   setThreads(threads);
+  report_ = {};
 }
-
-const StepReport& btDelassusConstraintSolver::report() const { return workspace_->report; }
 
 void btDelassusConstraintSolver::setContactListener(
     std::function<void(const ContactEvent&)> listener) {

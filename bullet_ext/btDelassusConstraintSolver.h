@@ -51,7 +51,7 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   /// Has light bodies in taut joints (a rope of links under a heavy load) turn no faster than the step can follow: such bodies,
   /// and no others, turn as if held by implicit springs of their geometric stiffness under the last step's forces
   /// (geometric_stiffness.h). Joints hold as well; swings lose some energy, in proportion to the step. Needs
-  /// SOLVER_USE_WARMSTARTING, has no effect in a solver pool; report().stiffened counts. Off at first: such ropes gain energy
+  /// SOLVER_USE_WARMSTARTING and a warm starting factor above 0, has no effect in a solver pool; report().stiffened counts. Off at first: such ropes gain energy
   /// and tear, with any solver, unless steps are shorter.
   void setGeometricStiffness(bool on);
   /// Forgets the last step's report and the workspace.
@@ -63,7 +63,7 @@ class btDelassusConstraintSolver : public btConstraintSolver {
 
   /// The whole last world step. In a solver pool, which does not announce steps, sums go on until
   /// reset().
-  const delassus::StepReport& report() const;
+  const delassus::StepReport& report() const { return report_; }
 
   /// Called at the end of each solveGroup with every contact whose mode changed, in the order of
   /// Bullet's manifolds: first those that took part, then those that were left out. The listener must
@@ -80,13 +80,19 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   friend class btDelassusMultiBodyConstraintSolver;
   btDelassusConstraintSolver(const delassus::Options& options, btDelassusPrecision);
 
-  void solve(btCollisionObject** bodies, int bodyCount, btPersistentManifold** manifolds,
+  /// What one group took.
+  struct Work {
+    int iterations = 0;       ///< regions and sweeps, without those of pushes
+    double residualMax = -1;  ///< m/s; −1 if nothing was solved
+  };
+  Work solve(btCollisionObject** bodies, int bodyCount, btPersistentManifold** manifolds,
              int manifoldCount, btTypedConstraint** constraints, int constraintCount,
              const btContactSolverInfo& info, btDispatcher* dispatcher,
              delassus::bullet::Extension* extension);
 
   struct Workspace;
   std::unique_ptr<Workspace> workspace_;
+  delassus::StepReport report_;
   std::function<void(const delassus::ContactEvent&)> listener_, troubleListener_, turningListener_;
   bool stockRollingFriction_ = false, geometricStiffness_ = false;
 };

@@ -41,8 +41,16 @@ void btDelassusMultiBodyConstraintSolver::solveMultiBodyGroup(
     const btContactSolverInfo& info, btIDebugDraw*, btDispatcher* dispatcher) {
   parts_->articulated.setInput({bodies, bodyCount, manifolds, manifoldCount, multiBodyConstraints,
                                 multiBodyConstraintCount, &info});
-  parts_->rigid.solve(bodies, bodyCount, manifolds, manifoldCount, constraints, constraintCount,
-                      info, dispatcher, &parts_->articulated);
+  const auto work = parts_->rigid.solve(bodies, bodyCount, manifolds, manifoldCount, constraints,
+                                        constraintCount, info, dispatcher, &parts_->articulated);
+
+  m_analyticsData.m_islandId = bodyCount > 0 ? bodies[0]->getIslandTag() : -2;
+  m_analyticsData.m_numBodies = bodyCount;
+  m_analyticsData.m_numContactManifolds = manifoldCount;
+  ++m_analyticsData.m_numSolverCalls;
+  m_analyticsData.m_numIterationsUsed = work.iterations;
+  m_analyticsData.m_remainingLeastSquaresResidual =
+      work.residualMax >= 0 ? work.residualMax * work.residualMax : -1;
 }
 
 void btDelassusMultiBodyConstraintSolver::setThreads(int threads) {
@@ -57,7 +65,10 @@ void btDelassusMultiBodyConstraintSolver::setGeometricStiffness(bool on) {
   parts_->rigid.setGeometricStiffness(on);
 }
 
-void btDelassusMultiBodyConstraintSolver::reset() { parts_->rigid.reset(); }
+void btDelassusMultiBodyConstraintSolver::reset() {
+  parts_->rigid.reset();
+  parts_->articulated.release();
+}
 
 const StepReport& btDelassusMultiBodyConstraintSolver::report() const {
   return parts_->rigid.report();

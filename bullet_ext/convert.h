@@ -31,10 +31,11 @@ btVector3 toBullet(const Eigen::MatrixBase<Derived>& v) {
   return {static_cast<btScalar>(v[0]), static_cast<btScalar>(v[1]), static_cast<btScalar>(v[2])};
 }
 
-/// A bound on an impulse. Bullet's "infinity" is the build's largest number.
+/// A bound on an impulse. "As much as it takes" is written as the build's largest number, or as one that is large enough.
 inline double toCoreBound(btScalar bound) {
-  if (bound >= SIMD_INFINITY) return std::numeric_limits<double>::infinity();
-  if (bound <= -SIMD_INFINITY) return -std::numeric_limits<double>::infinity();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (bound >= BT_LARGE_FLOAT) return infinity;
+  if (bound <= -BT_LARGE_FLOAT) return -infinity;
   return bound;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "bullet_ext/gather.h"
 
 namespace delassus::bullet {
@@ -17,6 +19,9 @@ class Extension {
   /// Fills the guesses of its rows.
   virtual void recall(Group& group) const = 0;
   virtual void writeBack(const Group& group, const Answer& answer) = 0;
+  /// Lets go of all storage.
+  virtual void release() = 0;
+  virtual std::size_t bytes() const = 0;
 };
 
 }  // namespace delassus::bullet

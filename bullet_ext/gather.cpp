@@ -4,6 +4,7 @@
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "BulletDynamics/Featherstone/btMultiBodyConstraint.h"
 #include "BulletDynamics/Featherstone/btMultiBodyLinkCollider.h"
+#include "delassus/bytes.h"
 
 namespace delassus::bullet {
 namespace {
@@ -52,10 +53,9 @@ void Group::clear() {
 }
 
 std::size_t Group::bytes() const {
-  const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-  return of(bodies) + of(bodySources) + of(contacts) + of(contactSources) + of(pushes) + of(guess) +
-         of(idle) + of(restless) + of(rows) + of(rowGuess) + of(joints) + of(multiBodyRows) +
-         obsolete.capacity() * sizeof(void*) + of(asked) + indexOf.bytes() + articulation.bytes();
+  return bytesOf(bodies, bodySources, contacts, contactSources, pushes, guess, idle, restless, rows,
+                 rowGuess, joints, multiBodyRows, obsolete, asked) +
+         indexOf.bytes() + articulation.bytes();
 }
 
 const char* faultOf(const Row& row) {

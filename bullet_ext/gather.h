@@ -51,6 +51,9 @@ struct JointSource {
 struct MultiBodyRowSource {
   int row;  ///< among Group::rows
   btMultiBodyConstraint* constraint;
+  int asked;     ///< among the rows that the constraints made
+  int dof;       ///< the constraint's own number of it
+  double guess;  ///< the impulse that the last step left there
 };
 
 /// What a joint writes for one row. Four scalars an axis and this alignment, because some joints
@@ -121,6 +124,10 @@ void gatherBodies(Group& group, btCollisionObject** bodies, int count,
 void gatherContacts(Group& group, btPersistentManifold** manifolds, int count,
                     const btContactSolverInfo& info, btDispatcher* dispatcher, StepReport& report);
 
+/// Whether the step starts from the reactions of the last one. An exact answer needs no damping of where it starts from:
+/// m_warmstartingFactor only says whether to start there.
+bool warmStarts(const btContactSolverInfo& info);
+
 /// Rows of the joints as their getInfo1 and getInfo2 answer. With the joint's damping D and its
 /// dimensionless softness χ:
 ///
@@ -142,11 +149,11 @@ void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
 /// μ without limit.
 void gatherTurningFriction(Group& group, bool asStock = false);
 
-/// How messages call an object: by its place in the world. Contacts and joints: by their bodies. A link: by its number and
-/// its multibody too, which is called by the name of its base, or by the place of its first collider.
 /// What is wrong with a row, or null.
 const char* faultOf(const Row& row);
 
+/// How messages call an object: by its place in the world. Contacts and joints: by their bodies. A link: by its number and
+/// its multibody too, which is called by the name of its base, or by the place of its first collider.
 std::string nameOf(const btCollisionObject& object);
 std::string nameOf(const PointSource& source);
 std::string nameOf(const btTypedConstraint& joint);

@@ -160,12 +160,11 @@ bool sound(const btManifoldPoint& point, const Contact& c, double push) {
 }
 
 Vec3 guessOf(const btManifoldPoint& point, const btContactSolverInfo& info) {
-  if (!(info.m_solverMode & SOLVER_USE_WARMSTARTING)) return Vec3::Zero();
+  if (!warmStarts(info)) return Vec3::Zero();
   const Vec3 last{point.m_appliedImpulse, point.m_appliedImpulseLateral1,
                   point.m_appliedImpulseLateral2};
   if (!std::isfinite(last.sum()) || last[0] < 0) return Vec3::Zero();
-  // An exact answer needs no damping of where it starts from: the factor only says whether to start there.
-  return info.m_warmstartingFactor > 0 ? last : Vec3::Zero();
+  return last;
 }
 
 /// The dispatcher's word, as in groups that the world has split itself; an unsplit group comes
@@ -206,6 +205,10 @@ void gatherManifold(Group& group, const Pair& pair, const btContactSolverInfo& i
 }
 
 }  // namespace
+
+bool warmStarts(const btContactSolverInfo& info) {
+  return (info.m_solverMode & SOLVER_USE_WARMSTARTING) && info.m_warmstartingFactor > 0;
+}
 
 void gatherContacts(Group& group, btPersistentManifold** manifolds, int count,
                     const btContactSolverInfo& info, btDispatcher* dispatcher, StepReport& report) {

@@ -11,6 +11,7 @@
 #include "bullet_ext/convert.h"
 #include "bullet_ext/solve_group.h"
 #include "bullet_ext/write_back.h"
+#include "delassus/bytes.h"
 #include "delassus/cone.h"
 
 namespace delassus::bullet {
@@ -73,6 +74,7 @@ void Memory::nextStep() {
   announced_ = true;
   std::swap(last_, now_);
   now_.clear();
+  groups_.clear();
 }
 
 /// Gives each point that is fresh, or that is not, the nearest point of the last step that is left.
@@ -254,6 +256,18 @@ void Memory::keepTurns(const Group& group, const Answer& answer) {
 
 void Memory::keep(const Group& group, const Answer& answer) {
   if (!announced_) return;
+  const void* first = !group.contactSources.empty() ? group.contactSources.front().manifold
+                      : !group.joints.empty()       ? group.joints.front().constraint
+                                                    : static_cast<const void*>(nullptr);
+  if (!first) return;
+  if (groups_.find(first)) {
+    announced_ = false;
+    last_.clear();
+    now_.clear();
+    return;
+  }
+  groups_.insert(first, 0);
+
   const auto contacts = static_cast<int>(group.contacts.size());
   for (int begin = 0, end; begin < contacts; begin = end) {
     end = endOfManifold(group, begin);
@@ -281,13 +295,11 @@ void Memory::keep(const Group& group, const Answer& answer) {
 }
 
 std::size_t Memory::bytes() const {
-  const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-  std::size_t sum = 0;
+  std::size_t sum = restless_.bytes() + groups_.bytes();
   for (const Step* step : {&last_, &now_})
     sum += step->manifolds.bytes() + step->turners.bytes() + step->joints.bytes() +
-           of(step->points) + of(step->turns) + of(step->rows) +
-           step->restless.capacity() * sizeof(void*);
-  return sum + restless_.bytes();
+           bytesOf(step->points, step->turns, step->rows, step->restless);
+  return sum;
 }
 
 }  // namespace delassus::bullet

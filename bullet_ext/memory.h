@@ -18,8 +18,8 @@ struct Answer;
 /// the old one lay: it is recognised only if the bodies, and the impulse that a joint carries, are the same too.
 class Memory {
  public:
-  /// What was kept since the last call is what is recalled from now on. Nothing is kept before the first call: who does
-  /// not announce steps (a solver pool) would have it grow without end.
+  /// What was kept since the last call is what is recalled from now on. Nothing is kept before the first call, nor once a
+  /// group comes again without one: who does not announce steps (a solver pool) would have it grow without end.
   void nextStep();
   /// Fills the guesses that `group` lacks. Call once per group, before `keep`.
   void recall(Group& group);
@@ -87,6 +87,7 @@ class Memory {
   bool announced_ = false;
   Step last_, now_;
   AddressTable restless_;
+  AddressTable groups_;  ///< kept in this step, each by its first manifold or joint
 };
 
 }  // namespace delassus::bullet

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
@@ -52,11 +51,9 @@ void addForce(btMultiBody& body, int link, const btVector3& force, const btVecto
   }
 }
 
-/// A bound on an impulse; Bullet's constraints write "as much as it takes" as a large number.
-double boundOf(btScalar bound) {
-  if (std::abs(bound) < BT_LARGE_FLOAT) return bound;
-  return std::copysign(std::numeric_limits<double>::infinity(), bound);
-}
+/// Bodies that are not passed, static ones and kinematic ones that touch nothing, carry the numbers −1 and −2, and constraints
+/// look them up as they are.
+constexpr int unlent = 2;
 
 constexpr const char* brokenBody = "one of its bodies is left out";
 
@@ -89,9 +86,14 @@ int MultiBodyParts::addTree(Group& group, TreeSource& source) {
   MatrixXd& inverseMass = source.inverseMass;
   inverseMass.setZero(n, n);
   unit_.resize(n);
-  response_.resize(n);
   for (int i = 0; i < n; ++i) unit_[i] = 0;
   for (int i = body.hasFixedBase() ? 6 : 0; i < n; ++i) {
+    // Bullet passes over links that are kinematic down to the base: neither their entries here nor their accelerations,
+    // which the next links start from, are written.
+    response_.resizeNoInitialize(0);
+    response_.resize(n, 0);
+    data_.scratch_v.resizeNoInitialize(0);
+    data_.scratch_v.resize(4 * (body.getNumLinks() + 1), btVector3(0, 0, 0));
     unit_[i] = 1;
     body.calcAccelerationDeltasMultiDof(&unit_[0], &response_[0], data_.scratch_r, data_.scratch_v);
     unit_[i] = 0;
@@ -175,10 +177,13 @@ void MultiBodyParts::lendCompanionIds(const Group& group) {
   const auto count = static_cast<int>(group.bodies.size());
   const int fixed = count, absent = count + 1;
   solverBodies_.resizeNoInitialize(0);
+  for (int i = 0; i < unlent; ++i) solverBodies_.push_back(solverBody(group, fixedWorld));
   for (int i = 0; i < count; ++i) solverBodies_.push_back(solverBody(group, i));
   solverBodies_.push_back(solverBody(group, fixedWorld));
   solverBodies_.push_back(solverBody(group, fixedWorld));
-  data_.m_solverBodyPool = &solverBodies_;
+  const int size = solverBodies_.size() - unlent;
+  solverBodyPool_.initializeFromBuffer(&solverBodies_[unlent], size, size);
+  data_.m_solverBodyPool = &solverBodyPool_;
   data_.m_fixedBodyId = fixed;
 
   for (int i = 0; i < input_.bodyCount; ++i) {
@@ -271,8 +276,8 @@ void MultiBodyParts::addRow(Group& group, btMultiBodyConstraint& constraint, int
                  from.m_relpos1CrossNormal, row.jacobianA);
   row.b = sideOf(from.m_multiBodyB, from.m_jacBindex, from.m_solverBodyIdB, from.m_contactNormal2,
                  from.m_relpos2CrossNormal, row.jacobianB);
-  row.lower = boundOf(from.m_lowerLimit);
-  row.upper = boundOf(from.m_upperLimit);
+  row.lower = toCoreBound(from.m_lowerLimit);
+  row.upper = toCoreBound(from.m_upperLimit);
   row.compliance = from.m_cfm * response;
 
   const char* fault = row.a == leftOut || row.b == leftOut ? brokenBody : faultOf(row);
@@ -284,12 +289,11 @@ void MultiBodyParts::addRow(Group& group, btMultiBodyConstraint& constraint, int
     return;
   }
   group.rows.push_back(row);
-  group.multiBodyRows.push_back({rowIndex, &constraint});
-  rowSources_.push_back({rowIndex, asked, &constraint, dof, constraint.getAppliedImpulse(dof)});
+  group.multiBodyRows.push_back(
+      {rowIndex, &constraint, asked, dof, constraint.getAppliedImpulse(dof)});
 }
 
 void MultiBodyParts::gatherRows(Group& group, StepReport& report) {
-  rowSources_.clear();
   rows_.resizeNoInitialize(0);
   if (input_.constraintCount == 0) return;
   data_.m_jacobians.resizeNoInitialize(0);
@@ -315,38 +319,31 @@ void MultiBodyParts::gatherRows(Group& group, StepReport& report) {
 
 void MultiBodyParts::recall(Group& group) const {
   group.rowGuess.resize(group.rows.size(), 0);
-  for (const RowSource& source : rowSources_)
+  for (const MultiBodyRowSource& source : group.multiBodyRows)
     if (std::isfinite(source.guess)) group.rowGuess[source.row] = source.guess;
 }
 
 void MultiBodyParts::writeBack(const Group& group, const Answer& answer) {
   const double h = input_.info->m_timeStep;
-  const auto addToLimb = [&](int body, const Vec3& force, const Vec3& arm) {
+  const auto addToLimb = [&](int body, const Vec3& force, const Vec3& torque) {
     const Articulation::Limb* limb = group.articulation.limbOf(body);
     if (!limb) return;
     const LimbSource& source = limbs_[limb - group.articulation.limbs.data()];
-    addForce(*source.body, source.link, toBullet(force), toBullet(arm.cross(force).eval()));
+    addForce(*source.body, source.link, toBullet(force), toBullet(torque));
   };
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {
     const Contact& contact = group.contacts[i];
     const Vec3 force = contact.frame * answer.contacts[i] / h;
-    addToLimb(contact.a, force, contact.armA);
-    addToLimb(contact.b, -force, contact.armB);
+    addToLimb(contact.a, force, contact.armA.cross(force));
+    addToLimb(contact.b, -force, -contact.armB.cross(force));
   }
-
-  const auto turnLimb = [&](int body, const Vec3& torque) {
-    const Articulation::Limb* limb = group.articulation.limbOf(body);
-    if (!limb) return;
-    const LimbSource& source = limbs_[limb - group.articulation.limbs.data()];
-    addForce(*source.body, source.link, btVector3(0, 0, 0), toBullet(torque));
-  };
   for (std::size_t i = group.rows.size() - group.turningRows; i < group.rows.size(); ++i) {
     const Row& row = group.rows[i];
-    turnLimb(row.a, row.jacobianA.tail<3>().transpose() * (answer.rows[i] / h));
-    turnLimb(row.b, row.jacobianB.tail<3>().transpose() * (answer.rows[i] / h));
+    addToLimb(row.a, Vec3::Zero(), row.jacobianA.tail<3>().transpose() * (answer.rows[i] / h));
+    addToLimb(row.b, Vec3::Zero(), row.jacobianB.tail<3>().transpose() * (answer.rows[i] / h));
   }
 
-  for (const RowSource& source : rowSources_) {
+  for (const MultiBodyRowSource& source : group.multiBodyRows) {
     const btMultiBodySolverConstraint& row = rows_[source.asked];
     const auto r = static_cast<btScalar>(answer.rows[source.row]);
     source.constraint->internalSetAppliedImpulse(source.dof, r);
@@ -367,6 +364,33 @@ void MultiBodyParts::writeBack(const Group& group, const Answer& answer) {
     source.body->applyDeltaVeeMultiDof2(&response_[0], 1);
     source.body->setPosUpdated(false);
   }
+}
+
+void MultiBodyParts::release() {
+  trees_ = {};
+  limbs_ = {};
+  rows_.clear();
+  data_.m_jacobians.clear();
+  data_.m_deltaVelocitiesUnitImpulse.clear();
+  data_.m_deltaVelocities.clear();
+  data_.scratch_r.clear();
+  data_.scratch_v.clear();
+  data_.scratch_m.clear();
+  solverBodyPool_.clear();
+  solverBodies_.clear();
+  unit_.clear();
+  response_.clear();
+}
+
+std::size_t MultiBodyParts::bytes() const {
+  const auto of = [](const auto&... lists) {
+    return (std::size_t{0} + ... + (lists.capacity() * sizeof(lists[0])));
+  };
+  // What finds the root keeps two matrices of that size.
+  return trees_.bytes([](const TreeSource& tree) { return 3 * bytesOf(tree.inverseMass); }) +
+         limbs_.bytes([](const LimbSource& limb) { return sizeof(double) * limb.L.size(); }) +
+         of(rows_, data_.m_jacobians, data_.m_deltaVelocitiesUnitImpulse, data_.m_deltaVelocities,
+            data_.scratch_r, data_.scratch_v, data_.scratch_m, solverBodies_, unit_, response_);
 }
 
 }  // namespace delassus::bullet

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <cstddef>
 
 #include "BulletDynamics/Featherstone/btMultiBodyConstraint.h"
 #include "bullet_ext/extension.h"
@@ -35,13 +35,19 @@ class MultiBodyParts : public Extension {
     int constraintCount;
     const btContactSolverInfo* info;
   };
-  void setInput(const Input& input) { input_ = input; }
+  void setInput(const Input& input) {
+    input_ = input;
+    // Of an unsplit group Bullet passes as many as there are joints, of an array that may be none.
+    if (!input_.constraints) input_.constraintCount = 0;
+  }
 
   void gatherBodies(Group& group, StepReport& report) override;
   void gatherRows(Group& group, StepReport& report) override;
   void recall(Group& group) const override;
   /// Velocities, forces on links for joint feedback, and the impulses of constraints.
   void writeBack(const Group& group, const Answer& answer) override;
+  void release() override;
+  std::size_t bytes() const override;
 
  private:
   struct TreeSource {
@@ -55,13 +61,6 @@ class MultiBodyParts : public Extension {
     btMultiBody* body;
     int link;    ///< −1 for the base
     Matrix6X L;  ///< velocity of the limb = L v
-  };
-  struct RowSource {
-    int row;    ///< among Group::rows
-    int asked;  ///< among rows_
-    btMultiBodyConstraint* constraint;
-    int dof;
-    double guess;
   };
 
   const TreeSource& treeOf(Group& group, btMultiBody& body);
@@ -80,11 +79,12 @@ class MultiBodyParts : public Extension {
   Input input_{};
   KeptList<TreeSource> trees_;
   KeptList<LimbSource> limbs_;  ///< as in the articulation; stems have no body
-  std::vector<RowSource> rowSources_;
   btMultiBodyConstraintArray rows_;
   btMultiBodyJacobianData data_;
-  /// Those of the group, then the fixed one, then the one that is left out.
+  /// Two fixed ones, those of the group, a fixed one, the one that is left out.
   btAlignedObjectArray<btSolverBody> solverBodies_;
+  btAlignedObjectArray<btSolverBody>
+      solverBodyPool_;  ///< the same without the first two; owns nothing
   btAlignedObjectArray<btScalar> unit_, response_;
 };
 

@@ -2,18 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "bullet_ext/gather.h"
-#include "delassus/island.h"
+#include "bullet_ext/solve_group.h"
 
 namespace delassus {
+
+void addTo(int& sum, int more) {
+  constexpr int most = std::numeric_limits<int>::max();
+  sum = more > most - sum ? most : sum + more;
+}
 
 void Plan::add(const Plan& group) {
   for (const auto count :
        {&Plan::frictional, &Plan::frictionless, &Plan::bouncing, &Plan::soft, &Plan::deep,
         &Plan::rolling, &Plan::spinning, &Plan::joints, &Plan::rows, &Plan::boundedRows,
         &Plan::softRows, &Plan::obsolete, &Plan::islands, &Plan::unknowns, &Plan::pushContacts})
-    this->*count += group.*count;
+    addTo(this->*count, group.*count);
   largestIsland = std::max(largestIsland, group.largestIsland);
   heard |= group.heard;
   events |= group.events;
@@ -21,7 +26,7 @@ void Plan::add(const Plan& group) {
 
 namespace bullet {
 
-Plan makePlan(const Group& group, bool heard, const Economies& economies, Assembler& islands) {
+Plan makePlan(const Group& group, bool heard, const Economies& economies, const Answer& islands) {
   Plan plan;
   plan.bouncing = group.bouncing;
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {
@@ -42,9 +47,8 @@ Plan makePlan(const Group& group, bool heard, const Economies& economies, Assemb
   plan.obsolete = static_cast<int>(group.obsolete.size());
   plan.heard = heard;
 
-  islands.split(group.bodies, group.contacts, group.rows, !economies.tangents);
-  plan.islands = islands.islands();
-  for (int i = 0; i < islands.islands(); ++i) {
+  plan.islands = islands.islandCount();
+  for (int i = 0; i < plan.islands; ++i) {
     const int size = islands.island(i).unknowns();
     plan.unknowns += size;
     plan.largestIsland = std::max(plan.largestIsland, size);

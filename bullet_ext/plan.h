@@ -4,11 +4,13 @@
 
 namespace delassus {
 
-class Assembler;
-
 namespace bullet {
+struct Answer;
 struct Group;
-}
+}  // namespace bullet
+
+/// Adds to a count, which stays at the largest number rather than overflow.
+void addTo(int& sum, int more);
 
 /// What a step asks for, counted in what was gathered before anything is solved, and what it is made of therefore. Nothing
 /// else exists in the step: no unknowns, no pass, no events.
@@ -42,8 +44,8 @@ struct Plan {
 
 namespace bullet {
 
-/// Finds the islands of the group, which `islands` keeps, and reads off the plan.
-Plan makePlan(const Group& group, bool heard, const Economies& economies, Assembler& islands);
+/// The plan of a group whose islands have been found.
+Plan makePlan(const Group& group, bool heard, const Economies& economies, const Answer& islands);
 
 }  // namespace bullet
 }  // namespace delassus

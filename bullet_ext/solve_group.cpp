@@ -132,11 +132,6 @@ void checkIsland(const Group& group, const Island& island, const Economies& econ
   keepReactions(island, bench.solution, answer);
 }
 
-/// Island `i` of the step; trees join what the assembler has split.
-const Island& islandOf(const Group& group, const Answer& answer, int i) {
-  return group.articulation.trees.empty() ? answer.assembler.island(i) : answer.joiner.islands()[i];
-}
-
 void solveIsland(const Group& group, const Island& island, Bench& bench, Answer& answer,
                  IslandResult& result) {
   const Problem& apart = bench.assembler.assemble(group.bodies, group.contacts, group.rows, island);
@@ -178,9 +173,7 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
 void solveOpenIslands(const Group& group, Workshop& workshop, Answer& answer) {
   // Unknowns whose solution takes longer than it takes to call another thread.
   constexpr int worthwhile = 100;
-  const auto island = [&](int k) -> const Island& {
-    return islandOf(group, answer, answer.open[k]);
-  };
+  const auto island = [&](int k) -> const Island& { return answer.island(answer.open[k]); };
   answer.matrices += static_cast<int>(answer.open.size());
   workshop.share(
       static_cast<int>(answer.open.size()), worthwhile, [&](int k) { return island(k).unknowns(); },
@@ -198,24 +191,25 @@ std::size_t Answer::bytes() const {
   return sum;
 }
 
+void findIslands(const Group& group, const Economies& economies, Answer& answer) {
+  answer.assembler.split(group.bodies, group.contacts, group.rows, !economies.tangents);
+  answer.joined = !group.articulation.trees.empty();
+  if (answer.joined) answer.joiner.join(answer.assembler, group.articulation);
+}
+
 void checkIslands(const Group& group, Workshop& workshop, Answer& answer) {
   // Unknowns whose check takes longer than it takes to call another thread.
   constexpr int worthwhile = 6000;
-  const Articulation& articulation = group.articulation;
-  int count = answer.assembler.islands();
-  if (!articulation.trees.empty()) {
-    answer.gains.reset(articulation);
-    count = static_cast<int>(answer.joiner.join(answer.assembler, articulation).size());
-  }
+  const int count = answer.islandCount();
+  if (answer.joined) answer.gains.reset(group.articulation);
   answer.islands.resize(count);
   answer.bodies = group.bodies;
   answer.modes.assign(group.contacts.size(), Mode::Open);
   answer.troubles.assign(group.contacts.size(), Trouble::None);
-  const auto island = [&](int i) -> const Island& { return islandOf(group, answer, i); };
   workshop.share(
-      count, worthwhile, [&](int i) { return island(i).unknowns(); },
+      count, worthwhile, [&](int i) { return answer.island(i).unknowns(); },
       [&](Bench& bench, int i) {
-        checkIsland(group, island(i), workshop.options().economies, bench, answer,
+        checkIsland(group, answer.island(i), workshop.options().economies, bench, answer,
                     answer.islands[i]);
       });
   answer.open.clear();
@@ -245,7 +239,7 @@ void solveIslands(Group& group, const btContactSolverInfo& info, Workshop& works
 }
 
 std::string nameOf(const Group& group, const Answer& answer, int i, int unknown) {
-  const Part part = partAt(group, islandOf(group, answer, i), unknown);
+  const Part part = partAt(group, answer.island(i), unknown);
   if (part.contact >= 0) return nameOf(group.contactSources[part.contact]);
   const auto joint =
       std::find_if(group.joints.begin(), group.joints.end(),

@@ -41,12 +41,22 @@ struct Answer {
   std::vector<int> open;  ///< those that the check has left to be solved
   Assembler assembler;    ///< has split the group
   IslandJoiner joiner;    ///< of the islands, if there are articulated bodies
+  bool joined = false;    ///< there are
   TreeGains gains;        ///< of these
   int matrices = 0;       ///< problems whose W was built
   int obsoleteConstraints = 0;
 
+  /// Of the group; trees join what the assembler has split.
+  int islandCount() const {
+    return joined ? static_cast<int>(joiner.islands().size()) : assembler.islands();
+  }
+  const Island& island(int i) const { return joined ? joiner.islands()[i] : assembler.island(i); }
+
   std::size_t bytes() const;
 };
+
+/// Finds the islands of the group.
+void findIslands(const Group& group, const Economies& economies, Answer& answer);
 
 /// Puts the guess of the group in the place of the reactions.
 void startFromGuess(const Group& group, Answer& answer);

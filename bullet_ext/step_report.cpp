@@ -13,7 +13,7 @@ void StepReport::tell(const std::string& message) {
 }
 
 void StepReport::leaveOut(const std::string& part, const char* why) {
-  ++leftOut;
+  addTo(leftOut, 1);
   tell(part + " left out: " + why);
 }
 

@@ -8,7 +8,8 @@
 
 namespace delassus {
 
-/// What the last world step was: sums over all its groups and islands.
+/// What the last world step was: sums over all its groups and islands. A count that would overflow, as where nobody announces
+/// steps (a solver pool), stays at the largest number.
 struct StepReport {
   Plan plan;  ///< what the step asked for, and what it was made of
   int islands = 0;
@@ -34,15 +35,14 @@ struct StepReport {
   int pushIslands = 0;   ///< islands of the split-impulse problem, not counted in `islands`
   int pushUnsolved = 0;  ///< those of them that ended without status solved
   int obsoleteConstraints =
-      0;  ///< user constraints solved by their own solveConstraintObsolete, outside the exact solve
+      0;  ///< constraints without rows that moved something in their own solveConstraintObsolete
   double secondsGather = 0;
   double secondsPlan = 0;   ///< plan, islands, and the check for those that need no solving
   double secondsSolve = 0;  ///< the others, and constraints that solve themselves
   double secondsPush = 0;
   double secondsWriteBack = 0;
-  double secondsListener = 0;  ///< inside the user's function
-  std::size_t workspaceBytes =
-      0;  ///< kept from step to step, for all threads (not counted: MultiBodyParts)
+  double secondsListener = 0;      ///< inside the user's function
+  std::size_t workspaceBytes = 0;  ///< kept from step to step, for all threads
   std::vector<std::string>
       messages;  ///< bodies, contacts, joints left out or not solved: what, where, why
 

@@ -11,7 +11,7 @@ namespace delassus::bullet {
 namespace {
 
 void count(Mode mode, StepReport& report) {
-  ++(mode == Mode::Open ? report.open : mode == Mode::Stick ? report.stick : report.slide);
+  addTo(mode == Mode::Open ? report.open : mode == Mode::Stick ? report.stick : report.slide, 1);
 }
 
 /// Notes the mode of a point and answers with the one before; a change is counted.
@@ -19,7 +19,7 @@ Mode changeMode(btManifoldPoint& point, Mode to, StepReport& report) {
   const Mode from = rememberedMode(point);
   if (from != to) {
     rememberMode(point, to);
-    ++report.modeChanges;
+    addTo(report.modeChanges, 1);
   }
   return from;
 }

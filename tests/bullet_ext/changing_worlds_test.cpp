@@ -316,16 +316,26 @@ TEST(ChangingWorlds, StepsThatNobodyAnnouncesTakeNoMoreMemory) {
   std::vector<btTypedConstraint*> joints;
   for (int i = 0; i < world->getNumConstraints(); ++i) joints.push_back(world->getConstraint(i));
 
-  btDelassusConstraintSolver solver;
-  std::size_t warm = 0;
-  for (int i = 0; i < 200; ++i) {
-    solver.solveGroup(bodies.data(), int(bodies.size()), manifolds.data(), int(manifolds.size()),
-                      joints.data(), int(joints.size()), world.info(), nullptr,
-                      &world.dispatcher());
-    if (i == 20) warm = solver.report().workspaceBytes;
-  }
-  EXPECT_GT(warm, 0u);
-  EXPECT_EQ(solver.report().workspaceBytes, warm);
+  // Nor do those after one that somebody announced, in one group or in two.
+  for (const bool announced : {false, true})
+    for (const int groups : {1, 2}) {
+      SCOPED_TRACE(::testing::Message() << announced << ", groups: " << groups);
+      btDelassusConstraintSolver solver;
+      if (announced) solver.prepareSolve(int(bodies.size()), int(manifolds.size()));
+      std::size_t warm = 0;
+      for (int i = 0; i < 200; ++i) {
+        const int together = groups == 1 ? int(joints.size()) : 0;
+        solver.solveGroup(bodies.data(), int(bodies.size()), manifolds.data(),
+                          int(manifolds.size()), joints.data(), together, world.info(), nullptr,
+                          &world.dispatcher());
+        if (groups == 2)
+          solver.solveGroup(nullptr, 0, nullptr, 0, joints.data(), int(joints.size()), world.info(),
+                            nullptr, &world.dispatcher());
+        if (i == 20) warm = solver.report().workspaceBytes;
+      }
+      EXPECT_GT(warm, 0u);
+      EXPECT_EQ(solver.report().workspaceBytes, warm);
+    }
 }
 
 }  // namespace

@@ -67,6 +67,86 @@ TEST(MultiBodyContacts, BasesThatCannotBePushed) {
   }
 }
 
+/// A lever about z at the end of `tree`, as link `link`: mass 2 kg, centre at 0.5 m, its ball lies on a stop at 0.8 m.
+struct Lever {
+  static constexpr btScalar mass = 2, arm = btScalar(0.8), radius = btScalar(0.1);
+  static constexpr double onStop = mass * BulletWorld::gravity * 0.5 / arm;  ///< force, N
+
+  Lever(MultiBodyWorld& world, btMultiBody& tree, int link, const btVector3& pivot) {
+    const btScalar I = btScalar(0.1);
+    tree.setupRevolute(link, mass, btVector3(I, I, I), link - 1, btQuaternion::getIdentity(),
+                       btVector3(0, 0, 1), btVector3(0, 0, 0), btVector3(btScalar(0.5), 0, 0),
+                       true);
+    auto shape = std::make_unique<btCompoundShape>();
+    shape->addChildShape(BulletWorld::at({arm - btScalar(0.5), 0, 0}), &ball);
+    world.addCollider(tree, link, std::move(shape), 0);
+    world.addSphere(radius, pivot + btVector3(arm, -2 * radius + btScalar(1e-3), 0), 0);
+    world.info().m_erp2 = 0;
+  }
+  btSphereShape ball{radius};
+};
+
+/// What a tree has been solved with before must not show: Bullet writes nothing for links that move by themselves.
+TEST(MultiBodyContacts, LinksThatCannotBePushed) {
+  /// Looks at what the solver does to one joint.
+  struct Watch : btDelassusMultiBodyConstraintSolver {
+    void solveMultiBodyGroup(btCollisionObject** bodies, int bodyCount,
+                             btPersistentManifold** manifolds, int manifoldCount,
+                             btTypedConstraint** constraints, int constraintCount,
+                             btMultiBodyConstraint** multiBodyConstraints,
+                             int multiBodyConstraintCount, const btContactSolverInfo& info,
+                             btIDebugDraw* drawer, btDispatcher* dispatcher) override {
+      const btScalar before = tree->getJointVel(0);
+      btDelassusMultiBodyConstraintSolver::solveMultiBodyGroup(
+          bodies, bodyCount, manifolds, manifoldCount, constraints, constraintCount,
+          multiBodyConstraints, multiBodyConstraintCount, info, drawer, dispatcher);
+      EXPECT_EQ(tree->getJointVel(0), before);
+    }
+    btMultiBody* tree = nullptr;
+  };
+  MultiBodyWorld world(std::make_unique<Watch>());
+  const btVector3 zero(0, 0, 0), inertia(1, 1, 1), away(10, 0, 0);
+  btMultiBody& dynamic = world.addTree(1, 0, zero, true);
+  const Lever lever(world, dynamic, 0, zero);
+  world.finish(dynamic);
+
+  btMultiBody& moved = world.addTree(1, 1, inertia, false, away);
+  moved.setupRevolute(0, 1, inertia, -1, btQuaternion::getIdentity(), btVector3(0, 0, 1), zero,
+                      btVector3(btScalar(2), 0, 0), true);
+  world.addCollider(moved, -1, std::make_unique<btEmptyShape>());
+  world.addCollider(moved, 0, std::make_unique<btBoxShape>(btVector3(1, btScalar(0.1), 1)), 1);
+  world.finish(moved);
+  for (int link : {-1, 0}) moved.setLinkDynamicType(link, btCollisionObject::CF_KINEMATIC_OBJECT);
+  const btRigidBody& box = world.addCube(away + btVector3(2, btScalar(0.6), 0), 3);
+
+  dynamic_cast<Watch&>(world.solver()).tree = &moved;
+  for (int step = 0; step < 30; ++step) {
+    world.advance();
+    EXPECT_NEAR(normalSum(world) / BulletWorld::step, Lever::onStop + 3 * BulletWorld::gravity,
+                tolerance(1e-6, 1e-2))
+        << step;
+    EXPECT_LE(box.getLinearVelocity().length(), tolerance(1e-9, 1e-5)) << step;
+  }
+}
+
+/// The lever feels its stop as on a fixed base if what carries it moves by itself.
+TEST(MultiBodyContacts, LinksAfterOneThatCannotBePushed) {
+  DelassusMultiBodyWorld world;
+  const btVector3 zero(0, 0, 0), inertia(1, 1, 1);
+  btMultiBody& tree = world.addTree(2, 1, inertia, false);
+  tree.setupRevolute(0, 1, inertia, -1, btQuaternion::getIdentity(), btVector3(0, 1, 0), zero, zero,
+                     true);
+  const Lever lever(world, tree, 1, zero);
+  world.addCollider(tree, -1, std::make_unique<btEmptyShape>());
+  world.finish(tree);
+  for (int link : {-1, 0}) tree.setLinkDynamicType(link, btCollisionObject::CF_KINEMATIC_OBJECT);
+  for (int step = 0; step < 30; ++step) {
+    world.advance();
+    EXPECT_NEAR(normalSum(world) / BulletWorld::step, Lever::onStop, tolerance(1e-6, 1e-3)) << step;
+    EXPECT_NEAR(tree.getJointVel(1), 0, tolerance(1e-9, 1e-5)) << step;
+  }
+}
+
 /// A planar arm of two links (theory §4), its joint axes along z, straight along x at rest. A ball
 /// at the centre of mass of each link lies on a stop.
 struct ArmOnStops {
@@ -140,6 +220,16 @@ TEST(MultiBodyContacts, ArmOnTwoStopsKeepsTheContactsOfItsRegion) {
     EXPECT_LE(scene.world.report().residualMax, tolerance(1e-9, 1e-6));
   }
   EXPECT_EQ(regions.size(), 4u);
+}
+
+TEST(MultiBodyContacts, ThePlanCountsATreeWithAllThatItTouchesAsOneIsland) {
+  ArmOnStops scene;
+  scene.world.advance();
+  const StepReport& report = scene.world.report();
+  EXPECT_EQ(report.plan.islands, 1);
+  EXPECT_EQ(report.plan.islands, report.islands);
+  EXPECT_EQ(report.plan.largestIsland, 2);
+  EXPECT_EQ(report.plan.unknowns, 2);
 }
 
 /// A body on four legs of two links each, feet of radius 5 cm, motors in the joints.

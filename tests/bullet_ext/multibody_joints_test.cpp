@@ -12,6 +12,9 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
 
 #include "tests/support/multibody_world.h"
 
@@ -199,6 +202,35 @@ TEST(MultiBodyJoints, MotorAtItsLimitPushesWithAllItHas) {
   }
 }
 
+TEST(MultiBodyJoints, AMotorWhoseStrengthIsNoNumberIsLeftOut) {
+  DelassusMultiBodyWorld world;
+  world->setGravity(btVector3(0, 0, 0));
+  const Chain chain(world, 2);
+  world.finish(*chain.tree);
+  world.addConstraint<btMultiBodyJointMotor>(chain.tree, 1, btScalar(1),
+                                             std::numeric_limits<btScalar>::quiet_NaN());
+  world.advance();
+  EXPECT_EQ(chain.tree->getJointVel(1), 0);
+  EXPECT_EQ(world.report().leftOut, 1);
+  ASSERT_EQ(world.report().messages.size(), 1u);
+  EXPECT_NE(world.report().messages[0].find("a bound is not a number"), std::string::npos)
+      << world.report().messages[0];
+}
+
+/// Largest number, or one that is large enough: no bound.
+TEST(MultiBodyJoints, AMotorOfUnlimitedStrengthHasNoBound) {
+  for (const btScalar most : {btScalar(BT_LARGE_FLOAT), SIMD_INFINITY}) {
+    DelassusMultiBodyWorld world;
+    const Chain chain(world, 1);
+    world.finish(*chain.tree);
+    world.addConstraint<btMultiBodyJointMotor>(chain.tree, 0, btScalar(1), most);
+    world.advance();
+    EXPECT_NEAR(chain.tree->getJointVel(0), 1, tolerance(1e-9, 1e-5));
+    EXPECT_EQ(world.report().plan.rows, 1);
+    EXPECT_EQ(world.report().plan.boundedRows, 0);
+  }
+}
+
 TEST(MultiBodyJoints, LimitStopsAFallingLink) {
   DelassusMultiBodyWorld world;
   const Chain chain(world, 1);
@@ -233,6 +265,49 @@ TEST(MultiBodyJoints, PointToPointClosesALoopWithTheWorld) {
     EXPECT_LE((chain.endOf(3) - btVector3(4, 0, 0)).length(), 0.01) << step;
     EXPECT_LE(world.report().residualMax, tolerance(1e-6, 1e-5));
   }
+}
+
+/// Bodies that are not passed to the solver, since they do not move or touch nothing: they hold as a point of the world does.
+TEST(MultiBodyJoints, PartnersThatAreNotPassedHold) {
+  enum Partner { World, Static, Kinematic };
+  const auto motionWith = [](Partner partner) {
+    DelassusMultiBodyWorld world;
+    const Chain chain(world, 4);
+    world.finish(*chain.tree);
+    const btVector3 end(4, 0, 0), centre(4, 3, 0);
+    btRigidBody* body = nullptr;
+    if (partner != World) {
+      body = &world.addBox({btScalar(0.1), btScalar(0.1), btScalar(0.1)}, centre, 0);
+      body->setWorldTransform(btTransform(btQuaternion(btVector3(0, 0, 1), btScalar(0.7)), centre));
+    }
+    if (partner == Kinematic) body->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+    world.addConstraint<btMultiBodyPoint2Point>(
+        chain.tree, 3, body, btVector3(0.5, 0, 0),
+        body ? body->getWorldTransform().inverse() * end : end);
+    std::vector<double> motion;
+    for (int step = 0; step < 30; ++step) {
+      world.advance();
+      for (int i = 0; i < 4; ++i) motion.push_back(chain.tree->getJointVel(i));
+    }
+    return motion;
+  };
+  const std::vector<double> wanted = motionWith(World);
+  for (const Partner partner : {Static, Kinematic}) {
+    const std::vector<double> motion = motionWith(partner);
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      EXPECT_NEAR(motion[i], wanted[i], tolerance(1e-8, 1e-3)) << i;
+  }
+}
+
+/// Of an unsplit group Bullet says that there are as many multibody constraints as joints, and passes none.
+TEST(MultiBodyJoints, AnUnsplitGroupOfJointsOnly) {
+  DelassusMultiBodyWorld world;
+  world->getSimulationIslandManager()->setSplitIslands(false);
+  btRigidBody& door = world.addCube({1, 0, 0});
+  world.addJoint<btHingeConstraint>(door, btVector3(-1, 0, 0), btVector3(0, 1, 0));
+  world.advance(10);
+  EXPECT_NEAR(door.getWorldTransform().getOrigin().y(), 0, tolerance(1e-6, 1e-4));
+  EXPECT_EQ(world.report().plan.rows, 5);
 }
 
 /// Stock's constraints see rigid partners before gravity and let them sag; ours hold.

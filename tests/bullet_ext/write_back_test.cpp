@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "tests/support/bullet_world.h"
 
@@ -137,6 +138,34 @@ TEST(StepReport, CountsModesAndParts) {
   EXPECT_LE(report.residualRms, report.residualMax);
   EXPECT_GT(report.workspaceBytes, 0u);
   EXPECT_TRUE(report.messages.empty());
+}
+
+TEST(StepReport, CountsStayAtTheLargestNumber) {
+  constexpr int most = std::numeric_limits<int>::max();
+  int sum = most - 1;
+  addTo(sum, 1);
+  EXPECT_EQ(sum, most);
+  addTo(sum, 2);
+  EXPECT_EQ(sum, most);
+
+  Plan plan;
+  plan.rows = most / 2 + 1;
+  plan.add(Plan(plan));
+  EXPECT_EQ(plan.rows, most);
+}
+
+TEST(StepReport, StaysWhereItIsAfterReset) {
+  DelassusWorld world;
+  world.addGround();
+  world.addCube({0, btScalar(0.5), 0});
+  const StepReport& report = world.report();
+  world.advance(2);
+  EXPECT_EQ(report.contacts, 4);
+  world.delassus().reset();
+  EXPECT_EQ(&report, &world.report());
+  EXPECT_EQ(report.contacts, 0);
+  world.advance();
+  EXPECT_EQ(report.contacts, 4);
 }
 
 }  // namespace
