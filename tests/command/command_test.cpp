@@ -9,48 +9,21 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <string>
-#include <vector>
 
+#include "demos/progress_bar.h"
+#include "tests/command_call.h"
 #include "tests/support/shared_data.h"
 
 namespace {
 
 using nlohmann::json;
 
-struct Outcome {
-  int status;
-  std::string out, err;
-};
+using delassus::test::lines;
+using delassus::test::Outcome;
+using delassus::test::read;
 
-class Command : public testing::Test {
+class Command : public delassus::test::CommandCall {
  protected:
-  std::filesystem::path folder_ = std::filesystem::temp_directory_path() /
-                                  ("delassus_command_" + std::to_string(getpid()) +
-                                   testing::UnitTest::GetInstance()->current_test_info()->name());
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(file(name)) << text;
-    return file(name);
-  }
-  static std::string read(const std::string& path) {
-    std::stringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-  }
-
-  Outcome call(const std::string& arguments) const {
-    const std::string line =
-        std::string(DELASSUS_COMMAND) + " " + arguments + " >" + file("out") + " 2>" + file("err");
-    const int answer = std::system(line.c_str());
-    EXPECT_TRUE(WIFEXITED(answer)) << arguments;
-    return {WEXITSTATUS(answer), read(file("out")), read(file("err"))};
-  }
-
   /// One ball of W = 1 pressed on a plane with friction: the solution is plain.
   std::string easyProblem() const {
     return write("easy.fc3d",
@@ -58,8 +31,6 @@ class Command : public testing::Test {
                  "W\n0 0 1 0 0 0 1 0 0 0 1\nend\n");
   }
 };
-
-int lines(const std::string& text) { return int(std::count(text.begin(), text.end(), '\n')); }
 
 TEST_F(Command, helpsEverywhere) {
   for (const char* sub : {"", "scenes", "run", "render", "report", "solve", "dump", "atlas"}) {
@@ -120,15 +91,11 @@ TEST_F(Command, blamesACrashOnTheFile) {
       delassus::test::sharedFiles("worlds", {".bullet"});
   if (worlds.empty()) GTEST_SKIP() << delassus::test::noSharedFolder;
   const std::string path = worlds.front();
-  const std::string line = "timeout --preserve-status --signal=SEGV 0.5 " DELASSUS_COMMAND
-                           " run --seconds 1e4 " +
-                           path + " >" + file("out") + " 2>" + file("err");
-  const int answer = std::system(line.c_str());
-  ASSERT_TRUE(WIFEXITED(answer));
-  EXPECT_EQ(WEXITSTATUS(answer), 1);
-  const std::string error = read(file("err"));
-  EXPECT_NE(error.find(path + ": crashes"), std::string::npos) << error;
-  EXPECT_EQ(lines(error), 1) << error;
+  const Outcome crash =
+      call("run --seconds 1e4 " + path, "timeout --preserve-status --signal=SEGV 0.5");
+  EXPECT_EQ(crash.status, 1);
+  EXPECT_NE(crash.err.find(path + ": crashes"), std::string::npos) << crash.err;
+  EXPECT_EQ(lines(crash.err), 1) << crash.err;
 }
 
 TEST_F(Command, explainsWhatAStepIsMadeOf) {

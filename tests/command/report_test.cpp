@@ -1,25 +1,16 @@
 // The report as its readers meet it, on two small scenes and two solvers.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
-#include <string>
 #include <vector>
+
+#include "tests/command_call.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string read(const fs::path& path) {
-  std::stringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
+using delassus::test::read;
 
 /// The rows of a CSV file without quotes, each by the names of its columns.
 std::vector<std::map<std::string, std::string>> rowsOf(const fs::path& path) {
@@ -40,30 +31,27 @@ std::vector<std::map<std::string, std::string>> rowsOf(const fs::path& path) {
   return rows;
 }
 
-class Report : public testing::Test {
+class Report : public delassus::test::CommandCall {
  protected:
-  fs::path folder_ =
-      fs::temp_directory_path() / ("delassus_report_" + std::to_string(getpid()) +
-                                   testing::UnitTest::GetInstance()->current_test_info()->name());
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
   fs::path out() const { return folder_ / "report"; }
 
-  /// `delassus report` on the small scenes; both outputs go to "said". Returns the exit status.
-  int report(const std::string& flags, const std::string& before = "") const {
-    const std::string line = before + DELASSUS_COMMAND +
-                             " report --quick --solvers delassus:1e-8,si:10 --out " +
-                             out().string() + " " + flags + " >" + said().string() + " 2>&1";
-    const int answer = std::system(line.c_str());
-    EXPECT_TRUE(WIFEXITED(answer));
-    return WEXITSTATUS(answer);
+  /// `delassus report` on the small scenes. Returns the exit status.
+  int report(const std::string& flags, const std::string& before = "") {
+    const auto outcome =
+        call("report --quick --solvers delassus:1e-8,si:10 --out " + out().string() + " " + flags,
+             before);
+    said_ = outcome.out + outcome.err;
+    return outcome.status;
   }
-  fs::path said() const { return folder_ / "said"; }
+  /// By the last report, on both outputs.
+  const std::string& said() const { return said_; }
+
+ private:
+  std::string said_;
 };
 
 TEST_F(Report, judgesTheSameProblemBySolvers) {
-  ASSERT_EQ(report("--scenes stack_10 --parts same_problem,persisting"), 0) << read(said());
+  ASSERT_EQ(report("--scenes stack_10 --parts same_problem,persisting"), 0) << said();
   const auto rows = rowsOf(out() / "same_problem" / "stack_10.csv");
   ASSERT_FALSE(rows.empty());
   for (auto row : rows) {
@@ -98,35 +86,36 @@ TEST_F(Report, measuresLeaveTheWorldAsItIs) {
 
 TEST_F(Report, goesOnWhereItWasInterrupted) {
   const std::string what = "--scenes one_box,stack_10 --parts own_trajectory";
-  ASSERT_EQ(report(what), 0) << read(said());
+  ASSERT_EQ(report(what), 0) << said();
   const fs::path kept = out() / "own_trajectory" / "one_box.csv",
                  lost = out() / "own_trajectory" / "stack_10.csv";
   const std::string before = read(kept);
   fs::remove(lost);
-  ASSERT_EQ(report(what + " --resume"), 0) << read(said());
+  ASSERT_EQ(report(what + " --resume"), 0) << said();
   EXPECT_EQ(read(kept), before);  // times differ from run to run: it was not measured again
   EXPECT_TRUE(fs::exists(lost));
 }
 
 TEST_F(Report, doesNotMixTwoReports) {
-  ASSERT_EQ(report("--scenes one_box --parts own_trajectory"), 0) << read(said());
+  const std::string what = "--scenes one_box --parts own_trajectory";
+  ASSERT_EQ(report(what), 0) << said();
   EXPECT_EQ(report("--scenes one_box,incline --parts own_trajectory --resume"), 1);
   EXPECT_NE(read(said()).find("--scenes one_box"), std::string::npos) << read(said());
 }
 
 TEST_F(Report, tellsWhatItLacks) {
   EXPECT_EQ(report("--scenes one_bx"), 1);
-  EXPECT_NE(read(said()).find("one_box"), std::string::npos);
+  EXPECT_NE(said().find("one_box"), std::string::npos);
   EXPECT_EQ(report("--parts nonsense"), 1);
-  EXPECT_NE(read(said()).find("own_trajectory"), std::string::npos);
+  EXPECT_NE(said().find("own_trajectory"), std::string::npos);
   EXPECT_FALSE(fs::exists(out()));
 
-  ASSERT_EQ(report("--scenes one_box --parts own_trajectory", "PATH=/nowhere "), 0) << read(said());
+  ASSERT_EQ(report("--scenes one_box --parts own_trajectory", "PATH=/nowhere"), 0) << said();
   EXPECT_NE(read(out() / "report.md").find("gnuplot is missing"), std::string::npos);
 }
 
 TEST_F(Report, findsTheOrderOfTheIntegrator) {
-  ASSERT_EQ(report("--parts time_step"), 0) << read(said());
+  ASSERT_EQ(report("--parts time_step"), 0) << said();
   for (const char* scene : {"ball_off_ball", "sliding_ladder", "incline"}) {
     std::map<double, double> errors;
     for (auto row : rowsOf(out() / "time_step" / (std::string(scene) + ".csv")))
@@ -140,7 +129,7 @@ TEST_F(Report, findsTheOrderOfTheIntegrator) {
 
 // Wedges down to where rounding ends them: both precisions, stock beside ours.
 TEST_F(Report, mapsWhatHoldsUpToWhere) {
-  ASSERT_EQ(report("--stability --parts angles,wedge_pair"), 0) << read(said());
+  ASSERT_EQ(report("--stability --parts angles,wedge_pair"), 0) << said();
   const auto rows = rowsOf(out() / "stability" / "double" / "angles" / "opposite.csv");
   ASSERT_FALSE(rows.empty());
   for (auto row : rows) {
@@ -168,20 +157,20 @@ TEST_F(Report, mapsWhatHoldsUpToWhere) {
 
 TEST_F(Report, mapGoesOnWhereItWasInterrupted) {
   const std::string what = "--stability --one-precision --parts angles";
-  ASSERT_EQ(report(what), 0) << read(said());
+  ASSERT_EQ(report(what), 0) << said();
   const fs::path folder = out() / "stability" / "double" / "angles";
   const std::string kept = read(folder / "opposite.csv");
   fs::remove(folder / "parallel.csv");
-  ASSERT_EQ(report(what + " --resume"), 0) << read(said());
+  ASSERT_EQ(report(what + " --resume"), 0) << said();
   EXPECT_EQ(read(folder / "opposite.csv"), kept);
   EXPECT_TRUE(fs::exists(folder / "parallel.csv"));
   EXPECT_EQ(report("--stability --parts nonsense"), 1);
-  EXPECT_NE(read(said()).find("long_runs"), std::string::npos) << read(said());
+  EXPECT_NE(said().find("long_runs"), std::string::npos) << said();
 }
 
 // One economy at a time: more work, the same motion.
 TEST_F(Report, tellsWhatEachEconomyIsWorth) {
-  ASSERT_EQ(report("--scenes stack_10,ball_off_ball --parts ablation"), 0) << read(said());
+  ASSERT_EQ(report("--scenes stack_10,ball_off_ball --parts ablation"), 0) << said();
   const auto rowsByName = [&](const char* scene) {
     std::map<std::string, std::map<std::string, std::string>> rows;
     for (const auto& row : rowsOf(out() / "ablation" / (std::string(scene) + ".csv")))
