@@ -211,6 +211,27 @@ TEST_F(Command, tellsHowFarASceneIsFromItsLaw) {
   EXPECT_EQ(json::parse(lawless.out).count("law_error"), 0U);
 }
 
+// NNCG loses the ragdolls at once. What is left of such a world moves no more and touches nothing.
+TEST_F(Command, callsALostWorldLost) {
+  const std::string arguments = "run ragdolls --solver nncg:1000,delassus --seconds 0.1";
+  const Outcome outcome = call(arguments + " --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::istringstream out(outcome.out);
+  for (const bool lost : {true, false}) {
+    std::string line;
+    ASSERT_TRUE(std::getline(out, line));
+    const json run = json::parse(line);
+    EXPECT_EQ(run["finite"], !lost);
+    EXPECT_EQ(run["steps_lost"] > 0, lost);
+    EXPECT_EQ(run["steps_above_1e-6"], run["steps_lost"]);
+    for (const char* key : {"residual_max", "residual_rms", "drift_max_m", "joint_error_max_m"})
+      EXPECT_EQ(run[key].is_null(), lost) << key;
+  }
+  const Outcome table = call(arguments);
+  EXPECT_NE(table.out.find("nncg:1000: the world is lost: "), std::string::npos) << table.out;
+  EXPECT_EQ(table.out.find("delassus: the world is lost"), std::string::npos) << table.out;
+}
+
 TEST_F(Command, comparesSolversInOneTable) {
   const Outcome outcome = call("run one_box --solver delassus,si:10 --seconds 0.2");
   EXPECT_EQ(outcome.status, 0);

@@ -100,7 +100,55 @@ TEST_F(Report, doesNotMixTwoReports) {
   const std::string what = "--scenes one_box --parts own_trajectory";
   ASSERT_EQ(report(what), 0) << said();
   EXPECT_EQ(report("--scenes one_box,incline --parts own_trajectory --resume"), 1);
-  EXPECT_NE(read(said()).find("--scenes one_box"), std::string::npos) << read(said());
+  EXPECT_NE(said().find("--scenes one_box"), std::string::npos) << said();
+
+  // Nor two precisions.
+  std::string stamp = read(out() / "command.txt");
+  ASSERT_NE(stamp.find("double"), std::string::npos) << stamp;
+  stamp.replace(stamp.find("double"), 6, "float");
+  write("report/command.txt", stamp);
+  EXPECT_EQ(report(what + " --resume"), 1);
+  EXPECT_NE(said().find("in float precision"), std::string::npos) << said();
+}
+
+// Whoever left them there, and whether or not a command is noted beside them.
+TEST_F(Report, takesNoOldMeasuresForNewOnes) {
+  const std::string what = "--scenes one_box --parts own_trajectory";
+  for (const char* leftThere : {"own_trajectory/one_box.csv", "own_trajectory/one_box.svg"}) {
+    fs::create_directories(out() / "own_trajectory");
+    write(std::string("report/") + leftThere, "method,family\nold,old\n");
+  }
+  ASSERT_EQ(report(what, "PATH=/nowhere"), 0) << said();
+  EXPECT_EQ(rowsOf(out() / "own_trajectory" / "one_box.csv").size(), 2U);
+  EXPECT_FALSE(fs::exists(out() / "own_trajectory" / "one_box.svg")) << "nobody could draw it";
+}
+
+TEST_F(Report, leavesOtherPeoplesFilesAlone) {
+  const std::string what = "--scenes one_box --parts own_trajectory";
+  fs::create_directories(out() / "own_trajectory");
+  write("report/own_trajectory/notes.txt", "mine");
+  ASSERT_EQ(report(what), 0) << said();
+  ASSERT_EQ(report(what), 0) << said();
+  EXPECT_EQ(read(out() / "own_trajectory" / "notes.txt"), "mine");
+
+  write("report/command.txt", "make coffee\n");
+  EXPECT_EQ(report(what), 1);
+  EXPECT_NE(said().find("command.txt' is not of a report"), std::string::npos) << said();
+  EXPECT_EQ(read(out() / "command.txt"), "make coffee\n");
+  EXPECT_TRUE(fs::exists(out() / "own_trajectory" / "one_box.csv"));
+}
+
+// NNCG throws the ragdolls out of the numbers at once.
+TEST_F(Report, callsALostWorldLost) {
+  ASSERT_EQ(report("--scenes ragdolls --solvers nncg:1000 --parts own_trajectory"), 0) << said();
+  for (auto row : rowsOf(out() / "own_trajectory" / "ragdolls.csv"))
+    EXPECT_EQ(row["drift"] == "nan", row["method"] == "nncg:1000") << row["method"];
+  EXPECT_NE(read(out() / "report.md").find("lost: not a number"), std::string::npos);
+}
+
+TEST_F(Report, whatPersistsIsMeasuredToo) {
+  ASSERT_EQ(report("--scenes one_box --parts persisting"), 0) << said();
+  EXPECT_NE(read(out() / "report.md").find("Which contacts persist"), std::string::npos);
 }
 
 TEST_F(Report, tellsWhatItLacks) {
