@@ -183,8 +183,7 @@ Words writeOwnTrajectory(const Plan& plan, const std::filesystem::path& report) 
     if (!std::filesystem::exists(folder / (name + ".csv"))) continue;
     const SceneDescription& scene = findScene(name);
     const CsvTable table = CsvTable::read(folder / (name + ".csv"));
-    const std::string fault = draw(figureOf(scene, table), folder, name);
-    if (!fault.empty()) trouble = fault + "\n\n";
+    addFault(trouble, draw(figureOf(scene, table), folder, name));
     words.body += "### " + name + ", own trajectory\n\nWhat it should do: " + scene.expectation +
                   ".\n\n" + picture(folderName, name, "own trajectory, " + name) +
                   tableOf(scene, table);
