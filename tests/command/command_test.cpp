@@ -1,13 +1,7 @@
 // The command as its users meet it: exit status, messages, JSON.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <sys/stat.h>
 
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "demos/progress_bar.h"
@@ -83,6 +77,15 @@ TEST_F(Command, namesAFileThatCannotBeRead) {
     EXPECT_NE(outcome.err.find(path), std::string::npos) << outcome.err;
     EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
   }
+}
+
+// A pipe would be waited for without end.
+TEST_F(Command, refusesWhatIsNoRegularFile) {
+  ASSERT_EQ(mkfifo(file("pipe.bullet").c_str(), 0600), 0);
+  const Outcome outcome = call("run " + file("pipe.bullet"), "timeout 20");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find(file("pipe.bullet") + ": is not a regular file"), std::string::npos)
+      << outcome.err;
 }
 
 /// What a damaged file breaks may break at any later time.
