@@ -6,6 +6,7 @@
 
 #include "demos/command.h"
 #include "demos/explain.h"
+#include "demos/json_line.h"
 #include "demos/number_checks.h"
 #include "demos/progress_bar.h"
 #include "demos/scenes/simulate.h"
@@ -172,7 +173,7 @@ int runSubject(const RunArguments& arguments) {
       nlohmann::ordered_json json = toJson(subject.name, runs.back());
       if (arguments.explain && runs.back().regions)
         json["explain"] = explanation(runs.back().regions->totals);
-      std::printf("%s\n", json.dump().c_str());
+      std::printf("%s\n", jsonLine(json).c_str());
     }
   }
   if (!arguments.json && !runs.empty()) {

@@ -45,6 +45,26 @@ TEST_F(Command, refusesBadUsageWithTwo) {
   }
 }
 
+TEST_F(Command, namesTheCommandThatIsUnknownAndThoseThatExist) {
+  const Outcome outcome = call("fly one_box");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
+  for (const char* word : {"'fly'", "scenes", "run", "render", "report", "solve", "dump", "atlas"})
+    EXPECT_NE(outcome.err.find(word), std::string::npos) << word << '\n' << outcome.err;
+}
+
+TEST_F(Command, lostOutputIsAFailure) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  for (const char* arguments : {"run one_box --seconds 0.1", "scenes", "run --help"}) {
+    const std::string line =
+        std::string(DELASSUS_COMMAND) + " " + arguments + " >/dev/full 2>" + file("said");
+    const int answer = std::system(line.c_str());
+    ASSERT_TRUE(WIFEXITED(answer));
+    EXPECT_EQ(WEXITSTATUS(answer), 1) << arguments;
+    EXPECT_EQ(lines(read(file("said"))), 1) << read(file("said"));
+  }
+}
+
 TEST_F(Command, refusesRunsWithoutEnd) {
   for (const std::string& endless : {std::string("run one_box --seconds 1e30"),
                                      "dump one_box --at 1e30 --out " + file("a.fc3d")}) {
@@ -265,6 +285,45 @@ TEST_F(Command, solvesAProblem) {
   EXPECT_EQ(read(file("solution")).rfind("solution v1\n", 0), 0U);
 }
 
+TEST_F(Command, doesNotWriteOverItsInput) {
+  const std::string problem = easyProblem(), before = read(problem);
+  std::filesystem::create_symlink(problem, file("link"));
+  for (const std::string& solution : {problem, file("link"), folder_.string() + "/./easy.fc3d"}) {
+    const Outcome outcome = call("solve " + problem + " --solution " + solution);
+    EXPECT_EQ(outcome.status, 2) << solution;
+    EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find(solution), std::string::npos) << outcome.err;
+    EXPECT_EQ(read(problem), before);
+  }
+
+  // Worlds are told by their name, or by how Bullet's files begin.
+  write("world.bullet", "somebody's");
+  write("world", "BULLETd_v287...");
+  write("many-3.bullet", "somebody's");
+  for (const auto& [scene, out] :
+       {std::pair("one_box", "world.bullet"), std::pair("one_box", "world"),
+        std::pair("box_headings", "many.bullet")}) {
+    const Outcome outcome = call(std::string("dump ") + scene + " --at 0 --out " + file(out));
+    EXPECT_EQ(outcome.status, 2) << out;
+    EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
+  }
+  EXPECT_EQ(read(file("world.bullet")), "somebody's");
+  EXPECT_EQ(read(file("many-3.bullet")), "somebody's");
+  EXPECT_FALSE(std::filesystem::exists(file("many-0.bullet"))) << "nothing or all of it";
+  EXPECT_EQ(call("dump one_box --at 0 --out " + file("new.fc3d")).status, 0);
+  EXPECT_EQ(call("dump one_box --at 0 --out " + file("new.fc3d")).status, 0) << "its own, again";
+}
+
+// Names are bytes; JSON is UTF-8.
+TEST_F(Command, tellsAnyNameInJson) {
+  const std::string problem = easyProblem();
+  std::string text = read(problem);
+  text.replace(text.find("easy"), 4, "e\xe4sy");
+  const Outcome outcome = call("solve " + write("odd.fc3d", text) + " --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(json::parse(outcome.out)["name"], "e\xef\xbf\xbdsy");
+}
+
 TEST_F(Command, endsWithThreeAboveTheTolerance) {
   // u = −1 whatever r is: no solution.
   const std::string hopeless =
@@ -312,8 +371,9 @@ TEST_F(Command, dumpsAnIslandAFile) {
   ASSERT_EQ(dumped.status, 0) << dumped.err;
   for (int i = 0; i < 12; ++i)
     EXPECT_TRUE(std::filesystem::exists(file("box-" + std::to_string(i) + ".fc3d"))) << i;
-  EXPECT_EQ(call("dump bead_under_plane --at 0.9 --out " + file("none")).status, 1)
-      << "no contact, nothing to write";
+  const Outcome free = call("dump bead_under_plane --at 0.9 --out " + file("none"));
+  EXPECT_EQ(free.status, 1);
+  EXPECT_NE(free.err.find("nothing touches"), std::string::npos) << free.err;
   const Outcome rolling = call("dump rolling_balls --at 0 --out " + file("ball.fc3d"));
   EXPECT_EQ(rolling.status, 1);
   EXPECT_NE(rolling.err.find("island 4 has rolling or spinning friction"), std::string::npos);
