@@ -166,9 +166,11 @@ int runSubject(const RunArguments& arguments) {
       for (const std::string& note : subject.notes)
         std::fprintf(notesTo, "%s: %s\n", subject.name.c_str(), note.c_str());
     }
-    ProgressBar bar(subject.name + " " + solver.name());
-    runs.push_back(simulate(*subject.world, solver, settings,
-                            [&bar](double fraction) { bar.show(fraction); }));
+    {
+      ProgressBar bar(subject.name + " " + solver.name());
+      runs.push_back(simulate(*subject.world, solver, settings,
+                              [&bar](double fraction) { bar.show(fraction); }));
+    }
     if (arguments.json) {
       nlohmann::ordered_json json = toJson(subject.name, runs.back());
       if (arguments.explain && runs.back().regions)

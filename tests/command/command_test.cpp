@@ -379,4 +379,19 @@ TEST_F(Command, dumpsAnIslandAFile) {
   EXPECT_NE(rolling.err.find("island 4 has rolling or spinning friction"), std::string::npos);
 }
 
+TEST(ProgressLine, fitsIntoItsTerminal) {
+  using demos::progressLine;
+  EXPECT_EQ(progressLine("one_box si:10", 0.5, 200),
+            "one_box si:10 [" + std::string(20, '#') + std::string(20, ' ') + "]  50 %");
+  const std::string name = "12/480 own_trajectory stack_10_heavy_top \u00b5";
+  for (std::size_t columns = 1; columns < 120; ++columns)
+    for (const double fraction : {0.0, 0.37, 1.0}) {
+      const std::string line = progressLine(name, fraction, columns);
+      EXPECT_LT(line.size(), columns + (columns == 0)) << columns;
+      EXPECT_TRUE(columns < 20 || line.find(" %") != std::string::npos) << columns << line;
+    }
+  // Letters of several bytes are kept whole.
+  EXPECT_EQ(progressLine("\u00b5\u00b5\u00b5", 0, 4), "\u00b5");
+}
+
 }  // namespace

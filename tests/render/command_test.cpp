@@ -85,10 +85,13 @@ TEST_F(RenderCommand, VideoIsWholeAndAlone) {
 }
 
 TEST_F(RenderCommand, BadNumbersAreBadUsage) {
-  EXPECT_EQ(call("one_box --size 12").status, 2);
-  EXPECT_EQ(call("one_box --size 0x5").status, 2);
-  EXPECT_EQ(call("one_box --camera 1,2").status, 2);
-  EXPECT_EQ(call("one_box --at -1").status, 2);
+  EXPECT_EQ(render("one_box --size 12").status, 2);
+  EXPECT_EQ(render("one_box --size 0x5").status, 2);
+  EXPECT_EQ(render("one_box --camera 1,2").status, 2);
+  for (const char* number : {"nan", "inf", "1e999", "x"})
+    for (const char* flag : {"--camera", "--look-at"})
+      EXPECT_EQ(render(std::string("one_box ") + flag + " 1,2," + number).status, 2) << number;
+  EXPECT_EQ(render("one_box --at -1").status, 2);
 }
 
 }  // namespace
