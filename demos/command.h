@@ -2,6 +2,7 @@
 /// The sub-commands of `delassus`. Each has a file of its own, which adds its flags and says what it does when chosen.
 
 #include <functional>
+#include <stdexcept>
 
 namespace CLI {
 class App;
@@ -14,6 +15,12 @@ constexpr int exitDone = 0;
 constexpr int exitFailed = 1;          ///< file, scene, display
 constexpr int exitBadUsage = 2;        ///< unknown flags, values out of range
 constexpr int exitAboveTolerance = 3;  ///< `solve` only
+
+/// What the command line asks for cannot be meant: exitBadUsage, which only shows when the files are looked at.
+class BadUsage : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// What the parsed command line asks for; returns the exit status, throws std::exception when it fails.
 using Action = std::function<int()>;

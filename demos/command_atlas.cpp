@@ -21,6 +21,7 @@ int drawAtlas(const std::string& out) {
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const Figure figure = figures[i]();
     writeFigure(out, figure);
+    bar.clear();
     std::printf("%s/%s.{png,svg}: %s\n", out.c_str(), figure.name.c_str(), figure.measured.c_str());
     bar.show(double(i + 1) / double(figures.size()));
   }

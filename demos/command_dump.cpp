@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 
 #include "bullet_ext/gather.h"
@@ -81,24 +82,42 @@ void writeIsland(const std::string& file, const Problem& problem) {
               contacts, bounds, rows - bounds);
 }
 
+/// A world is not what a problem is meant to replace, least of all the one that is dumped.
+void refuseToReplaceAWorld(const std::string& file) {
+  constexpr std::size_t length = 6;
+  char begin[length + 1] = {};
+  std::ifstream(file, std::ios::binary).read(begin, length);
+  const bool named = std::filesystem::path(file).extension() == ".bullet";
+  if (std::string(begin) == "BULLET" || (named && std::filesystem::exists(file)))
+    throw BadUsage("--out would replace the Bullet world " + file);
+}
+
 int dumpProblems(const DumpArguments& arguments) {
+  refuseToReplaceAWorld(arguments.out);
   Subject subject = openSubject(arguments.subject);
   NamedSolver solver("delassus");
   ProblemCatcher catcher(solver.solver());
   subject.world->setSolver(catcher);
 
   const double hz = arguments.hz > 0 ? arguments.hz : subject.hz;
-  ProgressBar bar(subject.name);
   const int steps = stepsIn(arguments.at, hz);
-  for (int i = 0; i < steps; ++i) {
+  {
+    ProgressBar bar(subject.name);
+    for (int i = 0; i < steps; ++i) {
+      subject.world->step(1 / hz);
+      bar.show(double(i) / double(steps));
+    }
+    catcher.start();
     subject.world->step(1 / hz);
-    bar.show(double(i) / double(steps));
   }
-  catcher.start();
-  subject.world->step(1 / hz);
+  const std::size_t islands = catcher.problems().size();
+  if (islands == 0)
+    throw std::runtime_error("nothing to write: nothing touches and no joint acts in that step");
+  for (std::size_t i = 0; i < islands; ++i)
+    refuseToReplaceAWorld(fileOf(arguments.out, i, islands));
 
   std::size_t written = 0;
-  for (std::size_t i = 0; i < catcher.problems().size(); ++i) {
+  for (std::size_t i = 0; i < islands; ++i) {
     Problem problem = catcher.problems()[i];
     problem.name = subject.name + "-" + std::to_string(steps) + "-" + std::to_string(i);
     if (!problem.disks.empty()) {
@@ -109,7 +128,7 @@ int dumpProblems(const DumpArguments& arguments) {
       continue;
     }
     try {
-      writeIsland(fileOf(arguments.out, i, catcher.problems().size()), problem);
+      writeIsland(fileOf(arguments.out, i, islands), problem);
       ++written;
     } catch (const std::invalid_argument& fault) {
       std::fprintf(stderr, "delassus: island %zu left out: %s\n", i, fault.what());

@@ -108,6 +108,7 @@ void makeVideo(const RenderArguments& arguments, std::vector<NamedSolver>& solve
     bar.show(double(i + 1) / double(times.size()));
   }
   video.finish();
+  bar.clear();
   say(file);
 }
 
@@ -157,12 +158,13 @@ int renderSubject(const RenderArguments& arguments) {
 void addRenderCommand(CLI::App& app, Action& chosen) {
   auto arguments = std::make_shared<RenderArguments>();
   CLI::App* command = app.add_subcommand(
-      "render", "headless pictures, side by side when two solvers are named; video");
+      "render", "headless pictures, side by side when several solvers are named; video");
   command->add_option("subject", arguments->subject, "a built-in scene or a .bullet file")
       ->required()
       ->type_name("SCENE|FILE.bullet");
-  command->add_option("--solver", arguments->solvers, "one or two, as in 'run'")
-      ->type_name("A[,B]")
+  command
+      ->add_option("--solver", arguments->solvers, "one or more with commas between, as in 'run'")
+      ->type_name("NAME[,NAME]")
       ->capture_default_str();
   command
       ->add_option("--at", arguments->at,
@@ -176,7 +178,11 @@ void addRenderCommand(CLI::App& app, Action& chosen) {
       ->type_name("DIR")
       ->capture_default_str();
   const auto addPoint = [command](const char* flag, std::vector<double>& point, const char* what) {
-    command->add_option(flag, point, what)->delimiter(',')->expected(3)->type_name("X,Y,Z");
+    command->add_option(flag, point, what)
+        ->delimiter(',')
+        ->expected(3)
+        ->check(finiteNumber)
+        ->type_name("X,Y,Z");
   };
   addPoint("--camera", arguments->camera, "where the camera is, m (default: found)");
   addPoint("--look-at", arguments->lookAt, "what it looks at, m (default: found)");

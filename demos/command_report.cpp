@@ -4,6 +4,7 @@
 #include "demos/command.h"
 #include "demos/report/part.h"
 #include "demos/report/stability/map.h"
+#include "demos/subject.h"
 
 namespace demos {
 
@@ -12,7 +13,10 @@ namespace {
 int writeReport(const report::ReportArguments& arguments) {
   const bool complete =
       arguments.stability ? report::stability::makeMap(arguments) : report::makeReport(arguments);
-  std::printf("%s/%s.md\n", arguments.out.c_str(), arguments.stability ? "stability" : "report");
+  const std::string made = arguments.onePrecision ? std::string("stability/") + precisionName()
+                           : arguments.stability  ? "stability.md"
+                                                  : "report.md";
+  std::printf("%s/%s\n", arguments.out.c_str(), made.c_str());
   if (complete) return exitDone;
   std::fprintf(stderr, "delassus: interrupted; '%s --resume' goes on\n",
                arguments.command().c_str());
@@ -25,17 +29,19 @@ void addReportCommand(CLI::App& app, Action& chosen) {
   auto arguments = std::make_shared<report::ReportArguments>();
   CLI::App* command =
       app.add_subcommand("report", "error against run time: CSV, plots, a summary in Markdown");
-  command->add_option("--scenes", arguments->scenes, "which (default: those the report names)")
-      ->delimiter(',')
-      ->type_name("NAME,...");
+  CLI::Option* scenes =
+      command->add_option("--scenes", arguments->scenes, "which (default: those the report names)")
+          ->delimiter(',')
+          ->type_name("NAME,...");
   command->add_option("--solvers", arguments->solvers, "which, as in 'run'")
       ->delimiter(',')
       ->type_name("NAME,...");
   command
       ->add_option(
           "--parts", arguments->parts,
-          "which of same_problem, persisting, own_trajectory, time_step, scaling, "
-          "ablation; with --stability: masses, units, stiffness, friction, redundancy, "
+          "which of same_problem, persisting (measures same_problem too), own_trajectory, "
+          "time_step, scaling, ablation; with --stability: masses, units, stiffness, friction, "
+          "redundancy, "
           "angles, speeds, long_runs, stack_pair, chain_pair, soft_ground_pair, wedge_pair")
       ->delimiter(',')
       ->type_name("NAME,...");
@@ -49,6 +55,7 @@ void addReportCommand(CLI::App& app, Action& chosen) {
       ->add_flag("--one-precision", arguments->onePrecision,
                  "of the map: only measure, and only in the precision of this executable")
       ->needs(stability);
+  scenes->excludes(stability);  // whose worlds are its own
   command->add_flag("--quick", arguments->quick, "fewer scenes and settings: under three minutes");
   command->add_flag("--resume", arguments->resume, "go on with a report that was interrupted");
   command->callback(

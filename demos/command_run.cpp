@@ -1,10 +1,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "demos/command.h"
 #include "demos/explain.h"
+#include "demos/json_line.h"
 #include "demos/number_checks.h"
 #include "demos/progress_bar.h"
 #include "demos/scenes/simulate.h"
@@ -41,6 +43,9 @@ nlohmann::ordered_json toJson(const std::string& scene, const RunSummary& run) {
   json["residual_rms"] = run.residualRms;
   json["residual_max"] = run.residualMax;
   json["steps_above_1e-6"] = run.stepsAbove;
+  // What is not a number is null in JSON.
+  json["finite"] = run.stepsLost == 0;
+  json["steps_lost"] = run.stepsLost;
   json["penetration_max_m"] = run.penetrationMax;
   json["kinetic_energy_j"] = run.kineticEnergy;
   json["tunnelled"] = run.tunnelled;
@@ -102,19 +107,26 @@ void printTable(const std::vector<RunSummary>& runs) {
   Table table({"solver", "ms median", "ms p95", "residual max", "rms m/s", "above 1e-6",
                "overlap m", "through", "drift m", "joints m", "kinetic J", "reaction/weight",
                "open/stick/slide", "fallbacks"});
+  const auto word = [](double value, int digits = 3) {
+    return std::isnan(value) ? "lost" : shortNumber(value, digits);
+  };
   for (const RunSummary& run : runs) {
     const ModeCounts& modes = run.modes;
-    table.add({run.solver, shortNumber(run.msMedian), shortNumber(run.msP95),
-               shortNumber(run.residualMax), shortNumber(run.residualRms),
-               shortNumber(100.0 * run.stepsAbove / run.steps) + " %",
-               shortNumber(run.penetrationMax), std::to_string(run.tunnelled),
-               shortNumber(run.driftMax), shortNumber(run.jointErrorMax),
-               shortNumber(run.kineticEnergy), shortNumber(run.reactionOverWeight, 7),
+    table.add({run.solver, shortNumber(run.msMedian), shortNumber(run.msP95), word(run.residualMax),
+               word(run.residualRms), shortNumber(100.0 * run.stepsAbove / run.steps) + " %",
+               word(run.penetrationMax), std::to_string(run.tunnelled), word(run.driftMax),
+               word(run.jointErrorMax), word(run.kineticEnergy), word(run.reactionOverWeight, 7),
                std::to_string(modes.open) + "/" + std::to_string(modes.stick) + "/" +
                    std::to_string(modes.slide),
                std::to_string(run.fallbacks)});
   }
   std::fputs(table.text().c_str(), stdout);
+  for (const RunSummary& run : runs)
+    if (run.stepsLost > 0)
+      std::printf(
+          "%s: the world is lost: %d of %d steps end with a body that is nowhere, its place "
+          "or velocity not a number\n",
+          run.solver.c_str(), run.stepsLost, run.steps);
   for (const RunSummary& run : runs) {
     if (!run.regions) continue;
     std::printf(
@@ -154,14 +166,16 @@ int runSubject(const RunArguments& arguments) {
       for (const std::string& note : subject.notes)
         std::fprintf(notesTo, "%s: %s\n", subject.name.c_str(), note.c_str());
     }
-    ProgressBar bar(subject.name + " " + solver.name());
-    runs.push_back(simulate(*subject.world, solver, settings,
-                            [&bar](double fraction) { bar.show(fraction); }));
+    {
+      ProgressBar bar(subject.name + " " + solver.name());
+      runs.push_back(simulate(*subject.world, solver, settings,
+                              [&bar](double fraction) { bar.show(fraction); }));
+    }
     if (arguments.json) {
       nlohmann::ordered_json json = toJson(subject.name, runs.back());
       if (arguments.explain && runs.back().regions)
         json["explain"] = explanation(runs.back().regions->totals);
-      std::printf("%s\n", json.dump().c_str());
+      std::printf("%s\n", jsonLine(json).c_str());
     }
   }
   if (!arguments.json && !runs.empty()) {

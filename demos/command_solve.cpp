@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "delassus/problem_text.h"
@@ -9,6 +10,7 @@
 #include "delassus/solver.h"
 #include "delassus/split_problem.h"
 #include "demos/command.h"
+#include "demos/json_line.h"
 #include "demos/number_checks.h"
 
 namespace demos {
@@ -48,6 +50,9 @@ Answer solveWithin(const Problem& problem, double tolerance) {
 }
 
 int solveFile(const SolveArguments& arguments) {
+  std::error_code ignored;  // where one of them is not there
+  if (std::filesystem::equivalent(arguments.file, arguments.solutionFile, ignored))
+    throw BadUsage("--solution " + arguments.solutionFile + " is the problem itself");
   const Problem problem = readProblem(arguments.file);
   const auto begin = std::chrono::steady_clock::now();
   auto [solution, measures, within] = solveWithin(problem, arguments.tolerance);
@@ -75,7 +80,7 @@ int solveFile(const SolveArguments& arguments) {
     json["ms"] = ms;
     json["regions"] = solution.regions;
     json["islands"] = islands;
-    std::printf("%s\n", json.dump().c_str());
+    std::printf("%s\n", jsonLine(json).c_str());
   } else {
     std::printf("%s: %s, %d %s in %d %s\n", problem.name.c_str(), kind.c_str(), size,
                 problem.contacts() > 0 ? "contacts" : "rows", islands,

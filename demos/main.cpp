@@ -5,6 +5,30 @@
 #include "demos/command.h"
 #include "demos/scenes/solvers.h"
 
+namespace demos {
+namespace {
+
+/// What is lost on its way to a full disk is no success.
+int afterOutput(int status) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  std::fprintf(stderr, "delassus: the output cannot be written\n");
+  return exitFailed;
+}
+
+/// Empty if the first word is a sub-command, or a flag. CLI11 would only say that one is required.
+std::string unknownCommand(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return "";
+  std::string existing;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->check_name(argv[1])) return "";
+    existing += (existing.empty() ? "" : ", ") + command->get_name();
+  }
+  return "there is no command '" + std::string(argv[1]) + "'; there are " + existing;
+}
+
+}  // namespace
+}  // namespace demos
+
 int main(int argc, char** argv) {
   using namespace demos;
   CLI::App app("Bullet worlds on Delassus' region selection, beside Bullet's own solvers",
@@ -19,13 +43,20 @@ int main(int argc, char** argv) {
   addReportCommand(app, chosen);
   addAtlasCommand(app, chosen);
 
+  if (const std::string unknown = unknownCommand(app, argc, argv); !unknown.empty()) {
+    std::fprintf(stderr, "delassus: %s\n", unknown.c_str());
+    return exitBadUsage;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exitDone : exitBadUsage;
+    return app.exit(error) == 0 ? afterOutput(exitDone) : exitBadUsage;
   }
   try {
-    return chosen();
+    return afterOutput(chosen());
+  } catch (const BadUsage& error) {
+    std::fprintf(stderr, "delassus: %s\n", error.what());
+    return exitBadUsage;
   } catch (const UnknownSolver& error) {
     std::fprintf(stderr, "delassus: %s\n", error.what());
     return exitBadUsage;

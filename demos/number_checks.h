@@ -6,12 +6,20 @@
 
 namespace demos {
 
-/// Checks of numbers on the command line, for CLI11: an empty answer says that the text is good.
-inline std::string finiteFrom(const std::string& text, bool zeroToo) {
+/// The number that all of `text` is; NaN if it is none.
+inline double numberIn(const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
-  const bool good =
-      !text.empty() && *end == '\0' && std::isfinite(value) && (zeroToo ? value >= 0 : value > 0);
+  return !text.empty() && *end == '\0' ? value : std::nan("");
+}
+
+/// Checks of numbers on the command line, for CLI11: an empty answer says that the text is good.
+inline std::string finiteNumber(const std::string& text) {
+  return std::isfinite(numberIn(text)) ? "" : "'" + text + "' is not a finite number";
+}
+inline std::string finiteFrom(const std::string& text, bool zeroToo) {
+  const double value = numberIn(text);
+  const bool good = std::isfinite(value) && (zeroToo ? value >= 0 : value > 0);
   return good ? ""
               : "'" + text + "' is not a number " + (zeroToo ? "of at least" : "greater than") +
                     " 0";

@@ -55,6 +55,11 @@ Subject loadSubject(const std::string& name) {
     return {scene.name, scene.build(), scene.seconds, scene.hz, {}, scene.law};
   }
   constexpr double usualSeconds = 5, usualHz = 60;
+  // A pipe can be read only once, and may never end.
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(name, ignored);
+  if (exists(status) && !is_regular_file(status))
+    throw BulletFileError(name + ": is not a regular file");
   rehearse(name);
   LoadedFile file = loadBulletFile(name);
   return {name, std::move(file.world), usualSeconds, usualHz, std::move(file.notes), std::nullopt};

@@ -1,6 +1,7 @@
 #include "demos/table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace demos {
@@ -27,6 +28,7 @@ std::string Table::text() const {
 }
 
 std::string shortNumber(double value, int digits) {
+  if (std::isnan(value)) return "nan";  // printf may give it a sign
   char word[32];
   std::snprintf(word, sizeof word, "%.*g", digits, value);
   return word;

@@ -114,7 +114,7 @@ void labelHeavyThings(Drawing& drawing, const Film& film, const Frame& frame, co
 
 }  // namespace
 
-ArrowScale arrowScale(const std::vector<Film>& films, const View& view, Size panel) {
+MarkScale markScale(const std::vector<Film>& films, const View& view, Size panel) {
   std::vector<double> forces;
   std::size_t most = 0;
   for (const Film& film : films)
@@ -124,28 +124,28 @@ ArrowScale arrowScale(const std::vector<Film>& films, const View& view, Size pan
       for (const Mark& mark : marks)
         if (mark.force.norm() > 0) forces.push_back(mark.force.norm());
     }
-  if (forces.empty()) return {};
+  if (forces.empty()) return {most};
   const auto place = forces.begin() + std::ptrdiff_t(0.98 * double(forces.size() - 1));
   std::nth_element(forces.begin(), place, forces.end());
   const double usual = *place;
   // Of the panel's height: the more arrows, the shorter.
   const double share = std::clamp(0.4 / std::sqrt(double(most)), 0.05, 0.16);
   constexpr double stretch = 1.8;
-  return {share * panel.height / view.pixelsPerMetre(panel) / usual, stretch * usual};
+  return {most, share * panel.height / view.pixelsPerMetre(panel) / usual, stretch * usual};
 }
 
 void annotate(Drawing& drawing, const Film& film, const Frame& frame, const View& view,
-              const Box& stage, const ArrowScale& scale, double unit, Font& font) {
+              const Box& stage, const MarkScale& scale, double unit, Font& font) {
   const std::vector<Mark> marks = marksOf(frame);
-  const double radius = glyphRadius(marks.size(), unit);
+  const double radius = glyphRadius(scale.most, unit);
   const double width = std::max(1.0, 0.5 * radius);
   // Hidden marks help while one can tell them apart.
   constexpr std::size_t tooMany = 250;
   const double tolerance = 0.02 * stage.radius();
   Canvas canvas(drawing.image);
   for (const bool front : {false, true}) {
-    if (!front && marks.size() > tooMany) continue;
-    const double alpha = front ? 1 : std::clamp(6.0 / double(marks.size()), 0.28, 0.65);
+    if (!front && scale.most > tooMany) continue;
+    const double alpha = front ? 1 : std::clamp(6.0 / double(scale.most), 0.28, 0.65);
     std::vector<std::pair<Mark::Shape, Point>> glyphs;
     for (const Mark& mark : marks) {
       const auto seen = view.project(mark.place, drawing.image.size);
@@ -165,7 +165,7 @@ void annotate(Drawing& drawing, const Film& film, const Frame& frame, const View
 
 void drawLegend(Image& image, Point place, double right, double unit,
                 const std::vector<Film>& films, const View& view, Size panel,
-                const ArrowScale& scale, Font& font) {
+                const MarkScale& scale, Font& font) {
   Canvas canvas(image);
   const double height = 14 * unit, radius = 5 * unit;
   const Paint ink{palette::ink};
@@ -205,6 +205,7 @@ void drawLegend(Image& image, Point place, double right, double unit,
 std::string readable(double value) {
   char text[64];
   if (value == 0) return "0";
+  if (!std::isfinite(value)) return std::isnan(value) ? "not a number" : value > 0 ? "∞" : "−∞";
   const double size = std::abs(value);
   if (size >= 1e-3 && size < 1e5) {
     // Whole numbers are written out, others to two digits.

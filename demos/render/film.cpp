@@ -10,6 +10,8 @@
 #include "bullet_ext/btDelassusConstraintSolver.h"
 #include "demos/render/marks.h"
 #include "demos/scenes/judge.h"
+#include "demos/scenes/measures.h"
+#include "demos/scenes/statistics.h"
 #include "demos/scenes/timed_solver.h"
 
 namespace demos::render {
@@ -73,6 +75,7 @@ std::vector<Frame::Pose> poses(World& world, Cast& cast) {
   const btCollisionObjectArray& objects = world.dynamics().getCollisionObjectArray();
   for (int i = 0; i < objects.size(); ++i) {
     const btCollisionObject& object = *objects[i];
+    if (!toMatrix(object.getWorldTransform()).allFinite()) continue;  // it is nowhere
     btVector3 low, high;
     object.getCollisionShape()->getAabb(object.getWorldTransform(), low, high);
     all.push_back({cast.thingOf(object), toMatrix(object.getWorldTransform()), toDouble(low),
@@ -81,11 +84,14 @@ std::vector<Frame::Pose> poses(World& world, Cast& cast) {
   return all;
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+/// Drops the marks that are nowhere, with the bodies of a lost world.
+template <class Mark>
+std::vector<Mark> thatAreSomewhere(std::vector<Mark> marks) {
+  const auto nowhere = [](const Mark& mark) {
+    return !mark.place.allFinite() || !mark.force.allFinite();
+  };
+  marks.erase(std::remove_if(marks.begin(), marks.end(), nowhere), marks.end());
+  return marks;
 }
 
 /// By our solver's own report, or by the judge of the others. Nothing if nothing was solved: all sleep, or nothing touches.
@@ -136,11 +142,13 @@ Film record(World& world, NamedSolver& named, double hz, const std::vector<doubl
     frame.time = double(step) / hz;
     frame.poses = poses(world, cast);
     if (step > 0) {
-      frame.contacts = contactMarks(world, watch, 1 / hz);
-      frame.joints = jointMarks(world);
+      frame.contacts = thatAreSomewhere(contactMarks(world, watch, 1 / hz));
+      frame.joints = thatAreSomewhere(jointMarks(world));
       frame.residual = residual(named, judged.takeVerdict());
     }
-    frame.ropes = ropes(world);
+    frame.lost = !isFinite(world);
+    for (const Rope& rope : ropes(world))
+      if (rope.body.allFinite() && rope.end.allFinite()) frame.ropes.push_back(rope);
     frame.milliseconds = median(milliseconds);
     film.frames.push_back(std::move(frame));
   }

@@ -62,7 +62,8 @@ struct Frame {
   std::vector<Rope> ropes;
   std::optional<double>
       residual;  ///< natural residual of the last step, largest, m/s; none if nothing was solved
-  double milliseconds = 0;  ///< solveGroup, median of the steps so far
+  double milliseconds = 0;  ///< solveGroup, median of the steps so far; NaN before the first
+  bool lost = false;  ///< a body is nowhere, its pose or velocity not a number: it is not shown
 };
 
 /// What pictures of one run are made from: values only, good without the world.

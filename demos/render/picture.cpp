@@ -34,17 +34,33 @@ std::string inSeconds(double time) {
 void requireOpenGl() { const GlContext context; }
 
 std::string solverInWords(const std::string& name) {
-  const std::size_t colon = name.find(':');
-  const std::string method = name.substr(0, colon);
-  const std::string setting = colon == std::string::npos ? "" : name.substr(colon + 1);
-  const std::string sweeps = setting.empty() ? "" : ", " + setting + " sweeps";
-  if (method == "delassus") return "Delassus' regions" + (setting.empty() ? "" : " to " + setting);
+  const std::size_t mark = std::min(name.find_first_of(":/"), name.size());
+  const std::string method = name.substr(0, mark);
+  const std::string setting = mark < name.size() ? name.substr(mark + 1) : "";
+  const std::string sweeps = ", " + setting + " sweeps";
+  if (method == "delassus") {
+    if (setting.empty()) return "Delassus' regions";
+    return name[mark] == '/' ? "Delassus' regions, budget of " + setting + " sweeps an island"
+                             : "Delassus' regions to " + setting;
+  }
   if (method == "si") return "stock Bullet, sequential impulses" + sweeps;
   if (method == "si2") return "stock Bullet, sequential impulses, two friction directions" + sweeps;
   if (method == "nncg") return "stock Bullet, NNCG" + sweeps;
-  if (method == "dantzig") return "stock Bullet, MLCP by Dantzig";
+  if (method == "pgs") return "stock Bullet, projected Gauss-Seidel" + sweeps;
   if (method == "lemke") return "stock Bullet, MLCP by Lemke";
-  return "stock Bullet, projected Gauss-Seidel" + sweeps;
+  if (method == "dantzig")
+    return "stock Bullet, MLCP by Dantzig" + (setting.empty() ? "" : ", CFM " + setting);
+  return "";
+}
+
+std::string factsInWords(const Frame& frame, bool timing) {
+  std::string facts = inSeconds(frame.time);
+  if (frame.lost)
+    facts += "    LOST: a body is nowhere, its place not a number";
+  else if (frame.residual)
+    facts += "    residual " + readable(*frame.residual) + " m/s";
+  if (timing && frame.time > 0) facts += "    " + readable(frame.milliseconds) + " ms a step";
+  return facts;
 }
 
 Studio::Layout Studio::layOut(const Look& look, int films, int columns) {
@@ -76,7 +92,7 @@ Studio::Studio(std::vector<Film> films, const Wish& wish, const Look& look, int 
       layout_(layOut(look, int(films.size()), columns)),
       stage_(stage(films)),
       view_(frameView(films, stage_, wish, layout_.panel)),
-      scale_(arrowScale(films, view_, layout_.panel)),
+      scale_(markScale(films, view_, layout_.panel)),
       painter_(layout_.panel),
       regular_(false),
       bold_(true) {
@@ -121,9 +137,7 @@ void Studio::drawCaption(Image& picture, const Film& film, const Frame& frame, P
     regular_.draw(picture, words, Point(nameEnd + 10 * unit, line.y()),
                   fitted(regular_, words, 14 * unit, left), {palette::paleInk});
 
-  std::string facts = inSeconds(frame.time);
-  if (frame.residual) facts += "    residual " + readable(*frame.residual) + " m/s";
-  if (look_.timing && frame.time > 0) facts += "    " + readable(frame.milliseconds) + " ms a step";
+  const std::string facts = factsInWords(frame, look_.timing);
   line.y() += 20 * unit;
   regular_.draw(picture, facts, line, fitted(regular_, facts, 14 * unit, room), {palette::ink});
 }

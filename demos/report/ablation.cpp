@@ -9,6 +9,7 @@
 #include "demos/report/part.h"
 #include "demos/report/step_problem.h"
 #include "demos/scenes/catalogue.h"
+#include "demos/scenes/statistics.h"
 #include "demos/scenes/step_totals.h"
 #include "demos/scenes/timed_solver.h"
 #include "demos/table.h"
@@ -39,13 +40,6 @@ const std::vector<Economy> economies{
     {"events", &Economies::events, "contact events though nobody listens"},
     {"storage", &Economies::storage, "memory is let go after each step"}};
 
-double medianOf(std::vector<double> values) {
-  if (values.empty()) return std::nan("");
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Our solver without one economy, or with all of them, and what it took.
 class Variant {
  public:
@@ -68,7 +62,7 @@ class Variant {
     milliseconds_.push_back(1e3 * timed_.takeSeconds());
     totals_.add(solver_.delassus()->report());
   }
-  void noteDifference(double difference) { difference_ = std::max(difference_, difference); }
+  void noteDifference(double difference) { difference_ = largerOf(difference_, difference); }
 
   /// Of each step, ms.
   const std::vector<double>& milliseconds() const { return milliseconds_; }
@@ -149,7 +143,7 @@ class Race {
         times.push_back(variant.milliseconds()[k]);
         ratios.push_back(times.back() / all().milliseconds()[k]);
       }
-      numbers.insert(numbers.end(), {double(times.size()), medianOf(times), medianOf(ratios)});
+      numbers.insert(numbers.end(), {double(times.size()), median(times), median(ratios)});
     }
     const StepTotals& totals = variant.totals();
     numbers.insert(numbers.end(),

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -49,6 +50,13 @@ void limitMemory([[maybe_unused]] double bytes) {
 #endif
 }
 
+/// In a process that was just started: it gets `signal` when its parent ends, in whatever way.
+void dieWith(pid_t parent, int signal) {
+  prctl(PR_SET_PDEATHSIG, signal);
+  // The parent may have ended before that.
+  if (getppid() != parent) _exit(1);
+}
+
 /// The life of the copy. Nothing of this process may run at its end: no destructors, no flushing of streams.
 [[noreturn]] void workAndLeave(const std::function<std::vector<double>()>& work, double bytes,
                                int out) {
@@ -92,9 +100,10 @@ struct Pipe {
 
 /// Starts `command` with both outputs to `out`.
 pid_t startCommand(const std::vector<std::string>& command, int out) {
-  const pid_t child = fork();
+  const pid_t parent = getpid(), child = fork();
   if (child < 0) throw std::runtime_error("no process for '" + command.front() + "'");
   if (child > 0) return child;
+  dieWith(parent, SIGTERM);
   dup2(out, STDOUT_FILENO);
   dup2(out, STDERR_FILENO);
   std::vector<char*> words;
@@ -121,9 +130,10 @@ std::string toString(Ending ending) {
 ApartResult runApart(const std::function<std::vector<double>()>& work, const Limits& limits) {
   const auto start = std::chrono::steady_clock::now();
   const Pipe pipe;
-  const pid_t child = fork();
+  const pid_t parent = getpid(), child = fork();
   if (child < 0) throw std::runtime_error("no process for work apart");
   if (child == 0) {
+    dieWith(parent, SIGKILL);
     close(pipe.ends[0]);
     workAndLeave(work, limits.bytes, pipe.ends[1]);
   }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "demos/report/csv.h"
+#include "demos/scenes/statistics.h"
 
 namespace demos::report {
 
@@ -34,7 +35,7 @@ void add(Sums& sums, const CsvTable& table, int row, double floor) {
   const double error = table.number(row, "error");
   // A motion that is no number is as wrong as can be.
   sums.error = std::isfinite(error) ? std::max({sums.error, error, floor}) : INFINITY;
-  sums.residual = std::max(sums.residual, table.number(row, "residual_max"));
+  sums.residual = largerOf(sums.residual, table.number(row, "residual_max"));
   sums.wrong += table.number(row, "wrong_modes");
   sums.solve += table.number(row, "solve_seconds");
   sums.around += table.number(row, "around_seconds");
@@ -86,7 +87,7 @@ SceneView readSceneView(const std::filesystem::path& file, const std::string& sc
     const double floor = std::max(agreement, roundOffFloor);
     phases.insert(phase);
     result.floor = std::max(result.floor, floor);
-    result.residual = std::max(result.residual, table.number(row, "certificate_residual"));
+    result.residual = largerOf(result.residual, table.number(row, "certificate_residual"));
     result.contacts = std::max(result.contacts, int(table.number(row, "contacts")));
     result.rows = std::max(result.rows, int(table.number(row, "rows")));
 

@@ -98,7 +98,9 @@ void writeFile(const std::filesystem::path& file, const std::string& text) {
   out.close();
   std::error_code error;
   if (out) std::filesystem::rename(unfinished, file, error);
-  if (!out || error) throw std::runtime_error("cannot write '" + file.string() + "'");
+  if (out && !error) return;
+  std::filesystem::remove(unfinished, error);
+  throw std::runtime_error("cannot write '" + file.string() + "'");
 }
 
 std::string readFile(const std::filesystem::path& file) {

@@ -195,11 +195,13 @@ void writeAxis(std::ostream& script, char axis, const Range& range, bool log,
 void writePanel(std::ostream& script, const Figure& figure, std::size_t index) {
   const Panel& panel = figure.panels[index];
   const Axes axes = axesOf(figure, panel);
+  script << "set title " << literal(panel.title) << " noenhanced\n";
   if (axes.empty()) {
-    script << "set multiplot next\n";
+    script << "unset logscale\nunset xlabel\nunset ylabel\nset xrange [0:1]\nset yrange [0:1]\n"
+           << "unset label\nunset arrow\nunset object\nunset xtics\nunset ytics\n"
+           << "set label \"nothing to show\" at graph 0.5, graph 0.5 center\nplot NaN\n";
     return;
   }
-  script << "set title " << literal(panel.title) << " noenhanced\n";
   writeAxis(script, 'x', axes.x, panel.logX, panel.xLabel);
   writeAxis(script, 'y', axes.y, panel.logY, panel.yLabel);
   script << "unset label\nunset arrow\nunset object\n";
@@ -311,13 +313,23 @@ std::string draw(const Figure& figure, const std::filesystem::path& folder,
 
 std::string drawScript(const std::string& script, const std::filesystem::path& folder,
                        const std::string& name) {
+  // Neither an older picture nor half a one may pass for this one.
+  const auto removePictures = [&] {
+    for (const char* kind : {".svg", ".png"}) std::filesystem::remove(folder / (name + kind));
+  };
+  removePictures();
   writeFile(folder / (name + ".gp"), script);
   const CommandResult drawn =
       callCommand({"env", "--chdir=" + folder.string(), "gnuplot", name + ".gp"});
+  if (drawn.status == 0) return "";
+  removePictures();
   if (drawn.status == 127)
     return "gnuplot is missing: no pictures, only data (apt-get install gnuplot-nox)";
-  if (drawn.status != 0) return "gnuplot cannot draw " + name + ".gp: " + drawn.text;
-  return "";
+  return "gnuplot cannot draw " + name + ".gp: " + drawn.text;
+}
+
+void addFault(std::string& faults, const std::string& fault) {
+  if (!fault.empty() && faults.find(fault) == std::string::npos) faults += fault + "\n\n";
 }
 
 }  // namespace demos::report

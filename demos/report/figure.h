@@ -45,6 +45,9 @@ std::string draw(const Figure& figure, const std::filesystem::path& folder,
 std::string drawScript(const std::string& script, const std::filesystem::path& folder,
                        const std::string& name);
 
+/// Adds what `draw` returned to `faults`, each a paragraph, and each once.
+void addFault(std::string& faults, const std::string& fault);
+
 /// Columns for that many small panels: about square, at most four.
 int panelColumns(std::size_t panels);
 

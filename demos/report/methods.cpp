@@ -6,6 +6,7 @@
 #include "bullet_ext/btDelassusConstraintSolver.h"
 #include "demos/report/memory_peak.h"
 #include "demos/scenes/judge.h"
+#include "demos/scenes/statistics.h"
 #include "demos/scenes/timed_solver.h"
 
 namespace demos::report {
@@ -88,16 +89,12 @@ std::vector<double> solveRepeatedly(const Method& method, const CapturedStep& st
     spent += seconds.back();
   }
   if (seconds.empty()) seconds.push_back(firstSeconds);
-  std::sort(seconds.begin(), seconds.end());
-  const auto quantile = [&seconds](double share) {
-    return seconds[std::size_t(share * double(seconds.size() - 1) + 0.5)];
-  };
 
   delassus::StepReport report;
   if (named.delassus() != nullptr) report = named.delassus()->report();
-  std::vector<double> numbers{quantile(0.5),
-                              quantile(0.25),
-                              quantile(0.75),
+  std::vector<double> numbers{median(seconds),
+                              quantile(seconds, 0.25),
+                              quantile(seconds, 0.75),
                               double(seconds.size()),
                               verdict.max,
                               verdict.rms(),

@@ -8,6 +8,7 @@
 #include "demos/report/part.h"
 #include "demos/scenes/catalogue.h"
 #include "demos/scenes/measures.h"
+#include "demos/scenes/statistics.h"
 #include "demos/scenes/timed_solver.h"
 #include "demos/table.h"
 
@@ -54,30 +55,27 @@ std::vector<double> live(const SceneDescription& scene, const Method& method, in
   TimedSolver timed(named.solver());
   world->setSolver(timed);
   const Drift drift(*world);
-  const double energy = kineticEnergy(*world) + potentialEnergy(*world);
+  const double energy = totalEnergy(*world);
 
   double drifted = 0, overlap = 0, gain = 0, joints = 0;
   std::vector<double> milliseconds, reactions;
   for (int i = 0; i < steps; ++i) {
     world->step(1 / scene.hz);
     milliseconds.push_back(1e3 * timed.takeSeconds());
-    drifted = std::max(drifted, drift.largest());
-    overlap = std::max(overlap, deepestPenetration(world->dynamics()));
-    joints = std::max(joints, largestJointError(world->dynamics()));
-    gain = std::max(gain, kineticEnergy(*world) + potentialEnergy(*world) - energy);
+    drifted = largerOf(drifted, drift.largest());
+    overlap = largerOf(overlap, deepestPenetration(world->dynamics()));
+    joints = largerOf(joints, largestJointError(world->dynamics()));
+    gain = largerOf(gain, totalEnergy(*world) - energy);
+    // What is left of a lost world says nothing.
+    if (!isFinite(*world)) drifted = overlap = joints = gain = std::nan("");
     // The second half: the first may be an impact.
     if (2 * i >= steps) reactions.push_back(reactionOverWeight(*world, 1 / scene.hz));
     if (std::chrono::duration<double>(Clock::now() - start).count() > secondsLimit) break;
   }
   world->setSolver(named.solver());
-  const double done = double(milliseconds.size());
-  std::sort(milliseconds.begin(), milliseconds.end());
-  const auto quantile = [&](double share) {
-    return milliseconds[std::size_t(share * (done - 1) + 0.5)];
-  };
-  return {done,
-          quantile(0.5),
-          quantile(0.95),
+  return {double(milliseconds.size()),
+          median(milliseconds),
+          quantile(milliseconds, 0.95),
           drifted,
           overlap,
           gain,
@@ -149,8 +147,10 @@ Figure figureOf(const SceneDescription& scene, const CsvTable& table) {
 }
 
 std::string stands(const SceneDescription& scene, const CsvTable& table, int row) {
+  const double drift = table.number(row, "drift");
+  if (std::isnan(drift)) return "**lost: not a number**";
   if (!shouldStand(scene)) return "";
-  return table.number(row, "drift") < fallen ? "stands" : "**falls**";
+  return drift < fallen ? "stands" : "**falls**";
 }
 
 std::string tableOf(const SceneDescription& scene, const CsvTable& table) {
@@ -183,8 +183,7 @@ Words writeOwnTrajectory(const Plan& plan, const std::filesystem::path& report) 
     if (!std::filesystem::exists(folder / (name + ".csv"))) continue;
     const SceneDescription& scene = findScene(name);
     const CsvTable table = CsvTable::read(folder / (name + ".csv"));
-    const std::string fault = draw(figureOf(scene, table), folder, name);
-    if (!fault.empty()) trouble = fault + "\n\n";
+    addFault(trouble, draw(figureOf(scene, table), folder, name));
     words.body += "### " + name + ", own trajectory\n\nWhat it should do: " + scene.expectation +
                   ".\n\n" + picture(folderName, name, "own trajectory, " + name) +
                   tableOf(scene, table);

@@ -1,27 +1,45 @@
 #include "demos/report/part.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "demos/progress_bar.h"
 #include "demos/report/child.h"
+#include "demos/subject.h"
 
 namespace demos::report {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+fs::path fileOf(const fs::path& folder, const Part& part, const Unit& unit) {
+  return folder / part.name / (unit.file + ".csv");
+}
+
+}  // namespace
+
+void removeMeasures(const fs::path& folder, const std::vector<Part>& parts) {
+  for (const Part& part : parts)
+    for (const Unit& unit : part.units) fs::remove(fileOf(folder, part, unit));
+}
+
 void stamp(const fs::path& folder, const std::string& command, bool resume,
            const std::vector<Part>& parts) {
   const fs::path file = folder / "command.txt";
-  const std::string text = command + '\n';
-  if (resume && fs::exists(file) && readFile(file) != text) {
-    std::string made = readFile(file);
-    made.pop_back();
-    throw std::runtime_error("'" + folder.string() + "' was begun by '" + made +
+  const std::string text = command + "\nin " + precisionName() + " precision\n";
+  const std::string made = fs::exists(file) ? readFile(file) : "";
+  if (!made.empty() && made.rfind("delassus report", 0) != 0)
+    throw std::runtime_error("'" + file.string() +
+                             "' is not of a report: it needs a folder of its own");
+  if (resume && !made.empty() && made != text) {
+    std::string line = made.substr(0, made.find_last_not_of('\n') + 1);
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    throw std::runtime_error("'" + folder.string() + "' was begun by '" + line +
                              "': only the same report can go on");
   }
   // Measures of an earlier report must not pass for those of this one.
-  if (!resume && fs::exists(file))
-    for (const Part& part : parts) fs::remove_all(folder / part.name);
+  if (!resume) removeMeasures(folder, parts);
   for (const Part& part : parts) fs::create_directories(folder / part.name);
   writeFile(file, text);
 }
@@ -32,7 +50,7 @@ int measure(const std::vector<Part>& parts, const fs::path& folder) {
   for (const Part& part : parts) total += int(part.units.size());
   for (const Part& part : parts)
     for (const Unit& unit : part.units) {
-      const fs::path file = folder / part.name / (unit.file + ".csv");
+      const fs::path file = fileOf(folder, part, unit);
       if (!fs::exists(file)) {
         ProgressBar bar(std::to_string(done + 1) + "/" + std::to_string(total) + " " + part.name +
                         " " + unit.file);

@@ -37,8 +37,11 @@ Part timeStepPart(const Plan& plan);
 Part scalingPart(const Plan& plan);
 Part ablationPart(const Plan& plan);
 
-/// Notes in the folder what command its data are made by: what is to go on must be the same. Empties the parts' folders
-/// unless it is to go on.
+/// Removes the CSV files of these parts; whatever else is in their folders stays.
+void removeMeasures(const std::filesystem::path& folder, const std::vector<Part>& parts);
+
+/// Notes in the folder what command its data are made by, and in what precision: what is to go on must be the same. Removes the parts'
+/// measures unless it is to go on. Throws where the note is somebody else's file.
 void stamp(const std::filesystem::path& folder, const std::string& command, bool resume,
            const std::vector<Part>& parts);
 

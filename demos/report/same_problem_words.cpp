@@ -194,8 +194,7 @@ std::string sceneSection(const SceneView& cold, const SceneView& warm,
       excludedLine(warm.excluded.size() > cold.excluded.size() ? warm : cold);
   if (!excluded.empty()) text += " Not in the picture: " + excluded + ".";
   text += " Data: [" + cold.scene + ".csv](" + folderName + "/" + cold.scene + ".csv).\n\n";
-  const std::string fault = draw(sceneFigure(cold, warm), folder, cold.scene);
-  if (!fault.empty()) trouble = fault;
+  addFault(trouble, draw(sceneFigure(cold, warm), folder, cold.scene));
   return text + picture(folderName, cold.scene, "error against time, " + cold.scene);
 }
 
@@ -205,7 +204,8 @@ Words writeSameProblem(const Plan& plan, const std::filesystem::path& report) {
                                warm = readSceneViews(folder, plan.scenes, "warm");
   if (cold.empty()) return {};
 
-  std::string trouble = draw(overviewFigure(warm), folder, "overview");
+  std::string trouble;
+  addFault(trouble, draw(overviewFigure(warm), folder, "overview"));
   Words words;
   words.front =
       "## Who reaches which error in which time\n\n"
@@ -249,7 +249,7 @@ Words writeSameProblem(const Plan& plan, const std::filesystem::path& report) {
       certificateTable(cold);
   for (std::size_t i = 0; i < cold.size(); ++i)
     words.body += sceneSection(cold[i], warm[i], folder, trouble);
-  if (!trouble.empty()) words.front += trouble + "\n\n";
+  words.front += trouble;
   return words;
 }
 

@@ -165,8 +165,7 @@ Words writeScaling(const Plan& plan, const std::filesystem::path& report) {
     Figure figure;
     figure.title = growing.name + ", one step from cold: cost against size";
     figure.panels = {panelOf(data, plan, false, "time"), panelOf(data, plan, true, "memory")};
-    const std::string fault = draw(figure, folder, growing.name);
-    if (!fault.empty()) trouble = fault + "\n\n";
+    addFault(trouble, draw(figure, folder, growing.name));
     MarkdownTable table(
         {"solver", "largest done, contacts", "its time, ms", "its residual, m/s", "then"});
     for (const Method& method : plan.scalingMethods) {

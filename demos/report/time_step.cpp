@@ -10,6 +10,7 @@
 #include "demos/scenes/builders.h"
 #include "demos/scenes/catalogue.h"
 #include "demos/scenes/measures.h"
+#include "demos/scenes/statistics.h"
 #include "demos/table.h"
 
 namespace demos::report {
@@ -64,15 +65,15 @@ std::vector<KnownMotion> knownMotions() {
              const double angle = frictionAngle() + (i == 0 ? -degree : degree);
              const double way =
                  (world.movableBodies()[i]->getWorldTransform().getOrigin() - from[i]).length();
-             worst = std::max(worst, std::abs(way - inclineWay(1, angle, usualFriction)));
+             worst = largerOf(worst, std::abs(way - inclineWay(1, angle, usualFriction)));
            }
            return worst;
          };
        }});
   known.push_back({"newton_cradle", "J", "energy lost or gained", 2, [](const World& start) {
-                     const double energy = kineticEnergy(start) + potentialEnergy(start);
+                     const double energy = totalEnergy(start);
                      return [energy](const World& world) {
-                       return std::abs(kineticEnergy(world) + potentialEnergy(world) - energy);
+                       return std::abs(totalEnergy(world) - energy);
                      };
                    }});
   return known;

@@ -9,6 +9,7 @@
 #include "delassus/island.h"
 #include "delassus/residual.h"
 #include "demos/scenes/measures.h"
+#include "demos/scenes/statistics.h"
 
 namespace demos {
 
@@ -67,7 +68,7 @@ void JudgedSolver::afterGroup(const GroupArguments& arguments) {
 
     const NaturalResidual residual = naturalResidual(problem, r);
     const long count = problem.contacts() + problem.rows();
-    verdict_.max = std::max(verdict_.max, residual.max);
+    verdict_.max = largerOf(verdict_.max, residual.max);
     verdict_.sumOfSquares += residual.rms * residual.rms * double(count);
     verdict_.count += count;
   }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "demos/scenes/statistics.h"
+
 namespace demos {
 
 namespace {
@@ -109,14 +111,14 @@ double jointError(const btTypedConstraint& joint) {
 double largestJointError(const btDiscreteDynamicsWorld& world) {
   double largest = 0;
   for (int i = 0; i < world.getNumConstraints(); ++i)
-    largest = std::max(largest, jointError(*world.getConstraint(i)));
+    largest = largerOf(largest, jointError(*world.getConstraint(i)));
   return largest;
 }
 
 double deepestPenetration(const btDiscreteDynamicsWorld& world) {
   double deepest = 0;
   forEachPoint(world, [&](const btPersistentManifold&, const btManifoldPoint& point) {
-    deepest = std::max(deepest, -double(point.getDistance()));
+    deepest = largerOf(deepest, -double(point.getDistance()));
   });
   return deepest;
 }
@@ -139,6 +141,23 @@ double potentialEnergy(const World& world) {
     energy -= double(body->getGravity().dot(body->getWorldTransform().getOrigin())) /
               double(body->getInvMass());
   return energy;
+}
+
+double totalEnergy(const World& world) { return kineticEnergy(world) + potentialEnergy(world); }
+
+bool isFinite(const World& world) {
+  const auto finite = [](const btVector3& v) {
+    return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
+  };
+  for (const btRigidBody* body : world.movableBodies()) {
+    const btTransform& pose = body->getWorldTransform();
+    if (!finite(pose.getOrigin()) || !finite(body->getLinearVelocity()) ||
+        !finite(body->getAngularVelocity()))
+      return false;
+    for (int i = 0; i < 3; ++i)
+      if (!finite(pose.getBasis()[i])) return false;
+  }
+  return true;
 }
 
 double reactionOverWeight(const World& world, double timeStep) {
@@ -209,7 +228,7 @@ Drift::Drift(const World& world) : bodies_(world.movableBodies()) {
 double Drift::largest() const {
   double largest = 0;
   for (std::size_t i = 0; i < bodies_.size(); ++i)
-    largest = std::max(largest,
+    largest = largerOf(largest,
                        double((bodies_[i]->getWorldTransform().getOrigin() - start_[i]).length()));
   return largest;
 }

@@ -19,6 +19,12 @@ double deepestPenetration(const btDiscreteDynamicsWorld& world);
 double kineticEnergy(const World& world);
 /// −m g·x of all bodies, J; forces of gravity are those of each body.
 double potentialEnergy(const World& world);
+/// Both, J.
+double totalEnergy(const World& world);
+
+/// Whether poses and velocities of all movable bodies are numbers. Where they are not, the world is lost: contacts are found no more, and
+/// nothing that is measured on what is left says anything.
+bool isFinite(const World& world);
 
 /// What the immovable bodies carried of the weight in the last step: Σ reactions along −G over |G|, G the weight of all
 /// movable bodies. 1 at rest. Zero in a world without weight.

@@ -7,19 +7,12 @@
 
 #include "bullet_ext/btDelassusConstraintSolver.h"
 #include "demos/scenes/judge.h"
+#include "demos/scenes/statistics.h"
 #include "demos/scenes/timed_solver.h"
 
 namespace demos {
 
 namespace {
-
-/// The value below which the fraction `share` of `values` lies.
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  const std::size_t place = std::min(values.size() - 1, std::size_t(share * double(values.size())));
-  std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(place), values.end());
-  return values[place];
-}
 
 /// The residual of a step, by our solver's own report or by the judge of the others.
 class StepJudge {
@@ -103,23 +96,32 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
     world.step(1 / settings.hz);
 
     milliseconds.push_back(1e3 * timed.takeSeconds());
-    const Verdict now = judge.takeVerdict();
+    Verdict now = judge.takeVerdict();
+    if (!isFinite(world)) {
+      // Lost bodies are left out of contacts and of the problem that is judged: what is left may look sound.
+      ++summary.stepsLost;
+      now.max = now.sumOfSquares = std::nan("");
+      now.count = std::max(now.count, 1L);
+      summary.penetrationMax = summary.jointErrorMax = summary.driftMax = std::nan("");
+      summary.reactionOverWeight = std::nan("");
+      if (settings.law) summary.lawError = std::nan("");
+    }
     summary.stepsAbove += !(now.max <= RunSummary::strict);
     if (step >= settled) {
-      verdict.max = std::max(verdict.max, now.max);
+      verdict.max = largerOf(verdict.max, now.max);
       verdict.sumOfSquares += now.sumOfSquares;
       verdict.count += now.count;
       summary.reactionOverWeight +=
           reactionOverWeight(world, 1 / settings.hz) / (summary.steps - settled);
       if (settings.law)
         summary.lawError =
-            std::max(summary.lawError.value_or(0), settings.law->error(world, 1 / settings.hz));
+            largerOf(summary.lawError.value_or(0), settings.law->error(world, 1 / settings.hz));
     }
     if (summary.regions) count(summary, named.delassus()->report());
     summary.contactsMax = std::max(summary.contactsMax, world.contactCount());
-    summary.penetrationMax = std::max(summary.penetrationMax, deepestPenetration(dynamics));
-    summary.jointErrorMax = std::max(summary.jointErrorMax, largestJointError(dynamics));
-    summary.driftMax = std::max(summary.driftMax, drift.largest());
+    summary.penetrationMax = largerOf(summary.penetrationMax, deepestPenetration(dynamics));
+    summary.jointErrorMax = largerOf(summary.jointErrorMax, largestJointError(dynamics));
+    summary.driftMax = largerOf(summary.driftMax, drift.largest());
     tunnelling.look();
     progress(double(step + 1) / summary.steps);
   }
@@ -131,7 +133,7 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
     summary.modes = writtenModes(dynamics);
   }
   summary.msFirst = milliseconds.front();
-  summary.msMedian = quantile(milliseconds, 0.5);
+  summary.msMedian = median(milliseconds);
   summary.msP95 = quantile(milliseconds, 0.95);
   summary.residualMax = verdict.max;
   summary.residualRms = verdict.rms();

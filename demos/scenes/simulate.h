@@ -24,6 +24,7 @@ int stepsIn(double seconds, double hz);
 /// One solver on one world: what moved, how well the law was kept, what it cost. The keys of `run --json`.
 ///
 /// Residuals and the error of the law are over the last three quarters of the run, residuals in m/s. Times are of solveGroup alone, per step.
+/// Where a world is lost, the residual, the drift and whatever else is measured on lost bodies are NaN.
 struct RunSummary {
   static constexpr double strict = 1e-6;  ///< m/s
 
@@ -34,7 +35,8 @@ struct RunSummary {
   int contactsMax = 0;
   double msFirst = 0, msMedian = 0, msP95 = 0;  ///< msFirst: of the first step, from nothing
   double residualRms = 0, residualMax = 0;
-  int stepsAbove = 0;              ///< of all, those with a residual above `strict`
+  int stepsAbove = 0;              ///< of all, those with a residual above `strict`, or lost
+  int stepsLost = 0;               ///< of all, those that ended with a body that is nowhere
   double penetrationMax = 0;       ///< m, over the run
   int tunnelled = 0;               ///< bodies in or under what cannot move, at the end (measures.h)
   double kineticEnergy = 0;        ///< J, at the end

@@ -1,46 +1,27 @@
 // The atlas as its users meet it: what is written, that it repeats byte for byte, and that theory
 // and Bullet agree in it.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <regex>
-#include <sstream>
-#include <string>
+
+#include "tests/command_call.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string read(const fs::path& path) {
-  std::stringstream bytes;
-  bytes << std::ifstream(path, std::ios::binary).rdbuf();
-  return bytes.str();
-}
+using delassus::test::lines;
+using delassus::test::Outcome;
+using delassus::test::read;
 
-class Atlas : public testing::Test {
+class Atlas : public delassus::test::CommandCall {
  protected:
-  fs::path folder_ =
-      fs::temp_directory_path() / ("delassus_atlas_" + std::to_string(getpid()) +
-                                   testing::UnitTest::GetInstance()->current_test_info()->name());
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  /// Exit status of `delassus atlas --out OUT`; its output is in the files out and err.
-  int draw(const fs::path& out) const {
-    const std::string line = std::string(DELASSUS_COMMAND) + " atlas --out " + out.string() + " >" +
-                             (folder_ / "out").string() + " 2>" + (folder_ / "err").string();
-    const int answer = std::system(line.c_str());
-    EXPECT_TRUE(WIFEXITED(answer));
-    return WEXITSTATUS(answer);
-  }
+  Outcome draw(const fs::path& out) const { return call("atlas --out " + out.string()); }
 };
 
 TEST_F(Atlas, drawsEveryFigureAsVectorsAndPixels) {
-  ASSERT_EQ(draw(folder_ / "atlas"), 0) << read(folder_ / "err");
+  const Outcome outcome = draw(folder_ / "atlas");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
   int files = 0;
   for (const char* figure :
        {"two_contacts", "three_contacts", "rough_contact", "intuition", "moving_load"}) {
@@ -56,8 +37,8 @@ TEST_F(Atlas, drawsEveryFigureAsVectorsAndPixels) {
 }
 
 TEST_F(Atlas, findsBulletWhereTheorySays) {
-  ASSERT_EQ(draw(folder_ / "atlas"), 0) << read(folder_ / "err");
-  const std::string out = read(folder_ / "out");
+  const auto [status, out, err] = draw(folder_ / "atlas");
+  ASSERT_EQ(status, 0) << err;
   const std::regex count("([0-9]+) of ([0-9]+)");
   int counts = 0;
   for (std::sregex_iterator it(out.begin(), out.end(), count), end; it != end; ++it, ++counts)
@@ -72,19 +53,19 @@ TEST_F(Atlas, findsBulletWhereTheorySays) {
 }
 
 TEST_F(Atlas, repeatsByteForByte) {
-  ASSERT_EQ(draw(folder_ / "once"), 0);
-  ASSERT_EQ(draw(folder_ / "twice"), 0);
+  ASSERT_EQ(draw(folder_ / "once").status, 0);
+  ASSERT_EQ(draw(folder_ / "twice").status, 0);
   for (const auto& file : fs::directory_iterator(folder_ / "once"))
     EXPECT_TRUE(read(file.path()) == read(folder_ / "twice" / file.path().filename()))
         << file.path();
 }
 
 TEST_F(Atlas, namesTheFileThatCannotBeWritten) {
-  std::ofstream(folder_ / "file") << "in the way";
-  EXPECT_EQ(draw(folder_ / "file"), 1);
-  const std::string err = read(folder_ / "err");
-  EXPECT_NE(err.find((folder_ / "file").string()), std::string::npos) << err;
-  EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
+  write("file", "in the way");
+  const Outcome outcome = draw(folder_ / "file");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find(file("file")), std::string::npos) << outcome.err;
+  EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
   EXPECT_EQ(read(folder_ / "file"), "in the way");
 }
 

@@ -1,56 +1,23 @@
 // The command as its users meet it: exit status, messages, JSON.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <sys/stat.h>
 
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <string>
-#include <vector>
 
+#include "demos/progress_bar.h"
+#include "tests/command_call.h"
 #include "tests/support/shared_data.h"
 
 namespace {
 
 using nlohmann::json;
 
-struct Outcome {
-  int status;
-  std::string out, err;
-};
+using delassus::test::lines;
+using delassus::test::Outcome;
+using delassus::test::read;
 
-class Command : public testing::Test {
+class Command : public delassus::test::CommandCall {
  protected:
-  std::filesystem::path folder_ = std::filesystem::temp_directory_path() /
-                                  ("delassus_command_" + std::to_string(getpid()) +
-                                   testing::UnitTest::GetInstance()->current_test_info()->name());
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(file(name)) << text;
-    return file(name);
-  }
-  static std::string read(const std::string& path) {
-    std::stringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-  }
-
-  Outcome call(const std::string& arguments) const {
-    const std::string line =
-        std::string(DELASSUS_COMMAND) + " " + arguments + " >" + file("out") + " 2>" + file("err");
-    const int answer = std::system(line.c_str());
-    EXPECT_TRUE(WIFEXITED(answer)) << arguments;
-    return {WEXITSTATUS(answer), read(file("out")), read(file("err"))};
-  }
-
   /// One ball of W = 1 pressed on a plane with friction: the solution is plain.
   std::string easyProblem() const {
     return write("easy.fc3d",
@@ -58,8 +25,6 @@ class Command : public testing::Test {
                  "W\n0 0 1 0 0 0 1 0 0 0 1\nend\n");
   }
 };
-
-int lines(const std::string& text) { return int(std::count(text.begin(), text.end(), '\n')); }
 
 TEST_F(Command, helpsEverywhere) {
   for (const char* sub : {"", "scenes", "run", "render", "report", "solve", "dump", "atlas"}) {
@@ -77,6 +42,26 @@ TEST_F(Command, refusesBadUsageWithTwo) {
     const Outcome outcome = call(bad);
     EXPECT_EQ(outcome.status, 2) << bad;
     EXPECT_FALSE(outcome.err.empty()) << bad;
+  }
+}
+
+TEST_F(Command, namesTheCommandThatIsUnknownAndThoseThatExist) {
+  const Outcome outcome = call("fly one_box");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
+  for (const char* word : {"'fly'", "scenes", "run", "render", "report", "solve", "dump", "atlas"})
+    EXPECT_NE(outcome.err.find(word), std::string::npos) << word << '\n' << outcome.err;
+}
+
+TEST_F(Command, lostOutputIsAFailure) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  for (const char* arguments : {"run one_box --seconds 0.1", "scenes", "run --help"}) {
+    const std::string line =
+        std::string(DELASSUS_COMMAND) + " " + arguments + " >/dev/full 2>" + file("said");
+    const int answer = std::system(line.c_str());
+    ASSERT_TRUE(WIFEXITED(answer));
+    EXPECT_EQ(WEXITSTATUS(answer), 1) << arguments;
+    EXPECT_EQ(lines(read(file("said"))), 1) << read(file("said"));
   }
 }
 
@@ -114,21 +99,26 @@ TEST_F(Command, namesAFileThatCannotBeRead) {
   }
 }
 
+// A pipe would be waited for without end.
+TEST_F(Command, refusesWhatIsNoRegularFile) {
+  ASSERT_EQ(mkfifo(file("pipe.bullet").c_str(), 0600), 0);
+  const Outcome outcome = call("run " + file("pipe.bullet"), "timeout 20");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find(file("pipe.bullet") + ": is not a regular file"), std::string::npos)
+      << outcome.err;
+}
+
 /// What a damaged file breaks may break at any later time.
 TEST_F(Command, blamesACrashOnTheFile) {
   const std::vector<std::filesystem::path> worlds =
       delassus::test::sharedFiles("worlds", {".bullet"});
   if (worlds.empty()) GTEST_SKIP() << delassus::test::noSharedFolder;
   const std::string path = worlds.front();
-  const std::string line = "timeout --preserve-status --signal=SEGV 0.5 " DELASSUS_COMMAND
-                           " run --seconds 1e4 " +
-                           path + " >" + file("out") + " 2>" + file("err");
-  const int answer = std::system(line.c_str());
-  ASSERT_TRUE(WIFEXITED(answer));
-  EXPECT_EQ(WEXITSTATUS(answer), 1);
-  const std::string error = read(file("err"));
-  EXPECT_NE(error.find(path + ": crashes"), std::string::npos) << error;
-  EXPECT_EQ(lines(error), 1) << error;
+  const Outcome crash =
+      call("run --seconds 1e4 " + path, "timeout --preserve-status --signal=SEGV 0.5");
+  EXPECT_EQ(crash.status, 1);
+  EXPECT_NE(crash.err.find(path + ": crashes"), std::string::npos) << crash.err;
+  EXPECT_EQ(lines(crash.err), 1) << crash.err;
 }
 
 TEST_F(Command, explainsWhatAStepIsMadeOf) {
@@ -244,6 +234,27 @@ TEST_F(Command, tellsHowFarASceneIsFromItsLaw) {
   EXPECT_EQ(json::parse(lawless.out).count("law_error"), 0U);
 }
 
+// NNCG loses the ragdolls at once. What is left of such a world moves no more and touches nothing.
+TEST_F(Command, callsALostWorldLost) {
+  const std::string arguments = "run ragdolls --solver nncg:1000,delassus --seconds 0.1";
+  const Outcome outcome = call(arguments + " --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::istringstream out(outcome.out);
+  for (const bool lost : {true, false}) {
+    std::string line;
+    ASSERT_TRUE(std::getline(out, line));
+    const json run = json::parse(line);
+    EXPECT_EQ(run["finite"], !lost);
+    EXPECT_EQ(run["steps_lost"] > 0, lost);
+    EXPECT_EQ(run["steps_above_1e-6"], run["steps_lost"]);
+    for (const char* key : {"residual_max", "residual_rms", "drift_max_m", "joint_error_max_m"})
+      EXPECT_EQ(run[key].is_null(), lost) << key;
+  }
+  const Outcome table = call(arguments);
+  EXPECT_NE(table.out.find("nncg:1000: the world is lost: "), std::string::npos) << table.out;
+  EXPECT_EQ(table.out.find("delassus: the world is lost"), std::string::npos) << table.out;
+}
+
 TEST_F(Command, comparesSolversInOneTable) {
   const Outcome outcome = call("run one_box --solver delassus,si:10 --seconds 0.2");
   EXPECT_EQ(outcome.status, 0);
@@ -272,6 +283,45 @@ TEST_F(Command, solvesAProblem) {
   EXPECT_EQ(solved["status"], "solved");
   EXPECT_LE(solved["vel"].get<double>(), 1e-8);
   EXPECT_EQ(read(file("solution")).rfind("solution v1\n", 0), 0U);
+}
+
+TEST_F(Command, doesNotWriteOverItsInput) {
+  const std::string problem = easyProblem(), before = read(problem);
+  std::filesystem::create_symlink(problem, file("link"));
+  for (const std::string& solution : {problem, file("link"), folder_.string() + "/./easy.fc3d"}) {
+    const Outcome outcome = call("solve " + problem + " --solution " + solution);
+    EXPECT_EQ(outcome.status, 2) << solution;
+    EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find(solution), std::string::npos) << outcome.err;
+    EXPECT_EQ(read(problem), before);
+  }
+
+  // Worlds are told by their name, or by how Bullet's files begin.
+  write("world.bullet", "somebody's");
+  write("world", "BULLETd_v287...");
+  write("many-3.bullet", "somebody's");
+  for (const auto& [scene, out] :
+       {std::pair("one_box", "world.bullet"), std::pair("one_box", "world"),
+        std::pair("box_headings", "many.bullet")}) {
+    const Outcome outcome = call(std::string("dump ") + scene + " --at 0 --out " + file(out));
+    EXPECT_EQ(outcome.status, 2) << out;
+    EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
+  }
+  EXPECT_EQ(read(file("world.bullet")), "somebody's");
+  EXPECT_EQ(read(file("many-3.bullet")), "somebody's");
+  EXPECT_FALSE(std::filesystem::exists(file("many-0.bullet"))) << "nothing or all of it";
+  EXPECT_EQ(call("dump one_box --at 0 --out " + file("new.fc3d")).status, 0);
+  EXPECT_EQ(call("dump one_box --at 0 --out " + file("new.fc3d")).status, 0) << "its own, again";
+}
+
+// Names are bytes; JSON is UTF-8.
+TEST_F(Command, tellsAnyNameInJson) {
+  const std::string problem = easyProblem();
+  std::string text = read(problem);
+  text.replace(text.find("easy"), 4, "e\xe4sy");
+  const Outcome outcome = call("solve " + write("odd.fc3d", text) + " --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(json::parse(outcome.out)["name"], "e\xef\xbf\xbdsy");
 }
 
 TEST_F(Command, endsWithThreeAboveTheTolerance) {
@@ -321,11 +371,27 @@ TEST_F(Command, dumpsAnIslandAFile) {
   ASSERT_EQ(dumped.status, 0) << dumped.err;
   for (int i = 0; i < 12; ++i)
     EXPECT_TRUE(std::filesystem::exists(file("box-" + std::to_string(i) + ".fc3d"))) << i;
-  EXPECT_EQ(call("dump bead_under_plane --at 0.9 --out " + file("none")).status, 1)
-      << "no contact, nothing to write";
+  const Outcome free = call("dump bead_under_plane --at 0.9 --out " + file("none"));
+  EXPECT_EQ(free.status, 1);
+  EXPECT_NE(free.err.find("nothing touches"), std::string::npos) << free.err;
   const Outcome rolling = call("dump rolling_balls --at 0 --out " + file("ball.fc3d"));
   EXPECT_EQ(rolling.status, 1);
   EXPECT_NE(rolling.err.find("island 4 has rolling or spinning friction"), std::string::npos);
+}
+
+TEST(ProgressLine, fitsIntoItsTerminal) {
+  using demos::progressLine;
+  EXPECT_EQ(progressLine("one_box si:10", 0.5, 200),
+            "one_box si:10 [" + std::string(20, '#') + std::string(20, ' ') + "]  50 %");
+  const std::string name = "12/480 own_trajectory stack_10_heavy_top \u00b5";
+  for (std::size_t columns = 1; columns < 120; ++columns)
+    for (const double fraction : {0.0, 0.37, 1.0}) {
+      const std::string line = progressLine(name, fraction, columns);
+      EXPECT_LT(line.size(), columns + (columns == 0)) << columns;
+      EXPECT_TRUE(columns < 20 || line.find(" %") != std::string::npos) << columns << line;
+    }
+  // Letters of several bytes are kept whole.
+  EXPECT_EQ(progressLine("\u00b5\u00b5\u00b5", 0, 4), "\u00b5");
 }
 
 }  // namespace

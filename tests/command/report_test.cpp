@@ -1,25 +1,16 @@
 // The report as its readers meet it, on two small scenes and two solvers.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
-#include <string>
 #include <vector>
+
+#include "tests/command_call.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string read(const fs::path& path) {
-  std::stringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
+using delassus::test::read;
 
 /// The rows of a CSV file without quotes, each by the names of its columns.
 std::vector<std::map<std::string, std::string>> rowsOf(const fs::path& path) {
@@ -40,30 +31,27 @@ std::vector<std::map<std::string, std::string>> rowsOf(const fs::path& path) {
   return rows;
 }
 
-class Report : public testing::Test {
+class Report : public delassus::test::CommandCall {
  protected:
-  fs::path folder_ =
-      fs::temp_directory_path() / ("delassus_report_" + std::to_string(getpid()) +
-                                   testing::UnitTest::GetInstance()->current_test_info()->name());
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
   fs::path out() const { return folder_ / "report"; }
 
-  /// `delassus report` on the small scenes; both outputs go to "said". Returns the exit status.
-  int report(const std::string& flags, const std::string& before = "") const {
-    const std::string line = before + DELASSUS_COMMAND +
-                             " report --quick --solvers delassus:1e-8,si:10 --out " +
-                             out().string() + " " + flags + " >" + said().string() + " 2>&1";
-    const int answer = std::system(line.c_str());
-    EXPECT_TRUE(WIFEXITED(answer));
-    return WEXITSTATUS(answer);
+  /// `delassus report` on the small scenes. Returns the exit status.
+  int report(const std::string& flags, const std::string& before = "") {
+    const auto outcome =
+        call("report --quick --solvers delassus:1e-8,si:10 --out " + out().string() + " " + flags,
+             before);
+    said_ = outcome.out + outcome.err;
+    return outcome.status;
   }
-  fs::path said() const { return folder_ / "said"; }
+  /// By the last report, on both outputs.
+  const std::string& said() const { return said_; }
+
+ private:
+  std::string said_;
 };
 
 TEST_F(Report, judgesTheSameProblemBySolvers) {
-  ASSERT_EQ(report("--scenes stack_10 --parts same_problem,persisting"), 0) << read(said());
+  ASSERT_EQ(report("--scenes stack_10 --parts same_problem,persisting"), 0) << said();
   const auto rows = rowsOf(out() / "same_problem" / "stack_10.csv");
   ASSERT_FALSE(rows.empty());
   for (auto row : rows) {
@@ -84,49 +72,104 @@ TEST_F(Report, judgesTheSameProblemBySolvers) {
     EXPECT_NE(page.find(words), std::string::npos) << words;
 }
 
+// The samples are those of a world that is watched: with one method more, those of the others stay to the last digit.
 TEST_F(Report, measuresLeaveTheWorldAsItIs) {
-  ASSERT_EQ(report("--scenes card_house --parts same_problem"), 0) << read(said());
-  const auto first = rowsOf(out() / "same_problem" / "card_house.csv");
-  ASSERT_EQ(report("--scenes card_house --parts same_problem"), 0) << read(said());
-  const auto second = rowsOf(out() / "same_problem" / "card_house.csv");
-  ASSERT_EQ(first.size(), second.size());
-  for (std::size_t i = 0; i < first.size(); ++i)
-    for (const char* column : {"phase", "step", "contacts", "view", "method", "error",
-                               "residual_max", "wrong_modes", "certificate_residual"})
-      EXPECT_EQ(first[i].at(column), second[i].at(column)) << i << ' ' << column;
+  const auto rows = [&](const std::string& flags) {
+    EXPECT_EQ(report("--scenes card_house --parts same_problem" + flags), 0) << said();
+    std::map<std::string, std::map<std::string, std::string>> all;
+    for (const auto& row : rowsOf(out() / "same_problem" / "card_house.csv"))
+      all[row.at("phase") + ' ' + row.at("view") + ' ' + row.at("method")] = row;
+    return all;
+  };
+  const auto few = rows(""), many = rows(" --solvers nncg:20");
+  ASSERT_FALSE(few.empty());
+  EXPECT_EQ(2 * many.size(), 3 * few.size());
+  for (const auto& [sample, row] : few)
+    for (const char* column :
+         {"step", "contacts", "error", "residual_max", "wrong_modes", "certificate_residual"})
+      EXPECT_EQ(many.at(sample).at(column), row.at(column)) << sample << ' ' << column;
 }
 
 TEST_F(Report, goesOnWhereItWasInterrupted) {
   const std::string what = "--scenes one_box,stack_10 --parts own_trajectory";
-  ASSERT_EQ(report(what), 0) << read(said());
+  ASSERT_EQ(report(what), 0) << said();
   const fs::path kept = out() / "own_trajectory" / "one_box.csv",
                  lost = out() / "own_trajectory" / "stack_10.csv";
   const std::string before = read(kept);
   fs::remove(lost);
-  ASSERT_EQ(report(what + " --resume"), 0) << read(said());
+  ASSERT_EQ(report(what + " --resume"), 0) << said();
   EXPECT_EQ(read(kept), before);  // times differ from run to run: it was not measured again
   EXPECT_TRUE(fs::exists(lost));
 }
 
 TEST_F(Report, doesNotMixTwoReports) {
-  ASSERT_EQ(report("--scenes one_box --parts own_trajectory"), 0) << read(said());
+  const std::string what = "--scenes one_box --parts own_trajectory";
+  ASSERT_EQ(report(what), 0) << said();
   EXPECT_EQ(report("--scenes one_box,incline --parts own_trajectory --resume"), 1);
-  EXPECT_NE(read(said()).find("--scenes one_box"), std::string::npos) << read(said());
+  EXPECT_NE(said().find("--scenes one_box"), std::string::npos) << said();
+
+  // Nor two precisions.
+  std::string stamp = read(out() / "command.txt");
+  ASSERT_NE(stamp.find("double"), std::string::npos) << stamp;
+  stamp.replace(stamp.find("double"), 6, "float");
+  write("report/command.txt", stamp);
+  EXPECT_EQ(report(what + " --resume"), 1);
+  EXPECT_NE(said().find("in float precision"), std::string::npos) << said();
+}
+
+// Whoever left them there, and whether or not a command is noted beside them.
+TEST_F(Report, takesNoOldMeasuresForNewOnes) {
+  const std::string what = "--scenes one_box --parts own_trajectory";
+  for (const char* leftThere : {"own_trajectory/one_box.csv", "own_trajectory/one_box.svg"}) {
+    fs::create_directories(out() / "own_trajectory");
+    write(std::string("report/") + leftThere, "method,family\nold,old\n");
+  }
+  ASSERT_EQ(report(what, "PATH=/nowhere"), 0) << said();
+  EXPECT_EQ(rowsOf(out() / "own_trajectory" / "one_box.csv").size(), 2U);
+  EXPECT_FALSE(fs::exists(out() / "own_trajectory" / "one_box.svg")) << "nobody could draw it";
+}
+
+TEST_F(Report, leavesOtherPeoplesFilesAlone) {
+  const std::string what = "--scenes one_box --parts own_trajectory";
+  fs::create_directories(out() / "own_trajectory");
+  write("report/own_trajectory/notes.txt", "mine");
+  ASSERT_EQ(report(what), 0) << said();
+  ASSERT_EQ(report(what), 0) << said();
+  EXPECT_EQ(read(out() / "own_trajectory" / "notes.txt"), "mine");
+
+  write("report/command.txt", "make coffee\n");
+  EXPECT_EQ(report(what), 1);
+  EXPECT_NE(said().find("command.txt' is not of a report"), std::string::npos) << said();
+  EXPECT_EQ(read(out() / "command.txt"), "make coffee\n");
+  EXPECT_TRUE(fs::exists(out() / "own_trajectory" / "one_box.csv"));
+}
+
+// NNCG throws the ragdolls out of the numbers at once.
+TEST_F(Report, callsALostWorldLost) {
+  ASSERT_EQ(report("--scenes ragdolls --solvers nncg:1000 --parts own_trajectory"), 0) << said();
+  for (auto row : rowsOf(out() / "own_trajectory" / "ragdolls.csv"))
+    EXPECT_EQ(row["drift"] == "nan", row["method"] == "nncg:1000") << row["method"];
+  EXPECT_NE(read(out() / "report.md").find("lost: not a number"), std::string::npos);
+}
+
+TEST_F(Report, whatPersistsIsMeasuredToo) {
+  ASSERT_EQ(report("--scenes one_box --parts persisting"), 0) << said();
+  EXPECT_NE(read(out() / "report.md").find("Which contacts persist"), std::string::npos);
 }
 
 TEST_F(Report, tellsWhatItLacks) {
   EXPECT_EQ(report("--scenes one_bx"), 1);
-  EXPECT_NE(read(said()).find("one_box"), std::string::npos);
+  EXPECT_NE(said().find("one_box"), std::string::npos);
   EXPECT_EQ(report("--parts nonsense"), 1);
-  EXPECT_NE(read(said()).find("own_trajectory"), std::string::npos);
+  EXPECT_NE(said().find("own_trajectory"), std::string::npos);
   EXPECT_FALSE(fs::exists(out()));
 
-  ASSERT_EQ(report("--scenes one_box --parts own_trajectory", "PATH=/nowhere "), 0) << read(said());
+  ASSERT_EQ(report("--scenes one_box --parts own_trajectory", "PATH=/nowhere"), 0) << said();
   EXPECT_NE(read(out() / "report.md").find("gnuplot is missing"), std::string::npos);
 }
 
 TEST_F(Report, findsTheOrderOfTheIntegrator) {
-  ASSERT_EQ(report("--parts time_step"), 0) << read(said());
+  ASSERT_EQ(report("--parts time_step"), 0) << said();
   for (const char* scene : {"ball_off_ball", "sliding_ladder", "incline"}) {
     std::map<double, double> errors;
     for (auto row : rowsOf(out() / "time_step" / (std::string(scene) + ".csv")))
@@ -140,7 +183,7 @@ TEST_F(Report, findsTheOrderOfTheIntegrator) {
 
 // Wedges down to where rounding ends them: both precisions, stock beside ours.
 TEST_F(Report, mapsWhatHoldsUpToWhere) {
-  ASSERT_EQ(report("--stability --parts angles,wedge_pair"), 0) << read(said());
+  ASSERT_EQ(report("--stability --parts angles,wedge_pair"), 0) << said();
   const auto rows = rowsOf(out() / "stability" / "double" / "angles" / "opposite.csv");
   ASSERT_FALSE(rows.empty());
   for (auto row : rows) {
@@ -168,20 +211,23 @@ TEST_F(Report, mapsWhatHoldsUpToWhere) {
 
 TEST_F(Report, mapGoesOnWhereItWasInterrupted) {
   const std::string what = "--stability --one-precision --parts angles";
-  ASSERT_EQ(report(what), 0) << read(said());
+  ASSERT_EQ(report(what), 0) << said();
   const fs::path folder = out() / "stability" / "double" / "angles";
   const std::string kept = read(folder / "opposite.csv");
   fs::remove(folder / "parallel.csv");
-  ASSERT_EQ(report(what + " --resume"), 0) << read(said());
+  ASSERT_EQ(report(what + " --resume"), 0) << said();
   EXPECT_EQ(read(folder / "opposite.csv"), kept);
   EXPECT_TRUE(fs::exists(folder / "parallel.csv"));
+  EXPECT_NE(said().find("/stability/double\n"), std::string::npos) << said();
+  EXPECT_FALSE(fs::exists(out() / "stability.md")) << "that is the business of both precisions";
+  EXPECT_EQ(report("--stability --scenes one_box"), 2) << "the map has worlds of its own";
   EXPECT_EQ(report("--stability --parts nonsense"), 1);
-  EXPECT_NE(read(said()).find("long_runs"), std::string::npos) << read(said());
+  EXPECT_NE(said().find("long_runs"), std::string::npos) << said();
 }
 
 // One economy at a time: more work, the same motion.
 TEST_F(Report, tellsWhatEachEconomyIsWorth) {
-  ASSERT_EQ(report("--scenes stack_10,ball_off_ball --parts ablation"), 0) << read(said());
+  ASSERT_EQ(report("--scenes stack_10,ball_off_ball --parts ablation"), 0) << said();
   const auto rowsByName = [&](const char* scene) {
     std::map<std::string, std::map<std::string, std::string>> rows;
     for (const auto& row : rowsOf(out() / "ablation" / (std::string(scene) + ".csv")))

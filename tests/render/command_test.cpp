@@ -1,66 +1,41 @@
 // `delassus render` as its users meet it.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
 
 #include "demos/render/image.h"
+#include "tests/command_call.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-  int status;
-  std::string out, err;
-};
+using delassus::test::lines;
+using delassus::test::Outcome;
+using delassus::test::read;
 
-class RenderCommand : public testing::Test {
+class RenderCommand : public delassus::test::CommandCall {
  protected:
-  fs::path folder_ =
-      fs::temp_directory_path() / ("delassus_render_" + std::to_string(getpid()) +
-                                   testing::UnitTest::GetInstance()->current_test_info()->name());
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
-  static std::string read(const std::string& path) {
-    std::stringstream text;
-    text << std::ifstream(path, std::ios::binary).rdbuf();
-    return text.str();
-  }
-  /// `environment` goes before the command: "PATH=/nowhere".
-  Outcome call(const std::string& arguments, const std::string& environment = "") const {
-    const std::string line = environment + " " + DELASSUS_COMMAND + " render " + arguments + " >" +
-                             file("stdout") + " 2>" + file("stderr");
-    const int answer = std::system(line.c_str());
-    EXPECT_TRUE(WIFEXITED(answer)) << arguments;
-    return {WEXITSTATUS(answer), read(file("stdout")), read(file("stderr"))};
+  Outcome render(const std::string& arguments, const std::string& before = "") const {
+    return call("render " + arguments, before);
   }
   void expectOneLine(const Outcome& outcome, const std::string& mentions) const {
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
     EXPECT_NE(outcome.err.find(mentions), std::string::npos) << outcome.err;
   }
 };
 
 TEST_F(RenderCommand, SideBySideRepeatsItsBytes) {
   const std::string arguments = "one_box --solver delassus,si:10 --at 0.1 --size 320x180 --out ";
-  EXPECT_EQ(call(arguments + file("a")).status, 0);
-  EXPECT_EQ(call(arguments + file("b")).status, 0);
+  EXPECT_EQ(render(arguments + file("a")).status, 0);
+  EXPECT_EQ(render(arguments + file("b")).status, 0);
   const std::string first = read(file("a/one_box.png"));
   EXPECT_GT(first.size(), 1000u);
   EXPECT_EQ(first, read(file("b/one_box.png")));
 }
 
 TEST_F(RenderCommand, SizeAndNameAreAsAsked) {
-  const Outcome outcome = call("one_box --at 0,0.1,0.2 --plain --size 300x100 --out " + file("a"));
+  const Outcome outcome =
+      render("one_box --at 0,0.1,0.2 --plain --size 300x100 --out " + file("a"));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.out, file("a/one_box.png") + "\n");
   const auto image = demos::render::loadPng(file("a/one_box.png"));
@@ -69,39 +44,39 @@ TEST_F(RenderCommand, SizeAndNameAreAsAsked) {
 }
 
 TEST_F(RenderCommand, CameraChangesThePicture) {
-  EXPECT_EQ(call("one_box --at 0 --size 160x90 --out " + file("a")).status, 0);
-  EXPECT_EQ(
-      call("one_box --at 0 --size 160x90 --camera 0,1,9 --look-at 0,0,0 --out " + file("b")).status,
-      0);
+  EXPECT_EQ(render("one_box --at 0 --size 160x90 --out " + file("a")).status, 0);
+  EXPECT_EQ(render("one_box --at 0 --size 160x90 --camera 0,1,9 --look-at 0,0,0 --out " + file("b"))
+                .status,
+            0);
   EXPECT_NE(read(file("a/one_box.png")), read(file("b/one_box.png")));
 }
 
 TEST_F(RenderCommand, UnknownSceneNamesTheNearest) {
-  expectOneLine(call("stack10 --out " + file("a")), "stack_10");
+  expectOneLine(render("stack10 --out " + file("a")), "stack_10");
   EXPECT_FALSE(fs::exists(file("a"))) << "nothing is made for a scene that is not there";
 }
 
 TEST_F(RenderCommand, FolderThatCannotBeWritten) {
-  std::ofstream(file("plain")) << "x";
-  expectOneLine(call("one_box --at 0 --out " + file("plain")), file("plain"));
+  write("plain", "x");
+  expectOneLine(render("one_box --at 0 --out " + file("plain")), file("plain"));
 }
 
 TEST_F(RenderCommand, NoContextIsTold) {
   // Mesa then offers less than the 3.3 core profile that is asked for.
   expectOneLine(
-      call("one_box --at 0 --size 160x90 --out " + file("a"), "MESA_GL_VERSION_OVERRIDE=2.1"),
+      render("one_box --at 0 --size 160x90 --out " + file("a"), "MESA_GL_VERSION_OVERRIDE=2.1"),
       "no OpenGL");
   EXPECT_FALSE(fs::exists(file("a")));
 }
 
 TEST_F(RenderCommand, MissingFfmpegIsToldAtOnce) {
-  expectOneLine(call("one_box --video --out " + file("a"), "PATH=/nowhere"), "ffmpeg");
+  expectOneLine(render("one_box --video --out " + file("a"), "PATH=/nowhere"), "ffmpeg");
   EXPECT_FALSE(fs::exists(file("a/one_box.mp4")));
 }
 
 TEST_F(RenderCommand, VideoIsWholeAndAlone) {
   if (std::system("command -v ffmpeg >/dev/null 2>&1") != 0) GTEST_SKIP() << "no ffmpeg here";
-  const Outcome outcome = call("one_box --video --at 0.2 --size 160x90 --out " + file("a"));
+  const Outcome outcome = render("one_box --video --at 0.2 --size 160x90 --out " + file("a"));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   const std::string video = read(file("a/one_box.mp4"));
   ASSERT_GT(video.size(), 500u);
@@ -110,10 +85,13 @@ TEST_F(RenderCommand, VideoIsWholeAndAlone) {
 }
 
 TEST_F(RenderCommand, BadNumbersAreBadUsage) {
-  EXPECT_EQ(call("one_box --size 12").status, 2);
-  EXPECT_EQ(call("one_box --size 0x5").status, 2);
-  EXPECT_EQ(call("one_box --camera 1,2").status, 2);
-  EXPECT_EQ(call("one_box --at -1").status, 2);
+  EXPECT_EQ(render("one_box --size 12").status, 2);
+  EXPECT_EQ(render("one_box --size 0x5").status, 2);
+  EXPECT_EQ(render("one_box --camera 1,2").status, 2);
+  for (const char* number : {"nan", "inf", "1e999", "x"})
+    for (const char* flag : {"--camera", "--look-at"})
+      EXPECT_EQ(render(std::string("one_box ") + flag + " 1,2," + number).status, 2) << number;
+  EXPECT_EQ(render("one_box --at -1").status, 2);
 }
 
 }  // namespace

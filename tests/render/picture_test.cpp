@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 #include "tests/render/shot.h"
 
@@ -64,6 +65,8 @@ TEST(Readable, WritesNumbersAsPeopleDo) {
   EXPECT_EQ(readable(12), "12");
   EXPECT_EQ(readable(2452.5), "2452");
   EXPECT_EQ(readable(3.04e7), "3·10⁷");
+  EXPECT_EQ(readable(INFINITY), "∞");
+  EXPECT_EQ(readable(std::nan("")), "not a number");
 }
 
 TEST(View, ShowsAllCornersOfTheStage) {
@@ -119,6 +122,45 @@ TEST(Film, JointsShowWhatHangsOnThem) {
   // The ball swings: its joint bears most of the weight along the chain.
   EXPECT_GT(film.frames[0].joints[0].force.norm(), 500);
   EXPECT_GT(film.frames[0].joints[0].force.y(), 0);
+}
+
+// A stock solver can throw bodies out of the numbers: they are not drawn, and the caption says so.
+TEST(Film, SaysThatAWorldIsLost) {
+  const auto world = findScene("stack_10").build();
+  const btScalar lost = std::numeric_limits<btScalar>::quiet_NaN();
+  world->movableBodies()[9]->setLinearVelocity(btVector3(lost, 0, 0));
+  NamedSolver solver("si:10");
+  const Film film = record(*world, solver, 60, {0.1}, [](double) {});
+  const Frame& frame = film.frames[0];
+  EXPECT_TRUE(frame.lost);
+  for (const Frame::Pose& pose : frame.poses) EXPECT_TRUE(pose.matrix.allFinite());
+  EXPECT_NE(factsInWords(frame, false).find("LOST"), std::string::npos);
+  EXPECT_EQ(factsInWords(frame, false).find("residual"), std::string::npos);
+  Look look;
+  look.size = {320, 180};
+  Studio({film}, Shot::wishOf("stack_10"), look, 1).picture({0});
+
+  const Film sound = filmOf("stack_10", "si:10", 0.1);
+  EXPECT_FALSE(sound.frames[0].lost);
+  EXPECT_EQ(factsInWords(sound.frames[0], false).find("LOST"), std::string::npos);
+}
+
+TEST(SolverInWords, knowsEveryName) {
+  const std::pair<const char*, const char*> words[] = {
+      {"delassus", "Delassus' regions"},
+      {"delassus:1e-4", "Delassus' regions to 1e-4"},
+      {"delassus/10", "Delassus' regions, budget of 10 sweeps an island"},
+      {"si:10", "stock Bullet, sequential impulses, 10 sweeps"},
+      {"si2:20", "stock Bullet, sequential impulses, two friction directions, 20 sweeps"},
+      {"nncg:30", "stock Bullet, NNCG, 30 sweeps"},
+      {"dantzig", "stock Bullet, MLCP by Dantzig"},
+      {"dantzig:1e-6", "stock Bullet, MLCP by Dantzig, CFM 1e-6"},
+      {"lemke", "stock Bullet, MLCP by Lemke"},
+      {"pgs:40", "stock Bullet, projected Gauss-Seidel, 40 sweeps"}};
+  for (const auto& [name, expected] : words) {
+    EXPECT_EQ(NamedSolver(name).name(), name);
+    EXPECT_EQ(solverInWords(name), expected);
+  }
 }
 
 /// Pictures at time 0 depend on no solver. Across machines fonts and rasterisers differ a little.

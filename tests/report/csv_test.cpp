@@ -53,5 +53,12 @@ TEST_F(Csv, leavesNothingUnfinishedBehind) {
   EXPECT_THROW(CsvTable({"a"}).write(folder_ / "no" / "t.csv"), std::runtime_error);
 }
 
+// A folder in the way of a file: all is written but for the last step.
+TEST_F(Csv, leavesNothingUnfinishedBehindWhenItFails) {
+  std::filesystem::create_directories(folder_ / "t.csv" / "in the way");
+  EXPECT_THROW(CsvTable({"a"}).write(folder_ / "t.csv"), std::runtime_error);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
+}
+
 }  // namespace
 }  // namespace demos::report

@@ -64,8 +64,4 @@ inline bool allFinite(const std::vector<btScalar>& state) {
   return true;
 }
 
-inline double totalEnergy(const World& world) {
-  return kineticEnergy(world) + potentialEnergy(world);
-}
-
 }  // namespace demos

@@ -28,7 +28,35 @@ TEST(Simulate, tellsNothingOfASoundWorld) {
   EXPECT_EQ(run.regions->nonFinite, 0);
   EXPECT_TRUE(run.regions->messages.empty());
   EXPECT_EQ(run.stepsAbove, 0);
+  EXPECT_EQ(run.stepsLost, 0);
   EXPECT_EQ(run.tunnelled, 0);
+}
+
+// Bullet leaves a body that is nowhere out of all contacts: what is left of the world looks perfect.
+TEST(Simulate, callsALostWorldLost) {
+  for (const char* solver : {"si:10", "delassus"}) {
+    const auto world = buildStack(3, 1);
+    const btScalar notANumber = std::numeric_limits<btScalar>::quiet_NaN();
+    world->movableBodies()[2]->setLinearVelocity(btVector3(0, notANumber, 0));
+    const RunSummary run = runFor(*world, solver, 0.5);
+    EXPECT_EQ(run.stepsLost, run.steps) << solver;
+    EXPECT_EQ(run.stepsAbove, run.steps) << solver;
+    for (const double measure : {run.residualMax, run.residualRms, run.driftMax, run.penetrationMax,
+                                 run.jointErrorMax, run.kineticEnergy, run.reactionOverWeight})
+      EXPECT_TRUE(std::isnan(measure)) << solver;
+  }
+}
+
+TEST(Simulate, losesAWorldFromTheStepInWhichItIsLost) {
+  const auto world = buildStack(3, 1);
+  world->setScript([&body = *world->movableBodies()[0]](double time) {
+    const btScalar notANumber = std::numeric_limits<btScalar>::quiet_NaN();
+    if (time > 0.4) body.setAngularVelocity(btVector3(0, 0, notANumber));
+  });
+  const RunSummary run = runFor(*world, "si:10", 0.5);
+  EXPECT_GT(run.stepsLost, 0);
+  EXPECT_LT(run.stepsLost, 6);
+  EXPECT_TRUE(std::isnan(run.driftMax));
 }
 
 TEST(Tunnelling, countsWhatIsBehindASurfaceOrFellOutBelow) {

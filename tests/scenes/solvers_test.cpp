@@ -106,14 +106,27 @@ TEST(Judge, tellsTheRowsOfJointsApart) {
 }
 
 TEST(Judge, agreesWithOurOwnReport) {
-  NamedSolver named("delassus");
-  const auto world = buildPyramid(4);
-  JudgedSolver judged(named.solver(), 0);
-  world->setSolver(judged);
-  for (int i = 0; i < 30; ++i) {
-    world->step(1.0 / 60);
-    EXPECT_LT(judged.takeVerdict().max, byPrecision(1e-8, 1e-4));
-    EXPECT_LT(named.delassus()->report().residualMax, 1e-8);
+  // Budgets leave residuals that are far above what single precision makes of what is written into Bullet.
+  for (const char* name : {"delassus", "delassus/1"}) {
+    NamedSolver named(name);
+    const auto world = buildStack(10, 1000);
+    world->movableBodies()[9]->setLinearVelocity(btVector3(1, 0, 0));
+    JudgedSolver judged(named.solver(), 0);
+    world->setSolver(judged);
+    double largest = 0;
+    for (int i = 0; i < 30; ++i) {
+      world->step(1.0 / 60);
+      const Verdict verdict = judged.takeVerdict();
+      const delassus::StepReport& report = named.delassus()->report();
+      ASSERT_GT(report.contacts, 0);
+      EXPECT_EQ(verdict.count, report.contacts + report.rows);
+      const double tolerance = byPrecision(1e-8, 1e-4);
+      EXPECT_NEAR(verdict.max, report.residualMax, tolerance + 1e-3 * report.residualMax) << name;
+      EXPECT_NEAR(verdict.rms(), report.residualRms, tolerance + 1e-3 * report.residualRms) << name;
+      largest = std::max(largest, report.residualMax);
+    }
+    EXPECT_EQ(largest > 1e-3, std::string(name) == "delassus/1");
+    world->setSolver(named.solver());
   }
 }
 

@@ -115,6 +115,9 @@ bool makeMap(const ReportArguments& arguments) {
   const fs::path folder = fs::path(arguments.out) / "stability", own = folder / precisionName();
   fs::create_directories(own);
   stamp(own, arguments.commandAnywhere(), arguments.resume, parts);
+  // Where the other executable is missing, nothing takes the place of what it measured once.
+  if (!arguments.onePrecision && !arguments.resume)
+    for (const char* precision : precisions) removeMeasures(folder / precision, parts);
   std::optional<CommandBeside> other;
   if (const fs::path executable = otherPrecision(); !arguments.onePrecision && !executable.empty())
     other.emplace(commandOf(executable, arguments));

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "demos/report/csv.h"
+#include "demos/report/figure.h"
 #include "demos/report/machine.h"
 #include "demos/report/markdown.h"
 #include "demos/report/stability/strips.h"
@@ -286,9 +287,7 @@ void writeMapPage(const fs::path& out, const std::string& command,
     if (readings.empty()) continue;
     const Section section =
         group.second.empty() ? sweepSection(readings, overview) : pairSection(group, readings, own);
-    const std::string fault =
-        drawStrips(group.title, section.panels, out / "stability", group.name);
-    if (!fault.empty()) trouble = fault + "\n\n";
+    addFault(trouble, drawStrips(group.title, section.panels, out / "stability", group.name));
     body += "## " + group.title + "\n\n" + section.before +
             picture("stability", group.name, group.title + ": what holds up to where") +
             section.after;

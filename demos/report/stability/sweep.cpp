@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "demos/scenes/measures.h"
+#include "demos/scenes/statistics.h"
 
 namespace demos::report::stability {
 
@@ -19,13 +20,9 @@ std::function<double(double)> driftFrom(const World& world, double unit) {
 }
 
 std::function<double(double)> energyGainedFrom(const World& world, double unit) {
-  return [&world, start = mechanicalEnergy(world), unit](double) {
-    return (mechanicalEnergy(world) - start) / unit;
+  return [&world, start = totalEnergy(world), unit](double) {
+    return (totalEnergy(world) - start) / unit;
   };
-}
-
-double mechanicalEnergy(const World& world) {
-  return kineticEnergy(world) + potentialEnergy(world);
 }
 
 std::function<double(double)> strayFrom(const World& world, std::vector<btVector3> places) {
@@ -47,11 +44,7 @@ std::function<double(double)> jointsOf(const World& world, double unit) {
 
 std::function<double(double)> worseOf(std::function<double(double)> a,
                                       std::function<double(double)> b) {
-  // A NaN of either must not be lost: std::max would drop one of them.
-  return [a = std::move(a), b = std::move(b)](double time) {
-    const double x = a(time), y = b(time);
-    return std::isnan(x) || x > y ? x : y;
-  };
+  return [a = std::move(a), b = std::move(b)](double time) { return largerOf(a(time), b(time)); };
 }
 
 Trial drifting(std::unique_ptr<World> world, int steps, double timeStep, double unit) {
@@ -60,7 +53,7 @@ Trial drifting(std::unique_ptr<World> world, int steps, double timeStep, double 
 }
 
 Trial gaining(std::unique_ptr<World> world, int steps, double timeStep) {
-  auto error = energyGainedFrom(*world, mechanicalEnergy(*world));
+  auto error = energyGainedFrom(*world, totalEnergy(*world));
   return {std::move(world), steps, timeStep, std::move(error)};
 }
 

@@ -74,8 +74,6 @@ const btVector3 unitBox = vec3(0.5, 0.5, 0.5);  // half of its sides
 std::function<double(double)> driftFrom(const World& world, double unit = 1);
 /// Energy gained since now, J, over `unit`.
 std::function<double(double)> energyGainedFrom(const World& world, double unit);
-/// Kinetic and potential, J.
-double mechanicalEnergy(const World& world);
 /// Largest way of a movable body up from its place or aside of it, m; sinking does not count.
 std::function<double(double)> strayFrom(const World& world, std::vector<btVector3> places);
 /// How far joints are pulled apart, m, over `unit`.

@@ -14,6 +14,7 @@
 #include "demos/report/step_problem.h"
 #include "demos/scenes/judge.h"
 #include "demos/scenes/measures.h"
+#include "demos/scenes/statistics.h"
 #include "demos/scenes/timed_solver.h"
 
 namespace demos::report::stability {
@@ -145,12 +146,13 @@ std::vector<double> live(const Sweep& sweep, double value, const Method& method,
 
     numbers[Steps] += 1;
     const double error = trial.error((step + 1) * trial.timeStep);
-    // An error that is no number is as large as can be.
-    numbers[WorstError] = std::max(numbers[WorstError], std::isnan(error) ? INFINITY : error);
-    numbers[EnergyGain] = std::max(numbers[EnergyGain], gained(0));
+    // An error that is no number is as large as can be, and so is that of a world whose bodies are nowhere.
+    const bool lost = std::isnan(error) || !isFinite(world);
+    numbers[WorstError] = std::max(numbers[WorstError], lost ? INFINITY : error);
+    numbers[EnergyGain] = largerOf(numbers[EnergyGain], gained(0));
     if (ours) {
       const delassus::StepReport& report = named.delassus()->report();
-      numbers[Residual] = std::max(numbers[Residual], report.residualMax);
+      numbers[Residual] = largerOf(numbers[Residual], report.residualMax);
       // Steps, not islands: what share of the time something was reported.
       const bool said = report.outOfBudget + report.incompatible + report.nonFinite > 0;
       numbers[Solved] += !said;
@@ -159,8 +161,9 @@ std::vector<double> live(const Sweep& sweep, double value, const Method& method,
       numbers[NonFinite] += report.nonFinite > 0;
       numbers[LeftOut] += report.leftOut > 0;
     } else {
-      numbers[Residual] = std::max(numbers[Residual], judged.takeVerdict().max);
+      numbers[Residual] = largerOf(numbers[Residual], judged.takeVerdict().max);
     }
+    if (lost) numbers[Residual] = std::nan("");
     // What is lost does not come back, and may take very long.
     if (!(numbers[WorstError] <= 10 * sweep.allowed) || processorSeconds() - start > secondsLimit)
       break;
@@ -178,10 +181,7 @@ std::vector<double> live(const Sweep& sweep, double value, const Method& method,
   numbers[LastError] = last.error;
   numbers[LastCertified] = last.certified;
   world.setSolver(named.solver());
-  std::nth_element(milliseconds.begin(),
-                   milliseconds.begin() + std::ptrdiff_t(milliseconds.size() / 2),
-                   milliseconds.end());
-  numbers[Ms] = milliseconds[milliseconds.size() / 2];
+  numbers[Ms] = median(milliseconds);
   return numbers;
 }
 
