@@ -54,8 +54,8 @@ void Group::clear() {
 
 std::size_t Group::bytes() const {
   return bytesOf(bodies, bodySources, contacts, contactSources, pushes, guess, idle, restless, rows,
-                 rowGuess, joints, multiBodyRows, obsolete, asked) +
-         indexOf.bytes() + articulation.bytes();
+                 rowGuess, joints, multiBodyRows, asked) +
+         obsolete.capacity() * sizeof(void*) + indexOf.bytes() + articulation.bytes();
 }
 
 const char* faultOf(const Row& row) {

@@ -298,7 +298,8 @@ std::size_t Memory::bytes() const {
   std::size_t sum = restless_.bytes() + groups_.bytes();
   for (const Step* step : {&last_, &now_})
     sum += step->manifolds.bytes() + step->turners.bytes() + step->joints.bytes() +
-           bytesOf(step->points, step->turns, step->rows, step->restless);
+           bytesOf(step->points, step->turns, step->rows) +
+           step->restless.capacity() * sizeof(void*);
   return sum;
 }
 

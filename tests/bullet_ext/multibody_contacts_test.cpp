@@ -117,7 +117,7 @@ TEST(MultiBodyContacts, LinksThatCannotBePushed) {
   world.addCollider(moved, 0, std::make_unique<btBoxShape>(btVector3(1, btScalar(0.1), 1)), 1);
   world.finish(moved);
   for (int link : {-1, 0}) moved.setLinkDynamicType(link, btCollisionObject::CF_KINEMATIC_OBJECT);
-  const btRigidBody& box = world.addCube(away + btVector3(2, btScalar(0.6), 0), 3);
+  const btRigidBody& box = world.addCube(away + btVector3(2, btScalar(0.599), 0), 3);
 
   dynamic_cast<Watch&>(world.solver()).tree = &moved;
   for (int step = 0; step < 30; ++step) {
