@@ -117,6 +117,8 @@ int renderSubject(const RenderArguments& arguments) {
   std::vector<NamedSolver> solvers;
   for (const std::string& name : splitNames(arguments.solvers)) solvers.emplace_back(name);
   if (solvers.empty()) solvers.emplace_back(arguments.solvers);
+  if (!arguments.camera.empty() && arguments.camera == arguments.lookAt)
+    throw BadUsage("--camera is where --look-at is: it would look nowhere");
   const Subject subject = openSubject(arguments.subject);
   if (arguments.video) render::requireFfmpeg();
   render::requireOpenGl();

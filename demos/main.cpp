@@ -15,15 +15,17 @@ int afterOutput(int status) {
   return exitFailed;
 }
 
-/// Empty if the first word is a sub-command, or a flag. CLI11 would only say that one is required.
-std::string unknownCommand(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return "";
+/// What is wrong with the first word; nothing if it is a sub-command, or a flag. CLI11 would only say that one is required.
+std::string commandFault(const CLI::App& app, int argc, char** argv) {
+  if (argc >= 2 && argv[1][0] == '-') return "";
   std::string existing;
   for (const CLI::App* command : app.get_subcommands({})) {
-    if (command->check_name(argv[1])) return "";
+    if (argc >= 2 && command->check_name(argv[1])) return "";
     existing += (existing.empty() ? "" : ", ") + command->get_name();
   }
-  return "there is no command '" + std::string(argv[1]) + "'; there are " + existing;
+  return (argc < 2 ? "a command is required"
+                   : "there is no command '" + std::string(argv[1]) + "'") +
+         "; there are " + existing;
 }
 
 }  // namespace
@@ -43,8 +45,8 @@ int main(int argc, char** argv) {
   addReportCommand(app, chosen);
   addAtlasCommand(app, chosen);
 
-  if (const std::string unknown = unknownCommand(app, argc, argv); !unknown.empty()) {
-    std::fprintf(stderr, "delassus: %s\n", unknown.c_str());
+  if (const std::string fault = commandFault(app, argc, argv); !fault.empty()) {
+    std::fprintf(stderr, "delassus: %s\n", fault.c_str());
     return exitBadUsage;
   }
   try {

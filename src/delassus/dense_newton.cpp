@@ -38,7 +38,10 @@ void DenseNewton<Most>::start(const Problem& problem, const NaturalMap& map, con
 template <int Most>
 void DenseNewton<Most>::feel(const Problem& problem, const Vector& r, Vector& u) const {
   u = problem.q;
-  u += W_.leftCols(r.size()).lazyProduct(r);
+  if constexpr (Most == Eigen::Dynamic)
+    u.noalias() += W_ * r;
+  else
+    u += W_.leftCols(r.size()).lazyProduct(r);
 }
 
 template <int Most>

@@ -46,11 +46,14 @@ TEST_F(Command, refusesBadUsageWithTwo) {
 }
 
 TEST_F(Command, namesTheCommandThatIsUnknownAndThoseThatExist) {
-  const Outcome outcome = call("fly one_box");
-  EXPECT_EQ(outcome.status, 2);
-  EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
-  for (const char* word : {"'fly'", "scenes", "run", "render", "report", "solve", "dump", "atlas"})
-    EXPECT_NE(outcome.err.find(word), std::string::npos) << word << '\n' << outcome.err;
+  for (const std::string arguments : {"fly one_box", ""}) {
+    const Outcome outcome = call(arguments);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
+    for (const char* word : {arguments.empty() ? "required" : "'fly'", "scenes", "run", "render",
+                             "report", "solve", "dump", "atlas"})
+      EXPECT_NE(outcome.err.find(word), std::string::npos) << word << '\n' << outcome.err;
+  }
 }
 
 TEST_F(Command, lostOutputIsAFailure) {

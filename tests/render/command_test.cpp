@@ -91,6 +91,7 @@ TEST_F(RenderCommand, BadNumbersAreBadUsage) {
   for (const char* number : {"nan", "inf", "1e999", "x"})
     for (const char* flag : {"--camera", "--look-at"})
       EXPECT_EQ(render(std::string("one_box ") + flag + " 1,2," + number).status, 2) << number;
+  EXPECT_EQ(render("one_box --camera 1,2,3 --look-at 1,2,3").status, 2);
   EXPECT_EQ(render("one_box --at -1").status, 2);
 }
 
