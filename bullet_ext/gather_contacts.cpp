@@ -163,8 +163,8 @@ Vec3 guessOf(const btManifoldPoint& point, const btContactSolverInfo& info) {
   if (!warmStarts(info)) return Vec3::Zero();
   const Vec3 last{point.m_appliedImpulse, point.m_appliedImpulseLateral1,
                   point.m_appliedImpulseLateral2};
-  if (!std::isfinite(last.sum()) || last[0] < 0) return Vec3::Zero();
-  return last;
+  const bool isSound = std::isfinite(last.sum()) && last[0] >= 0;
+  return isSound ? last : Vec3::Zero();
 }
 
 /// The dispatcher's word, as in groups that the world has split itself; an unsplit group comes
