@@ -9,6 +9,11 @@
 #include "delassus/read_mode.h"
 
 namespace delassus {
+namespace {
+
+constexpr double gain = 0.2;  ///< what a sweep that takes away most leaves
+
+}  // namespace
 
 QuickAnswer::QuickAnswer(const Problem& problem, const Options& options)
     : problem_(problem),
@@ -43,6 +48,7 @@ Vec3 QuickAnswer::velocityOf(int contact) const {
   const DelassusMatrix::Sparse& W = problem_.W.entries();
   const double* entry = W.valuePtr();
   Vec3 u = problem_.q.segment<3>(3 * contact);
+  if (approaching_.empty()) return u;  // there are no reactions yet
   if (problem_.W.isFull()) {
     const int n = problem_.size();
     for (int k = 0; k < 3; ++k)
@@ -69,12 +75,20 @@ const QuickAnswer::Approaching& QuickAnswer::approaching(int contact) {
   return approaching_[place_[contact]];
 }
 
-/// Each contact in turn with the others held. Returns by how much the most changed one changed its own velocity, m/s.
+/// Whether those before it in the first sweep have given a contact nearly as much approach as it had: by then it has come no nearer.
+bool QuickAnswer::isRocking(int contact, double normalVelocity) const {
+  const double approach = problem_.q[3 * contact];
+  return best_.sweeps == 0 && isSmall() && approach < 0 && normalVelocity < (2 - gain) * approach;
+}
+
+/// Each contact in turn with the others held. Returns by how much the most changed one changed its own velocity, m/s; infinite if
+/// it would be no use to go on.
 double QuickAnswer::sweepOnce() {
   double change = 0;
   for (int i = 0; i < problem_.contacts(); ++i) {
     const Vec3 u = velocityOf(i);
     if (place_[i] < 0 && u[0] >= 0) continue;
+    if (isRocking(i, u[0])) return std::numeric_limits<double>::infinity();
     const Approaching& a = approaching(i);
     if (!(a.block.W()(0, 0) > 0)) continue;  // moves nothing, and keeps its residual
     auto r = best_.r.segment<3>(3 * i);
@@ -89,9 +103,9 @@ double QuickAnswer::sweepOnce() {
 /// As long as each takes away most of what is left; where regions are cheap, two at most. Contacts that feel little of each other,
 /// or nothing, need no more.
 void QuickAnswer::sweep() {
-  constexpr double gain = 0.2;
   constexpr int few = 2;
   const double first = sweepOnce();
+  if (!std::isfinite(first)) return;
   measure();
   double before = 2 * first;  // as if from nearer: the first sets out from nothing
   firstGains_ = best_.residual <= gain * first;

@@ -41,6 +41,7 @@ class QuickAnswer {
   Vec3 velocityOf(int contact) const;
   const Approaching& approaching(int contact);
   void sweep();
+  bool isRocking(int contact, double normalVelocity) const;
   double sweepOnce();
   void measure();
   bool walk();
