@@ -58,6 +58,14 @@ Vec3 QuickAnswer::velocityOf(int contact) const {
   const int* begin = W.outerIndexPtr() + 3 * contact;
   const int* column = W.innerIndexPtr();
   const double* r = best_.r.data();
+  const int own = 3 * contact;
+  const auto isMovedByOthers = [&](int k) {
+    return begin[k] < begin[k + 1] &&
+           (column[begin[k]] < own || column[begin[k + 1] - 1] > own + 2);
+  };
+  if (r[own] == 0 && r[own + 1] == 0 && r[own + 2] == 0 && !isMovedByOthers(0) &&
+      !isMovedByOthers(1) && !isMovedByOthers(2))
+    return u;
   for (int k = 0; k < 3; ++k) {
     double sum = 0;
     for (int at = begin[k]; at < begin[k + 1]; ++at) sum += entry[at] * r[column[at]];
