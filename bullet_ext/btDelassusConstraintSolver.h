@@ -51,8 +51,8 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   /// Has light bodies in taut joints (a rope of links under a heavy load) turn no faster than the step can follow: such bodies,
   /// and no others, turn as if held by implicit springs of their geometric stiffness under the last step's forces
   /// (geometric_stiffness.h). Joints hold as well; swings lose some energy, in proportion to the step. Needs
-  /// SOLVER_USE_WARMSTARTING and a warm starting factor above 0, has no effect in a solver pool; report().stiffened counts. Off at first: such ropes gain energy
-  /// and tear, with any solver, unless steps are shorter.
+  /// SOLVER_USE_WARMSTARTING and a warm starting factor above 0, has no effect in a solver pool; report().stiffened counts.
+  /// Off at first: such ropes gain energy and tear, with any solver, unless steps are shorter.
   void setGeometricStiffness(bool on);
   /// Forgets the last step's report and the workspace.
   void reset() override;

@@ -256,17 +256,18 @@ void Memory::keepTurns(const Group& group, const Answer& answer) {
 
 void Memory::keep(const Group& group, const Answer& answer) {
   if (!announced_) return;
-  const void* first = !group.contactSources.empty() ? group.contactSources.front().manifold
-                      : !group.joints.empty()       ? group.joints.front().constraint
-                                                    : static_cast<const void*>(nullptr);
-  if (!first) return;
-  if (groups_.find(first)) {
+  // By what a group is known when it comes again; one that has neither has no reactions to keep.
+  const void* sign = !group.contactSources.empty() ? group.contactSources.front().manifold
+                     : !group.joints.empty()       ? group.joints.front().constraint
+                                                   : static_cast<const void*>(nullptr);
+  if (!sign) return;
+  if (groups_.find(sign)) {
     announced_ = false;
     last_.clear();
     now_.clear();
     return;
   }
-  groups_.insert(first, 0);
+  groups_.insert(sign, 0);
 
   const auto contacts = static_cast<int>(group.contacts.size());
   for (int begin = 0, end; begin < contacts; begin = end) {

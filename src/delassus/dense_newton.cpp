@@ -38,6 +38,7 @@ void DenseNewton<Most>::start(const Problem& problem, const NaturalMap& map, con
 template <int Most>
 void DenseNewton<Most>::feel(const Problem& problem, const Vector& r, Vector& u) const {
   u = problem.q;
+  // For so few, what the library's product sets up takes longer than to multiply.
   if constexpr (Most == Eigen::Dynamic)
     u.noalias() += W_ * r;
   else

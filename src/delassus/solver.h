@@ -18,7 +18,8 @@ class Solver {
   Solver(Solver&&) noexcept;
   Solver& operator=(Solver&&) noexcept;
 
-  /// Solves `problem`, starting from the reactions `guess` (empty: from rest). The best answer is always returned.
+  /// Solves `problem`, starting from the reactions `guess` (empty: from rest). The best answer is always returned. With more than
+  /// 10 000 unknowns and explicit entries it is that of sweeps alone: there is no room for a dense factor.
   Solution solve(const Problem& problem, const VectorXd& guess = {});
   /// The same into storage that is used again; `guess` may be its reactions.
   void solve(const Problem& problem, const VectorXd& guess, Solution& into);

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "delassus/island.h"
+#include "tests/support/random_piles.h"
 #include "tests/support/reference_contact.h"
 
 namespace delassus {
@@ -224,16 +225,6 @@ struct World {
     for (const int i : island.frictionless) target[at++] = contacts[i].target[0];
     for (const int i : island.rows) target[at++] = rows[i].target;
   }
-
-  static double kineticEnergy(const std::vector<Body>& bodies) {
-    double energy = 0;
-    for (const Body& body : bodies) {
-      const Vec3 v = body.velocity.head<3>(), w = body.velocity.tail<3>();
-      energy += 0.5 * v.dot(v.cwiseQuotient(body.inverseMass));
-      energy += 0.5 * w.dot(body.inverseInertia.inverse() * w);
-    }
-    return energy;
-  }
 };
 
 TEST(EnergyBalance, IsTheKineticEnergyOfTheBodiesForAnyReactions) {
@@ -244,8 +235,8 @@ TEST(EnergyBalance, IsTheKineticEnergyOfTheBodiesForAnyReactions) {
     std::vector<Body> after = world.bodies;
     applyReaction(after, world.contacts, world.rows, world.island, r);
 
-    const double before = World::kineticEnergy(world.bodies);
-    const double gained = World::kineticEnergy(after) - before;
+    const double before = delassus::testing::kineticEnergy(world.bodies);
+    const double gained = delassus::testing::kineticEnergy(after) - before;
     const EnergyBalance balance = energyBalance(world.problem, world.target, r);
     const double scale = before + std::abs(balance.impact) + std::abs(balance.compliance);
     EXPECT_NEAR(balance.change, gained, 1e-12 * scale);
