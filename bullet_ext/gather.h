@@ -39,6 +39,8 @@ struct PointSource {
   int point;
   Trouble trouble = Trouble::None;  ///< of a point that takes no part
   bool fresh = false;               ///< the manifold has just got it
+  /// The bodies of the manifold: read again when all has been solved, it would come from far away.
+  const btCollisionObject *bodyA = nullptr, *bodyB = nullptr;
 };
 struct JointSource {
   btTypedConstraint* constraint;

@@ -196,12 +196,18 @@ void gatherManifold(Group& group, const Pair& pair, const btContactSolverInfo& i
       continue;
     }
     const bool fresh = point.getLifeTime() <= 1;
-    group.contactSources.push_back({&manifold, i, Trouble::None, fresh});
+    group.contactSources.push_back(
+        {&manifold, i, Trouble::None, fresh, manifold.getBody0(), manifold.getBody1()});
     group.pushes.push_back(push);
     group.bouncing += point.m_combinedRestitution != 0;
     group.turning += point.m_combinedRollingFriction > 0 || point.m_combinedSpinningFriction > 0;
     group.guess.push_back(guessOf(point, info));
   }
+}
+
+void prefetchPoints(const btPersistentManifold& manifold) {
+  const int points = manifold.getNumContacts();
+  if (points > 0) prefetch(&manifold.getContactPoint(0), &manifold.getContactPoint(points - 1) + 1);
 }
 
 }  // namespace
@@ -212,10 +218,12 @@ bool warmStarts(const btContactSolverInfo& info) {
 
 void gatherContacts(Group& group, btPersistentManifold** manifolds, int count,
                     const btContactSolverInfo& info, btDispatcher* dispatcher, StepReport& report) {
-  constexpr int ahead = 3;  // 2 to 8 are the same
+  // Of most manifolds only the first of their points is there to be read: asked for once their number is.
+  constexpr int ahead = 6, farAhead = 16;
   for (int i = 0; i < count; ++i) {
     btPersistentManifold& manifold = *manifolds[i];
-    if (i + ahead < count) prefetch(manifolds[i + ahead]);
+    if (i + farAhead < count) prefetchEnd(*manifolds[i + farAhead]);
+    if (i + ahead < count) prefetchPoints(*manifolds[i + ahead]);
     if (manifold.getNumContacts() == 0) continue;
     // Manifolds carry their bodies as const; the solver's are not, as in every Bullet solver.
     auto& a = const_cast<btCollisionObject&>(*manifold.getBody0());

@@ -48,8 +48,8 @@ void Memory::Step::clear() {
   restless.clear();
 }
 
-Memory::Owner Memory::ownerOf(const btPersistentManifold& manifold) {
-  return {&manifold, manifold.getBody0(), manifold.getBody1(), 0, 0, 0};
+Memory::Owner Memory::ownerOf(const PointSource& point) {
+  return {point.manifold, point.bodyA, point.bodyB, 0, 0, 0};
 }
 
 Memory::Owner Memory::ownerOf(const JointSource& joint, double impulse) {
@@ -168,7 +168,7 @@ void Memory::recallPoints(Group& group, int begin, int end) {
   int fresh = 0;
   for (int i = begin; i < end; ++i) fresh += group.contactSources[i].fresh;
   if (fresh == 0) return;
-  const Owner* owner = last_.manifolds.find(ownerOf(*group.contactSources[begin].manifold));
+  const Owner* owner = last_.manifolds.find(ownerOf(group.contactSources[begin]));
   if (!owner) return;
   if (end - begin == 1) return keepForce(group, begin, *owner);
   // Points that stayed claim their own past; what is left goes to the fresh ones.
@@ -186,8 +186,7 @@ void Memory::recallRestless(Group& group) {
   group.restless.assign(group.contacts.size(), 0);
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {
     const PointSource& source = group.contactSources[i];
-    group.restless[i] = !source.fresh && (restless_.find(source.manifold->getBody0()) ||
-                                          restless_.find(source.manifold->getBody1()));
+    group.restless[i] = !source.fresh && (restless_.find(source.bodyA) || restless_.find(source.bodyB));
   }
 }
 
@@ -228,7 +227,7 @@ void Memory::recallTurns(Group& group) {
       contact = group.rows[row].governor;
       if (group.contactSources[contact].manifold != manifold) {
         manifold = group.contactSources[contact].manifold;
-        owner = last_.turners.find(ownerOf(*manifold));
+        owner = last_.turners.find(ownerOf(group.contactSources[contact]));
       }
       turn = owner ? nearestTurn(*owner, armOf(group, group.contacts[contact])) : nullptr;
     }
@@ -244,7 +243,7 @@ void Memory::keepTurns(const Group& group, const Answer& answer) {
       contact = group.rows[row].governor;
       if (group.contactSources[contact].manifold != manifold) {
         manifold = group.contactSources[contact].manifold;
-        Owner& owner = now_.turners.add(ownerOf(*manifold));
+        Owner& owner = now_.turners.add(ownerOf(group.contactSources[contact]));
         owner.begin = owner.end = static_cast<int>(now_.turns.size());
       }
       ++now_.turners.last().end;
@@ -278,7 +277,7 @@ void Memory::keep(const Group& group, const Answer& answer) {
       const Vec3& reaction = answer.contacts[i];
       now_.points.push_back({armOf(group, c), reaction, c.frame * reaction, false});
     }
-    Owner& owner = now_.manifolds.add(ownerOf(*group.contactSources[begin].manifold));
+    Owner& owner = now_.manifolds.add(ownerOf(group.contactSources[begin]));
     owner.begin = first;
     owner.end = first + end - begin;
   }

@@ -73,7 +73,7 @@ class Memory {
     void clear();
   };
 
-  static Owner ownerOf(const btPersistentManifold& manifold);
+  static Owner ownerOf(const PointSource& point);
   static Owner ownerOf(const JointSource& joint, double impulse);
   void recallRestless(Group& group);
   void recallPoints(Group& group, int begin, int end);

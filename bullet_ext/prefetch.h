@@ -2,17 +2,24 @@
 
 #include <cstddef>
 
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
+
 namespace delassus::bullet {
 
-/// Asks for all of an object that is read soon. Bullet's pools put manifolds and bodies where no processor expects them, and
-/// where there are thousands it waits for each. Changes no result.
-template <class Object>
-void prefetch([[maybe_unused]] const Object* object) {
+/// Asks for memory that is read soon, from `begin` up to `end`. Bullet's pools put manifolds and bodies where no processor expects
+/// them, and where there are thousands it waits for each. Changes no result.
+inline void prefetch([[maybe_unused]] const void* begin, [[maybe_unused]] const void* end) {
 #if defined(__GNUC__)
   constexpr std::size_t line = 64;  // bytes
-  const char* begin = reinterpret_cast<const char*>(object);
-  for (std::size_t at = 0; at < sizeof(Object); at += line) __builtin_prefetch(begin + at);
+  for (auto at = static_cast<const char*>(begin); at < end; at += line) __builtin_prefetch(at);
 #endif
+}
+
+/// What comes after the points of a manifold: its bodies, and how many points there are.
+inline void prefetchEnd(const btPersistentManifold& manifold) {
+  constexpr std::ptrdiff_t bytes = 64;
+  const auto* end = reinterpret_cast<const char*>(&manifold + 1);
+  prefetch(end - bytes, end);
 }
 
 }  // namespace delassus::bullet

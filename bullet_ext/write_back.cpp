@@ -6,6 +6,7 @@
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "LinearMath/btTransformUtil.h"
 #include "bullet_ext/convert.h"
+#include "bullet_ext/prefetch.h"
 
 namespace delassus::bullet {
 namespace {
@@ -22,6 +23,11 @@ Mode changeMode(btManifoldPoint& point, Mode to, StepReport& report) {
     addTo(report.modeChanges, 1);
   }
   return from;
+}
+
+void prefetchReaction(const PointSource& source) {
+  const btManifoldPoint& point = source.manifold->getContactPoint(source.point);
+  prefetch(&point.m_appliedImpulse, &point + 1);
 }
 
 /// The moments of contacts that are asked for in their order.
@@ -72,8 +78,10 @@ void writePushes(const Group& group, const Pushes& pushes, const btContactSolver
 void writeContacts(const Group& group, const Answer& answer, StepReport& report,
                    std::vector<ContactEvent>* events, bool turning) {
   Moments moments(group, answer);
+  constexpr std::size_t ahead = 6;
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {
     const PointSource& source = group.contactSources[i];
+    if (i + ahead < group.contacts.size()) prefetchReaction(group.contactSources[i + ahead]);
     const Mat3& frame = group.contacts[i].frame;
     const Vec3& r = answer.contacts[i];
     btManifoldPoint& point = source.manifold->getContactPoint(source.point);

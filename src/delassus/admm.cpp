@@ -55,7 +55,7 @@ bool ProximalNewton<Motion>::alternate(const Problem& problem, double tolerance,
     if (k % between != 0) continue;
     problem.W.multiply(center_, felt_, trialU_);
     trialU_ += problem.q;
-    const NaturalResidual residual = map_->residual(center_, trialU_);
+    const VelocityResidual residual = map_->residual(center_, trialU_);
     if (residual.max < best.residual) {
       best.r = center_;
       best.u = trialU_;

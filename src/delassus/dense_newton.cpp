@@ -87,7 +87,7 @@ bool DenseNewton<Most>::judge(const Problem& problem, const NaturalMap& map, dou
   trialR_ = candidate_.r;
   feel(problem, trialR_, trialU_);
   candidate_.u = trialU_;
-  const NaturalResidual residual = map.residual(candidate_.r, candidate_.u);
+  const VelocityResidual residual = map.residual(candidate_.r, candidate_.u);
   if (!(residual.max <= tolerance)) return false;
   best.r = candidate_.r;
   best.u = candidate_.u;

@@ -28,6 +28,18 @@ double spectralNorm(const Block& W) {
   return scale * std::sqrt(std::max(0.0, eigen.eigenvalues().maxCoeff()));
 }
 
+/// That of a contact. Where its arms go along its normal, as those of balls do, no normal reaction moves it along its tangents: then
+/// two sizes are compared.
+double spectralNorm(const Mat3& W) {
+  constexpr double rounding = 1e-14;
+  const double coupling = W.row(0).tail<2>().cwiseAbs().sum() + W.col(0).tail<2>().cwiseAbs().sum();
+  const double difference = W(1, 1) - W(2, 2), across = W(1, 2), normal = std::abs(W(0, 0));
+  if (!(coupling <= rounding * normal) || W(2, 1) != across) return spectralNorm<Mat3>(W);
+  const double tangential =
+      0.5 * (std::abs(W(1, 1) + W(2, 2)) + lengthOf(difference, 2 * across));
+  return std::max(normal, tangential);
+}
+
 /// Nothing compared with nothing is nothing; something compared with nothing is infinite.
 double ratio(double part, double whole) { return part == 0 ? 0 : part / whole; }
 
@@ -85,9 +97,9 @@ void visitNaturalMap(const Problem& problem, const VectorXd& r, const VectorXd& 
 
 void NaturalMap::setProblem(const Problem& problem) {
   problem_ = &problem;
-  problem.W.diagonal(diagonal_);
   blocks_.resize(problem.contacts());
   for (int a = 0; a < problem.contacts(); ++a) blocks_[a] = problem.W.contactBlock(3 * a);
+  problem.W.diagonal(diagonal_);
   blockSizes(
       problem, diagonal_, [&](int a) { return spectralNorm(blocks_[a]); }, sizes_);
 }
@@ -121,26 +133,32 @@ double NaturalMap::roundOff(const VectorXd& r) const {
          diagonal_.cwiseProduct(r).cwiseAbs().maxCoeff();
 }
 
-NaturalResidual NaturalMap::residual(const VectorXd& r, const VectorXd& u) const {
-  const Problem& problem = *problem_;
-  const VectorXd& size = sizes_;
-  assert(r.size() == problem.size() && u.size() == problem.size() && "one number an unknown");
-
-  NaturalResidual residual;
-  double velocity2 = 0, energy = 0, freeEnergy = 0;
-  const auto step = [&](int k) { return 1 / size[k]; };
-  visitNaturalMap(problem, r, u, step, [&](int k, int first, int unknowns, double F) {
-    const double velocity = F * size[k];
+VelocityResidual NaturalMap::residual(const VectorXd& r, const VectorXd& u) const {
+  assert(r.size() == problem_->size() && u.size() == problem_->size() && "one number an unknown");
+  VelocityResidual residual;
+  double squares = 0;
+  const auto step = [&](int k) { return 1 / sizes_[k]; };
+  visitNaturalMap(*problem_, r, u, step, [&](int k, int first, int, double F) {
+    const double velocity = F * sizes_[k];
     // A NaN is the worst of all: it must not pass for a small residual.
     if (residual.worst < 0 || velocity > residual.max || std::isnan(velocity)) {
       residual.max = velocity;
       residual.worst = first;
     }
-    velocity2 += velocity * velocity;
-    energy += F * velocity;
-    freeEnergy += problem.q.segment(first, unknowns).squaredNorm() / size[k];
+    squares += velocity * velocity;
   });
-  if (size.size() > 0) residual.rms = std::sqrt(velocity2 / static_cast<double>(size.size()));
+  if (sizes_.size() > 0) residual.rms = std::sqrt(squares / static_cast<double>(sizes_.size()));
+  return residual;
+}
+
+NaturalResidual NaturalMap::residualWithEnergy(const VectorXd& r, const VectorXd& u) const {
+  NaturalResidual residual{this->residual(r, u)};
+  double energy = 0, freeEnergy = 0;
+  const auto step = [&](int k) { return 1 / sizes_[k]; };
+  visitNaturalMap(*problem_, r, u, step, [&](int k, int first, int unknowns, double F) {
+    energy += F * F * sizes_[k];
+    freeEnergy += problem_->q.segment(first, unknowns).squaredNorm() / sizes_[k];
+  });
   residual.energy = std::sqrt(ratio(energy, freeEnergy));
   return residual;
 }
@@ -155,7 +173,7 @@ void NaturalMap::residuals(const VectorXd& r, const VectorXd& u, VectorXd& each)
 NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r, const VectorXd& u) {
   NaturalMap map;
   map.setProblem(problem);
-  return map.residual(r, u);
+  return map.residualWithEnergy(r, u);
 }
 
 NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r) {

@@ -12,11 +12,14 @@ namespace delassus {
 ///
 ///     F = r − P(r − ρ v),  ρ = 1/‖W_aa‖,  v = u + μ‖u_t‖ n for contacts, u for rows and disks; P projects on the cone, the
 ///     bounds or the disk of radius κ r_n
-struct NaturalResidual {
-  double max = 0;     ///< largest ‖F‖/ρ, m/s (rad/s where it is an angle)
-  double rms = 0;     ///< root mean square of ‖F‖/ρ over contacts and rows, m/s
+struct VelocityResidual {
+  double max = 0;  ///< largest ‖F‖/ρ, m/s (rad/s where it is an angle)
+  double rms = 0;  ///< root mean square of ‖F‖/ρ over contacts and rows, m/s
+  int worst = -1;  ///< first unknown of the contact or row with the largest ‖F‖/ρ
+};
+/// The same with a measure that knows no units.
+struct NaturalResidual : VelocityResidual {
   double energy = 0;  ///< √( Σ ‖F‖²/ρ  /  Σ ρ‖q‖² ), dimensionless
-  int worst = -1;     ///< first unknown of the contact or row with the largest ‖F‖/ρ
 };
 
 /// Measures many reactions of one problem: what depends on W alone is found once.
@@ -27,7 +30,8 @@ class NaturalMap {
   /// The same for contacts alone, of which W_aa and ‖W_aa‖ are known.
   void setProblem(const Problem& problem, std::vector<Mat3> blocks, const VectorXd& norms);
 
-  NaturalResidual residual(const VectorXd& r, const VectorXd& u) const;
+  VelocityResidual residual(const VectorXd& r, const VectorXd& u) const;
+  NaturalResidual residualWithEnergy(const VectorXd& r, const VectorXd& u) const;
   /// ‖F‖/ρ one by one, m/s: of the contacts, then of the rows (of a disk in the place of its first).
   void residuals(const VectorXd& r, const VectorXd& u, VectorXd& each) const;
   /// What round-off alone leaves in u = W r + q, m/s: a few ε of the largest W_aa r_a. A residual cannot be read finer.

@@ -67,7 +67,7 @@ void Search::measure(const Problem& problem, Solution& candidate) {
     problem.W.multiply(candidate.r, felt_, candidate.u);
     candidate.u += problem.q;
   }
-  const NaturalResidual residual = map_.residual(candidate.r, candidate.u);
+  const VelocityResidual residual = map_.residual(candidate.r, candidate.u);
   candidate.residual = residual.max;
   candidate.residualRms = residual.rms;
 }
@@ -112,7 +112,7 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
   if (result.status != Status::Incompatible) return Outcome::Lost;
   best.r = result.r;
   best.u = result.u;
-  const NaturalResidual residual = map_.residual(best.r, best.u);
+  const VelocityResidual residual = map_.residual(best.r, best.u);
   best.residual = residual.max;
   best.residualRms = residual.rms;
   best.blamed = result.blamed;

@@ -13,8 +13,8 @@ double boundedRow(double r, double u, double diagonal, double lower, double uppe
 }  // namespace
 
 void Sweeps::setProblem(const Problem& problem, const NaturalMap& map) {
-  blocks_.resize(problem.contacts());
-  for (int i = 0; i < problem.contacts(); ++i) blocks_[i] = OneContact(map.contactBlock(i));
+  blocks_.clear();
+  for (int i = 0; i < problem.contacts(); ++i) blocks_.emplace_back(map.contactBlock(i));
   diagonal_ = &map.diagonal();
   diskBlocks_.resize(problem.disks.size());
   for (std::size_t k = 0; k < problem.disks.size(); ++k) {
