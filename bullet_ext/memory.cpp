@@ -186,7 +186,8 @@ void Memory::recallRestless(Group& group) {
   group.restless.assign(group.contacts.size(), 0);
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {
     const PointSource& source = group.contactSources[i];
-    group.restless[i] = !source.fresh && (restless_.find(source.bodyA) || restless_.find(source.bodyB));
+    group.restless[i] =
+        !source.fresh && (restless_.find(source.bodyA) || restless_.find(source.bodyB));
   }
 }
 

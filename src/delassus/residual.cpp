@@ -35,8 +35,7 @@ double spectralNorm(const Mat3& W) {
   const double coupling = W.row(0).tail<2>().cwiseAbs().sum() + W.col(0).tail<2>().cwiseAbs().sum();
   const double difference = W(1, 1) - W(2, 2), across = W(1, 2), normal = std::abs(W(0, 0));
   if (!(coupling <= rounding * normal) || W(2, 1) != across) return spectralNorm<Mat3>(W);
-  const double tangential =
-      0.5 * (std::abs(W(1, 1) + W(2, 2)) + lengthOf(difference, 2 * across));
+  const double tangential = 0.5 * (std::abs(W(1, 1) + W(2, 2)) + lengthOf(difference, 2 * across));
   return std::max(normal, tangential);
 }
 

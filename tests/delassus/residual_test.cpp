@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/SVD>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -299,6 +300,23 @@ TEST(NaturalResidual, ALargeReactionHidesNoVelocity) {
   const VectorXd r = VectorXd::Constant(1, 1e20), u = VectorXd::Constant(1, -3);
   for (const double lower : {-infinity, 0.0})
     EXPECT_EQ(naturalResidual(oneRow(0.5, -3, lower, infinity), r, u).max, 3);
+}
+
+/// Of all kinds of blocks: coupled, as those of balls (arms along the normal, up to rounding), of every size, and unsymmetric.
+TEST(ContactSize, IsTheLargestSingularValue) {
+  RandomContact random(31);
+  for (const double coupling : {1.0, 1e-8, 1e-13, 1e-16, 0.0})
+    for (const double unit : {1e-120, 1.0, 1e120})
+      for (const double skew : {0.0, 0.3})
+        for (int k = 0; k < 20; ++k) {
+          Mat3 W = unit * random.W();
+          W.row(0).tail<2>() *= coupling;
+          W.col(0).tail<2>() *= coupling;
+          W(1, 2) *= 1 + skew;
+          if (k % 2) W(0, 0) *= 100;  // now the normal is the largest, now a tangent
+          const double largest = (W / unit).jacobiSvd().singularValues()[0];
+          EXPECT_NEAR(contactSize(W) / unit, largest, 1e-13 * largest) << W;
+        }
 }
 
 /// The list of problems states `rel` at r = 0, in two digits, computed by others.
