@@ -94,22 +94,16 @@ bool BlockFactor::factorise() {
 
 void BlockFactor::solve(VectorXd& x) const {
   const BlockPattern& p = pattern();
-  VectorXd& z = ordered_;
-  z.resize(x.size());
+  ordered_.resize(paddedSize * p.bodies);
+  double* z = ordered_.data();
   for (int body = 0; body < p.bodies; ++body)
-    z.segment<6>(6 * p.place[body]) = x.segment<6>(6 * body);
-
-  for (int j = 0; j < p.bodies; ++j)
-    for (int at = p.begin[j]; at < p.begin[j + 1]; ++at)
-      z.segment<6>(6 * p.row[at]).noalias() -= lower_[at] * z.segment<6>(6 * j);
-  for (int j = p.bodies - 1; j >= 0; --j) {
-    for (int at = p.begin[j]; at < p.begin[j + 1]; ++at)
-      z.segment<6>(6 * j).noalias() -= upper_[at].transpose() * z.segment<6>(6 * p.row[at]);
-    z.segment<6>(6 * j) = diagonalInverse_[j] * Vec6(z.segment<6>(6 * j));
-  }
-
+    std::copy_n(x.data() + 6 * body, 6, z + paddedSize * p.place[body]);
+  const BlockColumns L{p.bodies, p.begin.data(), p.row.data(), lower_.data()};
+  const BlockColumns U{p.bodies, p.begin.data(), p.row.data(), upper_.data()};
+  solveLower(L, z);
+  solveUpper(U, diagonalInverse_.data(), z);
   for (int body = 0; body < p.bodies; ++body)
-    x.segment<6>(6 * body) = z.segment<6>(6 * p.place[body]);
+    std::copy_n(z + paddedSize * p.place[body], 6, x.data() + 6 * body);
 }
 
 std::size_t BlockFactor::bytes() const {

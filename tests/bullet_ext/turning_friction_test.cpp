@@ -171,11 +171,15 @@ TEST(Parity, Row24BallRestsOnASlopeUpToItsAngle) {
     ball.setRollingFriction(btScalar(kappa));
     const btVector3 start = ball.getWorldTransform().getOrigin();
     const int steps = part < 1 ? 600 : 60;
-    world.advance(steps);
+    int checked = 0;
+    for (int i = 0; i < steps; ++i) {
+      world.advance();
+      checked += world.report().keptIslands;
+    }
     if (part < 1) {
       EXPECT_LT((ball.getWorldTransform().getOrigin() - start).length(), tolerance(1e-9, 1e-5));
       if (isDouble) {
-        EXPECT_EQ(world.report().keptIslands, 1) << "and it is only checked";
+        EXPECT_GT(checked, 3 * steps / 4) << "and it is only checked";
       }
     } else {
       const double a = 5.0 / 7 * g * (std::sin(slope) - kappa / radius * std::cos(slope));
