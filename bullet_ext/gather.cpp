@@ -42,7 +42,7 @@ void Group::clear() {
   guess.clear();
   idle.clear();
   restless.clear();
-  bouncing = turning = turningRows = 0;
+  bouncing = turning = turningRows = softRows = 0;
   rows.clear();
   rowGuess.clear();
   joints.clear();

@@ -29,6 +29,17 @@ constexpr int leftOut = -2;
 /// would overflow. A mass beyond is Bullet's "infinity".
 constexpr double largestNumber = sizeof(btScalar) == sizeof(double) ? 1e40 : 1e30;
 
+/// How much rows of joints give at least, as a share of their W_ii. Poses are rounded, and axes are often given in few digits, so that
+/// joints which share a freedom (two hinges of a door) contradict each other a little; taken at their word they would lock it. A
+/// contradiction δ (rad, or relative) slows the freedom by δ²/softness of itself a step, and a joint that carries M times the mass of
+/// its lighter body slips by M times this of what it stops. ODE softens all of its joints alike (its default CFM).
+constexpr double leastSoftness = sizeof(btScalar) == sizeof(double) ? 1e-10 : 1e-8;
+
+/// That of a row with Bullet's `cfm` (a fault of which stays one) and this W_ii.
+inline double complianceOf(double cfm, double response) {
+  return (cfm >= 0 && cfm < leastSoftness ? leastSoftness : cfm) * response;
+}
+
 /// What the gathered parts were in Bullet. Pointers are good until the end of the group.
 struct BodySource {
   btRigidBody* rigid;  ///< null for a limb of an articulated body
@@ -82,6 +93,7 @@ struct Group {
 
   std::vector<Row> rows;                     ///< of joints, then of turning friction
   int turningRows = 0;                       ///< the last of them
+  int softRows = 0;                          ///< those whose joint asks for a compliance
   std::vector<double> rowGuess;              ///< reaction of each row to start from, N·s
   std::vector<JointSource> joints;           ///< enabled joints that have rows
   std::vector<btTypedConstraint*> obsolete;  ///< enabled constraints without rows in getInfo1
@@ -133,7 +145,7 @@ bool warmStarts(const btContactSolverInfo& info);
 /// Rows of the joints as their getInfo1 and getInfo2 answer. With the joint's damping D and its
 /// dimensionless softness χ:
 ///
-///     target = error + (1 − D) J v_f,   compliance = χ W_ii
+///     target = error + (1 − D) J v_f,   compliance = max(χ, leastSoftness) W_ii
 ///
 /// W_ii is that of the masses without linear and angular factors, as in Bullet's solvers.
 /// A disabled joint has no rows; its impulse and feedback are cleared.

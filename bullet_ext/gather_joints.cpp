@@ -68,8 +68,8 @@ Row toRow(const Group& group, int a, int b, const InfoRow& info, double damping,
   row.target = info.error + (1 - damping) * q;
   row.lower = toCoreBound(info.lower <= -breakingImpulse ? -breakingImpulse : info.lower);
   row.upper = toCoreBound(info.upper >= breakingImpulse ? breakingImpulse : info.upper);
-  row.compliance = info.cfm * (unfactoredResponse(group, a, row.jacobianA) +
-                               unfactoredResponse(group, b, row.jacobianB));
+  row.compliance = complianceOf(info.cfm, unfactoredResponse(group, a, row.jacobianA) +
+                                              unfactoredResponse(group, b, row.jacobianB));
 
   // An infinite error means "as hard as you may" (six-dof spring 2): the row stays at its bound.
   if (std::abs(info.error) >= SIMD_INFINITY) {
@@ -107,6 +107,7 @@ void gatherRows(Group& group, btTypedConstraint& joint, double lastImpulse, doub
     if (row.lower == 0 && row.upper == 0) continue;  // a motor or spring that may not push
     source.lastRow = static_cast<int>(group.rows.size());
     group.rows.push_back(row);
+    group.softRows += group.asked[i].cfm > 0;
   }
   source.rowCount = static_cast<int>(group.rows.size()) - source.firstRow;
   group.joints.push_back(source);

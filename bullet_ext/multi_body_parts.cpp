@@ -278,7 +278,7 @@ void MultiBodyParts::addRow(Group& group, btMultiBodyConstraint& constraint, int
                  from.m_relpos2CrossNormal, row.jacobianB);
   row.lower = toCoreBound(from.m_lowerLimit);
   row.upper = toCoreBound(from.m_upperLimit);
-  row.compliance = from.m_cfm * response;
+  row.compliance = complianceOf(from.m_cfm, response);
 
   const char* fault = row.a == leftOut || row.b == leftOut ? brokenBody : faultOf(row);
   for (std::size_t i = jointRowsBefore; i < jointRows.size() && !fault; ++i)
@@ -289,6 +289,7 @@ void MultiBodyParts::addRow(Group& group, btMultiBodyConstraint& constraint, int
     return;
   }
   group.rows.push_back(row);
+  group.softRows += from.m_cfm > 0;
   group.multiBodyRows.push_back(
       {rowIndex, &constraint, asked, dof, constraint.getAppliedImpulse(dof)});
 }

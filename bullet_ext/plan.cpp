@@ -39,11 +39,9 @@ Plan makePlan(const Group& group, bool heard, const Economies& economies, const 
   plan.rows = static_cast<int>(group.rows.size()) - group.turningRows;
   for (std::size_t i = plan.rows; i < group.rows.size(); ++i) plan.rolling += group.rows[i].paired;
   plan.spinning = group.turningRows - 2 * plan.rolling;
-  for (int i = 0; i < plan.rows; ++i) {
-    const Row& row = group.rows[i];
-    plan.boundedRows += std::isfinite(row.lower) || std::isfinite(row.upper);
-    plan.softRows += row.compliance > 0;
-  }
+  for (int i = 0; i < plan.rows; ++i)
+    plan.boundedRows += std::isfinite(group.rows[i].lower) || std::isfinite(group.rows[i].upper);
+  plan.softRows = group.softRows;
   plan.obsolete = static_cast<int>(group.obsolete.size());
   plan.heard = heard;
 

@@ -26,7 +26,7 @@ struct Plan {
   int joints = 0;        ///< joints that have rows
   int rows = 0;          ///< of the joints
   int boundedRows = 0;   ///< rows with a finite bound: limits, motors, joints that can break
-  int softRows = 0;      ///< rows with a compliance
+  int softRows = 0;      ///< rows whose joint asks for a compliance
   int obsolete = 0;      ///< constraints that solve themselves, in turns with the rest
   int islands = 0;
   int largestIsland = 0;  ///< its unknowns

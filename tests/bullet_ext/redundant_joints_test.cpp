@@ -1,0 +1,114 @@
+/// Joints that hold the same thing twice, as two hinges of a door do: the rounding of their poses makes them contradict each other,
+/// and what they leave free must stay free.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "tests/support/bullet_world.h"
+
+namespace delassus::testing {
+namespace {
+
+constexpr double g = BulletWorld::gravity;
+constexpr double h = BulletWorld::step;
+
+/// Standing askew, so that no axis is one of the world.
+class Poses {
+ public:
+  btTransform next() {
+    const btVector3 axis(number(), number(), number());
+    const btQuaternion turn(axis.normalized(), btScalar(3) * number());
+    return btTransform(turn, btScalar(5) * btVector3(number(), number(), number()));
+  }
+
+ private:
+  btScalar number() { return btScalar(2 * double(random_() >> 11) / double(1ULL << 53) - 1); }
+  std::mt19937_64 random_{1};
+};
+
+/// Tolerances are the defaults of users.
+struct OurWorld : BulletWorld {
+  OurWorld() : BulletWorld(std::make_unique<btDelassusConstraintSolver>()) {}
+};
+
+btRigidBody& addPanel(BulletWorld& world, const btTransform& pose) {
+  const btVector3 half(btScalar(0.5), 1, btScalar(0.03));
+  return world.addBody(std::make_unique<btBoxShape>(half),
+                       pose * BulletWorld::at({btScalar(0.5), btScalar(1.1), 0}), 20);
+}
+
+/// Every step is one short walk.
+void advanceCheaply(OurWorld& world, int steps) {
+  for (int i = 0; i < steps; ++i) {
+    world.advance();
+    ASSERT_EQ(world.report().outOfBudget + world.report().incompatible, 0) << i;
+    ASSERT_LE(world.report().regions, 30) << i;
+  }
+}
+
+/// Two joints of that type between the panel and a wall, one above the other; `skew`: of the lower one's frame on the wall, rad.
+template <class Joint>
+void addTwo(BulletWorld& world, btRigidBody& panel, btScalar skew,
+            std::function<void(Joint&)> set) {
+  btRigidBody& wall = world.addCube({-30, 0, 0}, 0);
+  for (const btScalar side : {btScalar(0.7), btScalar(-0.7)}) {
+    // The third axis, about which hinges turn, is the panel's upright one; the first is that of sliders.
+    const btTransform inPanel(btQuaternion({1, 0, 0}, -SIMD_HALF_PI), {btScalar(-0.5), side, 0});
+    btTransform inWall = wall.getWorldTransform().inverse() * panel.getWorldTransform() * inPanel;
+    if (side < 0) inWall.setBasis(inWall.getBasis() * btMatrix3x3(btQuaternion({1, 0, 0}, skew)));
+    set(world.addJoint<Joint>(panel, wall, inPanel, inWall, true));
+  }
+}
+
+TEST(RedundantJoints, TwoParallelRailsLeaveTheFallAlongThem) {
+  Poses poses;
+  for (int k = 0; k < 16; ++k) {
+    const btTransform pose = poses.next();
+    OurWorld world;
+    btRigidBody& panel = addPanel(world, pose);
+    addTwo<btSliderConstraint>(world, panel, 0, [](btSliderConstraint& rail) {
+      rail.setLowerLinLimit(1);  // above the upper one: none
+      rail.setUpperLinLimit(-1);
+      rail.setLowerAngLimit(0);
+      rail.setUpperAngLimit(0);
+    });
+    constexpr int steps = 120;
+    advanceCheaply(world, steps);
+    const btVector3 along = pose.getBasis().getColumn(0);
+    constexpr double free = g * steps * h;
+    EXPECT_NEAR(panel.getLinearVelocity().dot(along), -free * along.y(),
+                tolerance(1e-7, 2e-3) * free)
+        << k;
+  }
+}
+
+/// A second of a door that was pushed.
+btRigidBody& addDoor(BulletWorld& world, const btTransform& pose, double skew) {
+  btRigidBody& door = addPanel(world, pose);
+  addTwo<btHingeConstraint>(world, door, btScalar(skew), [](btHingeConstraint&) {});
+  door.applyImpulse(pose.getBasis() * btVector3(0, 0, 20),
+                    pose.getBasis() * btVector3(btScalar(0.4), 0, 0));
+  return door;
+}
+
+TEST(RedundantJoints, ADoorOnTwoHingesSwingsAsInConvergedStock) {
+  for (const double skew : {0.0, 1e-9, 1e-7}) {
+    Poses poses;
+    for (int k = 0; k < 8; ++k) {
+      const btTransform pose = poses.next();
+      OurWorld ours;
+      StockWorld stock;
+      btRigidBody &door = addDoor(ours, pose, skew), &other = addDoor(stock, pose, skew);
+      advanceCheaply(ours, 60);
+      stock.advance(60);
+      EXPECT_NEAR(door.getAngularVelocity().length(), other.getAngularVelocity().length(),
+                  skew > 1e-8 ? 0.02 : tolerance(1e-4, 0.02))
+          << "skew " << skew << ", pose " << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace delassus::testing
