@@ -1,5 +1,6 @@
 #include "delassus/pivoting.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -122,6 +123,27 @@ std::vector<RowState> statesAt(const BoundedRows& rows, const VectorXd& r) {
   return states;
 }
 
+/// What a compromise leaves open among redundant rows: proximal steps have it only as exactly as the demands have become compatible.
+void takeLeastNorm(const BoundedRows& rows, RowAnswer& best) {
+  std::vector<int> free;
+  for (int i = 0; i < rows.size(); ++i)
+    if (best.states[i] == RowState::Free) free.push_back(i);
+  if (!rows.symmetric || free.empty() || free.size() > static_cast<size_t>(largestTableau)) return;
+  constexpr double dependent = 1e-10;
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> W;
+  W.setThreshold(dependent);
+  W.compute(rows.W(free, free));
+  RowAnswer least = best;
+  least.r(free).setZero();
+  const VectorXd demand = (rows.W * least.r + rows.q)(free);
+  least.r(free) = -W.solve(demand);
+  least.residual = rows.naturalResidual(least.r);
+  const bool isAllowed = least.r == rows.clamp(least.r);
+  // Both leave what the demands still disagree by, shared out in another way.
+  const double allowed = std::max(2 * best.residual, rows.roundOff(least.r));
+  if (isAllowed && least.residual <= allowed) best = least;
+}
+
 /// Linked rows by pivoting: directly; by proximal steps if W is singular; by Lemke's method if all
 /// else fails.
 PivotResult pivotLinked(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
@@ -175,6 +197,7 @@ PivotResult pivotLinked(const MatrixXd& W, const VectorXd& q, const VectorXd& lo
     }
   }
   if (!solved() && result.status == Status::Solved) result.status = Status::OutOfBudget;
+  if (result.status == Status::Incompatible) takeLeastNorm(rows, best);
 
   result.r = best.r.cwiseQuotient(scaled.scale);
   result.u = W * result.r + q;
@@ -215,7 +238,7 @@ PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
       for (const int i : group) groupGuess.push_back(guess[i]);
     const int first = group.front();
     PivotOptions left = options;
-    left.regionBudget -= result.regions;
+    left.regionBudget = std::max(0, left.regionBudget - result.regions);
     const PivotResult part =
         group.size() == 1 && W(first, first) == 0
             ? immovableRow(q[first], lower[first], upper[first], tolerance)
@@ -229,6 +252,11 @@ PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
     result.factorisations += part.factorisations;
   }
   std::sort(result.blamed.begin(), result.blamed.end());
+  if (!result.r.allFinite() || !result.u.allFinite()) {
+    result.r = VectorXd::Zero(n).cwiseMax(lower).cwiseMin(upper);
+    result.u = VectorXd::Zero(n);
+    result.status = Status::NonFinite;
+  }
   return result;
 }
 

@@ -48,7 +48,10 @@ std::vector<RowState> BoundedRows::firstStates() const {
 }
 
 RegionWalk::RegionWalk(const BoundedRows& problem, std::vector<RowState> start)
-    : problem_(problem), states_(std::move(start)) {
+    : problem_(problem),
+      states_(std::move(start)),
+      r_(problem.clamp(VectorXd::Zero(problem.size()))),
+      u_(problem.W * r_ + problem.q) {
   for (int i = 0; i < problem_.size(); ++i) states_[i] = problem_.possible(i, states_[i]);
 }
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/SVD>
+#include <limits>
 #include <set>
 
 #include "delassus/lemke.h"
@@ -324,6 +326,50 @@ TEST(Pivoting, ASpentBudgetIsSaid) {
   EXPECT_EQ(answer.status, Status::OutOfBudget);
   EXPECT_TRUE(answer.r.allFinite());
   EXPECT_GE(answer.r.minCoeff(), 0);
+}
+
+// What is spent on rows that come first is not there for the others.
+TEST(Pivoting, NoBudgetLeavesWhatTheBoundsAsk) {
+  MatrixXd W = MatrixXd::Zero(4, 4);
+  W.topLeftCorner<2, 2>() << 2, 1, 1, 2;
+  W.bottomRightCorner<2, 2>() = W.topLeftCorner<2, 2>();
+  const VectorXd one = VectorXd::Ones(4);
+  for (const int budget : {1, 0, -1, std::numeric_limits<int>::min()}) {
+    PivotOptions options;
+    options.regionBudget = budget;
+    const PivotResult answer = pivot(W, -one, -one, one, {}, options);
+    EXPECT_EQ(answer.status, Status::OutOfBudget) << budget;
+    EXPECT_TRUE((answer.r.array().abs() <= 1).all()) << budget;
+    EXPECT_EQ(answer.u, VectorXd(W * answer.r - one)) << budget;
+  }
+}
+
+TEST(Pivoting, ReactionsThatOverflowAreNone) {
+  const PivotResult answer =
+      pivotContacts(MatrixXd::Constant(1, 1, 1e-300), VectorXd::Constant(1, -1e10));
+  EXPECT_EQ(answer.status, Status::NonFinite);
+  EXPECT_EQ(answer.r, VectorXd::Zero(1));
+}
+
+/// Equations that contradict each other: the compromise is (W⁺) q, in units that give W a unit diagonal.
+TEST(Pivoting, ACompromiseHasTheLeastReactions) {
+  Random random(29);
+  int compromises = 0;
+  for (int k = 0; k < 300; ++k) {
+    const int n = 2 + k % 7, rank = 1 + k % (n - 1);
+    MatrixXd J = normalMatrix(n, rank, random);
+    J.rowwise().normalize();
+    const MatrixXd W = J * J.transpose();
+    const VectorXd q = normalVector(n, random);
+    const VectorXd unbounded = VectorXd::Constant(n, infinity);
+    const PivotResult answer = pivot(W, q, -unbounded, unbounded);
+    compromises += answer.status == Status::Incompatible;
+    Eigen::JacobiSVD<Eigen::MatrixXd> inverse(W, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    inverse.setThreshold(1e-10);
+    const Eigen::VectorXd least = inverse.solve(-Eigen::VectorXd(q));
+    EXPECT_LT((answer.r - least).norm(), 1e-7 * least.norm()) << W << "\n" << q.transpose();
+  }
+  EXPECT_GT(compromises, 250);
 }
 
 // Problem files hold matrices that are no Delassus matrices. An upper triangular P-matrix on which
