@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "demos/render/picture.h"
 #include "demos/render/video.h"
 #include "demos/scenes/catalogue.h"
+#include "demos/scenes/simulate.h"
 #include "demos/subject.h"
 #endif
 
@@ -79,6 +79,21 @@ std::vector<render::Film> recordAll(const RenderArguments& arguments,
   return films;
 }
 
+constexpr double framesPerSecond = 30;  // of a video
+
+/// When frames are taken, s, rising. Throws std::runtime_error where that has no end.
+std::vector<double> timesOf(const RenderArguments& arguments, const Subject& subject) {
+  std::vector<double> times = arguments.at;
+  if (times.empty()) times = {subject.seconds};
+  std::sort(times.begin(), times.end());
+  stepsIn(times.back(), subject.hz);
+  if (!arguments.video) return times;
+  const int last = stepsIn(times.back(), framesPerSecond);
+  times.clear();
+  for (int i = 0; i <= last; ++i) times.push_back(i / framesPerSecond);
+  return times;
+}
+
 void say(const std::string& file) { std::printf("%s\n", file.c_str()); }
 
 void makePicture(const RenderArguments& arguments, std::vector<NamedSolver>& solvers,
@@ -92,12 +107,9 @@ void makePicture(const RenderArguments& arguments, std::vector<NamedSolver>& sol
   say(file);
 }
 
-void makeVideo(const RenderArguments& arguments, std::vector<NamedSolver>& solvers, double seconds,
-               const render::Wish& wish, render::Look look, const std::string& file) {
-  constexpr double framesPerSecond = 30;
-  std::vector<double> times;
-  for (int i = 0; i <= int(std::lround(seconds * framesPerSecond)); ++i)
-    times.push_back(i / framesPerSecond);
+void makeVideo(const RenderArguments& arguments, std::vector<NamedSolver>& solvers,
+               const std::vector<double>& times, const render::Wish& wish, render::Look look,
+               const std::string& file) {
   // H.264 halves the resolution of colours.
   look.size = {look.size.width / 2 * 2, look.size.height / 2 * 2};
   render::Studio studio(recordAll(arguments, solvers, times), wish, look, 1);
@@ -120,6 +132,7 @@ int renderSubject(const RenderArguments& arguments) {
   if (!arguments.camera.empty() && arguments.camera == arguments.lookAt)
     throw BadUsage("--camera is where --look-at is: it would look nowhere");
   const Subject subject = openSubject(arguments.subject);
+  const std::vector<double> times = timesOf(arguments, subject);
   if (arguments.video) render::requireFfmpeg();
   render::requireOpenGl();
   render::prepareFolder(arguments.out);
@@ -133,16 +146,12 @@ int renderSubject(const RenderArguments& arguments) {
   look.plain = arguments.plain;
   look.timing = arguments.timing;
 
-  std::vector<double> times = arguments.at;
-  std::sort(times.begin(), times.end());
   const std::string stem =
       (std::filesystem::path(arguments.out) / std::filesystem::path(look.title).stem()).string();
   if (arguments.video)
-    makeVideo(arguments, solvers, times.empty() ? subject.seconds : times.back(), wish, look,
-              stem + ".mp4");
+    makeVideo(arguments, solvers, times, wish, look, stem + ".mp4");
   else
-    makePicture(arguments, solvers, times.empty() ? std::vector<double>{subject.seconds} : times,
-                wish, look, stem + ".png");
+    makePicture(arguments, solvers, times, wish, look, stem + ".png");
   return exitDone;
 }
 

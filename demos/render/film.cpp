@@ -4,13 +4,13 @@
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 
 #include <algorithm>
-#include <cmath>
 #include <unordered_map>
 
 #include "bullet_ext/btDelassusConstraintSolver.h"
 #include "demos/render/marks.h"
 #include "demos/scenes/judge.h"
 #include "demos/scenes/measures.h"
+#include "demos/scenes/simulate.h"
 #include "demos/scenes/statistics.h"
 #include "demos/scenes/timed_solver.h"
 
@@ -120,11 +120,11 @@ Film record(World& world, NamedSolver& named, double hz, const std::vector<doubl
   const JointFeedbacks feedbacks(world);
   Cast cast(film, world.dynamics().getNumCollisionObjects());
 
-  const long total = times.empty() ? 0 : std::lround(times.back() * hz);
+  const int total = times.empty() ? 0 : stepsIn(times.back(), hz);
   std::vector<double> milliseconds;
-  long step = 0;
+  int step = 0;
   for (const double time : times) {
-    const long last = std::lround(time * hz);
+    const int last = stepsIn(time, hz);
     if (step == last && !film.frames.empty()) {
       film.frames.push_back(film.frames.back());
       continue;

@@ -76,7 +76,7 @@ struct Film {
 };
 
 /// Steps `world` with `named` at `hz` and keeps a frame at each of `times` (rising, s), rounded to whole steps.
-/// `progress` is told the fraction done after each step.
+/// Throws std::runtime_error where they are too many (stepsIn). `progress` is told the fraction done after each step.
 Film record(World& world, NamedSolver& named, double hz, const std::vector<double>& times,
             const std::function<void(double)>& progress);
 

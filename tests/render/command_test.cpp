@@ -74,6 +74,14 @@ TEST_F(RenderCommand, MissingFfmpegIsToldAtOnce) {
   EXPECT_FALSE(fs::exists(file("a/one_box.mp4")));
 }
 
+TEST_F(RenderCommand, RefusesRunsWithoutEnd) {
+  for (const char* endless : {"--at 0,1e12", "--at 1e30", "--video --at 1e9"}) {
+    expectOneLine(render(std::string("one_box --out ") + file("a") + " " + endless, "timeout 20"),
+                  "a billion steps");
+    EXPECT_FALSE(fs::exists(file("a"))) << endless;
+  }
+}
+
 TEST_F(RenderCommand, VideoIsWholeAndAlone) {
   if (std::system("command -v ffmpeg >/dev/null 2>&1") != 0) GTEST_SKIP() << "no ffmpeg here";
   const Outcome outcome = render("one_box --video --at 0.2 --size 160x90 --out " + file("a"));
