@@ -94,6 +94,17 @@ std::vector<double> timesOf(const RenderArguments& arguments, const Subject& sub
   return times;
 }
 
+/// What no picture of its size can be made for is told with what to do about it.
+void checkSize(const render::Look& look, int films, int columns) {
+  try {
+    render::Studio::check(look, films, columns);
+  } catch (const render::TooSmall& error) {
+    throw BadUsage(std::string(error.what()) + "; take a larger --size");
+  } catch (const render::TooLarge& error) {
+    throw std::runtime_error(std::string(error.what()) + "; take a smaller --size");
+  }
+}
+
 void say(const std::string& file) { std::printf("%s\n", file.c_str()); }
 
 void makePicture(const RenderArguments& arguments, std::vector<NamedSolver>& solvers,
@@ -108,10 +119,8 @@ void makePicture(const RenderArguments& arguments, std::vector<NamedSolver>& sol
 }
 
 void makeVideo(const RenderArguments& arguments, std::vector<NamedSolver>& solvers,
-               const std::vector<double>& times, const render::Wish& wish, render::Look look,
+               const std::vector<double>& times, const render::Wish& wish, const render::Look& look,
                const std::string& file) {
-  // H.264 halves the resolution of colours.
-  look.size = {look.size.width / 2 * 2, look.size.height / 2 * 2};
   render::Studio studio(recordAll(arguments, solvers, times), wish, look, 1);
   ProgressBar bar(look.title + " video");
   render::Video video(file, look.size, framesPerSecond);
@@ -134,8 +143,6 @@ int renderSubject(const RenderArguments& arguments) {
   const Subject subject = openSubject(arguments.subject);
   const std::vector<double> times = timesOf(arguments, subject);
   if (arguments.video) render::requireFfmpeg();
-  render::requireOpenGl();
-  render::prepareFolder(arguments.out);
 
   render::Wish wish;
   render::Look look;
@@ -145,6 +152,10 @@ int renderSubject(const RenderArguments& arguments) {
   std::tie(look.size.width, look.size.height) = readSize(arguments.size);
   look.plain = arguments.plain;
   look.timing = arguments.timing;
+  // H.264 halves the resolution of colours.
+  if (arguments.video) look.size = {look.size.width / 2 * 2, look.size.height / 2 * 2};
+  checkSize(look, int(solvers.size()), arguments.video ? 1 : int(times.size()));
+  render::prepareFolder(arguments.out);
 
   const std::string stem =
       (std::filesystem::path(arguments.out) / std::filesystem::path(look.title).stem()).string();

@@ -43,7 +43,10 @@ GlObject compile(GLenum stage, const std::string& source) {
 
 void checkGl(const char* where) {
   const GLenum error = glGetError();
-  if (error != GL_NO_ERROR) throw GlError(std::string("OpenGL: ") + nameOf(error) + ", " + where);
+  if (error == GL_NO_ERROR) return;
+  const std::string what = std::string("OpenGL: ") + nameOf(error) + ", " + where;
+  if (error == GL_OUT_OF_MEMORY) throw GlMemoryError(what);
+  throw GlError(what);
 }
 
 struct GlContext::Handle {

@@ -20,7 +20,13 @@ class GlError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws GlError if OpenGL has an error to tell since the last call; `where` is part of the message.
+/// OpenGL has no memory for what it was asked for.
+class GlMemoryError : public GlError {
+ public:
+  using GlError::GlError;
+};
+
+/// Throws GlError, or GlMemoryError, if OpenGL has an error to tell since the last call; `where` is part of the message.
 void checkGl(const char* where);
 
 /// A context without a window, current as long as it lives. One at a time.

@@ -29,9 +29,11 @@ std::string inSeconds(double time) {
   return text;
 }
 
-}  // namespace
+std::string inWords(Size size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
 
-void requireOpenGl() { const GlContext context; }
+}  // namespace
 
 std::string solverInWords(const std::string& name) {
   const std::size_t mark = std::min(name.find_first_of(":/"), name.size());
@@ -81,10 +83,19 @@ Studio::Layout Studio::layOut(const Look& look, int films, int columns) {
                   (height - (layout.rows - 1) * layout.gap) / layout.rows};
   constexpr int least = 16;
   if (layout.panel.width < least || layout.panel.height < least)
-    throw std::runtime_error("a picture of " + std::to_string(look.size.width) + "x" +
-                             std::to_string(look.size.height) + " is too small for " +
-                             std::to_string(layout.rows * layout.columns) + " panels");
+    throw TooSmall("a picture of " + inWords(look.size) + " is too small for " +
+                   inWords({layout.columns, layout.rows}) + " panels");
   return layout;
+}
+
+void Studio::check(const Look& look, int films, int columns) {
+  const Size panel = layOut(look, films, columns).panel;
+  try {
+    const Painter painter(panel);
+  } catch (const GlMemoryError& error) {
+    throw TooLarge("a picture of " + inWords(look.size) + " is too large: " + error.what());
+  }
+  const Font regular(false), bold(true);
 }
 
 Studio::Studio(std::vector<Film> films, const Wish& wish, const Look& look, int columns)

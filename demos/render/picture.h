@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -20,14 +21,25 @@ struct Look {
   std::string expected;  ///< what it should do
 };
 
-/// Throws GlError where no picture can be drawn: to be asked before a film is recorded.
-void requireOpenGl();
+/// The panels of a picture have no room in its size.
+class TooSmall : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+/// OpenGL has no memory for the panels of a picture of its size.
+class TooLarge : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// Makes pictures of films that show one scene at the same times: side by side, with one camera and one scale of arrows.
 class Studio {
  public:
-  /// `columns`: how many frames of a film one picture shows. Throws GlError, or std::runtime_error where the font is missing.
+  /// `columns`: how many frames of a film one picture shows. Throws what `check` throws.
   Studio(std::vector<Film> films, const Wish& wish, const Look& look, int columns);
+  /// Throws where so many films could not be shown, to be asked before they are recorded: TooSmall, TooLarge, GlError where there is
+  /// no OpenGL, std::runtime_error where the font is missing.
+  static void check(const Look& look, int films, int columns);
 
   /// A row of panels, one a film, if there is one frame, else a row a film with a panel a frame.
   Image picture(const std::vector<int>& frames);

@@ -82,6 +82,21 @@ TEST_F(RenderCommand, RefusesRunsWithoutEnd) {
   }
 }
 
+// Before anything is simulated: that would take minutes.
+TEST_F(RenderCommand, TellsAtOnceWhichSizesCannotBe) {
+  const std::string slow = "stack_40 --at 300 --out " + file("a");
+  for (const char* small :
+       {" --size 64x64", " --size 100x100 --plain --solver si:1,si:2,si:3,si:4,si:5,si:6",
+        " --size 640x90 --at 1,2 --solver delassus,si:10"}) {
+    const Outcome outcome = render(slow + small, "timeout 20");
+    EXPECT_EQ(outcome.status, 2) << small;
+    EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find("take a larger --size"), std::string::npos) << outcome.err;
+  }
+  expectOneLine(render(slow + " --size 8192x8192", "timeout 20"), "take a smaller --size");
+  EXPECT_FALSE(fs::exists(file("a")));
+}
+
 TEST_F(RenderCommand, VideoIsWholeAndAlone) {
   if (std::system("command -v ffmpeg >/dev/null 2>&1") != 0) GTEST_SKIP() << "no ffmpeg here";
   const Outcome outcome = render("one_box --video --at 0.2 --size 160x90 --out " + file("a"));
