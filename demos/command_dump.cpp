@@ -9,6 +9,7 @@
 #include "delassus/contact_form.h"
 #include "delassus/island.h"
 #include "delassus/problem_text.h"
+#include "delassus/word_reader.h"
 #include "demos/command.h"
 #include "demos/number_checks.h"
 #include "demos/progress_bar.h"
@@ -82,6 +83,15 @@ void writeIsland(const std::string& file, const Problem& problem) {
               contacts, bounds, rows - bounds);
 }
 
+/// The name of the problems of `subject`, to which more words are added: a file's without its folder and suffix, one word of
+/// the format whatever is in it.
+std::string problemName(const std::string& subject) {
+  std::string name = std::filesystem::path(subject).stem().string();
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !isVisible(c); }, '_');
+  return name;
+}
+
 /// A world is not what a problem is meant to replace, least of all the one that is dumped.
 void refuseToReplaceAWorld(const std::string& file) {
   constexpr std::size_t length = 6;
@@ -116,10 +126,11 @@ int dumpProblems(const DumpArguments& arguments) {
   for (std::size_t i = 0; i < islands; ++i)
     refuseToReplaceAWorld(fileOf(arguments.out, i, islands));
 
+  const std::string name = problemName(subject.name);
   std::size_t written = 0;
   for (std::size_t i = 0; i < islands; ++i) {
     Problem problem = catcher.problems()[i];
-    problem.name = subject.name + "-" + std::to_string(steps) + "-" + std::to_string(i);
+    problem.name = name + "-" + std::to_string(steps) + "-" + std::to_string(i);
     if (!problem.disks.empty()) {
       std::fprintf(stderr,
                    "delassus: island %zu has rolling or spinning friction: no format holds that, "

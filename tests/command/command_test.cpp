@@ -382,6 +382,20 @@ TEST_F(Command, dumpsAnIslandAFile) {
   EXPECT_NE(rolling.err.find("island 4 has rolling or spinning friction"), std::string::npos);
 }
 
+// A name in a problem is one word; a file's need not be.
+TEST_F(Command, dumpsFilesOfAnyName) {
+  const std::filesystem::path world = delassus::test::sharedFolder() / "worlds" / "spider.bullet";
+  if (!std::filesystem::exists(world)) GTEST_SKIP() << delassus::test::noSharedFolder;
+  std::filesystem::copy_file(world, file("my\tblack spider.bullet"));
+  const Outcome dumped =
+      call("dump '" + file("my\tblack spider.bullet") + "' --at 0 --out " + file("spider.fc3d"));
+  ASSERT_EQ(dumped.status, 0) << dumped.err;
+  EXPECT_EQ(dumped.err, "");
+  const Outcome solved = call("solve " + file("spider-1.fc3d") + " --json");
+  ASSERT_EQ(solved.status, 0) << solved.err;
+  EXPECT_EQ(json::parse(solved.out)["name"], "my_black_spider-0-1");
+}
+
 TEST(ProgressLine, fitsIntoItsTerminal) {
   using demos::progressLine;
   EXPECT_EQ(progressLine("one_box si:10", 0.5, 200),
