@@ -16,6 +16,7 @@
 #include "demos/scenes/simulate.h"
 #include "demos/scenes/solver_decorator.h"
 #include "demos/scenes/solvers.h"
+#include "demos/standard_output.h"
 #include "demos/subject.h"
 
 namespace demos {
@@ -69,18 +70,22 @@ std::string fileOf(const std::string& out, std::size_t island, std::size_t islan
 
 /// Formats hold contacts or rows: where there are both, the rows are written as contacts.
 void writeIsland(const std::string& file, const Problem& problem) {
+  const auto write = [&file](const Problem& written) {
+    writeTo(file, [&written](auto& out) { writeProblem(out, written); });
+  };
+  std::FILE* words = wordsAbout(file);
   const int contacts = problem.contacts(), rows = problem.rows();
   if (contacts == 0 || rows == 0) {
-    writeProblem(file, problem);
-    std::printf("%s: %d %s\n", file.c_str(), std::max(contacts, rows),
-                contacts > 0 ? "contacts" : "rows");
+    write(problem);
+    std::fprintf(words, "%s: %d %s\n", file.c_str(), std::max(contacts, rows),
+                 contacts > 0 ? "contacts" : "rows");
     return;
   }
   const Problem form = contactForm(problem);
-  writeProblem(file, form);
+  write(form);
   const int bounds = form.contacts() - contacts;
-  std::printf("%s: %d contacts, %d more for rows with bounds; %d equations put in\n", file.c_str(),
-              contacts, bounds, rows - bounds);
+  std::fprintf(words, "%s: %d contacts, %d more for rows with bounds; %d equations put in\n",
+               file.c_str(), contacts, bounds, rows - bounds);
 }
 
 /// The name of the problems of `subject`, to which more words are added: a file's without its folder and suffix, one word of
@@ -94,12 +99,23 @@ std::string problemName(const std::string& subject) {
 
 /// A world is not what a problem is meant to replace, least of all the one that is dumped.
 void refuseToReplaceAWorld(const std::string& file) {
+  // A pipe has nothing to replace, and to read from it is to wait.
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return;
   constexpr std::size_t length = 6;
   char begin[length + 1] = {};
   std::ifstream(file, std::ios::binary).read(begin, length);
-  const bool named = std::filesystem::path(file).extension() == ".bullet";
-  if (std::string(begin) == "BULLET" || (named && std::filesystem::exists(file)))
+  if (std::string(begin) == "BULLET" || std::filesystem::path(file).extension() == ".bullet")
     throw BadUsage("--out would replace the Bullet world " + file);
+}
+
+/// A pipe, a device or standard output has no number in its name.
+void refuseToShare(const std::string& file, std::size_t islands) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(file, ignored);
+  if (islands > 1 && (isStandardOutput(file) || is_fifo(status) || is_character_file(status)))
+    throw BadUsage("--out " + file + " takes one problem, and that step has " +
+                   std::to_string(islands) + ": name a file, and each gets one of its own");
 }
 
 int dumpProblems(const DumpArguments& arguments) {
@@ -123,6 +139,7 @@ int dumpProblems(const DumpArguments& arguments) {
   const std::size_t islands = catcher.problems().size();
   if (islands == 0)
     throw std::runtime_error("nothing to write: nothing touches and no joint acts in that step");
+  refuseToShare(arguments.out, islands);
   for (std::size_t i = 0; i < islands; ++i)
     refuseToReplaceAWorld(fileOf(arguments.out, i, islands));
 

@@ -12,6 +12,7 @@
 #include "demos/command.h"
 #include "demos/json_line.h"
 #include "demos/number_checks.h"
+#include "demos/standard_output.h"
 
 namespace demos {
 
@@ -64,8 +65,11 @@ int solveFile(const SolveArguments& arguments) {
     solution.status = Status::Solved;
   else if (solution.status == Status::Solved)
     solution.status = Status::OutOfBudget;
-  if (!arguments.solutionFile.empty()) writeSolution(arguments.solutionFile, problem, solution);
+  if (!arguments.solutionFile.empty())
+    writeTo(arguments.solutionFile,
+            [&, &answer = solution](auto& out) { writeSolution(out, problem, answer); });
 
+  std::FILE* words = wordsAbout(arguments.solutionFile);
   const std::string kind = problem.contacts() > 0 ? "fc3d" : "lcp";
   const int size = problem.contacts() > 0 ? problem.contacts() : problem.rows();
   const int islands = ProblemParts(problem).count();
@@ -80,14 +84,14 @@ int solveFile(const SolveArguments& arguments) {
     json["ms"] = ms;
     json["regions"] = solution.regions;
     json["islands"] = islands;
-    std::printf("%s\n", jsonLine(json).c_str());
+    std::fprintf(words, "%s\n", jsonLine(json).c_str());
   } else {
-    std::printf("%s: %s, %d %s in %d %s\n", problem.name.c_str(), kind.c_str(), size,
-                problem.contacts() > 0 ? "contacts" : "rows", islands,
-                islands == 1 ? "island" : "islands");
-    std::printf("%s  rel %.3g  vel %.3g  (tolerance %g)  %.3g ms  %d regions\n",
-                toString(solution.status).c_str(), measures.rel, measures.vel, arguments.tolerance,
-                ms, solution.regions);
+    std::fprintf(words, "%s: %s, %d %s in %d %s\n", problem.name.c_str(), kind.c_str(), size,
+                 problem.contacts() > 0 ? "contacts" : "rows", islands,
+                 islands == 1 ? "island" : "islands");
+    std::fprintf(words, "%s  rel %.3g  vel %.3g  (tolerance %g)  %.3g ms  %d regions\n",
+                 toString(solution.status).c_str(), measures.rel, measures.vel, arguments.tolerance,
+                 ms, solution.regions);
   }
   return within ? exitDone : exitAboveTolerance;
 }

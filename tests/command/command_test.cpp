@@ -360,6 +360,31 @@ TEST_F(Command, dumpsWhatItCanSolve) {
   EXPECT_EQ(json::parse(solved.out)["size"], 40);
 }
 
+// A file that is standard output, or a pipe that is, holds what any other would; what is said about it goes elsewhere.
+TEST_F(Command, writesToStandardOutputAsToAFile) {
+  const std::string problem = easyProblem();
+  for (const auto& [command, flag] :
+       {std::pair<std::string, std::string>("dump one_box --at 0", " --out "),
+        {"solve " + problem, " --solution "},
+        {"solve --json " + problem, " --solution "}}) {
+    const Outcome plain = call(command + flag + file("plain"));
+    ASSERT_EQ(plain.status, 0) << plain.err;
+    const Outcome direct = call(command + flag + "/dev/stdout", "timeout 20");
+    EXPECT_EQ(direct.status, 0) << direct.err;
+    EXPECT_EQ(direct.out, read(file("plain"))) << command;
+    EXPECT_EQ(lines(direct.err), lines(plain.out)) << direct.err;
+
+    const std::string line = std::string("timeout 20 ") + DELASSUS_COMMAND + " " + command + flag +
+                             "/dev/stdout 2>" + file("said") + " | cat >" + file("piped");
+    ASSERT_EQ(std::system(line.c_str()), 0);
+    EXPECT_EQ(read(file("piped")), read(file("plain"))) << command;
+  }
+  const Outcome many = call("dump box_headings --at 0 --out /dev/stdout");
+  EXPECT_EQ(many.status, 2);
+  EXPECT_EQ(many.out, "");
+  EXPECT_EQ(lines(many.err), 1) << many.err;
+}
+
 TEST_F(Command, dumpsContactsWithJointsAsContacts) {
   const Outcome dumped = call("dump gripper --at 1 --out " + file("gripper.fc3d"));
   ASSERT_EQ(dumped.status, 0) << dumped.err;
