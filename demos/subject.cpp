@@ -56,7 +56,7 @@ Subject loadSubject(const std::string& name) {
   }
   constexpr double usualSeconds = 5, usualHz = 60;
   // A pipe can be read only once, and may never end.
-  std::error_code ignored;
+  std::error_code ignored;  // of what cannot be looked at: who opens it will say why
   const std::filesystem::file_status status = std::filesystem::status(name, ignored);
   if (exists(status) && !is_regular_file(status))
     throw BulletFileError(name + ": is not a regular file");

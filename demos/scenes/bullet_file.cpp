@@ -3,7 +3,9 @@
 #include <btBulletDynamicsCommon.h>
 #include <btBulletWorldImporter.h>
 
+#include <cerrno>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -14,10 +16,14 @@ namespace demos {
 namespace {
 
 std::string readBytes(const std::string& path) {
-  if (std::filesystem::is_directory(path))
+  std::error_code ignored;  // of what cannot be looked at: it cannot be opened either
+  if (std::filesystem::is_directory(path, ignored))
     throw BulletFileError(path + ": is a directory, not a .bullet file");
+  errno = 0;
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw BulletFileError(path + ": cannot be opened");
+  if (!in)
+    throw BulletFileError(
+        path + ": cannot be opened: " + (errno != 0 ? std::strerror(errno) : "input error"));
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 

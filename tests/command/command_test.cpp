@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cerrno>
+#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "demos/progress_bar.h"
@@ -100,6 +102,21 @@ TEST_F(Command, namesAFileThatCannotBeRead) {
     EXPECT_NE(outcome.err.find(path), std::string::npos) << outcome.err;
     EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
   }
+}
+
+// What cannot be looked at is not what is damaged.
+TEST_F(Command, saysWhyAWorldCannotBeOpened) {
+  std::filesystem::create_symlink("loop.bullet", file("loop.bullet"));
+  const std::string tooLong = folder_.string() + "/" + std::string(300, 'a');
+  for (const auto& [path, why] :
+       {std::pair(file("loop.bullet"), ELOOP), std::pair(tooLong, ENAMETOOLONG),
+        std::pair(file("none.bullet"), ENOENT)})
+    for (const char* command : {"run ", "dump --at 0 --out none "}) {
+      const Outcome outcome = call(command + path);
+      EXPECT_EQ(outcome.status, 1) << path;
+      EXPECT_EQ(outcome.err,
+                "delassus: " + path + ": cannot be opened: " + std::strerror(why) + "\n");
+    }
 }
 
 // A pipe would be waited for without end.
