@@ -17,18 +17,36 @@ fs::path fileOf(const fs::path& folder, const Part& part, const Unit& unit) {
   return folder / part.name / (unit.file + ".csv");
 }
 
+void makeFolder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw std::runtime_error("cannot make the folder '" + folder.string() +
+                             "': " + error.message() + "; name another folder by --out");
+}
+
+void removeIfThere(const fs::path& file) {
+  std::error_code error;
+  fs::remove(file, error);
+  if (error)
+    throw std::runtime_error("cannot remove '" + file.string() + "': " + error.message() +
+                             "; name another folder by --out");
+}
+
 }  // namespace
 
 void removeMeasures(const fs::path& folder, const std::vector<Part>& parts) {
   for (const Part& part : parts)
-    for (const Unit& unit : part.units) fs::remove(fileOf(folder, part, unit));
+    for (const Unit& unit : part.units) removeIfThere(fileOf(folder, part, unit));
 }
 
 void stamp(const fs::path& folder, const std::string& command, bool resume,
            const std::vector<Part>& parts) {
+  makeFolder(folder);
   const fs::path file = folder / "command.txt";
   const std::string text = command + "\nin " + precisionName() + " precision\n";
-  const std::string made = fs::exists(file) ? readFile(file) : "";
+  std::error_code ignored;  // of a folder that gives nothing away: it takes nothing either
+  const std::string made = fs::exists(file, ignored) ? readFile(file) : "";
   if (!made.empty() && made.rfind("delassus report", 0) != 0)
     throw std::runtime_error("'" + file.string() +
                              "' is not of a report: it needs a folder of its own");
@@ -38,9 +56,9 @@ void stamp(const fs::path& folder, const std::string& command, bool resume,
     throw std::runtime_error("'" + folder.string() + "' was begun by '" + line +
                              "': only the same report can go on");
   }
+  for (const Part& part : parts) makeFolder(folder / part.name);
   // Measures of an earlier report must not pass for those of this one.
   if (!resume) removeMeasures(folder, parts);
-  for (const Part& part : parts) fs::create_directories(folder / part.name);
   writeFile(file, text);
 }
 

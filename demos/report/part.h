@@ -40,8 +40,8 @@ Part ablationPart(const Plan& plan);
 /// Removes the CSV files of these parts; whatever else is in their folders stays.
 void removeMeasures(const std::filesystem::path& folder, const std::vector<Part>& parts);
 
-/// Notes in the folder what command its data are made by, and in what precision: what is to go on must be the same. Removes the parts'
-/// measures unless it is to go on. Throws where the note is somebody else's file.
+/// Makes the folders and notes in the first what command its data are made by, and in what precision: what is to go on must be the same. Removes the parts'
+/// measures unless it is to go on. Throws where the note is somebody else's file, or a folder cannot be made.
 void stamp(const std::filesystem::path& folder, const std::string& command, bool resume,
            const std::vector<Part>& parts);
 

@@ -10,6 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using delassus::test::lines;
+using delassus::test::Outcome;
 using delassus::test::read;
 
 /// The rows of a CSV file without quotes, each by the names of its columns.
@@ -142,6 +144,33 @@ TEST_F(Report, leavesOtherPeoplesFilesAlone) {
   EXPECT_NE(said().find("command.txt' is not of a report"), std::string::npos) << said();
   EXPECT_EQ(read(out() / "command.txt"), "make coffee\n");
   EXPECT_TRUE(fs::exists(out() / "own_trajectory" / "one_box.csv"));
+}
+
+TEST_F(Report, saysWhatToDoWhereNoFolderCanBe) {
+  write("plain", "mine");
+  for (const std::string where : {"plain", "plain/in"})
+    for (const char* which : {"--parts time_step", "--stability --one-precision --parts angles"}) {
+      const Outcome outcome =
+          call(std::string("report --quick ") + which + " --out " + file(where));
+      EXPECT_EQ(outcome.status, 1);
+      EXPECT_EQ(outcome.err.rfind("delassus: cannot make the folder '" + file(where), 0), 0U)
+          << outcome.err;
+      EXPECT_NE(outcome.err.find("name another folder by --out"), std::string::npos) << outcome.err;
+      EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
+    }
+  EXPECT_EQ(read(file("plain")), "mine");
+
+  fs::create_directories(out());
+  write("report/time_step", "mine");
+  EXPECT_EQ(report("--parts time_step"), 1);
+  EXPECT_NE(said().find("cannot make the folder '" + (out() / "time_step").string()),
+            std::string::npos)
+      << said();
+  // What is in the way of a measure is not removed with all that it holds.
+  fs::create_directories(out() / "ablation" / "one_box.csv" / "in the way");
+  EXPECT_EQ(report("--scenes one_box --parts ablation"), 1);
+  EXPECT_NE(said().find("cannot remove '"), std::string::npos) << said();
+  EXPECT_EQ(lines(said()), 1) << said();
 }
 
 // NNCG throws the ragdolls out of the numbers at once.

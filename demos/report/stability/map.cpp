@@ -113,7 +113,6 @@ bool makeMap(const ReportArguments& arguments) {
   const std::vector<SweepGroup> groups = chosenGroups(arguments.parts);
   const std::vector<Part> parts = partsOf(groups, plan);
   const fs::path folder = fs::path(arguments.out) / "stability", own = folder / precisionName();
-  fs::create_directories(own);
   stamp(own, arguments.commandAnywhere(), arguments.resume, parts);
   // Where the other executable is missing, nothing takes the place of what it measured once.
   if (!arguments.onePrecision && !arguments.resume)
