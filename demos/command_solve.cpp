@@ -13,6 +13,7 @@
 #include "demos/json_line.h"
 #include "demos/number_checks.h"
 #include "demos/standard_output.h"
+#include "demos/table.h"
 
 namespace demos {
 
@@ -54,7 +55,8 @@ int solveFile(const SolveArguments& arguments) {
   std::error_code ignored;  // where one of them is not there
   if (std::filesystem::equivalent(arguments.file, arguments.solutionFile, ignored))
     throw BadUsage("--solution " + arguments.solutionFile + " is the problem itself");
-  const Problem problem = readProblem(arguments.file);
+  ProblemFormat format{};
+  const Problem problem = readProblem(arguments.file, &format);
   const auto begin = std::chrono::steady_clock::now();
   auto [solution, measures, within] = solveWithin(problem, arguments.tolerance);
   const double ms =
@@ -70,8 +72,9 @@ int solveFile(const SolveArguments& arguments) {
             [&, &answer = solution](auto& out) { writeSolution(out, problem, answer); });
 
   std::FILE* words = wordsAbout(arguments.solutionFile);
-  const std::string kind = problem.contacts() > 0 ? "fc3d" : "lcp";
-  const int size = problem.contacts() > 0 ? problem.contacts() : problem.rows();
+  const bool contacts = format == ProblemFormat::Contacts;
+  const std::string kind = contacts ? "fc3d" : "lcp";
+  const int size = contacts ? problem.contacts() : problem.rows();
   const int islands = ProblemParts(problem).count();
   if (arguments.json) {
     nlohmann::ordered_json json;
@@ -87,11 +90,10 @@ int solveFile(const SolveArguments& arguments) {
     std::fprintf(words, "%s\n", jsonLine(json).c_str());
   } else {
     std::fprintf(words, "%s: %s, %d %s in %d %s\n", problem.name.c_str(), kind.c_str(), size,
-                 problem.contacts() > 0 ? "contacts" : "rows", islands,
-                 islands == 1 ? "island" : "islands");
-    std::fprintf(words, "%s  rel %.3g  vel %.3g  (tolerance %g)  %.3g ms  %d regions\n",
-                 toString(solution.status).c_str(), measures.rel, measures.vel, arguments.tolerance,
-                 ms, solution.regions);
+                 contacts ? "contacts" : "rows", islands, islands == 1 ? "island" : "islands");
+    std::fprintf(words, "%s  rel %s  vel %s  (tolerance %g)  %.3g ms  %d regions\n",
+                 toString(solution.status).c_str(), shortNumber(measures.rel).c_str(),
+                 shortNumber(measures.vel).c_str(), arguments.tolerance, ms, solution.regions);
   }
   return within ? exitDone : exitAboveTolerance;
 }

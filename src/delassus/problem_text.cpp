@@ -162,22 +162,28 @@ Problem readRowProblem(WordReader& in) {
   return problem;
 }
 
+ProblemFormat readFormat(WordReader& in) {
+  const std::string line = in.firstLine();
+  if (line == "delassus-problem v1") return ProblemFormat::Contacts;
+  if (line == "lcp v1") return ProblemFormat::Rows;
+  in.fail("'delassus-problem v1' or 'lcp v1'");
+}
+
 }  // namespace
 
-Problem readProblem(std::istream& in, const std::string& source) {
+Problem readProblem(std::istream& in, const std::string& source, ProblemFormat* format) {
   WordReader words(in, source);
   try {
-    const std::string format = words.firstLine();
-    if (format == "delassus-problem v1") return readContactProblem(words);
-    if (format == "lcp v1") return readRowProblem(words);
-    words.fail("'delassus-problem v1' or 'lcp v1'");
+    const ProblemFormat found = readFormat(words);
+    if (format != nullptr) *format = found;
+    return found == ProblemFormat::Contacts ? readContactProblem(words) : readRowProblem(words);
   } catch (const std::ios_base::failure&) {
     // A file buffer reports a failing device by this exception, whatever the stream's own settings.
     words.fail("readable text", "a device error");
   }
 }
 
-Problem readProblem(const std::string& path) {
+Problem readProblem(const std::string& path, ProblemFormat* format) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     throw ProblemTextError(path + ": expected a problem file, found a directory");
@@ -186,7 +192,7 @@ Problem readProblem(const std::string& path) {
   if (!in)
     throw ProblemTextError(path + ": expected a problem file, found: " +
                            (errno ? std::strerror(errno) : "a file that cannot be opened"));
-  return readProblem(in, path);
+  return readProblem(in, path, format);
 }
 
 }  // namespace delassus

@@ -15,10 +15,15 @@ class ProblemTextError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads `delassus-problem v1` (contacts with friction) or `lcp v1` (rows with bounds), told apart by the first line.
+enum class ProblemFormat {
+  Contacts,  ///< `delassus-problem v1`: contacts with friction
+  Rows,      ///< `lcp v1`: rows with bounds
+};
+
+/// Reads one of the formats, told apart by the first line; where the problem is empty, only `format` says which it was.
 /// Throws ProblemTextError. The overload with a stream uses `source` as the file's name in errors.
-Problem readProblem(const std::string& path);
-Problem readProblem(std::istream& in, const std::string& source);
+Problem readProblem(const std::string& path, ProblemFormat* format = nullptr);
+Problem readProblem(std::istream& in, const std::string& source, ProblemFormat* format = nullptr);
 
 /// Writes the format that fits: `lcp v1` if the problem has no contacts, `delassus-problem v1` if it has no rows.
 /// A problem with both is not expressible and throws std::invalid_argument. W in body space is written as entries.

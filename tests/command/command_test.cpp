@@ -305,6 +305,31 @@ TEST_F(Command, solvesAProblem) {
   EXPECT_EQ(read(file("solution")).rfind("solution v1\n", 0), 0U);
 }
 
+// An empty problem is of the kind that its file says.
+TEST_F(Command, tellsTheKindOfAProblemByItsFormat) {
+  const std::string contacts =
+      write("none.fc3d", "delassus-problem v1\nname none\ncontacts 0\nblocks 0\nmu\nq\nW\nend\n");
+  const std::string rows = write("none.lcp", "lcp v1\nname none\nsize 0\nentries 0\nq\nM\nend\n");
+  for (const auto& [path, kind] : {std::pair(contacts, "fc3d"), std::pair(rows, "lcp")}) {
+    const Outcome outcome = call("solve --json " + path);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(json::parse(outcome.out)["kind"], kind);
+    EXPECT_EQ(json::parse(outcome.out)["size"], 0);
+  }
+  EXPECT_NE(call("solve " + contacts).out.find("fc3d, 0 contacts in"), std::string::npos);
+}
+
+// printf may give what is not a number a sign.
+TEST_F(Command, saysNanInWordsAndNullInJson) {
+  std::string text = read(easyProblem());
+  text.replace(text.find("-1 0.1"), 6, "-1e200 0.1");
+  const std::string huge = write("huge.fc3d", text);
+  const Outcome words = call("solve " + huge);
+  EXPECT_EQ(words.status, 3);
+  EXPECT_NE(words.out.find("non_finite  rel nan  vel nan  "), std::string::npos) << words.out;
+  EXPECT_TRUE(json::parse(call("solve --json " + huge).out)["rel"].is_null());
+}
+
 TEST_F(Command, doesNotWriteOverItsInput) {
   const std::string problem = easyProblem(), before = read(problem);
   std::filesystem::create_symlink(problem, file("link"));
