@@ -27,6 +27,7 @@ class btDelassusConstraintSolver : public btConstraintSolver {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();
 
+  /// Throws std::invalid_argument where a tolerance or a share among the options is no number > 0.
   explicit btDelassusConstraintSolver(const delassus::Options& options = {})
       : btDelassusConstraintSolver(options, btDelassusPrecision{}) {}
   ~btDelassusConstraintSolver() override;

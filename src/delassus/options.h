@@ -20,7 +20,7 @@ struct Options {
   /// costs more, as many fewer; none beyond 1000, with disks, or where W is explicit. Its start takes up to 11 000 sweeps that no other
   /// budget holds.
   int pathBudget = 30000;
-  double guessShare = 1;  ///< a guess within this share of the tolerance is kept as it is
+  double guessShare = 1;  ///< a guess within this share of the tolerance is kept as it is; > 0
   Economies economies;
 };
 

@@ -1,7 +1,10 @@
 #include "delassus/solver.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,7 +29,15 @@ bool solveAlone(const Problem& problem, const NaturalMap& map, VectorXd& r) {
 
 }  // namespace
 
-Solver::Solver(Options options) : options_(options), search_(std::make_unique<Search>()) {}
+Solver::Solver(Options options) : options_(options), search_(std::make_unique<Search>()) {
+  const auto refuse = [](const char* what, double number) {
+    throw std::invalid_argument("delassus::Options: " + std::string(what) +
+                                " must be a number > 0, not " + std::to_string(number));
+  };
+  const auto isUsable = [](double x) { return x > 0 && std::isfinite(x); };
+  if (!isUsable(options.tolerance)) refuse("tolerance", options.tolerance);
+  if (!isUsable(options.guessShare)) refuse("guessShare", options.guessShare);
+}
 Solver::~Solver() = default;
 Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;

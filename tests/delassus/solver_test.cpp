@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <limits>
+#include <stdexcept>
 
 #include "tests/support/problem_samples.h"
 #include "tests/support/random_piles.h"
@@ -284,6 +286,18 @@ TEST(Solver, AGuessThatIsFarWrongAtOneContactIsWorthMoreThanNone) {
     cold += first.regions;
   }
   EXPECT_LT(warm, cold);
+}
+
+TEST(Solver, AToleranceThatIsNoNumberIsRefused) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double wrong : {0.0, -1e-8, infinity, std::numeric_limits<double>::quiet_NaN()}) {
+    Options options;
+    options.tolerance = wrong;
+    EXPECT_THROW(Solver{options}, std::invalid_argument) << wrong;
+    options = {};
+    options.guessShare = wrong;
+    EXPECT_THROW(Solver{options}, std::invalid_argument) << wrong;
+  }
 }
 
 // A guess within the tolerance may be made better, and is never made worse.
