@@ -1,6 +1,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "BulletCollision/BroadphaseCollision/btDispatcher.h"
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
@@ -203,6 +204,13 @@ void gatherManifold(Group& group, const Pair& pair, const btContactSolverInfo& i
     group.turning += point.m_combinedRollingFriction > 0 || point.m_combinedSpinningFriction > 0;
     group.guess.push_back(guessOf(point, info));
   }
+}
+
+/// What comes after the points of a manifold: its bodies, and how many points there are.
+void prefetchEnd(const btPersistentManifold& manifold) {
+  constexpr std::ptrdiff_t bytes = 64;
+  const auto* end = reinterpret_cast<const char*>(&manifold + 1);
+  prefetch(end - bytes, end);
 }
 
 void prefetchPoints(const btPersistentManifold& manifold) {

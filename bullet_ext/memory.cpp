@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "bullet_ext/convert.h"
 #include "bullet_ext/solve_group.h"

@@ -2,8 +2,6 @@
 
 #include <cstddef>
 
-#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
-
 namespace delassus::bullet {
 
 /// Asks for memory that is read soon, from `begin` up to `end`. Bullet's pools put manifolds and bodies where no processor expects
@@ -13,13 +11,6 @@ inline void prefetch([[maybe_unused]] const void* begin, [[maybe_unused]] const 
   constexpr std::size_t line = 64;  // bytes
   for (auto at = static_cast<const char*>(begin); at < end; at += line) __builtin_prefetch(at);
 #endif
-}
-
-/// What comes after the points of a manifold: its bodies, and how many points there are.
-inline void prefetchEnd(const btPersistentManifold& manifold) {
-  constexpr std::ptrdiff_t bytes = 64;
-  const auto* end = reinterpret_cast<const char*>(&manifold + 1);
-  prefetch(end - bytes, end);
 }
 
 }  // namespace delassus::bullet

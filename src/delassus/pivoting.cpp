@@ -125,11 +125,12 @@ std::vector<RowState> statesAt(const BoundedRows& rows, const VectorXd& r) {
 
 /// What a compromise leaves open among redundant rows: proximal steps have it only as exactly as the demands have become compatible.
 void takeLeastNorm(const BoundedRows& rows, RowAnswer& best) {
+  constexpr size_t most = 400;
+  constexpr double dependent = 1e-10;
   std::vector<int> free;
   for (int i = 0; i < rows.size(); ++i)
     if (best.states[i] == RowState::Free) free.push_back(i);
-  if (!rows.symmetric || free.empty() || free.size() > static_cast<size_t>(largestTableau)) return;
-  constexpr double dependent = 1e-10;
+  if (!rows.symmetric || free.empty() || free.size() > most) return;
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> W;
   W.setThreshold(dependent);
   W.compute(rows.W(free, free));

@@ -50,8 +50,7 @@ std::vector<RowState> BoundedRows::firstStates() const {
 RegionWalk::RegionWalk(const BoundedRows& problem, std::vector<RowState> start)
     : problem_(problem),
       states_(std::move(start)),
-      r_(problem.clamp(VectorXd::Zero(problem.size()))),
-      u_(problem.W * r_ + problem.q) {
+      r_(problem.clamp(VectorXd::Zero(problem.size()))) {
   for (int i = 0; i < problem_.size(); ++i) states_[i] = problem_.possible(i, states_[i]);
 }
 

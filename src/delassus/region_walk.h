@@ -58,7 +58,9 @@ class RegionWalk {
   /// is one of many.
   bool redundantTies();
 
-  const VectorXd& r() const { return r_; }  ///< answer of the last region; at first, none
+  const VectorXd& r() const {
+    return r_;
+  }  ///< answer of the last region; at first what the bounds ask
   const std::vector<RowState>& states() const { return states_; }
   int regions() const { return regions_; }
   int factorisations() const;

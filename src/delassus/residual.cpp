@@ -96,9 +96,9 @@ void visitNaturalMap(const Problem& problem, const VectorXd& r, const VectorXd& 
 
 void NaturalMap::setProblem(const Problem& problem) {
   problem_ = &problem;
+  problem.W.diagonal(diagonal_);
   blocks_.resize(problem.contacts());
   for (int a = 0; a < problem.contacts(); ++a) blocks_[a] = problem.W.contactBlock(3 * a);
-  problem.W.diagonal(diagonal_);
   blockSizes(
       problem, diagonal_, [&](int a) { return spectralNorm(blocks_[a]); }, sizes_);
 }

@@ -7,7 +7,6 @@
 #include <limits>
 #include <set>
 
-#include "delassus/lemke.h"
 #include "delassus/region_walk.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/random_problems.h"
@@ -150,31 +149,6 @@ TEST_F(BlockPivotCycle, WithTheGuardEveryStartEndsInTheRegion) {
   EXPECT_NEAR(answer.u[0], 0.297082177, 1e-9);
   EXPECT_NEAR(answer.u[1], 1.66280544, 1e-8);
   EXPECT_NEAR(answer.u[2], 0, 1e-15);
-}
-
-/// Kinds of rows in one solve: contacts [0, ∞), motors [−m, m], joints, limits (−∞, 0].
-void randomBounds(int n, Random& random, VectorXd& lower, VectorXd& upper) {
-  lower.resize(n);
-  upper.resize(n);
-  for (int i = 0; i < n; ++i) {
-    const double m = uniform(random, 0, 2);
-    switch (static_cast<int>(uniform(random, 0, 5))) {
-      case 0:
-        lower[i] = 0, upper[i] = infinity;
-        break;
-      case 1:
-        lower[i] = -m, upper[i] = m;
-        break;
-      case 2:
-        lower[i] = -infinity, upper[i] = infinity;
-        break;
-      case 3:
-        lower[i] = -infinity, upper[i] = 0;
-        break;
-      default:
-        lower[i] = upper[i] = m;  // a row that has lost its say
-    }
-  }
 }
 
 TEST(Pivoting, RowsWithBoundsFindTheRegionOfEnumeration) {
@@ -414,29 +388,6 @@ TEST(Pivoting, LinearProgramsAreServed) {
     ASSERT_LT(program.r.cwiseMin(program.u).cwiseAbs().maxCoeff(), 1e-9);
     ASSERT_NEAR(q.dot(program.r), 0, 1e-9);  // strong duality
   }
-}
-
-TEST(Lemke, AgreesWithPivotingOnEveryKindOfRow) {
-  Random random(30);
-  for (int k = 0; k < 500; ++k) {
-    const int n = 1 + k % 12;
-    BoundedRows rows;
-    rows.W = randomDelassus(n, 100, random);
-    rows.q = normalVector(n, random);
-    randomBounds(n, random, rows.lower, rows.upper);
-    int pivots = 0;
-    const auto r = lemke(rows, 500, pivots);
-    ASSERT_TRUE(r);
-    const PivotResult pivoted = pivot(rows.W, rows.q, rows.lower, rows.upper);
-    ASSERT_LT(motionDistance(rows.W, *r, pivoted.r), 1e-9);
-  }
-}
-
-TEST(Lemke, ARayIsSaid) {
-  const BoundedRows impossible{MatrixXd::Zero(2, 2), VectorXd::Constant(2, -1), VectorXd::Zero(2),
-                               VectorXd::Constant(2, infinity), false};
-  int pivots = 0;
-  EXPECT_FALSE(lemke(impossible, 100, pivots));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <Eigen/QR>
 #include <cmath>
+#include <limits>
 
 namespace delassus {
 
@@ -49,6 +50,31 @@ MatrixXd boxStackJacobian(int boxes, double massRatio) {
     }
   }
   return J;
+}
+
+void randomBounds(int n, Random& random, VectorXd& lower, VectorXd& upper) {
+  constexpr double unbounded = std::numeric_limits<double>::infinity();
+  lower.resize(n);
+  upper.resize(n);
+  for (int i = 0; i < n; ++i) {
+    const double m = uniform(random, 0, 2);
+    switch (static_cast<int>(uniform(random, 0, 5))) {
+      case 0:
+        lower[i] = 0, upper[i] = unbounded;
+        break;
+      case 1:
+        lower[i] = -m, upper[i] = m;
+        break;
+      case 2:
+        lower[i] = -unbounded, upper[i] = unbounded;
+        break;
+      case 3:
+        lower[i] = -unbounded, upper[i] = 0;
+        break;
+      default:
+        lower[i] = upper[i] = m;  // a row that has lost its say
+    }
+  }
 }
 
 }  // namespace delassus

@@ -24,4 +24,7 @@ MatrixXd randomJacobian(int n, int freedoms, Random& random);
 /// a face: rank 3 a face. `massRatio` is the mass of each box over the mass of the box below it.
 MatrixXd boxStackJacobian(int boxes, double massRatio = 1);
 
+/// Kinds of rows in one solve: contacts [0, ∞), motors [−m, m], joints, limits (−∞, 0].
+void randomBounds(int n, Random& random, VectorXd& lower, VectorXd& upper);
+
 }  // namespace delassus

@@ -1,0 +1,202 @@
+// What the command does with problem files: `solve` and `dump`.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/command_call.h"
+#include "tests/support/shared_data.h"
+
+namespace {
+
+using nlohmann::json;
+
+using delassus::test::lines;
+using delassus::test::Outcome;
+using delassus::test::read;
+
+class ProblemFiles : public delassus::test::CommandCall {
+ protected:
+  /// One ball of W = 1 pressed on a plane with friction: the solution is plain.
+  std::string easyProblem() const {
+    return write("easy.fc3d",
+                 "delassus-problem v1\nname easy\ncontacts 1\nblocks 1\nmu\n0.5\nq\n-1 0.1 0\n"
+                 "W\n0 0 1 0 0 0 1 0 0 0 1\nend\n");
+  }
+};
+
+TEST_F(ProblemFiles, solvesAProblem) {
+  const Outcome outcome = call("solve " + easyProblem() + " --json --solution " + file("solution"));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const json solved = json::parse(outcome.out);
+  for (const char* key :
+       {"name", "kind", "size", "status", "rel", "vel", "ms", "regions", "islands"})
+    EXPECT_TRUE(solved.contains(key)) << key;
+  EXPECT_EQ(solved["name"], "easy");
+  EXPECT_EQ(solved["size"], 1);
+  EXPECT_EQ(solved["islands"], 1);
+  EXPECT_EQ(solved["status"], "solved");
+  EXPECT_LE(solved["vel"].get<double>(), 1e-8);
+  EXPECT_EQ(read(file("solution")).rfind("solution v1\n", 0), 0U);
+}
+
+// An empty problem is of the kind that its file says.
+TEST_F(ProblemFiles, tellsTheKindOfAProblemByItsFormat) {
+  const std::string contacts =
+      write("none.fc3d", "delassus-problem v1\nname none\ncontacts 0\nblocks 0\nmu\nq\nW\nend\n");
+  const std::string rows = write("none.lcp", "lcp v1\nname none\nsize 0\nentries 0\nq\nM\nend\n");
+  for (const auto& [path, kind] : {std::pair(contacts, "fc3d"), std::pair(rows, "lcp")}) {
+    const Outcome outcome = call("solve --json " + path);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(json::parse(outcome.out)["kind"], kind);
+    EXPECT_EQ(json::parse(outcome.out)["size"], 0);
+  }
+  EXPECT_NE(call("solve " + contacts).out.find("fc3d, 0 contacts in"), std::string::npos);
+}
+
+// printf may give what is not a number a sign.
+TEST_F(ProblemFiles, saysNanInWordsAndNullInJson) {
+  std::string text = read(easyProblem());
+  text.replace(text.find("-1 0.1"), 6, "-1e200 0.1");
+  const std::string huge = write("huge.fc3d", text);
+  const Outcome words = call("solve " + huge);
+  EXPECT_EQ(words.status, 3);
+  EXPECT_NE(words.out.find("non_finite  rel nan  vel nan  "), std::string::npos) << words.out;
+  EXPECT_TRUE(json::parse(call("solve --json " + huge).out)["rel"].is_null());
+}
+
+TEST_F(ProblemFiles, doesNotWriteOverItsInput) {
+  const std::string problem = easyProblem(), before = read(problem);
+  std::filesystem::create_symlink(problem, file("link"));
+  for (const std::string& solution : {problem, file("link"), folder_.string() + "/./easy.fc3d"}) {
+    const Outcome outcome = call("solve " + problem + " --solution " + solution);
+    EXPECT_EQ(outcome.status, 2) << solution;
+    EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find(solution), std::string::npos) << outcome.err;
+    EXPECT_EQ(read(problem), before);
+  }
+
+  // Worlds are told by their name, or by how Bullet's files begin.
+  write("world.bullet", "somebody's");
+  write("world", "BULLETd_v287...");
+  write("many-3.bullet", "somebody's");
+  for (const auto& [scene, out] :
+       {std::pair("one_box", "world.bullet"), std::pair("one_box", "world"),
+        std::pair("box_headings", "many.bullet")}) {
+    const Outcome outcome = call(std::string("dump ") + scene + " --at 0 --out " + file(out));
+    EXPECT_EQ(outcome.status, 2) << out;
+    EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
+  }
+  EXPECT_EQ(read(file("world.bullet")), "somebody's");
+  EXPECT_EQ(read(file("many-3.bullet")), "somebody's");
+  EXPECT_FALSE(std::filesystem::exists(file("many-0.bullet"))) << "nothing or all of it";
+  EXPECT_EQ(call("dump one_box --at 0 --out " + file("new.fc3d")).status, 0);
+  EXPECT_EQ(call("dump one_box --at 0 --out " + file("new.fc3d")).status, 0) << "its own, again";
+}
+
+// Names are bytes; JSON is UTF-8.
+TEST_F(ProblemFiles, tellsAnyNameInJson) {
+  const std::string problem = easyProblem();
+  std::string text = read(problem);
+  text.replace(text.find("easy"), 4, "e\xe4sy");
+  const Outcome outcome = call("solve " + write("odd.fc3d", text) + " --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(json::parse(outcome.out)["name"], "e\xef\xbf\xbdsy");
+}
+
+TEST_F(ProblemFiles, endsWithThreeAboveTheTolerance) {
+  // u = −1 whatever r is: no solution.
+  const std::string hopeless =
+      write("hopeless.lcp", "lcp v1\nname hopeless\nsize 1\nentries 1\nq\n-1\nM\n0 0 0\nend\n");
+  const Outcome outcome = call("solve " + hopeless + " --json");
+  EXPECT_EQ(outcome.status, 3) << outcome.err;
+  EXPECT_NE(json::parse(outcome.out)["status"], "solved");
+}
+
+TEST_F(ProblemFiles, namesAProblemThatCannotBeRead) {
+  const std::string good = read(easyProblem());
+  std::string twoContacts = good;
+  twoContacts.replace(twoContacts.find("contacts 1"), 10, "contacts 2");
+  for (const std::string& path :
+       {write("truncated.fc3d", good.substr(0, 60)), write("empty.fc3d", ""), folder_.string(),
+        file("missing.lcp"), write("one_contact_of_two.fc3d", twoContacts),
+        write("rows.lcp", "lcp v1\nname x\nsize 2\nentries 9\nq\n0 0\n"),
+        write("nan.fc3d", "delassus-problem v1\nname x\ncontacts 1\nblocks 1\nmu\nnan\n")}) {
+    const Outcome outcome = call("solve " + path);
+    EXPECT_EQ(outcome.status, 1) << path;
+    EXPECT_NE(outcome.err.find(path), std::string::npos) << outcome.err;
+    EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
+  }
+}
+
+TEST_F(ProblemFiles, dumpsWhatItCanSolve) {
+  const Outcome dumped = call("dump stack_10 --at 0.1 --out " + file("stack.fc3d"));
+  ASSERT_EQ(dumped.status, 0) << dumped.err;
+  const Outcome solved = call("solve " + file("stack.fc3d") + " --json");
+  EXPECT_EQ(solved.status, 0) << solved.out << solved.err;
+  EXPECT_EQ(json::parse(solved.out)["size"], 40);
+}
+
+// A file that is standard output, or a pipe that is, holds what any other would; what is said about it goes elsewhere.
+TEST_F(ProblemFiles, writesToStandardOutputAsToAFile) {
+  const std::string problem = easyProblem();
+  for (const auto& [command, flag] :
+       {std::pair<std::string, std::string>("dump one_box --at 0", " --out "),
+        {"solve " + problem, " --solution "},
+        {"solve --json " + problem, " --solution "}}) {
+    const Outcome plain = call(command + flag + file("plain"));
+    ASSERT_EQ(plain.status, 0) << plain.err;
+    const Outcome direct = call(command + flag + "/dev/stdout", "timeout 20");
+    EXPECT_EQ(direct.status, 0) << direct.err;
+    EXPECT_EQ(direct.out, read(file("plain"))) << command;
+    EXPECT_EQ(lines(direct.err), lines(plain.out)) << direct.err;
+
+    const std::string line = std::string("timeout 20 ") + DELASSUS_COMMAND + " " + command + flag +
+                             "/dev/stdout 2>" + file("said") + " | cat >" + file("piped");
+    ASSERT_EQ(std::system(line.c_str()), 0);
+    EXPECT_EQ(read(file("piped")), read(file("plain"))) << command;
+  }
+  const Outcome many = call("dump box_headings --at 0 --out /dev/stdout");
+  EXPECT_EQ(many.status, 2);
+  EXPECT_EQ(many.out, "");
+  EXPECT_EQ(lines(many.err), 1) << many.err;
+}
+
+TEST_F(ProblemFiles, dumpsContactsWithJointsAsContacts) {
+  const Outcome dumped = call("dump gripper --at 1 --out " + file("gripper.fc3d"));
+  ASSERT_EQ(dumped.status, 0) << dumped.err;
+  EXPECT_NE(dumped.out.find(" equations put in"), std::string::npos) << dumped.out;
+  EXPECT_EQ(dumped.err, "");
+  const Outcome solved = call("solve " + file("gripper.fc3d") + " --json");
+  EXPECT_EQ(solved.status, 0) << solved.out << solved.err;
+}
+
+TEST_F(ProblemFiles, dumpsAnIslandAFile) {
+  const Outcome dumped = call("dump box_headings --at 0 --out " + file("box.fc3d"));
+  ASSERT_EQ(dumped.status, 0) << dumped.err;
+  for (int i = 0; i < 12; ++i)
+    EXPECT_TRUE(std::filesystem::exists(file("box-" + std::to_string(i) + ".fc3d"))) << i;
+  const Outcome free = call("dump bead_under_plane --at 0.9 --out " + file("none"));
+  EXPECT_EQ(free.status, 1);
+  EXPECT_NE(free.err.find("nothing touches"), std::string::npos) << free.err;
+  const Outcome rolling = call("dump rolling_balls --at 0 --out " + file("ball.fc3d"));
+  EXPECT_EQ(rolling.status, 1);
+  EXPECT_NE(rolling.err.find("island 4 has rolling or spinning friction"), std::string::npos);
+}
+
+// A name in a problem is one word; a file's need not be.
+TEST_F(ProblemFiles, dumpsFilesOfAnyName) {
+  const std::filesystem::path world = delassus::test::sharedFolder() / "worlds" / "spider.bullet";
+  if (!std::filesystem::exists(world)) GTEST_SKIP() << delassus::test::noSharedFolder;
+  std::filesystem::copy_file(world, file("my\tblack spider.bullet"));
+  const Outcome dumped =
+      call("dump '" + file("my\tblack spider.bullet") + "' --at 0 --out " + file("spider.fc3d"));
+  ASSERT_EQ(dumped.status, 0) << dumped.err;
+  EXPECT_EQ(dumped.err, "");
+  const Outcome solved = call("solve " + file("spider-1.fc3d") + " --json");
+  ASSERT_EQ(solved.status, 0) << solved.err;
+  EXPECT_EQ(json::parse(solved.out)["name"], "my_black_spider-0-1");
+}
+
+}  // namespace
