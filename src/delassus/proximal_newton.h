@@ -63,6 +63,17 @@ class ProximalNewton {
   /// bodies collide or slide it is slow. Iterations are counted as sweeps.
   bool alternate(const Problem& problem, double tolerance, int budget, Solution& best);
 
+  /// The forced motion of the paper (theory §2): all that `best.activeSet` does not say is open or at a bound is held, W r + q = 0 there;
+  /// and of the forced reactions, which redundant contacts share in many ways, some that lie inside all cones, bounds and
+  /// disks. True if they are found: then everything stays, and no other region need be looked at. One factor serves all steps,
+  ///
+  ///     r ← r' − L u,    u = (I + W L)⁻¹ (W r' + q),    L = 1/(α W_aa), less for tangents
+  ///
+  /// each of which goes to the forced reactions nearest to r', that is r with what lies outside moved further inside than to the wall
+  /// (Gubin, Polyak, Raik 1967, The method of projections for finding the common point of convex sets). They begin at `best`, and then
+  /// from nothing. Steps are counted as sweeps; each beginning may take `budget`.
+  bool holdAll(const Problem& problem, double tolerance, int budget, Solution& best);
+
   /// The space of the last problem, for other methods; what it has factored is forgotten here.
   Motion& motion();
 
@@ -95,6 +106,10 @@ class ProximalNewton {
   /// r_ is the next center, and the best answer if `residual` is the smallest.
   void moveTo(double residual, Solution& best);
   void alternateOnce(const Problem& problem);
+  void setHold(const Problem& problem, const ActiveSet& set);
+  double moveAllInside(const Problem& problem, double demand);
+  void holdOnce();
+  bool holdOn(const Problem& problem, double tolerance, int budget, Solution& best);
   bool growsInVain(const Problem& problem, double tolerance, double residual);
   void compromise(const Problem& problem, Solution& best);
   void forgetFactor();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "delassus/length.h"
 #include "delassus/pile_kind.h"
 #include "delassus/pivoting.h"
 
@@ -24,6 +25,27 @@ void forceActiveSet(const Problem& problem, ActiveSet& set) {
                                                                           : RowState::Free);
   }
   set.disks.assign(problem.disks.size(), Mode::Stick);
+}
+
+/// The same where reactions tell more: what pressed in the last step is held, too.
+void holdActiveSet(const Problem& problem, const VectorXd& r, ActiveSet& set) {
+  forceActiveSet(problem, set);
+  for (int i = 0; i < problem.contacts(); ++i)
+    if (r[3 * i] > 0) set.contacts[i] = Mode::Stick;
+  for (int i = 0; i < problem.rows(); ++i) {
+    const double push = r[3 * problem.contacts() + i];
+    if (push > problem.lower[i] && push < problem.upper[i]) set.rows[i] = RowState::Free;
+  }
+}
+
+/// Whether no contact presses with all the friction that it has.
+bool slidesNowhere(const Problem& problem, const VectorXd& r) {
+  constexpr double all = 1 - 1e-6;
+  for (int i = 0; i < problem.contacts(); ++i)
+    if (r[3 * i] > 0 &&
+        lengthOf(r[3 * i + 1], r[3 * i + 2]) >= all * problem.friction[i] * r[3 * i])
+      return false;
+  return true;
 }
 
 /// Joints alone, without limits and motors: there is one region.
@@ -167,6 +189,7 @@ Outcome Search::startOut(ProximalNewton<Motion>& newton, const Problem& problem,
         newton.walkFromRegion(problem, tolerance, forcedRegion, left(shortWalk), best);
     if (outcome != Outcome::Lost) return outcome;
   }
+  if (hold(newton, problem, options, tolerance, guess, best)) return Outcome::Reached;
   if (options.economies.oneRegion && hasOneRegion(problem)) {
     const Outcome outcome = newton.walk(problem, tolerance, knownRegion, left(shortWalk), best);
     if (outcome != Outcome::Lost) return outcome;
@@ -191,6 +214,20 @@ Outcome Search::startOut(ProximalNewton<Motion>& newton, const Problem& problem,
   const bool alternates = guess && isLargePile(problem) && !isReached();
   return alternates && alternate(newton, problem, options, tolerance, best) ? Outcome::Reached
                                                                             : Outcome::Lost;
+}
+
+/// Holds all that touches. Not where the last reactions slid somewhere and regions are cheap: then something will again.
+template <class Motion>
+bool Search::hold(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
+                  double tolerance, const VectorXd* guess, Solution& best) {
+  constexpr int fewContacts = 12, mostSteps = 40;
+  const bool isLikely =
+      isLargePile(problem) || (guess && !isHeap(problem) && problem.contacts() > fewContacts &&
+                               slidesNowhere(problem, best.r));
+  const int most = std::min(mostSteps, options.sweepBudget - best.sweeps);
+  if (isHurried_ || !isLikely || most <= 0 || best.regions >= options.newtonBudget) return false;
+  holdActiveSet(problem, best.r, best.activeSet);
+  return newton.holdAll(problem, tolerance, most, best);
 }
 
 /// Alternating directions. False if they do not reach the tolerance.

@@ -104,6 +104,9 @@ class Search {
   Outcome findBack(Engines<Motion>& engines, const Problem& problem, const Options& options,
                    double tolerance, const VectorXd* guess, Solution& best);
   template <class Motion>
+  bool hold(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
+            double tolerance, const VectorXd* guess, Solution& best);
+  template <class Motion>
   bool alternate(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
                  double tolerance, Solution& best);
   template <class Motion>

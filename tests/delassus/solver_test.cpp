@@ -274,7 +274,7 @@ TEST(Solver, AGuessThatIsFarWrongAtOneContactIsWorthMoreThanNone) {
   Random random(77);
   int warm = 0, cold = 0;
   for (int k = 0; k < 10; ++k) {
-    const PileIsland island(makePyramid(4, 0.5, 0, 1, random));
+    const PileIsland island(makePyramid(4, 0.5, 0.1, 1, random));
     const Solution first = Solver().solve(island.problem);
     ASSERT_EQ(first.status, Status::Solved);
     VectorXd guess = first.r;

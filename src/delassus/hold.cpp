@@ -1,0 +1,165 @@
+/// All that touches is held: the paper's forced motion, with the vectors of the walk.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "delassus/cone.h"
+#include "delassus/length.h"
+#include "delassus/options.h"
+#include "delassus/proximal_newton.h"
+
+namespace delassus {
+namespace {
+
+// Larger, and digits would come in more steps; smaller, and rounding, which 1/alpha magnifies, would take them.
+constexpr double alpha = 1e-7;
+// How easily friction comes beside normal reactions: piles at rest hardly need any. The taller the pile, the smaller it should be; but
+// towers whose corners are wedged need some.
+constexpr double tangentShare = 0.015;
+// What lies outside its cone is moved beyond the wall of a narrower one that begins a little above the tip: so all lie inside after
+// finitely many steps.
+constexpr double innerShare = 0.6, beyond = 1.6, marginShare = 0.15;
+
+/// How a reaction outside its cone moves: to the nearest, where tangents move with that ease, in the cone of `innerShare` of the friction
+/// that begins at `margin`, and beyond that.
+Vec3 moveInside(const Vec3& r, double mu, double margin) {
+  const double root = std::sqrt(tangentShare);
+  const Vec3 z(r[0] - margin, r[1] / root, r[2] / root);
+  const Vec3 move = beyond * (projectOnCone(z, innerShare * mu / root) - z);
+  return {move[0], root * move[1], root * move[2]};
+}
+
+double moveInside(double r, double lower, double upper, double margin) {
+  const double inside = std::min(margin, 0.5 * (upper - lower));
+  return beyond * (std::clamp(r, lower + inside, upper - inside) - r);
+}
+
+bool isInside(const Vec3& r, double mu) { return r[0] >= 0 && lengthOf(r[1], r[2]) <= mu * r[0]; }
+
+bool isHeld(const ActiveSet& set, int unknown) {
+  const int scalar = unknown - 3 * static_cast<int>(set.contacts.size());
+  return scalar < 0 ? set.contacts[unknown / 3] != Mode::Open : set.rows[scalar] == RowState::Free;
+}
+
+}  // namespace
+
+/// The weights here, without those that are not held, and the Newton matrix. change_ is what those have to lose.
+template <class Motion>
+void ProximalNewton<Motion>::setHold(const Problem& problem, const ActiveSet& set) {
+  const int n = problem.contacts();
+  setWeights(alpha);
+  change_.setZero(r_.size());
+  for (int i = 0; i < n; ++i) {
+    auto l = l_.segment<3>(3 * i);
+    l.tail<2>() *= problem.friction[i] > 0 ? tangentShare : 0;
+    if (!isHeld(set, 3 * i)) {
+      l.setZero();
+      change_.segment<3>(3 * i) = -r_.segment<3>(3 * i);
+    }
+    G_.contacts[i] = l.asDiagonal();
+  }
+  for (int at = 3 * n; at < problem.size(); ++at)
+    if (!isHeld(set, at)) l_[at] = 0;
+  G_.rows = l_.tail(problem.rows());
+  for (std::size_t k = 0; k < problem.disks.size(); ++k) {
+    const Disk& disk = problem.disks[k];
+    const bool held = isHeld(set, disk.governor);
+    if (!held) {
+      l_.segment(disk.first, disk.unknowns).setZero();
+      disk.put(-disk.of(r_), change_);
+    }
+    answerOfDisk(disk, static_cast<int>(k), held ? Mode::Stick : Mode::Open, Vec2::Zero(), 0, false,
+                 G_);
+  }
+}
+
+/// How those of r_ that lie outside their cones, bounds and disks are to move, in change_; returns the size of all that, (m/s)².
+template <class Motion>
+double ProximalNewton<Motion>::moveAllInside(const Problem& problem, double demand) {
+  const int n = problem.contacts();
+  change_.setZero(r_.size());
+  for (int i = 0; i < n; ++i) {
+    const int at = 3 * i;
+    const double mu = problem.friction[i];
+    if (!isInside(r_.segment<3>(at), mu))
+      change_.segment<3>(at) = moveInside(r_.segment<3>(at), mu, marginShare * demand / scale_[at]);
+  }
+  for (int i = 0; i < problem.rows(); ++i) {
+    const int at = 3 * n + i;
+    const double lower = problem.lower[i], upper = problem.upper[i];
+    if (r_[at] < lower || r_[at] > upper)
+      change_[at] = moveInside(r_[at], lower, upper, marginShare * demand / scale_[at]);
+  }
+  for (const Disk& disk : problem.disks) {
+    const Vec2 r = disk.of(r_);
+    const double length = r.norm(), radius = disk.radiusAt(r_);
+    if (length > radius) disk.put(beyond * (innerShare * radius / length - 1) * r, change_);
+  }
+  return change_.cwiseProduct(scale_).squaredNorm();
+}
+
+/// r_ ← r_ + change_ − L u, where u is the relative velocity that goes with the new r_; u_ goes with it.
+template <class Motion>
+void ProximalNewton<Motion>::holdOnce() {
+  center_ = r_ + change_;
+  u_ += compliance_.cwiseProduct(change_);
+  change_ -= l_.cwiseProduct(u_);
+  motion_.impulse(change_, felt_);
+  motion_.solve(felt_);
+  motion_.relativeVelocity(felt_, trialU_);
+  u_ += trialU_;
+  change_ = l_.cwiseProduct(u_);
+  r_ = center_ - change_;
+  u_ -= compliance_.cwiseProduct(change_);
+}
+
+/// Steps from r_, u_ and change_ until all lie inside, and some more for the last digits.
+template <class Motion>
+bool ProximalNewton<Motion>::holdOn(const Problem& problem, double tolerance, int budget,
+                                    Solution& best) {
+  // Where something has to give way, what lies outside stays as large as it is, or grows.
+  constexpr int mostIdle = 10, mostStuck = 4;
+  constexpr double halved = 0.5, unchanged = 0.8;
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  const double demand = problem.q.cwiseAbs().maxCoeff();
+  double mark = unknown, outside = unknown, residual = unknown;
+  for (int k = 0, idle = 0, stuck = 0; k < budget && idle < mostIdle && stuck < mostStuck; ++k) {
+    holdOnce();
+    ++best.sweeps;
+    const double before = outside;
+    outside = moveAllInside(problem, demand);
+    if (outside > 0) {
+      stuck = outside > unchanged * before ? stuck + 1 : 0;
+      ++idle;
+      if (outside < halved * mark) mark = outside, idle = 0;
+      continue;
+    }
+    const double residualBefore = residual;
+    residual = measure(problem);
+    moveTo(residual, best);
+    if (residual <= polishedShare * tolerance || residual > 0.1 * residualBefore) break;
+  }
+  return best.residual <= tolerance;
+}
+
+template <class Motion>
+bool ProximalNewton<Motion>::holdAll(const Problem& problem, double tolerance, int budget,
+                                     Solution& best) {
+  r_ = best.r;
+  u_ = best.u;
+  setHold(problem, best.activeSet);
+  ++best.regions;
+  if (!factorise(best)) return false;
+  const bool startsFromNothing = !r_.any();
+  if (holdOn(problem, tolerance, budget, best)) return true;
+  if (startsFromNothing) return false;
+  r_.setZero(problem.size());
+  u_ = problem.q;
+  change_ = r_;
+  return holdOn(problem, tolerance, budget, best);
+}
+
+template bool ProximalNewton<BodyMotion>::holdAll(const Problem&, double, int, Solution&);
+template bool ProximalNewton<FactoredMotion>::holdAll(const Problem&, double, int, Solution&);
+
+}  // namespace delassus

@@ -1,0 +1,137 @@
+/// What everything at rest needs: all held at once, and reactions inside their cones.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "delassus/proximal_newton.h"
+#include "delassus/solver.h"
+#include "tests/support/random_piles.h"
+#include "tests/support/turning_piles.h"
+
+namespace delassus {
+namespace {
+
+using namespace delassus::testing;
+
+constexpr int budget = 40;
+
+/// All contacts and rows held, from the reactions of `best` if it has any.
+template <class Motion>
+bool holdAll(const Problem& problem, double tolerance, Solution& best) {
+  NaturalMap map;
+  map.setProblem(problem);
+  best = startFrom(problem, map, best.r.size() > 0 ? best.r : VectorXd::Zero(problem.size()));
+  best.activeSet.contacts.assign(problem.contacts(), Mode::Stick);
+  best.activeSet.rows.assign(problem.rows(), RowState::Free);
+  best.activeSet.disks.assign(problem.disks.size(), Mode::Stick);
+  ProximalNewton<Motion> engine;
+  engine.setProblem(problem, map);
+  return engine.holdAll(problem, tolerance, budget, best);
+}
+
+double toleranceOf(const Problem& problem) { return 1e-10 * problem.q.cwiseAbs().maxCoeff(); }
+
+// Eight contacts a box share its load in many ways, most of which pull somewhere: a few steps find one that does not.
+TEST(Holding, BringsPyramidsToRestInFewSteps) {
+  Random random(131);
+  for (const int base : {2, 5, 8, 12}) {
+    const Problem problem = PileIsland(makePyramid(base, 0.5, 0, 1, random)).problem;
+    Solution best;
+    EXPECT_TRUE(holdAll<BodyMotion>(problem, toleranceOf(problem), best)) << base;
+    EXPECT_LE(naturalResidual(problem, best.r).max, toleranceOf(problem));
+    EXPECT_EQ(infeasibility(problem, best.r), 0);
+    EXPECT_EQ(best.factorisations, 1);
+    EXPECT_LE(best.sweeps, 10) << base;
+  }
+}
+
+// With masses that differ, contacts that give a little, rolling and spinning friction, a motor that is strong enough, and W as entries.
+TEST(Holding, HoldsWhatTheSceneHas) {
+  Random random(132);
+  for (int k = 0; k < 12; ++k) {
+    // Where contacts give, there is but one share of the loads, which in a pyramid asks for more than friction has.
+    const bool gives = k % 4 == 1;
+    Pile pile = gives ? makeTower({1, 3, 2}, 0.6, 0, random)
+                      : makePyramid(2 + k % 4, 0.6, 0, k % 3 == 0 ? 10 : 1, random);
+    if (k % 2) resistTurning(pile, 0.1, random);
+    if (gives)
+      for (Contact& contact : pile.contacts) contact.compliance = 1e-3;
+    const Problem problem = PileIsland(pile).problem;
+    const double tolerance = toleranceOf(problem);
+    Solution best;
+    EXPECT_TRUE(holdAll<BodyMotion>(problem, tolerance, best)) << k;
+    EXPECT_LE(naturalResidual(problem, best.r).max, tolerance) << k;
+    constexpr int few = 150;  // contacts whose entries are factored at once
+    if (problem.contacts() > few) continue;
+    const Problem entries = withEntries(problem);
+    Solution explicitly;
+    EXPECT_TRUE(holdAll<FactoredMotion>(entries, tolerance, explicitly)) << k;
+    EXPECT_LE(naturalResidual(entries, explicitly.r).max, tolerance) << k;
+  }
+}
+
+// A box that slides, or flies off, cannot be held: that is told soon, and nothing is lost.
+TEST(Holding, GivesUpWhereSomethingGivesWay) {
+  Random random(133);
+  for (int k = 0; k < 40; ++k) {
+    Pile pile = k % 2 ? makeHeap(3 + k % 8, 0.4, random)
+                      : makeTower({1, 1, 1}, uniform(random, 0.1, 0.5), 0, random);
+    for (Body& body : pile.bodies)
+      if (body.movable()) body.velocity[0] += uniform(random, 3, 9);
+    if (k % 4 > 1) pile.rows.push_back(makeWeakMotor());
+    const Problem problem = PileIsland(pile).problem;
+    Solution best;
+    best.r = randomReactions(problem, 0.3, random);
+    const double before = naturalResidual(problem, best.r).max;
+    EXPECT_FALSE(holdAll<BodyMotion>(problem, toleranceOf(problem), best)) << k;
+    EXPECT_LE(naturalResidual(problem, best.r).max, before) << k;
+    EXPECT_LE(best.sweeps, 20) << k;
+  }
+}
+
+// What is not held has no reactions, and where that would let bodies meet the answer is not taken.
+TEST(Holding, LetsGoOfWhatIsOpen) {
+  Random random(134);
+  Pile pile = makeTower({1, 1}, 0.5, 0, random);
+  const Problem problem = PileIsland(pile).problem;
+  NaturalMap map;
+  map.setProblem(problem);
+  ProximalNewton<BodyMotion> engine;
+  engine.setProblem(problem, map);
+  for (const int open : {0, problem.contacts()}) {
+    Solution best = startFrom(problem, map, randomReactions(problem, 0.3, random));
+    best.activeSet.contacts.assign(problem.contacts(), Mode::Stick);
+    std::fill_n(best.activeSet.contacts.begin(), open, Mode::Open);
+    EXPECT_EQ(engine.holdAll(problem, toleranceOf(problem), budget, best), open == 0);
+  }
+}
+
+// A block is held well below the friction angle, and not above it.
+TEST(Holding, KnowsTheFrictionAngle) {
+  for (const double mu : {0.2, 0.4, 0.6})
+    for (const double share : {0.3, 0.6, 1.01, 2.0}) {
+      Random random(135);
+      Pile pile = makeTower({1}, mu, 0, random);
+      for (Body& body : pile.bodies)
+        if (body.movable()) body.velocity << share * mu * 0.1635, 0, -0.1635, 0, 0, 0;
+      const Problem problem = PileIsland(pile).problem;
+      Solution best;
+      const bool held = holdAll<BodyMotion>(problem, toleranceOf(problem), best);
+      EXPECT_EQ(held, share < 1) << mu << " " << share;
+      EXPECT_EQ(held, Solver().solve(problem).u.cwiseAbs().maxCoeff() < 1e-9);
+    }
+}
+
+// Reactions of the last step that hold already are left as they are.
+TEST(Holding, StaysAtASolution) {
+  Random random(136);
+  const Problem problem = PileIsland(makePyramid(6, 0.5, 0, 1, random)).problem;
+  Solution best;
+  ASSERT_TRUE(holdAll<BodyMotion>(problem, toleranceOf(problem), best));
+  const VectorXd before = best.r;
+  EXPECT_TRUE(holdAll<BodyMotion>(problem, toleranceOf(problem), best));
+  EXPECT_LE((best.r - before).norm(), 1e-9 * before.norm());
+}
+
+}  // namespace
+}  // namespace delassus
