@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -26,6 +27,7 @@ class Elimination {
   static bool solve(Matrix& K, Vector& b) {
     const int n = static_cast<int>(b.size());
     double least = 0, largest = 0;
+    std::array<double, Most> perPivot;
     for (int k = 0; k < n; ++k) {
       int pivot = k;
       double size = std::abs(K(k, k));
@@ -38,12 +40,13 @@ class Elimination {
       if (!(size > 0)) return false;
       least = k == 0 ? size : std::min(least, size);
       largest = std::max(largest, size);
-      clearBelow<width>(k, 1 / K(k, k), K, b);
+      perPivot[k] = 1 / K(k, k);
+      clearBelow<width>(k, perPivot[k], K, b);
     }
+    // Column by column: none of these sums waits for another.
     for (int k = n - 1; k >= 0; --k) {
-      double sum = b[k];
-      for (int j = k + 1; j < n; ++j) sum -= K(k, j) * b[j];
-      b[k] = sum / K(k, k);
+      b[k] *= perPivot[k];
+      for (int i = 0; i < k; ++i) b[i] -= K(i, k) * b[k];
     }
     return least > negligiblePivot * largest;
   }
