@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "delassus/cone.h"
+#include "delassus/row_product.h"
 
 namespace delassus {
 
@@ -13,7 +14,8 @@ bool fitsDenseNewton(const Problem& problem, const NaturalMap& map) {
 }
 
 template <int Most>
-void DenseNewton<Most>::start(const Problem& problem, const NaturalMap& map, const Solution& best) {
+void DenseNewton<Most>::start(const Problem& problem, const NaturalMap& map, Start from,
+                              const Solution& best) {
   const int n = problem.size();
   if constexpr (Most == Eigen::Dynamic) {
     W_ = problem.W.entries();
@@ -31,18 +33,27 @@ void DenseNewton<Most>::start(const Problem& problem, const NaturalMap& map, con
   error_.resize(n);
   map.meanDiagonal(candidate_.u);
   rho_ = candidate_.u;
-  r_ = best.r;
-  u_ = best.u;
+  if (from == Start::Best) {
+    r_ = best.r;
+    u_ = best.u;
+  } else {
+    r_.setZero(n);
+    u_ = problem.q;
+  }
 }
 
 template <int Most>
 void DenseNewton<Most>::feel(const Problem& problem, const Vector& r, Vector& u) const {
   u = problem.q;
-  // For so few, what the library's product sets up takes longer than to multiply.
-  if constexpr (Most == Eigen::Dynamic)
+  if constexpr (Most == Eigen::Dynamic) {
     u.noalias() += W_ * r;
-  else
-    u += W_.leftCols(r.size()).lazyProduct(r);
+  } else {
+    // For so few, what the library's product sets up takes longer than to multiply.
+    const int n = static_cast<int>(r.size()), frictional = 3 * problem.contacts();
+    for (int at = 0; at < frictional; at += 3)
+      u.template segment<3>(at) += timesRows(&W_(at, 0), W_.cols(), r.data(), n);
+    for (int at = frictional; at < n; ++at) u[at] += W_.row(at).head(n).dot(r);
+  }
 }
 
 template <int Most>
@@ -98,10 +109,10 @@ bool DenseNewton<Most>::judge(const Problem& problem, const NaturalMap& map, dou
 
 template <int Most>
 bool DenseNewton<Most>::solve(const Problem& problem, const NaturalMap& map, double tolerance,
-                              int budget, Solution& best) {
+                              int budget, Start from, Solution& best) {
   constexpr int mostSteps = 20, mostHalvings = 5;
   constexpr double near = 10;
-  start(problem, map, best);
+  start(problem, map, from, best);
   for (int k = 0; k < std::min(mostSteps, budget); ++k) {
     const double before = evaluate(problem, r_, u_, true);
     step_ = error_;

@@ -6,6 +6,9 @@
 
 namespace delassus {
 
+/// Where a search sets out: from the best answer so far, or from no reactions.
+enum class Start : unsigned char { Best, Rest };
+
 /// Newton's method on Coulomb's law as it stands, with all entries of W, for few unknowns (Alart and Curnier 1991; algorithms
 /// §6.10):
 ///
@@ -17,10 +20,10 @@ namespace delassus {
 template <int Most>
 class DenseNewton {
  public:
-  /// From the reactions of `best` to some with a natural residual of at most `tolerance` (m/s): true, and they are the best; or
+  /// From the reactions of `best`, or none, to some with a natural residual of at most `tolerance` (m/s): true, and they are the best; or
   /// until `budget` regions are spent, or they lead nowhere. `map` is that of the problem, which has entries and no disks.
   bool solve(const Problem& problem, const NaturalMap& map, double tolerance, int budget,
-             Solution& best);
+             Start from, Solution& best);
 
   std::size_t bytes() const {
     std::size_t sum = candidate_.bytes();
@@ -33,7 +36,7 @@ class DenseNewton {
   using Matrix = typename Elimination<Most>::Matrix;
   using Vector = typename Elimination<Most>::Vector;
 
-  void start(const Problem& problem, const NaturalMap& map, const Solution& best);
+  void start(const Problem& problem, const NaturalMap& map, Start from, const Solution& best);
   /// u = W r + q
   void feel(const Problem& problem, const Vector& r, Vector& u) const;
   /// F in error_ for these reactions and velocities, and if asked −dF/dr in K_. Returns ‖ρ F‖ (m/s).

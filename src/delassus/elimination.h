@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -17,8 +18,8 @@ constexpr double negligiblePivot = 1e-10;
 template <int Most>
 class Elimination {
  public:
-  /// Rows of one length, whatever n is, so that loops over them are of fixed length; what is not used is zero.
-  static constexpr int width = (Most + 1) / 2 * 2;
+  /// Rows of one length, whatever n is, so that loops over them go by so many columns at a time; what is not used is zero.
+  static constexpr int atATime = 4, width = (Most + atATime - 1) / atATime * atATime;
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, width, Eigen::RowMajor, Most, width>;
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, Most, 1>;
 
@@ -26,33 +27,46 @@ class Elimination {
   static bool solve(Matrix& K, Vector& b) {
     const int n = static_cast<int>(b.size());
     double least = 0, largest = 0;
+    std::array<double, Most> perPivot;
     for (int k = 0; k < n; ++k) {
       int pivot = k;
+      double size = std::abs(K(k, k));
       for (int i = k + 1; i < n; ++i)
-        if (std::abs(K(i, k)) > std::abs(K(pivot, k))) pivot = i;
+        if (const double other = std::abs(K(i, k)); other > size) size = other, pivot = i;
       if (pivot != k) {
         K.row(k).swap(K.row(pivot));
         std::swap(b[k], b[pivot]);
       }
-      const double size = std::abs(K(k, k));
       if (!(size > 0)) return false;
       least = k == 0 ? size : std::min(least, size);
       largest = std::max(largest, size);
-      const double perPivot = 1 / K(k, k);
-      for (int i = k + 1; i < n; ++i) {
-        const double share = K(i, k) * perPivot;
-        if (share == 0) continue;
-        // All of the row, a loop of fixed length: what is left of the pivot is not read again.
-        K.row(i) -= share * K.row(k);
-        b[i] -= share * b[k];
-      }
+      perPivot[k] = 1 / K(k, k);
+      clearBelow<width>(k, perPivot[k], K, b);
     }
+    // Column by column: none of these sums waits for another.
     for (int k = n - 1; k >= 0; --k) {
-      double sum = b[k];
-      for (int j = k + 1; j < n; ++j) sum -= K(k, j) * b[j];
-      b[k] = sum / K(k, k);
+      b[k] *= perPivot[k];
+      for (int i = 0; i < k; ++i) b[i] -= K(i, k) * b[k];
     }
     return least > negligiblePivot * largest;
+  }
+
+ private:
+  /// Takes row k, which has the pivot, from those below it, in as many columns as there are from before the pivot on: what is
+  /// left of it is not read again.
+  template <int columns>
+  static void clearBelow(int k, double perPivot, Matrix& K, Vector& b) {
+    const int n = static_cast<int>(b.size()), first = k / atATime * atATime;
+    if constexpr (columns > atATime)
+      if (n - first <= columns - atATime) return clearBelow<columns - atATime>(k, perPivot, K, b);
+    // A copy: to the compiler rows might be the same, and it would read this one again for each.
+    const Eigen::Matrix<double, 1, columns> pivotRow = K.row(k).template segment<columns>(first);
+    for (int i = k + 1; i < n; ++i) {
+      const double share = K(i, k) * perPivot;
+      if (share == 0) continue;
+      K.row(i).template segment<columns>(first) -= share * pivotRow;
+      b[i] -= share * b[k];
+    }
   }
 };
 

@@ -7,6 +7,7 @@
 
 #include "delassus/dense_newton.h"
 #include "delassus/read_mode.h"
+#include "delassus/row_product.h"
 
 namespace delassus {
 namespace {
@@ -19,8 +20,9 @@ QuickAnswer::QuickAnswer(const Problem& problem, const Options& options)
     : problem_(problem),
       options_(options),
       demand_(problem.q.cwiseAbs().maxCoeff()),
-      place_(problem.contacts(), -1),
-      residuals_(problem.contacts(), std::numeric_limits<double>::infinity()) {
+      isFull_(problem.W.isFull()),
+      contacts_(problem.contacts()) {
+  for (int i = 0; i < problem.contacts(); ++i) contacts_[i].isAlone = isAlone(i);
   approaching_.reserve(problem.contacts());
   best_.start(problem.q);
   best_.tier = Tier::Walk;
@@ -35,7 +37,8 @@ double QuickAnswer::toleranceFor(double demand) const {
 bool QuickAnswer::find(Solution& answer) {
   if (options_.sweepBudget > 0) sweep();
   if (isReached()) {
-    for (int i = 0; i < problem_.contacts(); ++i) best_.activeSet.contacts.push_back(modeOf(i));
+    best_.activeSet.contacts.resize(problem_.contacts());
+    for (int i = 0; i < problem_.contacts(); ++i) best_.activeSet.contacts[i] = modeOf(i);
   } else if (!isSmall() || !walk()) {
     return false;
   }
@@ -43,29 +46,31 @@ bool QuickAnswer::find(Solution& answer) {
   return true;
 }
 
+/// Whether all entries of its rows are in its own block: columns ascend.
+bool QuickAnswer::isAlone(int contact) const {
+  if (isFull_) return problem_.contacts() == 1;
+  const DelassusMatrix::Sparse& W = problem_.W.entries();
+  const int own = 3 * contact, *begin = W.outerIndexPtr() + own, *column = W.innerIndexPtr();
+  for (int k = 0; k < 3; ++k)
+    if (begin[k] < begin[k + 1] && (column[begin[k]] < own || column[begin[k + 1] - 1] > own + 2))
+      return false;
+  return true;
+}
+
 /// u_i = W_i r + q_i.
 Vec3 QuickAnswer::velocityOf(int contact) const {
-  const DelassusMatrix::Sparse& W = problem_.W.entries();
-  const double* entry = W.valuePtr();
   Vec3 u = problem_.q.segment<3>(3 * contact);
   if (approaching_.empty()) return u;  // there are no reactions yet
-  if (problem_.W.isFull()) {
-    const int n = problem_.size();
-    for (int k = 0; k < 3; ++k)
-      u[k] += Eigen::Map<const Eigen::VectorXd>(entry + (3 * contact + k) * n, n).dot(best_.r);
+  const Contact& c = contacts_[contact];
+  if (c.isAlone) {
+    if (c.place >= 0) u += approaching_[c.place].block.W() * best_.r.segment<3>(3 * contact);
     return u;
   }
+  const DelassusMatrix::Sparse& W = problem_.W.entries();
   const int* begin = W.outerIndexPtr() + 3 * contact;
+  const double *entry = W.valuePtr(), *r = best_.r.data();
+  if (isFull_) return u + timesRows(entry + begin[0], problem_.size(), r, problem_.size());
   const int* column = W.innerIndexPtr();
-  const double* r = best_.r.data();
-  const int own = 3 * contact;
-  const auto isMovedByOthers = [&](int k) {
-    return begin[k] < begin[k + 1] &&
-           (column[begin[k]] < own || column[begin[k + 1] - 1] > own + 2);
-  };
-  if (r[own] == 0 && r[own + 1] == 0 && r[own + 2] == 0 && !isMovedByOthers(0) &&
-      !isMovedByOthers(1) && !isMovedByOthers(2))
-    return u;
   for (int k = 0; k < 3; ++k) {
     double sum = 0;
     for (int at = begin[k]; at < begin[k + 1]; ++at) sum += entry[at] * r[column[at]];
@@ -74,13 +79,29 @@ Vec3 QuickAnswer::velocityOf(int contact) const {
   return u;
 }
 
+/// W_aa. Of a contact that is alone it is all that its rows hold, and if nothing is left out, in one piece.
+Mat3 QuickAnswer::blockOf(int contact) const {
+  const DelassusMatrix::Sparse& W = problem_.W.entries();
+  const int* begin = W.outerIndexPtr() + 3 * contact;
+  if (contacts_[contact].isAlone && begin[3] - begin[0] == 9)
+    return Eigen::Map<const Mat3>(W.valuePtr() + begin[0]).transpose();
+  return problem_.W.contactBlock(3 * contact);
+}
+
 const QuickAnswer::Approaching& QuickAnswer::approaching(int contact) {
-  if (place_[contact] < 0) {
-    place_[contact] = static_cast<int>(approaching_.size());
-    const Mat3 W = problem_.W.contactBlock(3 * contact);
-    approaching_.push_back({OneContact(W), contactSize(W)});
+  int& place = contacts_[contact].place;
+  if (place < 0) {
+    place = static_cast<int>(approaching_.size());
+    approaching_.emplace_back(blockOf(contact));
   }
-  return approaching_[place_[contact]];
+  return approaching_[place];
+}
+
+double QuickAnswer::sizeOf(int contact) {
+  approaching(contact);
+  Approaching& a = approaching_[contacts_[contact].place];
+  if (a.size == 0) a.size = contactSize(a.block.W());
+  return a.size;
 }
 
 /// Whether those before it in the first sweep have given a contact nearly as much approach as it had: by then it has come no nearer.
@@ -94,14 +115,17 @@ bool QuickAnswer::isRocking(int contact, double normalVelocity) const {
 double QuickAnswer::sweepOnce() {
   double change = 0;
   for (int i = 0; i < problem_.contacts(); ++i) {
+    if (staysApart(i)) continue;
     const Vec3 u = velocityOf(i);
-    if (place_[i] < 0 && u[0] >= 0) continue;
+    if (contacts_[i].place < 0 && u[0] >= 0) continue;
     if (isRocking(i, u[0])) return std::numeric_limits<double>::infinity();
+    if (best_.sweeps == 0)
+      felt_ = std::max(felt_, (u - problem_.q.segment<3>(3 * i)).cwiseAbs().maxCoeff());
     const Approaching& a = approaching(i);
     if (!(a.block.W()(0, 0) > 0)) continue;  // moves nothing, and keeps its residual
     auto r = best_.r.segment<3>(3 * i);
     const Vec3 next = a.block.solve(u - a.block.W() * r, problem_.friction[i], r);
-    change = std::max(change, a.size * a.size * (next - r).squaredNorm());
+    change = std::max(change, a.squaredNorm * (next - r).squaredNorm());
     r = next;
   }
   ++best_.sweeps;
@@ -114,7 +138,9 @@ void QuickAnswer::sweep() {
   constexpr int few = 2;
   const double first = sweepOnce();
   if (!std::isfinite(first)) return;
-  measure();
+  // Those that feel nothing of what is before them are not felt by it either: then one sweep is all.
+  if (isSmall() || felt_ <= toleranceFor(demand_) || best_.sweeps == options_.sweepBudget)
+    measure();
   double before = 2 * first;  // as if from nearer: the first sets out from nothing
   firstGains_ = best_.residual <= gain * first;
   bool gains = !isSmall() || firstGains_;
@@ -132,15 +158,19 @@ void QuickAnswer::measure() {
   best_.residual = 0;
   double squares = 0;
   for (int i = 0; i < problem_.contacts(); ++i) {
+    if (staysApart(i)) {
+      contacts_[i].residual = 0;
+      continue;
+    }
     const Vec3 r = best_.r.segment<3>(3 * i), u = velocityOf(i);
     best_.u.segment<3>(3 * i) = u;
-    const bool isOpen = u[0] >= 0 && r.isZero(0);
-    const double residual =
-        isOpen ? 0 : naturalResidual(approaching(i).size, problem_.friction[i], r, u);
+    const bool isOpen = u[0] >= 0 && r[0] == 0 && r[1] == 0 && r[2] == 0;
+    double& residual = contacts_[i].residual;
+    residual = isOpen ? 0 : naturalResidual(sizeOf(i), problem_.friction[i], r, u);
     // No number: what moves nothing has no measure of its own, and is not answered here.
-    residuals_[i] = std::isfinite(residual) ? residual : std::numeric_limits<double>::infinity();
-    best_.residual = std::max(best_.residual, residuals_[i]);
-    squares += residuals_[i] * residuals_[i];
+    if (!std::isfinite(residual)) residual = std::numeric_limits<double>::infinity();
+    best_.residual = std::max(best_.residual, residual);
+    squares += residual * residual;
   }
   best_.residualRms = std::sqrt(squares / problem_.contacts());
 }
@@ -151,26 +181,16 @@ bool QuickAnswer::walk() {
   VectorXd sizes(problem_.contacts());
   for (int i = 0; i < problem_.contacts(); ++i) {
     blocks[i] = approaching(i).block.W();
-    sizes[i] = approaching(i).size;
+    sizes[i] = sizeOf(i);
   }
   NaturalMap map;
   map.setProblem(problem_, std::move(blocks), sizes);
   if (!fitsDenseNewton(problem_, map)) return false;
-  Solution answer = best_;
-  if (!firstGains_) {
-    answer.r.setZero();
-    answer.u = problem_.q;
-  }
-  const bool isFound = DenseNewton<fewUnknowns>().solve(problem_, map, toleranceFor(demand_),
-                                                        options_.newtonBudget, answer);
-  if (isFound) {
-    best_ = std::move(answer);
-    readActiveSet(problem_, map.diagonal(), best_.r, best_.u, best_.activeSet);
-  } else {
-    best_.regions = answer.regions;
-    best_.factorisations = answer.factorisations;
-  }
-  return isFound;
+  if (!DenseNewton<fewUnknowns>().solve(problem_, map, toleranceFor(demand_), options_.newtonBudget,
+                                        firstGains_ ? Start::Best : Start::Rest, best_))
+    return false;
+  readActiveSet(problem_, map.diagonal(), best_.r, best_.u, best_.activeSet);
+  return true;
 }
 
 bool QuickAnswer::answers(const ProblemParts& parts, int part) const {
@@ -183,10 +203,11 @@ bool QuickAnswer::answers(const ProblemParts& parts, int part) const {
 }
 
 Mode QuickAnswer::modeOf(int contact) const {
-  if (place_[contact] < 0) return Mode::Open;
+  const int place = contacts_[contact].place;
+  if (place < 0) return Mode::Open;
   return delassus::modeOf(best_.r.segment<3>(3 * contact), best_.u.segment<3>(3 * contact),
                           problem_.friction[contact],
-                          approaching_[place_[contact]].block.W().diagonal().mean());
+                          approaching_[place].block.W().diagonal().mean());
 }
 
 }  // namespace delassus

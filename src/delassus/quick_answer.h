@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "delassus/one_contact.h"
@@ -26,20 +27,36 @@ class QuickAnswer {
   const Solution& best() const { return best_; }
   /// Of a contact in it.
   Mode modeOf(int contact) const;
-  double residualOf(int contact) const { return residuals_[contact]; }  ///< m/s
+  double residualOf(int contact) const { return contacts_[contact].residual; }  ///< m/s
 
  private:
+  struct Contact {
+    int place = -1;                                             ///< in approaching_; -1: not in it
+    bool isAlone = false;                                       ///< no other reaction moves it
+    double residual = std::numeric_limits<double>::infinity();  ///< m/s
+  };
   /// What a contact that approaches, or has a region, needs.
   struct Approaching {
+    explicit Approaching(const Mat3& W) : block(W), squaredNorm(W.squaredNorm()) {}
+
     OneContact block;
-    double size;  ///< ‖W_aa‖, 1/kg
+    double squaredNorm;  ///< of the entries of W_aa, (1/kg)²
+    double size = 0;     ///< ‖W_aa‖, 1/kg; 0: nobody has asked yet
   };
 
   double toleranceFor(double demand) const;
   bool isReached() const { return best_.residual <= toleranceFor(demand_); }
   bool isSmall() const;
+  bool isAlone(int contact) const;
+  /// Whether there is nothing to be done about a contact: it does not approach, and what approaches does not move it.
+  bool staysApart(int contact) const {
+    const Contact& c = contacts_[contact];
+    return c.isAlone && c.place < 0 && problem_.q[3 * contact] >= 0;
+  }
   Vec3 velocityOf(int contact) const;
+  Mat3 blockOf(int contact) const;
   const Approaching& approaching(int contact);
+  double sizeOf(int contact);
   void sweep();
   bool isRocking(int contact, double normalVelocity) const;
   double sweepOnce();
@@ -48,12 +65,13 @@ class QuickAnswer {
 
   const Problem& problem_;
   const Options& options_;
-  double demand_;                         ///< the largest |q|
-  bool firstGains_ = false;               ///< the first sweep took away most of it
-  std::vector<int> place_;                ///< of each contact in approaching_; -1: not in it
+  double demand_;            ///< the largest |q|
+  bool isFull_;              ///< all of W is stored
+  double felt_ = 0;          ///< what approaches feels of those before it in the first sweep, m/s
+  bool firstGains_ = false;  ///< the first sweep took away most of it
+  std::vector<Contact> contacts_;
   std::vector<Approaching> approaching_;  ///< in the order in which they were found
   Solution best_;
-  std::vector<double> residuals_;  ///< of each contact, m/s
 };
 
 }  // namespace delassus

@@ -1,6 +1,5 @@
 #include "delassus/residual.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -13,19 +12,35 @@
 namespace delassus {
 namespace {
 
+/// ‖S‖₂ of a symmetric S whose eigenvalues are of any sign.
+double symmetricNorm(const Mat2& S) {
+  return 0.5 * (std::abs(S(0, 0) + S(1, 1)) + lengthOf(S(0, 0) - S(1, 1), 2 * S(0, 1)));
+}
+
+/// The eigenvalues are m + 2 p cos(φ + 2πk/3), with the mean m, 6 p² = ‖S − m I‖², and cos 3φ = det(S − m I) / 2 p³.
+double symmetricNorm(const Mat3& S) {
+  const double m = S.trace() / 3;
+  const double a = S(0, 0) - m, b = S(1, 1) - m, c = S(2, 2) - m;
+  const double xy = S(0, 1), xz = S(0, 2), yz = S(1, 2);
+  const double p2 = (a * a + b * b + c * c + 2 * (xy * xy + xz * xz + yz * yz)) / 6;
+  const double p = std::sqrt(p2), p3 = p * p2;
+  if (!(p3 > 0)) return std::abs(m);
+  const double halfDet = 0.5 * (a * (b * c - yz * yz) - b * xz * xz - c * xy * xy) + xy * xz * yz;
+  const double angle = std::acos(std::clamp(halfDet / p3, -1.0, 1.0)) / 3;
+  const double largest = m + 2 * p * std::cos(angle);
+  if (p <= 2 * m) return largest;               // none is as far below 0
+  constexpr double third = 2.0943951023931953;  // 2π/3
+  return std::max(largest, -(m + 2 * p * std::cos(angle + third)));
+}
+
 /// ‖W‖₂ = √ λ_max(Wᵀ W), also for blocks that are not symmetric. Scaled first, for squares of tiny masses may vanish.
 template <class Block>
 double spectralNorm(const Block& W) {
   const double scale = W.cwiseAbs().maxCoeff();
   if (!(scale > 0)) return scale;
   const Block S = W / scale;
-  Eigen::SelfAdjointEigenSolver<Block> eigen;
-  if (S == S.transpose()) {
-    eigen.computeDirect(S, Eigen::EigenvaluesOnly);
-    return scale * eigen.eigenvalues().cwiseAbs().maxCoeff();
-  }
-  eigen.computeDirect(S.transpose() * S, Eigen::EigenvaluesOnly);
-  return scale * std::sqrt(std::max(0.0, eigen.eigenvalues().maxCoeff()));
+  if (S == S.transpose()) return scale * symmetricNorm(S);
+  return scale * std::sqrt(symmetricNorm(Block(S.transpose() * S)));
 }
 
 /// That of a contact. Where its arms go along its normal, as those of balls do, no normal reaction moves it along its tangents: then

@@ -316,7 +316,8 @@ Outcome Search::walk(const Problem& problem, const Options& options, double tole
       sweepAndLearn(problem, options, tolerance, best))
     return Outcome::Reached;
   if (fitsDenseNewton(problem, map_) &&
-      dense_.solve(problem, map_, tolerance, options.newtonBudget - best.regions, best))
+      dense_.solve(problem, map_, tolerance, options.newtonBudget - best.regions, Start::Best,
+                   best))
     return Outcome::Reached;
   // A few regions settle a small island; where there are many contacts they only take time.
   const int least = isHeap(problem) || isLargePile(problem) ? shortWalk : 1;

@@ -28,8 +28,8 @@ Attempt runWithRoomFor(const Problem& problem, const VectorXd& start, int budget
   attempt.tolerance = 1e-10 * problem.q.cwiseAbs().maxCoeff();
   attempt.solution = startFrom(problem, map, start);
   attempt.before = attempt.solution.residual;
-  attempt.reached =
-      DenseNewton<Most>().solve(problem, map, attempt.tolerance, budget, attempt.solution);
+  attempt.reached = DenseNewton<Most>().solve(problem, map, attempt.tolerance, budget, Start::Best,
+                                              attempt.solution);
   return attempt;
 }
 

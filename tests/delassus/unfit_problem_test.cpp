@@ -77,6 +77,35 @@ TEST(UnfitProblem, IsNamedAndGetsNoReactions) {
   }
 }
 
+// Contacts alone, with entries, are looked at all at once first: what is wrong with one of them must not drown in a sum.
+TEST(UnfitProblem, IsNamedAmongContactsAlone) {
+  const auto contactsAlone = [] {
+    Problem problem;
+    MatrixXd W = MatrixXd::Identity(9, 9);
+    problem.W = DelassusMatrix(DelassusMatrix::Sparse(W.sparseView()));
+    problem.q = VectorXd::Constant(9, -1);
+    problem.friction = VectorXd::Constant(3, 0.5);
+    return problem;
+  };
+  ASSERT_THAT(unfitParts(contactsAlone()), IsEmpty());
+  for (const Unfit& c : unfit()) {
+    SCOPED_TRACE(c.what);
+    if (c.first == 6) continue;  // of the row
+    Problem problem = contactsAlone();
+    c.breakIt(problem);
+    EXPECT_THAT(unfitParts(problem), ElementsAre(c.first));
+    EXPECT_THAT(solve(problem).blamed, ElementsAre(c.first));
+  }
+  // Many that are fit may sum up to what one alone must not.
+  Problem large = contactsAlone();
+  large.q.setConstant(3e99);
+  EXPECT_THAT(unfitParts(large), IsEmpty());
+  // What is less than nothing must not be made up for by others.
+  Problem made = contactsAlone();
+  made.friction << -1e-3, 2, 2;
+  EXPECT_THAT(unfitParts(made), ElementsAre(0));
+}
+
 TEST(UnfitProblem, SpoilsOnlyThePartThatItIsCoupledTo) {
   Problem problem = threeParts();
   problem.q[0] = notANumber;
