@@ -5,7 +5,6 @@
 
 namespace delassus {
 namespace {
-
 double boundedRow(double r, double u, double diagonal, double lower, double upper) {
   return std::clamp(r - u / diagonal, lower, upper);
 }
@@ -108,6 +107,17 @@ void Sweeps::sweepOn(const Problem& problem, int count, int memory, VectorXd& r)
   if (!learnt_ || swept_ != r) anderson_.start(*diagonal_, memory);
   learnt_ = true;
   hurry(anderson_, problem, count, r);
+}
+
+bool Sweeps::sweepBlow(const Problem& problem, int count, VectorXd& r) {
+  if (!levels_.setProblem(problem)) return false;
+  learnt_ = false;
+  problem.W.bodySpace().impulse(r, y_);
+  for (int k = 0; k < count; ++k) {
+    if (k > 0) levels_.scale(problem, r, y_);
+    sweepBodies(problem, true, r);
+  }
+  return true;
 }
 
 template <class Acceleration>

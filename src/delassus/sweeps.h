@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "delassus/acceleration.h"
+#include "delassus/level_scaling.h"
 #include "delassus/one_contact.h"
 #include "delassus/problem.h"
 #include "delassus/residual.h"
@@ -26,10 +27,14 @@ class Sweeps {
   /// on from with what they learnt.
   void sweepOn(const Problem& problem, int count, int memory, VectorXd& r);
 
+  /// As many from the last contact to the first, each but the last followed by a scaling of the levels: for a blow. False, and nothing
+  /// is swept, if they cannot be scaled.
+  bool sweepBlow(const Problem& problem, int count, VectorXd& r);
+
   std::size_t bytes() const {
     return bytesOf(blocks_, diskBlocks_, y_, yBefore_, swept_, coupling_, coupled_,
                    couplingBegin_) +
-           conjugate_.bytes() + anderson_.bytes();
+           conjugate_.bytes() + anderson_.bytes() + levels_.bytes();
   }
 
  private:
@@ -66,6 +71,7 @@ class Sweeps {
   bool learnt_ = false;  ///< whether anderson_ knows how swept_ came about
   ConjugateGradient conjugate_;
   Anderson anderson_;
+  LevelScaling levels_;
 };
 
 }  // namespace delassus
