@@ -3,9 +3,11 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "bullet_ext/convert.h"
 #include "bullet_ext/solve_group.h"
@@ -123,8 +125,10 @@ void Memory::keepWrench(Group& group, int begin, int end, const Owner& owner) co
     missing.tail<3>() += (p.arm / length).cross(p.impulse);
   }
   Mat6 sum = Mat6::Zero();
+  std::array<Mat63, MANIFOLD_CACHE_SIZE> wrenches;
   for (int i = begin; i < end; ++i) {
-    const Mat63 g = wrenchPerReaction(i);
+    Mat63& g = wrenches[i - begin];
+    g = wrenchPerReaction(i);
     missing -= g * group.guess[i];
     sum += g * g.transpose();
   }
@@ -133,7 +137,7 @@ void Memory::keepWrench(Group& group, int begin, int end, const Owner& owner) co
   sum.diagonal().array() += negligible * sum.trace();
   const Mat6 inverse = sum.ldlt().solve(Mat6::Identity());
   const auto add = [&](int i, const Vec6& share) {
-    const Mat63 g = wrenchPerReaction(i);
+    const Mat63& g = wrenches[i - begin];
     Vec3& r = group.guess[i];
     const Vec3 before = r;
     const Vec3 wanted = r + g.transpose() * share;

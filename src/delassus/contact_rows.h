@@ -1,6 +1,7 @@
 #pragma once
 
 #include "delassus/types.h"
+#include "delassus/wide.h"
 
 namespace delassus {
 
@@ -13,15 +14,28 @@ struct ContactRows {
   Mat36 Ja, Jb;
 
   /// J̃ y
-  Vec3 relativeVelocity(const VectorXd& y) const {
+  DELASSUS_WIDE_INLINE Vec3 relativeVelocity(const VectorXd& y) const {
     Pair sum[3] = {};
     if (a >= 0) add(Ja, y.data() + 6 * a, sum);
     if (b >= 0) add(Jb, y.data() + 6 * b, sum);
     return {sum[0][0] + sum[0][1], sum[1][0] + sum[1][1], sum[2][0] + sum[2][1]};
   }
 
+  /// J̃ J̃ᵀ
+  DELASSUS_WIDE_INLINE Mat3 gram() const {
+    Mat3 W;
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j) {
+        Pair sum = {};
+        if (a >= 0) addDot(Ja, i, j, sum);
+        if (b >= 0) addDot(Jb, i, j, sum);
+        W(i, j) = W(j, i) = sum[0] + sum[1];
+      }
+    return W;
+  }
+
   /// y += J̃ᵀ r
-  void addImpulse(const Vec3& r, VectorXd& y) const {
+  DELASSUS_WIDE_INLINE void addImpulse(const Vec3& r, VectorXd& y) const {
     const Pair twice[3] = {{r[0], r[0]}, {r[1], r[1]}, {r[2], r[2]}};
     if (a >= 0) add(Ja, twice, y.data() + 6 * a);
     if (b >= 0) add(Jb, twice, y.data() + 6 * b);
@@ -30,14 +44,19 @@ struct ContactRows {
  private:
   using Pair = double __attribute__((vector_size(16), aligned(8), may_alias));
 
-  static void add(const Mat36& J, const double* y, Pair (&sum)[3]) {
+  DELASSUS_WIDE_INLINE static void add(const Mat36& J, const double* y, Pair (&sum)[3]) {
     const auto* row = reinterpret_cast<const Pair*>(J.data());
     const auto* of = reinterpret_cast<const Pair*>(y);
     for (int k = 0; k < 3; ++k, row += 3)
       sum[k] += row[0] * of[0] + row[1] * of[1] + row[2] * of[2];
   }
 
-  static void add(const Mat36& J, const Pair (&r)[3], double* y) {
+  DELASSUS_WIDE_INLINE static void addDot(const Mat36& J, int i, int j, Pair& sum) {
+    const auto* row = reinterpret_cast<const Pair*>(J.data());
+    for (int k = 0; k < 3; ++k) sum += row[3 * i + k] * row[3 * j + k];
+  }
+
+  DELASSUS_WIDE_INLINE static void add(const Mat36& J, const Pair (&r)[3], double* y) {
     const auto* row = reinterpret_cast<const Pair*>(J.data());
     auto* to = reinterpret_cast<Pair*>(y);
     for (int k = 0; k < 3; ++k) to[k] += row[k] * r[0] + row[k + 3] * r[1] + row[k + 6] * r[2];

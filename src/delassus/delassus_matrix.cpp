@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "delassus/wide.h"
+
 namespace delassus {
 namespace {
 
@@ -19,15 +21,39 @@ Eigen::Matrix<double, Size, Size> diagonalBlock(const DelassusMatrix::Sparse& W,
   return block;
 }
 
-}  // namespace
-
-void BodySpace::impulse(const VectorXd& r, VectorXd& y) const {
-  y.setZero(6 * bodies);
+DELASSUS_WIDE
+void addImpulses(const std::vector<ContactRows>& contacts, const VectorXd& r, VectorXd& y) {
   int at = 0;
   for (const ContactRows& c : contacts) {
     c.addImpulse(r.segment<3>(at), y);
     at += 3;
   }
+}
+
+DELASSUS_WIDE
+void relativeVelocities(const std::vector<ContactRows>& contacts, const VectorXd& y, VectorXd& u) {
+  int at = 0;
+  for (const ContactRows& c : contacts) {
+    u.segment<3>(at) = c.relativeVelocity(y);
+    at += 3;
+  }
+}
+
+DELASSUS_WIDE
+void grams(const std::vector<ContactRows>& contacts, const VectorXd& compliance,
+           std::vector<Mat3>& blocks) {
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    blocks[i] = contacts[i].gram();
+    blocks[i].diagonal() += compliance.segment<3>(static_cast<int>(3 * i));
+  }
+}
+
+}  // namespace
+
+void BodySpace::impulse(const VectorXd& r, VectorXd& y) const {
+  y.setZero(6 * bodies);
+  addImpulses(contacts, r, y);
+  auto at = static_cast<int>(3 * contacts.size());
   for (const ScalarRow& c : rows) {
     if (c.a >= 0) y.segment<6>(6 * c.a).noalias() += c.Ja.transpose() * r[at];
     if (c.b >= 0) y.segment<6>(6 * c.b).noalias() += c.Jb.transpose() * r[at];
@@ -39,11 +65,8 @@ void BodySpace::impulse(const VectorXd& r, VectorXd& y) const {
 
 void BodySpace::relativeVelocity(const VectorXd& y, VectorXd& u) const {
   u.resize(compliance.size());
-  int at = 0;
-  for (const ContactRows& c : contacts) {
-    u.segment<3>(at) = c.relativeVelocity(y);
-    at += 3;
-  }
+  relativeVelocities(contacts, y, u);
+  auto at = static_cast<int>(3 * contacts.size());
   for (const ScalarRow& c : rows) {
     u[at] = 0;
     if (c.a >= 0) u[at] += c.Ja.dot(y.segment<6>(6 * c.a));
@@ -93,10 +116,8 @@ void DelassusMatrix::multiply(const VectorXd& r, VectorXd& y, VectorXd& u) const
 Mat3 DelassusMatrix::contactBlock(int first) const {
   Mat3 W;
   if (inBodySpace_) {
-    const ContactRows& c = bodySpace().contacts[first / 3];
-    W = Vec3(bodySpace().compliance.segment<3>(first)).asDiagonal();
-    if (c.a >= 0) W.noalias() += c.Ja * c.Ja.transpose();
-    if (c.b >= 0) W.noalias() += c.Jb * c.Jb.transpose();
+    W = bodySpace().contacts[first / 3].gram();
+    W.diagonal() += bodySpace().compliance.segment<3>(first);
     for (const BodySpace::Part& p : bodySpace().partsOf(first))
       W.noalias() += p.J * p.J.transpose();
   } else if (isFull()) {
@@ -107,6 +128,12 @@ Mat3 DelassusMatrix::contactBlock(int first) const {
     W = diagonalBlock<3>(entries_, first);
   }
   return W;
+}
+
+void DelassusMatrix::contactBlocks(std::vector<Mat3>& blocks) const {
+  if (inBodySpace_ && bodySpace().parts.empty())
+    return grams(bodySpace().contacts, bodySpace().compliance, blocks);
+  for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = contactBlock(static_cast<int>(3 * i));
 }
 
 Mat2 DelassusMatrix::pairBlock(int first) const {

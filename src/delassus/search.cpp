@@ -111,7 +111,6 @@ void Search::startBetter(const Problem& problem, Solution& best) {
   trial_.r.setZero(problem.size());
   makeFeasible(problem, trial_.r);
   measure(problem, trial_);
-  unguessed_ = trial_.residualRms;
   if (!(guessed <= hopeless * trial_.residualRms)) take(trial_, best);
 }
 

@@ -143,7 +143,6 @@ class Search {
   /// Puts the answer of a walk back into the cones and bounds that rounding, or a compromise, left.
   void allow(const Problem& problem, Solution& best);
 
-  double unguessed_ = 0;  ///< mean square residual without reactions, m/s
   /// With so few sweeps none are to be lost on what may gain nothing: as the user has it, whatever share of them a walk has.
   bool isHurried_ = false;
   NaturalMap map_;

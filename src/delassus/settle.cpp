@@ -37,16 +37,11 @@ void Search::sweepAll(const Problem& problem, const Options& options, double tol
                       Solution& best) {
   constexpr int burst = 10;
   constexpr double trusted = 0.8;
-  // A blow: the reactions of the last step leave more than this share of what none at all would.
-  constexpr double unknown = 0.2;
-  bool isBlow = !(best.residualRms < unknown * unguessed_);
   trial_.r = trusted * best.r;
   machines().sweeps.setProblem(problem, map_);
   while (best.sweeps < options.sweepBudget && best.residual > tolerance) {
     const int count = std::min(burst, options.sweepBudget - best.sweeps);
-    if (!(isBlow && machines().sweeps.sweepBlow(problem, count, trial_.r)))
-      machines().sweeps.sweep(problem, count, trial_.r);
-    isBlow = false;  // what is left is not of whole levels
+    machines().sweeps.sweep(problem, count, trial_.r);
     best.sweeps += count;
     consider(problem, trial_, best);
   }

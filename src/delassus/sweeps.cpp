@@ -3,10 +3,38 @@
 #include <algorithm>
 #include <cmath>
 
+#include "delassus/wide.h"
+
 namespace delassus {
 namespace {
 double boundedRow(double r, double u, double diagonal, double lower, double upper) {
   return std::clamp(r - u / diagonal, lower, upper);
+}
+
+/// All contacts of a problem in body space from `first` on, by that `stride` (1 or −1). y: J̃ᵀ r
+DELASSUS_WIDE
+void sweepContacts(const Problem& problem, const OneContact* blocks, const VectorXd& diagonal,
+                   int first, int stride, VectorXd& y, VectorXd& r) {
+  const BodySpace& space = problem.W.bodySpace();
+  const bool articulated = !space.parts.empty();
+  int i = first;
+  for (auto left = space.contacts.size(); left > 0; --left, i += stride) {
+    const int at = 3 * i;
+    if (!(diagonal[at] > 0)) continue;
+    const ContactRows& c = space.contacts[i];
+    Vec3 u = problem.q.segment<3>(at) +
+             space.compliance.segment<3>(at).cwiseProduct(r.segment<3>(at)) + c.relativeVelocity(y);
+    const BodySpace::PartRange parts =
+        articulated ? space.partsOf(at) : BodySpace::PartRange{nullptr, nullptr};
+    for (const BodySpace::Part& p : parts) u.noalias() += p.J * y.segment<6>(6 * p.body);
+    const Vec3 before = r.segment<3>(at);
+    const Vec3 next = blocks[i].solve(u - blocks[i].W() * before, problem.friction[i], before);
+    const Vec3 dr = next - before;
+    c.addImpulse(dr, y);
+    for (const BodySpace::Part& p : parts)
+      y.segment<6>(6 * p.body).noalias() += p.J.transpose() * dr;
+    r.segment<3>(at) = next;
+  }
 }
 
 }  // namespace
@@ -109,17 +137,6 @@ void Sweeps::sweepOn(const Problem& problem, int count, int memory, VectorXd& r)
   hurry(anderson_, problem, count, r);
 }
 
-bool Sweeps::sweepBlow(const Problem& problem, int count, VectorXd& r) {
-  if (!levels_.setProblem(problem)) return false;
-  learnt_ = false;
-  problem.W.bodySpace().impulse(r, y_);
-  for (int k = 0; k < count; ++k) {
-    if (k > 0) levels_.scale(problem, r, y_);
-    sweepBodies(problem, true, r);
-  }
-  return true;
-}
-
 template <class Acceleration>
 void Sweeps::hurry(Acceleration& acceleration, const Problem& problem, int count, VectorXd& r) {
   if (problem.W.inBodySpace()) problem.W.bodySpace().impulse(r, y_);
@@ -153,34 +170,16 @@ void Sweeps::sweepBodies(const Problem& problem, bool backwards, VectorXd& r) {
   const auto contacts = static_cast<int>(problem.W.bodySpace().contacts.size());
   const auto disks = static_cast<int>(problem.disks.size());
   const int firstRow = 3 * contacts, rowsEnd = problem.disksBegin();
+  const OneContact* blocks = blocks_.data();
   if (backwards) {
     for (int k = disks; k-- > 0;) sweepDisk(problem, k, r);
     for (int at = rowsEnd; at-- > firstRow;) sweepRow(problem, at, r);
-    for (int i = contacts; i-- > 0;) sweepContact(problem, i, r);
+    sweepContacts(problem, blocks, *diagonal_, contacts - 1, -1, y_, r);
   } else {
-    for (int i = 0; i < contacts; ++i) sweepContact(problem, i, r);
+    sweepContacts(problem, blocks, *diagonal_, 0, 1, y_, r);
     for (int at = firstRow; at < rowsEnd; ++at) sweepRow(problem, at, r);
     for (int k = 0; k < disks; ++k) sweepDisk(problem, k, r);
   }
-}
-
-void Sweeps::sweepContact(const Problem& problem, int contact, VectorXd& r) {
-  const BodySpace& space = problem.W.bodySpace();
-  const int at = 3 * contact;
-  if (!((*diagonal_)[at] > 0)) return;
-  const auto& c = space.contacts[contact];
-  Vec3 u = problem.q.segment<3>(at) +
-           space.compliance.segment<3>(at).cwiseProduct(r.segment<3>(at)) + c.relativeVelocity(y_);
-  const BodySpace::PartRange parts = space.partsOf(at);
-  for (const BodySpace::Part& p : parts) u.noalias() += p.J * y_.segment<6>(6 * p.body);
-  const OneContact& block = blocks_[contact];
-  const Vec3 before = r.segment<3>(at);
-  const Vec3 next = block.solve(u - block.W() * before, problem.friction[contact], before);
-  const Vec3 dr = next - before;
-  c.addImpulse(dr, y_);
-  for (const BodySpace::Part& p : parts)
-    y_.segment<6>(6 * p.body).noalias() += p.J.transpose() * dr;
-  r.segment<3>(at) = next;
 }
 
 double Sweeps::velocityOf(const Problem& problem, int unknown, const VectorXd& r) const {

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "delassus/acceleration.h"
-#include "delassus/level_scaling.h"
 #include "delassus/one_contact.h"
 #include "delassus/problem.h"
 #include "delassus/residual.h"
@@ -27,14 +26,10 @@ class Sweeps {
   /// on from with what they learnt.
   void sweepOn(const Problem& problem, int count, int memory, VectorXd& r);
 
-  /// As many from the last contact to the first, each but the last followed by a scaling of the levels: for a blow. False, and nothing
-  /// is swept, if they cannot be scaled.
-  bool sweepBlow(const Problem& problem, int count, VectorXd& r);
-
   std::size_t bytes() const {
     return bytesOf(blocks_, diskBlocks_, y_, yBefore_, swept_, coupling_, coupled_,
                    couplingBegin_) +
-           conjugate_.bytes() + anderson_.bytes() + levels_.bytes();
+           conjugate_.bytes() + anderson_.bytes();
   }
 
  private:
@@ -45,7 +40,6 @@ class Sweeps {
   void follow(Anderson& acceleration, const Problem& problem, const VectorXd& r);
   void sweepOnce(const Problem& problem, VectorXd& r);
   void sweepBodies(const Problem& problem, bool backwards, VectorXd& r);
-  void sweepContact(const Problem& problem, int contact, VectorXd& r);
   void sweepRow(const Problem& problem, int at, VectorXd& r);
   void sweepDisk(const Problem& problem, int k, VectorXd& r);
   /// u of a row, and its next reaction.
@@ -71,7 +65,6 @@ class Sweeps {
   bool learnt_ = false;  ///< whether anderson_ knows how swept_ came about
   ConjugateGradient conjugate_;
   Anderson anderson_;
-  LevelScaling levels_;
 };
 
 }  // namespace delassus
