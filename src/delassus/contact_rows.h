@@ -21,19 +21,6 @@ struct ContactRows {
     return {sum[0][0] + sum[0][1], sum[1][0] + sum[1][1], sum[2][0] + sum[2][1]};
   }
 
-  /// J̃ J̃ᵀ
-  DELASSUS_WIDE_INLINE Mat3 gram() const {
-    Mat3 W;
-    for (int i = 0; i < 3; ++i)
-      for (int j = i; j < 3; ++j) {
-        Pair sum = {};
-        if (a >= 0) addDot(Ja, i, j, sum);
-        if (b >= 0) addDot(Jb, i, j, sum);
-        W(i, j) = W(j, i) = sum[0] + sum[1];
-      }
-    return W;
-  }
-
   /// y += J̃ᵀ r
   DELASSUS_WIDE_INLINE void addImpulse(const Vec3& r, VectorXd& y) const {
     const Pair twice[3] = {{r[0], r[0]}, {r[1], r[1]}, {r[2], r[2]}};
@@ -49,11 +36,6 @@ struct ContactRows {
     const auto* of = reinterpret_cast<const Pair*>(y);
     for (int k = 0; k < 3; ++k, row += 3)
       sum[k] += row[0] * of[0] + row[1] * of[1] + row[2] * of[2];
-  }
-
-  DELASSUS_WIDE_INLINE static void addDot(const Mat36& J, int i, int j, Pair& sum) {
-    const auto* row = reinterpret_cast<const Pair*>(J.data());
-    for (int k = 0; k < 3; ++k) sum += row[3 * i + k] * row[3 * j + k];
   }
 
   DELASSUS_WIDE_INLINE static void add(const Mat36& J, const Pair (&r)[3], double* y) {

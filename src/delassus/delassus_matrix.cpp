@@ -39,15 +39,6 @@ void relativeVelocities(const std::vector<ContactRows>& contacts, const VectorXd
   }
 }
 
-DELASSUS_WIDE
-void grams(const std::vector<ContactRows>& contacts, const VectorXd& compliance,
-           std::vector<Mat3>& blocks) {
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    blocks[i] = contacts[i].gram();
-    blocks[i].diagonal() += compliance.segment<3>(static_cast<int>(3 * i));
-  }
-}
-
 }  // namespace
 
 void BodySpace::impulse(const VectorXd& r, VectorXd& y) const {
@@ -116,8 +107,10 @@ void DelassusMatrix::multiply(const VectorXd& r, VectorXd& y, VectorXd& u) const
 Mat3 DelassusMatrix::contactBlock(int first) const {
   Mat3 W;
   if (inBodySpace_) {
-    W = bodySpace().contacts[first / 3].gram();
-    W.diagonal() += bodySpace().compliance.segment<3>(first);
+    const ContactRows& c = bodySpace().contacts[first / 3];
+    W = Vec3(bodySpace().compliance.segment<3>(first)).asDiagonal();
+    if (c.a >= 0) W.noalias() += c.Ja * c.Ja.transpose();
+    if (c.b >= 0) W.noalias() += c.Jb * c.Jb.transpose();
     for (const BodySpace::Part& p : bodySpace().partsOf(first))
       W.noalias() += p.J * p.J.transpose();
   } else if (isFull()) {
@@ -128,12 +121,6 @@ Mat3 DelassusMatrix::contactBlock(int first) const {
     W = diagonalBlock<3>(entries_, first);
   }
   return W;
-}
-
-void DelassusMatrix::contactBlocks(std::vector<Mat3>& blocks) const {
-  if (inBodySpace_ && bodySpace().parts.empty())
-    return grams(bodySpace().contacts, bodySpace().compliance, blocks);
-  for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = contactBlock(static_cast<int>(3 * i));
 }
 
 Mat2 DelassusMatrix::pairBlock(int first) const {

@@ -88,8 +88,6 @@ class DelassusMatrix {
   void multiply(const VectorXd& r, VectorXd& y, VectorXd& u) const;
   /// The 3x3 diagonal block of the contact whose unknowns start at `first`.
   Mat3 contactBlock(int first) const;
-  /// Those of the first contacts, one for each in the list.
-  void contactBlocks(std::vector<Mat3>& blocks) const;
   /// The 2x2 diagonal block of the two rows whose unknowns start at `first`.
   Mat2 pairBlock(int first) const;
   VectorXd diagonal() const;

@@ -113,7 +113,7 @@ void NaturalMap::setProblem(const Problem& problem) {
   problem_ = &problem;
   problem.W.diagonal(diagonal_);
   blocks_.resize(problem.contacts());
-  problem.W.contactBlocks(blocks_);
+  for (int a = 0; a < problem.contacts(); ++a) blocks_[a] = problem.W.contactBlock(3 * a);
   blockSizes(
       problem, diagonal_, [&](int a) { return spectralNorm(blocks_[a]); }, sizes_);
 }
