@@ -144,10 +144,11 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
 /// From the likeliest way to the surest.
 ///
 /// Without reactions of a last step:
-///   - the paper's forced motion, every approaching contact held, from zero; but not in large piles, which share their loads in
-///     more regions than one;
+///   - the paper's forced motion, every approaching contact held, from zero; in large piles, whose contacts share loads in many ways,
+///     with a search for forced reactions that lie inside their cones (`hold`);
 ///   - where there is but one region, a walk to it; elsewhere alternating directions.
 /// With them:
+///   - piles, and what slid nowhere: `hold`, from the last reactions;
 ///   - few sweeps are allowed: all of them;
 ///   - much is disturbed: accelerated sweeps as long as they gain, in heaps with patches;
 ///   - large piles: alternating directions, which share the loads anew among contacts that squeeze each other.
