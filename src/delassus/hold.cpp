@@ -30,7 +30,7 @@ Vec3 moveInside(const Vec3& r, double mu, double margin) {
 }
 
 double moveInside(double r, double lower, double upper, double margin) {
-  const double inside = std::min(margin, 0.5 * (upper - lower));
+  const double inside = std::min(margin, 0.25 * (upper - lower));
   return beyond * (std::clamp(r, lower + inside, upper - inside) - r);
 }
 
@@ -151,12 +151,13 @@ bool ProximalNewton<Motion>::holdAll(const Problem& problem, double tolerance, i
   ++best.regions;
   if (!factorise(best)) return false;
   const bool startsFromNothing = !r_.any();
+  const int end = best.sweeps + budget;
   if (holdOn(problem, tolerance, budget, best)) return true;
   if (startsFromNothing) return false;
   r_.setZero(problem.size());
   u_ = problem.q;
   change_ = r_;
-  return holdOn(problem, tolerance, budget, best);
+  return holdOn(problem, tolerance, end - best.sweeps, best);
 }
 
 template bool ProximalNewton<BodyMotion>::holdAll(const Problem&, double, int, Solution&);

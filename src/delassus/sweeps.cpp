@@ -7,6 +7,7 @@
 
 namespace delassus {
 namespace {
+
 double boundedRow(double r, double u, double diagonal, double lower, double upper) {
   return std::clamp(r - u / diagonal, lower, upper);
 }
