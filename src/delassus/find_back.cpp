@@ -1,5 +1,6 @@
 /// What the search does after a walk that has lost its way.
 #include <algorithm>
+#include <limits>
 #include <type_traits>
 
 #include "delassus/pile_kind.h"
@@ -101,36 +102,38 @@ Outcome Search::harden(ProximalNewton<Motion>& newton, const Problem& problem,
   return Outcome::Lost;
 }
 
-/// Plain sweeps by the thousand from where the step began, and a walk from where they come to; then on from there, or from where the
-/// walk came to if that is nearer than ever.
+/// Plain sweeps by the thousand from where the step began, or from nothing, and a walk from where they come to; then on from where that
+/// walk came to, if it is nearer than any before it.
 ///
 /// A heap of spheres has as many contacts as motions, and stresses that grow by the same little in every sweep until a contact
 /// slips; which one is next depends on all that slipped before. What hurries sweeps runs past that order and ends far from any
-/// answer, though its residual is small. Plain sweeps go through it slip after slip, as the heap does. Where they go round for ever,
-/// those that go there and back may come to an end, and the other way round.
+/// answer, though its residual is small. Plain sweeps go through it slip after slip, as the heap does. Where those from the last
+/// reactions go round for ever, those from nothing, which squeezes nowhere, may come to an end.
 template <class Motion>
 Outcome Search::outlast(ProximalNewton<Motion>& newton, const Problem& problem,
-                        const Options& options, double tolerance, const VectorXd& guess,
-                        bool thereAndBack, Solution& best) {
-  constexpr int manySweeps = 8000, regions = 100;
-  wandering_.r = guess;
-  makeFeasible(problem, wandering_.r);
-  for (;;) {
-    const int sweepsLeft = std::min(manySweeps, options.sweepBudget - best.sweeps);
-    const int regionsLeft = std::min(regions, options.newtonBudget - best.regions);
-    if (sweepsLeft <= 0 || regionsLeft <= 0) return Outcome::Lost;
+                        const Options& options, double tolerance, const VectorXd* guess,
+                        Solution& best) {
+  constexpr int manySweeps = 2000, regions = 50;
+  setOutApart(problem, guess, best);
+  wandering_.r = apart_.r;
+  Outcome outcome = Outcome::Lost;
+  // The first residual may be small and far from any answer.
+  apart_.residual = std::numeric_limits<double>::infinity();
+  while (outcome == Outcome::Lost) {
+    const int sweepsLeft = std::min(manySweeps, options.sweepBudget - apart_.sweeps);
+    const int regionsLeft = std::min(regions, options.newtonBudget - apart_.regions);
+    if (sweepsLeft <= 0 || regionsLeft <= 0) break;
     machines().sweeps.setProblem(problem, map_);
-    machines().sweeps.sweepPlainly(problem, sweepsLeft, thereAndBack, wandering_.r);
-    best.sweeps += sweepsLeft;
-    consider(problem, wandering_, best);
-    const double before = best.residual;
+    machines().sweeps.sweepPlainly(problem, sweepsLeft, wandering_.r);
+    apart_.sweeps += sweepsLeft;
+    consider(problem, wandering_, apart_);
+    const double before = apart_.residual;
     newton.setProblem(problem, map_);
-    const Outcome outcome =
-        newton.walkFrom(wandering_, problem, tolerance, proximalWeight(problem, wandering_, 1e-4),
-                        regionsLeft, best);
-    if (outcome != Outcome::Lost) return outcome;
-    if (best.residual < before) wandering_.r = best.r;
+    outcome = newton.walkFrom(wandering_, problem, tolerance,
+                              proximalWeight(problem, wandering_, 1e-4), regionsLeft, apart_);
+    if (apart_.residual < before) wandering_.r = apart_.r;
   }
+  return comeBack(outcome, best);
 }
 
 /// Where demands are proven incompatible, `best` is the compromise, that of bodies a little compliant where they touch, friction
@@ -208,8 +211,8 @@ template Outcome Search::harden(ProximalNewton<BodyMotion>&, const Problem&, con
 template Outcome Search::harden(ProximalNewton<FactoredMotion>&, const Problem&, const Options&,
                                 double, const VectorXd*, Solution&);
 template Outcome Search::outlast(ProximalNewton<BodyMotion>&, const Problem&, const Options&,
-                                 double, const VectorXd&, bool, Solution&);
+                                 double, const VectorXd*, Solution&);
 template Outcome Search::outlast(ProximalNewton<FactoredMotion>&, const Problem&, const Options&,
-                                 double, const VectorXd&, bool, Solution&);
+                                 double, const VectorXd*, Solution&);
 
 }  // namespace delassus

@@ -171,7 +171,7 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
   outcome = newton.walk(problem, tolerance, weight, left(shortWalk), best);
   // In small heaps regions cost no more than tens of sweeps: there that is left for the end.
   if (outcome == Outcome::Lost && guess && isLargeHeap(problem))
-    outcome = outlast(newton, problem, options, tolerance, *guess, false, best);
+    outcome = outlast(newton, problem, options, tolerance, guess, best);
   return outcome == Outcome::Lost ? findBack(engines, problem, options, tolerance, guess, best)
                                   : outcome;
 }
@@ -266,6 +266,7 @@ void Search::polishWith(Engines<Motion>& engines, const Problem& problem, const 
   engines.walk.polish(problem, aim, weight, most, best);
 }
 
+/// From the last reactions, then from nothing.
 template <class Motion>
 Outcome Search::walkTwice(Engines<Motion>& engines, const Problem& problem, const Options& options,
                           double tolerance, const VectorXd* guess, Solution& best) {
@@ -277,7 +278,7 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Problem& problem, cons
     share.sweepBudget -= options.sweepBudget / 2;
     outcome = walkOnce(engines, problem, share, tolerance, guess, best);
     if (outcome == Outcome::Lost && isLargeHeap(problem))
-      outcome = outlast(engines.walk, problem, options, tolerance, *guess, true, best);
+      outcome = outlast(engines.walk, problem, options, tolerance, nullptr, best);
     if (outcome == Outcome::Lost) outcome = walkCold(engines, problem, options, tolerance, best);
   } else {
     outcome = walkOnce(engines, problem, options, tolerance, nullptr, best);
@@ -286,28 +287,39 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Problem& problem, cons
                                   : outcome;
 }
 
-/// With what is left of the budget, as if there were no guess.
+/// A way of its own begins in apart_, from `guess`, or without one (null) from nothing, on what is left of the budget: what it takes for
+/// progress does not depend on what was found before.
+void Search::setOutApart(const Problem& problem, const VectorXd* guess, Solution& best) {
+  apart_.start(problem.q);
+  if (guess) apart_.r = *guess;
+  makeFeasible(problem, apart_.r);
+  consider(problem, apart_, best);
+  apart_.regions = best.regions;
+  apart_.factorisations = best.factorisations;
+  apart_.sweeps = best.sweeps;
+  apart_.patches = best.patches;
+}
+
+/// And ends: its work is counted, and its answer is taken if it is one, or better.
+Outcome Search::comeBack(Outcome outcome, Solution& best) const {
+  best.regions = apart_.regions;
+  best.factorisations = apart_.factorisations;
+  best.sweeps = apart_.sweeps;
+  best.patches = apart_.patches;
+  if (outcome == Outcome::Lost && !(apart_.residual < best.residual)) return outcome;
+  best.r = apart_.r;
+  best.u = apart_.u;
+  best.residual = apart_.residual;
+  best.blamed = apart_.blamed;
+  return outcome;
+}
+
+/// As if there were no guess.
 template <class Motion>
 Outcome Search::walkCold(Engines<Motion>& engines, const Problem& problem, const Options& options,
                          double tolerance, Solution& best) {
-  cold_.start(problem.q);
-  makeFeasible(problem, cold_.r);
-  consider(problem, cold_, best);
-  cold_.regions = best.regions;
-  cold_.factorisations = best.factorisations;
-  cold_.sweeps = best.sweeps;
-  cold_.patches = best.patches;
-  const Outcome outcome = walkOnce(engines, problem, options, tolerance, nullptr, cold_);
-  best.regions = cold_.regions;
-  best.factorisations = cold_.factorisations;
-  best.sweeps = cold_.sweeps;
-  best.patches = cold_.patches;
-  if (outcome == Outcome::Lost && !(cold_.residual < best.residual)) return outcome;
-  best.r = cold_.r;
-  best.u = cold_.u;
-  best.residual = cold_.residual;
-  best.blamed = cold_.blamed;
-  return outcome;
+  setOutApart(problem, nullptr, best);
+  return comeBack(walkOnce(engines, problem, options, tolerance, nullptr, apart_), best);
 }
 
 Outcome Search::walk(const Problem& problem, const Options& options, double tolerance,

@@ -47,7 +47,7 @@ class Search {
 
   std::size_t bytes() const {
     return map_.bytes() + dense_.bytes() + (own_ ? own_->bytes() : 0) + trial_.bytes() +
-           wandering_.bytes() + cold_.bytes() + felt_.bytes() + quarrel_.bytes() +
+           wandering_.bytes() + apart_.bytes() + felt_.bytes() + quarrel_.bytes() +
            patches_.bytes() + patch_.bytes() + patchAnswer_.bytes() +
            bytesOf(residuals_, patchStart_, softStart_) + soft_.bytes() + softAnswer_.bytes() +
            (patchSearch_ ? patchSearch_->bytes() : 0) + (softSearch_ ? softSearch_->bytes() : 0);
@@ -87,6 +87,8 @@ class Search {
   template <class Motion>
   Outcome walkOnce(Engines<Motion>& engines, const Problem& problem, const Options& options,
                    double tolerance, const VectorXd* guess, Solution& best);
+  void setOutApart(const Problem& problem, const VectorXd* guess, Solution& best);
+  Outcome comeBack(Outcome outcome, Solution& best) const;
   template <class Motion>
   Outcome walkCold(Engines<Motion>& engines, const Problem& problem, const Options& options,
                    double tolerance, Solution& best);
@@ -95,7 +97,7 @@ class Search {
                    double tolerance, const VectorXd* guess, Solution& best);
   template <class Motion>
   Outcome outlast(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
-                  double tolerance, const VectorXd& guess, bool thereAndBack, Solution& best);
+                  double tolerance, const VectorXd* guess, Solution& best);
   template <class Motion>
   Outcome harden(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
                  double tolerance, const VectorXd* guess, Solution& best);
@@ -149,7 +151,8 @@ class Search {
   DenseNewton<Eigen::Dynamic> dense_;
   std::unique_ptr<Machines> own_;  ///< none in a search for patches
   Machines* machines_ = nullptr;
-  Solution trial_, wandering_, cold_;
+  Solution trial_, wandering_;
+  Solution apart_;  ///< the best of a way of its own
   VectorXd felt_;
   Quarrel quarrel_;
 

@@ -12,14 +12,13 @@ double boundedRow(double r, double u, double diagonal, double lower, double uppe
   return std::clamp(r - u / diagonal, lower, upper);
 }
 
-/// All contacts of a problem in body space from `first` on, by that `stride` (1 or −1). y: J̃ᵀ r
+/// All contacts of a problem in body space. y: J̃ᵀ r
 DELASSUS_WIDE
 void sweepContacts(const Problem& problem, const OneContact* blocks, const VectorXd& diagonal,
-                   int first, int stride, VectorXd& y, VectorXd& r) {
+                   VectorXd& y, VectorXd& r) {
   const BodySpace& space = problem.W.bodySpace();
   const bool articulated = !space.parts.empty();
-  int i = first;
-  for (auto left = space.contacts.size(); left > 0; --left, i += stride) {
+  for (int i = 0; i < problem.contacts(); ++i) {
     const int at = 3 * i;
     if (!(diagonal[at] > 0)) continue;
     const ContactRows& c = space.contacts[i];
@@ -126,10 +125,10 @@ void Sweeps::sweep(const Problem& problem, int count, VectorXd& r) {
   hurry(conjugate_, problem, count, r);
 }
 
-void Sweeps::sweepPlainly(const Problem& problem, int count, bool thereAndBack, VectorXd& r) {
+void Sweeps::sweepPlainly(const Problem& problem, int count, VectorXd& r) {
   learnt_ = false;
   problem.W.bodySpace().impulse(r, y_);
-  for (int k = 0; k < count; ++k) sweepBodies(problem, thereAndBack && k % 2 == 1, r);
+  for (int k = 0; k < count; ++k) sweepBodies(problem, r);
 }
 
 void Sweeps::sweepOn(const Problem& problem, int count, int memory, VectorXd& r) {
@@ -163,24 +162,14 @@ void Sweeps::follow(Anderson&, const Problem& problem, const VectorXd& r) {
 }
 
 void Sweeps::sweepOnce(const Problem& problem, VectorXd& r) {
-  problem.W.inBodySpace() ? sweepBodies(problem, false, r) : sweepEntries(problem, r);
+  problem.W.inBodySpace() ? sweepBodies(problem, r) : sweepEntries(problem, r);
 }
 
-/// Contacts, rows and disks in this order, or all of it from the end.
-void Sweeps::sweepBodies(const Problem& problem, bool backwards, VectorXd& r) {
-  const auto contacts = static_cast<int>(problem.W.bodySpace().contacts.size());
-  const auto disks = static_cast<int>(problem.disks.size());
-  const int firstRow = 3 * contacts, rowsEnd = problem.disksBegin();
-  const OneContact* blocks = blocks_.data();
-  if (backwards) {
-    for (int k = disks; k-- > 0;) sweepDisk(problem, k, r);
-    for (int at = rowsEnd; at-- > firstRow;) sweepRow(problem, at, r);
-    sweepContacts(problem, blocks, *diagonal_, contacts - 1, -1, y_, r);
-  } else {
-    sweepContacts(problem, blocks, *diagonal_, 0, 1, y_, r);
-    for (int at = firstRow; at < rowsEnd; ++at) sweepRow(problem, at, r);
-    for (int k = 0; k < disks; ++k) sweepDisk(problem, k, r);
-  }
+void Sweeps::sweepBodies(const Problem& problem, VectorXd& r) {
+  sweepContacts(problem, blocks_.data(), *diagonal_, y_, r);
+  for (int at = 3 * problem.contacts(); at < problem.disksBegin(); ++at) sweepRow(problem, at, r);
+  for (std::size_t k = 0; k < problem.disks.size(); ++k)
+    sweepDisk(problem, static_cast<int>(k), r);
 }
 
 double Sweeps::velocityOf(const Problem& problem, int unknown, const VectorXd& r) const {

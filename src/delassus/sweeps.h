@@ -19,8 +19,8 @@ class Sweeps {
   /// end in their cones and bounds.
   void sweep(const Problem& problem, int count, VectorXd& r);
 
-  /// As many sweeps with nothing in between, if asked for with every other one from the last to the first. In body space only.
-  void sweepPlainly(const Problem& problem, int count, bool thereAndBack, VectorXd& r);
+  /// As many sweeps with nothing in between. In body space only.
+  void sweepPlainly(const Problem& problem, int count, VectorXd& r);
 
   /// As `sweep`, with Anderson's acceleration, which remembers so many steps. What its last sweeps of this problem returned is gone
   /// on from with what they learnt.
@@ -39,7 +39,7 @@ class Sweeps {
   void follow(ConjugateGradient& acceleration, const Problem& problem, const VectorXd& r);
   void follow(Anderson& acceleration, const Problem& problem, const VectorXd& r);
   void sweepOnce(const Problem& problem, VectorXd& r);
-  void sweepBodies(const Problem& problem, bool backwards, VectorXd& r);
+  void sweepBodies(const Problem& problem, VectorXd& r);
   void sweepRow(const Problem& problem, int at, VectorXd& r);
   void sweepDisk(const Problem& problem, int k, VectorXd& r);
   /// u of a row, and its next reaction.
