@@ -59,7 +59,7 @@ bool hasOneRegion(const Problem& problem) {
 constexpr double knownRegion = 1e-6, forcedRegion = 1e-7;
 constexpr double disturbed = 1e-3,
                  nearly = 1e-6;  ///< shares of the demands that reactions leave open
-constexpr int shortWalk = 16, fewRegions = 8;
+constexpr int shortWalk = 16, pileWalk = 400, fewRegions = 8;
 constexpr int alternations = 300;  ///< what brings a large pile to rest
 
 /// Explicit entries that are too many for a dense matrix and its factor are swept over, and no more.
@@ -152,7 +152,7 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
 ///   - few sweeps are allowed: all of them;
 ///   - much is disturbed: accelerated sweeps as long as they gain, in heaps with patches;
 ///   - large piles: alternating directions, which share the loads anew among contacts that squeeze each other.
-/// Then a short walk. Where it loses its way, many contacts are at a wall of their region:
+/// Then a short walk, in large piles a long one. Where it loses its way, many contacts are at a wall of their region:
 ///   - in large heaps plain sweeps, to outlast what hurried ones run past;
 ///   - alternating directions; a proof that nothing can meet the demands; an interior point, which
 ///     comes down between the walls; a longer walk from there; and `wander`.
@@ -168,7 +168,9 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
   const double weight = best.residual <= nearly * problem.q.cwiseAbs().maxCoeff()
                             ? knownRegion
                             : proximalWeight(problem, best, 1e-2);
-  outcome = newton.walk(problem, tolerance, weight, left(shortWalk), best);
+  // In large piles alternations were tried already, and what else finds back is dear and seldom helps.
+  const int most = guess && isLargePile(problem) && !isHurried_ ? pileWalk : shortWalk;
+  outcome = newton.walk(problem, tolerance, weight, left(most), best);
   // In small heaps regions cost no more than tens of sweeps: there that is left for the end.
   if (outcome == Outcome::Lost && guess && isLargeHeap(problem))
     outcome = outlast(newton, problem, options, tolerance, guess, best);
