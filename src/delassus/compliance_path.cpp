@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "delassus/cone.h"
 
@@ -45,9 +46,20 @@ void CompliancePath::setProblem(BodyMotion& motion, const Problem& problem, cons
   problem_ = &problem;
   map.meanDiagonal(scale_);
   own_ = problem.W.bodySpace().compliance;
+  center_.setZero(problem.size());
+  u0_ = problem.q;
+  smallestFelt_ = std::numeric_limits<double>::min();
   G_.reset(problem);
   region_.contacts.resize(problem.contacts());
   region_.rows.resize(problem.rows());
+}
+
+void CompliancePath::setCenter(const Solution& center) {
+  constexpr double share = 1e-5;
+  center_ = center.r;
+  u0_ = center.u;
+  const double squeeze = std::sqrt(scale_.dot(center_.cwiseAbs2()));
+  smallestFelt_ = std::max(share * squeeze, std::numeric_limits<double>::min());
 }
 
 double CompliancePath::compliance() const { return std::exp(tau_); }
@@ -62,8 +74,8 @@ void CompliancePath::respond(bool inRegion) {
   const int n = problem_->contacts(), m = problem_->rows();
   l_ = (own_ + compliance() * scale_).cwiseInverse();
   motion_->relativeVelocity(delta_, u_);
-  u_ += problem_->q;
-  z_ = -l_.cwiseProduct(u_);
+  u_ += u0_;
+  z_ = center_ - l_.cwiseProduct(u_);
   r_.resize(z_.size());
   for (int i = 0; i < n; ++i) {
     const int at = 3 * i;
@@ -98,10 +110,10 @@ bool CompliancePath::factorise(Solution& count) {
 
 /// E, and its size beside what the bodies feel.
 double CompliancePath::error() {
-  constexpr double nothing = 1e-300;
-  motion_->impulse(r_, felt_);
+  change_ = r_ - center_;
+  motion_->impulse(change_, felt_);
   error_ = delta_ - felt_;
-  return error_.norm() / std::max(felt_.norm(), nothing);
+  return error_.norm() / std::max(felt_.norm(), smallestFelt_);
 }
 
 /// Errors that rounding leaves: u is a difference that l magnifies.
@@ -154,7 +166,8 @@ bool CompliancePath::setOut(const VectorXd& reactions, double compliance, int bu
   constexpr int mostSteps = 20;
   const int begun = count.factorisations;
   tau_ = std::log(compliance);
-  motion_->impulse(reactions, delta_);
+  change_ = reactions - center_;
+  motion_->impulse(change_, delta_);
   for (int k = 0;; ++k) {
     respond(false);
     const double now = error();

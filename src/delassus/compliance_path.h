@@ -21,6 +21,12 @@ namespace delassus {
 /// Newton's method across it, through as many regions as it may. Where that fails, steps go from wall to wall of the regions, one
 /// contact at a time. Which of its two ways a tangent points is told by the sign of det K: along one curve it tells whether c grows
 /// (Eaves and Scarf 1976; Allgower and Georg, Introduction to Numerical Continuation Methods, ch. 2 and 14).
+/// It may also be compliance to what changes at reactions r_k that all but keep the law: then
+///
+///     E(δ, c) = δ − J̃ᵀ (r − r_k) = 0,    z = r_k − (u_k + J̃ δ) / (compliance + c W_aa),    u_k = W r_k + q
+///
+/// and the curve begins at r_k, where c is large, and ends at the same rigid bodies. What is far from where something is wedged has found
+/// its answer there, and follows without turning back: that is the way in islands of thousands.
 /// For body space without disks.
 class CompliancePath {
  public:
@@ -28,8 +34,11 @@ class CompliancePath {
     return problem.W.inBodySpace() && problem.disks.empty();
   }
 
-  /// All must outlive the path.
+  /// All must outlive the path. Compliance to all reactions.
   void setProblem(BodyMotion& motion, const Problem& problem, const NaturalMap& map);
+
+  /// Compliance to what changes at `center`, its r and u, from now on.
+  void setCenter(const Solution& center);
 
   /// Stands on the answer for bodies that are compliant by `compliance` W_aa, looking towards rigid ones. `reactions`: that
   /// answer, or so near to it that Newton's method finds it: if not, false. Work is counted in `count`, a factorisation
@@ -44,9 +53,9 @@ class CompliancePath {
   const VectorXd& reactions();
 
   std::size_t bytes() const {
-    return G_.bytes() + bytesOf(scale_, own_, delta_, start_, tangent_, l_, u_, z_, r_, error_,
-                                felt_, drive_, newTangent_, from_, alongZ_, acrossZ_, gaps_,
-                                region_.contacts, region_.rows);
+    return G_.bytes() + bytesOf(scale_, own_, center_, u0_, delta_, start_, tangent_, l_, u_, z_,
+                                r_, change_, error_, felt_, drive_, newTangent_, from_, alongZ_,
+                                acrossZ_, gaps_, region_.contacts, region_.rows);
   }
 
  private:
@@ -91,7 +100,9 @@ class CompliancePath {
 
   BodyMotion* motion_ = nullptr;
   const Problem* problem_ = nullptr;
-  VectorXd scale_, own_;  ///< mean W_aa; compliance of the problem itself
+  VectorXd scale_, own_;     ///< mean W_aa; compliance of the problem itself
+  VectorXd center_, u0_;     ///< r_k and u_k
+  double smallestFelt_ = 0;  ///< ‖δ‖ whose digits rounding in r − r_k has not taken
 
   VectorXd delta_;  ///< δ
   double tau_ = 0;  ///< ln c
@@ -106,7 +117,8 @@ class CompliancePath {
   double strideLength_ = 0;
   int stepsAtWalls_ = 1;  ///< after a stride that failed
 
-  VectorXd l_, u_, z_, r_, error_, felt_, drive_, newTangent_, from_, alongZ_, acrossZ_, gaps_;
+  VectorXd l_, u_, z_, r_, change_, error_, felt_, drive_, newTangent_, from_, alongZ_, acrossZ_,
+      gaps_;
   double newTangentTau_ = 0, fromTau_ = 0;
   double push_ = 0;  ///< largest reaction, the measure of gaps
   std::vector<Wall> walls_;

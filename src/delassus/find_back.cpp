@@ -62,30 +62,44 @@ double Search::soften(const Problem& problem, const Options& options, Solution& 
   return found;
 }
 
-/// Along the path of compliance, from bodies that are so compliant where they touch that their answer is found, to rigid ones; and a walk
-/// from the answers of those that are nearly rigid.
-///
-/// Not in islands of thousands: there the one compliance would have to turn back and forth for each of the places where something is
-/// wedged, whatever the others do.
+/// Stands on the path of compliance: at bodies that are so compliant where they touch that their answer is found. In islands of
+/// thousands that one compliance would have to turn back and forth for each of the places where something is wedged, whatever the others
+/// do; there it begins at the best answer so far.
+bool Search::setOutOnPath(ProximalNewton<BodyMotion>& newton, const Problem& problem,
+                          const Options& options, int budget, const VectorXd* guess,
+                          Solution& best) {
+  constexpr double moderate = 1e-2, soft = 1;
+  const bool isLarge = isLargeHeap(problem);
+  double softness = moderate;
+  if (!isLarge) {
+    softStart_.setZero(problem.size());
+    if (guess) softStart_ = *guess;
+    softness = soften(problem, options, best);
+    if (softness == 0) return false;
+  }
+  newton.setProblem(problem, map_);
+  CompliancePath& path = machines().path;
+  path.setProblem(newton.motion(), problem, map_);
+  if (!isLarge) return path.setOut(softStart_, softness, budget, best);
+  path.setCenter(best);
+  return path.setOut(best.r, softness, budget, best) || path.setOut(best.r, soft, budget, best);
+}
+
+/// Along the path of compliance to rigid bodies, and a walk from the answers of those that are nearly rigid.
 template <class Motion>
 Outcome Search::harden(ProximalNewton<Motion>& newton, const Problem& problem,
                        const Options& options, double tolerance, const VectorXd* guess,
                        Solution& best) {
   constexpr double nearlyRigid = 1e-5, rigid = 1e-8, finest = 1e-7;
-  constexpr int few = 300, many = 1000, regions = 60;
+  constexpr int few = 600, many = 1000, regions = 60;
   if constexpr (std::is_same_v<Motion, BodyMotion>) {
     const int parts = problem.contacts() + problem.rows();
     const int budget = static_cast<int>(options.pathBudget * std::min(1.0, double(few) / parts));
-    if (budget == 0 || parts > many || !CompliancePath::canFollow(problem)) return Outcome::Lost;
-    softStart_.setZero(problem.size());
-    if (guess) softStart_ = *guess;
-    const double softness = soften(problem, options, best);
-    newton.setProblem(problem, map_);
-    if (softness == 0) return Outcome::Lost;
-    CompliancePath& path = machines().path;
-    path.setProblem(newton.motion(), problem, map_);
+    const bool isTooLarge = parts > many && !isLargeHeap(problem);
+    if (budget == 0 || isTooLarge || !CompliancePath::canFollow(problem)) return Outcome::Lost;
     const int begun = best.factorisations, walked = best.regions;
-    if (!path.setOut(softStart_, softness, budget, best)) return Outcome::Lost;
+    if (!setOutOnPath(newton, problem, options, budget, guess, best)) return Outcome::Lost;
+    CompliancePath& path = machines().path;
     for (double compliance = nearlyRigid; compliance >= rigid; compliance *= 0.1) {
       if (!path.descend(compliance, budget - (best.factorisations - begun), best))
         return Outcome::Lost;

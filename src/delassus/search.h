@@ -101,6 +101,8 @@ class Search {
   template <class Motion>
   Outcome harden(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
                  double tolerance, const VectorXd* guess, Solution& best);
+  bool setOutOnPath(ProximalNewton<BodyMotion>& newton, const Problem& problem,
+                    const Options& options, int budget, const VectorXd* guess, Solution& best);
   double soften(const Problem& problem, const Options& options, Solution& best);
   template <class Motion>
   Outcome findBack(Engines<Motion>& engines, const Problem& problem, const Options& options,

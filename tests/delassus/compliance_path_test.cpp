@@ -28,6 +28,13 @@ Problem soften(const Problem& problem, double compliance) {
   return soft;
 }
 
+/// The same for compliance to what changes at reactions `center`.
+Problem soften(const Problem& problem, double compliance, const VectorXd& center) {
+  Problem soft = soften(problem, compliance);
+  soft.q -= soft.W.bodySpace().compliance.cwiseProduct(center);
+  return soft;
+}
+
 /// A path with all it needs.
 class Way {
  public:
@@ -38,6 +45,13 @@ class Way {
     count_.start(problem_.q);
   }
 
+  /// Where compliance is to what changes at these reactions.
+  void setCenter(const VectorXd& reactions) {
+    Solution center;
+    center.r = reactions;
+    center.u = problem_.W * reactions + problem_.q;
+    path_.setCenter(center);
+  }
   bool setOut(const VectorXd& reactions, double compliance) {
     return path_.setOut(reactions, compliance, plenty, count_);
   }
@@ -98,6 +112,39 @@ TEST(CompliancePath, LeadsToRigidBodies) {
     const VectorXd& r = way.reactions();
     EXPECT_LT(naturalResidual(problem, r).max, 1e-5 * r.cwiseAbs().maxCoeff());
   }
+}
+
+// From reactions that are all but right in most places: here those of compliant bodies.
+TEST(CompliancePath, KeepsTheLawOfComplianceToWhatChanges) {
+  Random random(78);
+  for (int k = 0; k < 6; ++k) {
+    const Problem problem = wedgedHeap(random);
+    const VectorXd center = solve(soften(problem, 0.01)).r;
+    Way way(problem);
+    way.setCenter(center);
+    ASSERT_TRUE(way.setOut(center, 1));
+    for (double compliance = 0.1; compliance > 1e-7; compliance *= 0.1) {
+      ASSERT_TRUE(way.descend(compliance)) << k << " ends at " << way.compliance();
+      const Problem soft = soften(problem, way.compliance(), center);
+      EXPECT_LT(naturalResidual(soft, way.reactions()).max, 1e-6);
+    }
+    const VectorXd change = way.reactions() - center;
+    EXPECT_GT(change.norm(), 1e-3 * center.norm()) << "nothing had to change";
+    EXPECT_LT(naturalResidual(problem, way.reactions()).max, 1e-5 * change.cwiseAbs().maxCoeff());
+  }
+}
+
+// What keeps the law has nothing to give way to.
+TEST(CompliancePath, LeavesAnAnswerWhereItIs) {
+  Random random(79);
+  const Problem problem = wedgedHeap(random);
+  const Solution answer = solve(problem);
+  ASSERT_EQ(answer.status, Status::Solved);
+  Way way(problem);
+  way.setCenter(answer.r);
+  ASSERT_TRUE(way.setOut(answer.r, 1));
+  ASSERT_TRUE(way.descend(1e-4));
+  EXPECT_LT((way.reactions() - answer.r).norm(), 1e-3 * answer.r.norm());
 }
 
 // There are several answers for one compliance. From some, less of it leads back to softness: then the other way is the one that ends

@@ -221,29 +221,10 @@ TEST(Sweeps, PlainOnesAreOneAfterTheOther) {
   map.setProblem(problem);
   Sweeps sweeps;
   sweeps.setProblem(problem, map);
-  sweeps.sweepPlainly(problem, count, false, all);
+  sweeps.sweepPlainly(problem, count, all);
   EXPECT_LT((all - one).norm(), 1e-12 * one.norm());
   EXPECT_GT((swept(problem, count, VectorXd::Zero(problem.size())) - one).norm(), 1e-6 * one.norm())
       << "hurried ones go elsewhere";
-}
-
-// Every other one from the end: another way to the same answer, where there is only one.
-TEST(Sweeps, ThoseThatGoThereAndBackComeToTheSame) {
-  Random random(53);
-  const PileIsland island = towerWithRows(2, random);
-  const Problem& problem = island.problem;
-  NaturalMap map;
-  map.setProblem(problem);
-  Sweeps sweeps;
-  sweeps.setProblem(problem, map);
-  VectorXd there = VectorXd::Zero(problem.size()), both = there;
-  sweeps.sweepPlainly(problem, 4, false, there);
-  sweeps.sweepPlainly(problem, 4, true, both);
-  EXPECT_GT(motionDistance(island, there, both), 1e-6) << "at first they differ";
-  sweeps.sweepPlainly(problem, 20000, false, there);
-  sweeps.sweepPlainly(problem, 20000, true, both);
-  EXPECT_LT(naturalResidual(problem, both).max, 1e-8);
-  EXPECT_LT(motionDistance(island, there, both), 1e-6);
 }
 
 // What one call has learnt the next one uses: in small bites as few sweeps are needed as in one.
