@@ -168,8 +168,7 @@ void Sweeps::sweepOnce(const Problem& problem, VectorXd& r) {
 void Sweeps::sweepBodies(const Problem& problem, VectorXd& r) {
   sweepContacts(problem, blocks_.data(), *diagonal_, y_, r);
   for (int at = 3 * problem.contacts(); at < problem.disksBegin(); ++at) sweepRow(problem, at, r);
-  for (std::size_t k = 0; k < problem.disks.size(); ++k)
-    sweepDisk(problem, static_cast<int>(k), r);
+  for (std::size_t k = 0; k < problem.disks.size(); ++k) sweepDisk(problem, static_cast<int>(k), r);
 }
 
 double Sweeps::velocityOf(const Problem& problem, int unknown, const VectorXd& r) const {
