@@ -55,6 +55,7 @@ void CompliancePath::setProblem(BodyMotion& motion, const Problem& problem, cons
 }
 
 void CompliancePath::setCenter(const Solution& center) {
+  // Of what reactions squeeze: of a change that is smaller, rounding in r − r_k leaves fewer digits than E asks for.
   constexpr double share = 1e-5;
   center_ = center.r;
   u0_ = center.u;

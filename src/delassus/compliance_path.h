@@ -21,12 +21,14 @@ namespace delassus {
 /// Newton's method across it, through as many regions as it may. Where that fails, steps go from wall to wall of the regions, one
 /// contact at a time. Which of its two ways a tangent points is told by the sign of det K: along one curve it tells whether c grows
 /// (Eaves and Scarf 1976; Allgower and Georg, Introduction to Numerical Continuation Methods, ch. 2 and 14).
+///
 /// It may also be compliance to what changes at reactions r_k that all but keep the law: then
 ///
 ///     E(δ, c) = δ − J̃ᵀ (r − r_k) = 0,    z = r_k − (u_k + J̃ δ) / (compliance + c W_aa),    u_k = W r_k + q
 ///
 /// and the curve begins at r_k, where c is large, and ends at the same rigid bodies. What is far from where something is wedged has found
 /// its answer there, and follows without turning back: that is the way in islands of thousands.
+///
 /// For body space without disks.
 class CompliancePath {
  public:
