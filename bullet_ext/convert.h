@@ -1,8 +1,6 @@
 #pragma once
 /// Every conversion between Bullet's types, in the library's precision, and the core's, in double.
 
-#include <limits>
-
 #include "BulletCollision/NarrowPhaseCollision/btManifoldPoint.h"
 #include "LinearMath/btMatrix3x3.h"
 #include "LinearMath/btVector3.h"
@@ -33,7 +31,6 @@ btVector3 toBullet(const Eigen::MatrixBase<Derived>& v) {
 
 /// A bound on an impulse. "As much as it takes" is written as the build's largest number, or as one that is large enough.
 inline double toCoreBound(btScalar bound) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   if (bound >= BT_LARGE_FLOAT) return infinity;
   if (bound <= -BT_LARGE_FLOAT) return -infinity;
   return bound;

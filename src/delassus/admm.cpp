@@ -1,5 +1,4 @@
 /// Alternating directions, with the vectors of the walk: x is r_, y is center_, z is u_.
-#include <limits>
 
 #include "delassus/length.h"
 #include "delassus/proximal_newton.h"
@@ -48,7 +47,7 @@ bool ProximalNewton<Motion>::alternate(const Problem& problem, double tolerance,
   u_ = best.u;
   for (int i = 0; i < n; ++i)
     u_[3 * i] += problem.friction[i] * lengthOf(u_[3 * i + 1], u_[3 * i + 2]);
-  double mark = std::numeric_limits<double>::infinity();
+  double mark = infinity;
   for (int k = 1, idle = 0; k <= budget && idle < mostIdle; ++k) {
     alternateOnce(problem);
     ++best.sweeps;

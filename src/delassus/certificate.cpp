@@ -3,14 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 namespace delassus {
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 MotionBound motionBound(const Problem& problem, const VectorXd& r, const VectorXd& u,
                         const VectorXd& largestReaction) {

@@ -72,7 +72,7 @@ bool ProximalNewton<Motion>::yield(const Problem& problem, double tolerance, dou
   setTolerance(tolerance);
   setWeights(alpha);
   if (solveProximal(problem, regionBudget, best, nullptr) == Inner::Failed) return false;
-  best.residual = std::numeric_limits<double>::infinity();
+  best.residual = infinity;
   moveTo(measure(problem), best);
   return true;
 }

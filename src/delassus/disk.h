@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
 
 #include "delassus/length.h"
 #include "delassus/types.h"
@@ -18,11 +17,11 @@ namespace delassus {
 /// That is Coulomb's law with an unknown of its own. Disks come last among the unknowns, so that whoever goes through them
 /// in order knows r_n. In Bullet's contacts u_d is in rad/s, r_d in N·m·s, and κ in m.
 struct Disk {
-  int first;      ///< its first unknown, a row
-  int unknowns;   ///< 1, or 2 that follow each other
-  int governor;   ///< the unknown r_n: of a contact with friction or a row
-  double radius;  ///< κ > 0
-  double mostLoad = std::numeric_limits<double>::infinity();  ///< N·s, > 0
+  int first;                   ///< its first unknown, a row
+  int unknowns;                ///< 1, or 2 that follow each other
+  int governor;                ///< the unknown r_n: of a contact with friction or a row
+  double radius;               ///< κ > 0
+  double mostLoad = infinity;  ///< N·s, > 0
 
   bool operator==(const Disk& other) const {
     return first == other.first && unknowns == other.unknowns && governor == other.governor &&

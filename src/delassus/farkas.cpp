@@ -7,7 +7,6 @@
 namespace delassus {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 }  // namespace

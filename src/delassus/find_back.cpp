@@ -1,6 +1,5 @@
 /// What the search does after a walk that has lost its way.
 #include <algorithm>
-#include <limits>
 #include <type_traits>
 
 #include "delassus/pile_kind.h"
@@ -132,7 +131,7 @@ Outcome Search::outlast(ProximalNewton<Motion>& newton, const Problem& problem,
   wandering_.r = apart_.r;
   Outcome outcome = Outcome::Lost;
   // The first residual may be small and far from any answer.
-  apart_.residual = std::numeric_limits<double>::infinity();
+  apart_.residual = infinity;
   while (outcome == Outcome::Lost) {
     const int sweepsLeft = std::min(manySweeps, options.sweepBudget - apart_.sweeps);
     const int regionsLeft = std::min(regions, options.newtonBudget - apart_.regions);

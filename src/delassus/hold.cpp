@@ -1,7 +1,6 @@
 /// All that touches is held: the paper's forced motion, with the vectors of the walk.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "delassus/cone.h"
 #include "delassus/length.h"
@@ -120,7 +119,7 @@ bool ProximalNewton<Motion>::holdOn(const Problem& problem, double tolerance, in
   // Where something has to give way, what lies outside stays as large as it is, or grows.
   constexpr int mostIdle = 10, mostStuck = 4;
   constexpr double halved = 0.5, unchanged = 0.8;
-  constexpr double unknown = std::numeric_limits<double>::infinity();
+  constexpr double unknown = infinity;
   const double demand = problem.q.cwiseAbs().maxCoeff();
   double mark = unknown, outside = unknown, residual = unknown;
   for (int k = 0, idle = 0, stuck = 0; k < budget && idle < mostIdle && stuck < mostStuck; ++k) {

@@ -3,14 +3,11 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "delassus/residual.h"
 
 namespace delassus {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double longestStep(double x, double d) { return d < 0 ? -x / d : infinity; }
 

@@ -195,9 +195,8 @@ const Problem& Assembler::assemble(const std::vector<Body>& bodies,
   for (int i : island.frictionless) {
     const Contact& c = contacts[i];
     addRow(c.a, c.b, normalJacobian(c.frame, c.armA), -normalJacobian(c.frame, c.armB), c.target[0],
-           0, std::numeric_limits<double>::infinity(), c.compliance);
+           0, infinity, c.compliance);
   }
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   bool paired = false;  // with the row before
   for (int i : island.rows) {
     const Row& c = rows[i];

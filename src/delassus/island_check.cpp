@@ -12,8 +12,6 @@
 namespace delassus {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// What the rounding of two velocities can leave where they cancel.
 double roundOff(double a, double b) {
   return 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));

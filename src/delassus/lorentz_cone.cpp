@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace delassus {
 namespace lorentz {
@@ -28,7 +27,7 @@ double longestStep(const Vec3& x, const Vec3& d) {
   const double corner = cornerDistance(x), c = corner * corner;
   // The first positive root of a t² + 2 b t + c, if there is one.
   const double discriminant = b * b - a * c;
-  double t = std::numeric_limits<double>::infinity();
+  double t = infinity;
   if (a < 0) {
     t = c / (-b + std::sqrt(std::max(discriminant, 0.0)));
     if (b > 0) t = (b + std::sqrt(std::max(discriminant, 0.0))) / -a;

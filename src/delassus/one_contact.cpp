@@ -41,7 +41,7 @@ Vec3 OneContact::solve(const Vec3& q, double friction, const Vec3& before) const
 /// `slip`: where the search for s begins; 0: anywhere.
 Vec3 OneContact::slide(double held, const Vec2& c, double friction, double slip) const {
   // φ(s) = μ r_n − ‖r_t‖ is negative where it still sticks too much, at s = 0, and positive for large s.
-  double low = 0, high = std::numeric_limits<double>::infinity();
+  double low = 0, high = infinity;
   // Where the reaction would have the size that the normal allows if it braked straight against c.
   const double drift = c.norm(), size = drift / (friction * held);
   if (!std::isfinite(size)) return {held, 0, 0};  // what may be braked is below all numbers
@@ -68,7 +68,7 @@ Vec3 OneContact::slide(double held, const Vec2& c, double friction, double slip)
     const double radius = friction * rn, phi = radius - length;
     if (isLast || std::abs(phi) <= 2 * rounding * length) break;
     (phi < 0 ? low : high) = s;
-    const bool isBounded = high < std::numeric_limits<double>::infinity();
+    const bool isBounded = high < infinity;
     if (isBounded && high - low <= rounding * high) break;
 
     // Newton on 1/‖r_t‖ − 1/(μ r_n), which is nearly linear in s.

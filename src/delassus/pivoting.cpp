@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "delassus/lemke.h"
 #include "delassus/proximal_point.h"
@@ -73,8 +72,7 @@ ScaledRows scaleRows(const MatrixXd& W, const VectorXd& q, const VectorXd& lower
 }
 
 bool unilateral(const VectorXd& lower, const VectorXd& upper) {
-  return (lower.array() == 0).all() &&
-         (upper.array() == std::numeric_limits<double>::infinity()).all();
+  return (lower.array() == 0).all() && (upper.array() == infinity).all();
 }
 
 /// A row that no reaction moves: W_ii = 0. It rests where its own u = q_i puts it.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "delassus/cone.h"
 
@@ -10,8 +9,6 @@ namespace delassus {
 namespace {
 
 constexpr double largest = 1e100;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 bool inBodySpace(const BodySpace& space, int contacts, int part, int first) {
   double sum = 0;
   for (const BodySpace::Part& p : space.partsOf(first)) sum += p.J.cwiseAbs().sum();

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -16,8 +15,6 @@ namespace delassus {
 namespace {
 
 using Sparse = DelassusMatrix::Sparse;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Lists grow with the text, so that a wrong count cannot ask for memory that the text does not fill.
 

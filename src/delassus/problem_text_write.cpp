@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <limits>
 #include <map>
 
 #include "delassus/problem_text.h"
@@ -16,8 +15,6 @@ namespace delassus {
 namespace {
 
 using Sparse = DelassusMatrix::Sparse;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The fewest digits that read back as the same double, in every locale.
 void appendNumber(std::string& text, double x) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "delassus/cone.h"
 #include "delassus/length.h"
@@ -247,7 +246,7 @@ Outcome ProximalNewton<Motion>::walkFromRegion(const Problem& problem, double to
                                                double alpha, int regionBudget, Solution& best) {
   center_.setZero(problem.size());
   u_ = problem.q;
-  constexpr double unknown = std::numeric_limits<double>::infinity();
+  constexpr double unknown = infinity;
   return converge(problem, tolerance, alpha, regionBudget, true, unknown, best);
 }
 

@@ -48,7 +48,7 @@ ProximalAnswer proximalPoint(const BoundedRows& problem, RegionWalk& walk, doubl
   ProximalAnswer answer;
   answer.shift = VectorXd::Zero(problem.size());
   VectorXd anchor = VectorXd::Zero(problem.size());
-  double alpha = firstAlpha, previous = std::numeric_limits<double>::infinity();
+  double alpha = firstAlpha, previous = infinity;
   for (int step = 0; step < stepBudget; ++step) {
     const RegionWalk::End end = walk.settle(anchor, alpha, regionBudget);
     if (end == RegionWalk::End::Singular) {

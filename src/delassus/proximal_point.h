@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "delassus/region_walk.h"
@@ -11,7 +10,7 @@ namespace delassus {
 struct RowAnswer {
   VectorXd r;
   std::vector<RowState> states;
-  double residual = std::numeric_limits<double>::infinity();
+  double residual = infinity;
 
   /// Takes the other's place if it is better.
   void offer(const BoundedRows& problem, const RegionWalk& walk);

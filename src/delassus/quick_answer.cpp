@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "delassus/dense_newton.h"
@@ -118,7 +117,7 @@ double QuickAnswer::sweepOnce() {
     if (staysApart(i)) continue;
     const Vec3 u = velocityOf(i);
     if (contacts_[i].place < 0 && u[0] >= 0) continue;
-    if (isRocking(i, u[0])) return std::numeric_limits<double>::infinity();
+    if (isRocking(i, u[0])) return infinity;
     if (best_.sweeps == 0)
       felt_ = std::max(felt_, (u - problem_.q.segment<3>(3 * i)).cwiseAbs().maxCoeff());
     const Approaching& a = approaching(i);
@@ -168,7 +167,7 @@ void QuickAnswer::measure() {
     double& residual = contacts_[i].residual;
     residual = isOpen ? 0 : naturalResidual(sizeOf(i), problem_.friction[i], r, u);
     // No number: what moves nothing has no measure of its own, and is not answered here.
-    if (!std::isfinite(residual)) residual = std::numeric_limits<double>::infinity();
+    if (!std::isfinite(residual)) residual = infinity;
     best_.residual = std::max(best_.residual, residual);
     squares += residual * residual;
   }

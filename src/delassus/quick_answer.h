@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "delassus/one_contact.h"
@@ -31,9 +30,9 @@ class QuickAnswer {
 
  private:
   struct Contact {
-    int place = -1;                                             ///< in approaching_; -1: not in it
-    bool isAlone = false;                                       ///< no other reaction moves it
-    double residual = std::numeric_limits<double>::infinity();  ///< m/s
+    int place = -1;              ///< in approaching_; -1: not in it
+    bool isAlone = false;        ///< no other reaction moves it
+    double residual = infinity;  ///< m/s
   };
   /// What a contact that approaches, or has a region, needs.
   struct Approaching {

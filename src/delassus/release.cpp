@@ -36,8 +36,7 @@ struct Walls {
   MatrixXd gram;
 
   double distance(int i) const {
-    return gram(i, i) > 0 ? std::max(0.0, value[i]) / std::sqrt(gram(i, i))
-                          : std::numeric_limits<double>::infinity();
+    return gram(i, i) > 0 ? std::max(0.0, value[i]) / std::sqrt(gram(i, i)) : infinity;
   }
 };
 
@@ -65,7 +64,7 @@ void lookAtWalls(const Walls& walls, const Walls& others, double zero, ReleaseAn
 
 ReleaseAnalysis analyseRelease(const MatrixXd& W, const VectorXd& q) {
   const auto n = q.size();
-  const VectorXd infinite = VectorXd::Constant(n, std::numeric_limits<double>::infinity());
+  const VectorXd infinite = VectorXd::Constant(n, infinity);
   const PivotResult motion = pivot(W, q, VectorXd::Zero(n), infinite);
 
   ReleaseAnalysis analysis;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "delassus/solution.h"
@@ -34,8 +33,8 @@ struct ReleaseAnalysis {
   std::vector<bool> persisting;  ///< the region (§8, §11): true if the contact is kept
   VectorXd r;                    ///< reduced reactions, the paper's μ' (§5): zero where released
   VectorXd u;                    ///< opening velocities: zero where kept, m/s
-  double distance = std::numeric_limits<double>::infinity();  ///< to the nearest wall, √J
-  Wall wall = Wall::Face;  ///< what that wall is at its nearest point
+  double distance = infinity;    ///< to the nearest wall, √J
+  Wall wall = Wall::Face;        ///< what that wall is at its nearest point
   std::vector<int>
       changing;  ///< contacts that vanish there: they may change from kept to released or back
   Status status = Status::Solved;

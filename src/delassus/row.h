@@ -1,7 +1,5 @@
 #pragma once
 
-#include <limits>
-
 #include "delassus/types.h"
 
 namespace delassus {
@@ -18,12 +16,12 @@ namespace delassus {
 struct Row {
   int a = fixedWorld, b = fixedWorld;
   Row6 jacobianA = Row6::Zero(), jacobianB = Row6::Zero();
-  double target = 0;  ///< wanted velocity, m/s (or rad/s for angular rows)
-  double lower = -std::numeric_limits<double>::infinity();    ///< N·s
-  double upper = std::numeric_limits<double>::infinity();     ///< N·s
-  double compliance = 0;                                      ///< added to the diagonal of W
-  int governor = -1;                                          ///< a contact, or none
-  double mostLoad = std::numeric_limits<double>::infinity();  ///< N·s
+  double target = 0;           ///< wanted velocity, m/s (or rad/s for angular rows)
+  double lower = -infinity;    ///< N·s
+  double upper = infinity;     ///< N·s
+  double compliance = 0;       ///< added to the diagonal of W
+  int governor = -1;           ///< a contact, or none
+  double mostLoad = infinity;  ///< N·s
   bool paired = false;  ///< with the next row, which has the same bodies, governor and bounds
 };
 

@@ -1,7 +1,6 @@
 /// What the search does before a walk: sweeps, and patches where they do not help.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "delassus/pile_kind.h"
 #include "delassus/search.h"
@@ -51,7 +50,7 @@ void Search::sweepWhileItGains(const Problem& problem, const Options& options, d
                                Solution& best) {
   constexpr int burst = 20;
   constexpr double gain = 0.7;
-  double before = std::numeric_limits<double>::infinity();
+  double before = infinity;
   machines().sweeps.setProblem(problem, map_);
   while (best.residual < gain * before && best.residual > tolerance &&
          best.sweeps + burst <= options.sweepBudget) {
@@ -73,7 +72,7 @@ void Search::settle(const Problem& problem, const Options& options, double toler
   constexpr double gain = 0.7;
   trial_.r = best.r;
   measure(problem, trial_);
-  double lowest = std::numeric_limits<double>::infinity();
+  double lowest = infinity;
   for (int failures = 0; failures < patience;) {
     double before;
     machines().sweeps.setProblem(problem, map_);  // since patches may have been swept

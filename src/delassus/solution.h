@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -51,7 +50,7 @@ struct Solution {
   void start(const VectorXd& q) {
     r.setZero(q.size());
     u = q;
-    startResidual = residual = residualRms = std::numeric_limits<double>::infinity();
+    startResidual = residual = residualRms = infinity;
     regions = factorisations = sweeps = patches = 0;
     tier = Tier::Free;
     blamed.clear();

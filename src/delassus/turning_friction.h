@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "delassus/contact.h"
@@ -18,7 +17,7 @@ namespace delassus {
 struct TurningFriction {
   double spinning = 0, rolling = 0;  ///< κ_s and κ_r, m
   Eigen::Matrix<double, 3, 2> axes;
-  double mostLoad = std::numeric_limits<double>::infinity();  ///< N·s
+  double mostLoad = infinity;  ///< N·s
 };
 
 /// Appends the rows, of which there are none where the coefficient is not positive.

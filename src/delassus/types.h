@@ -2,6 +2,7 @@
 /// Fixed-size types shared by the whole core. Double precision always; frames are normal first.
 
 #include <Eigen/Core>
+#include <limits>
 
 #include "delassus/kept_vector.h"
 
@@ -22,5 +23,7 @@ using MatrixXd = Eigen::MatrixXd;
 
 /// Index of the fixed world where a body index is expected.
 constexpr int fixedWorld = -1;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace delassus

@@ -15,7 +15,7 @@
 
 // Eigen asks malloc, the standard library new, which asks malloc too. Sanitizers bring a malloc of their own.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-namespace delassus::testing {
+namespace delassus::test {
 thread_local long allocations = 0;
 namespace {
 thread_local long heldBytes = 0;  ///< taken and not given back, by this thread
@@ -27,7 +27,7 @@ void* taken(void* memory) {
 }
 void givenBack(void* memory) { heldBytes -= static_cast<long>(malloc_usable_size(memory)); }
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test
 
 extern "C" {
 void* __libc_malloc(std::size_t size);
@@ -35,21 +35,21 @@ void* __libc_realloc(void* memory, std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
 void __libc_free(void* memory);
 
-void* malloc(std::size_t size) { return delassus::testing::taken(__libc_malloc(size)); }
+void* malloc(std::size_t size) { return delassus::test::taken(__libc_malloc(size)); }
 void* realloc(void* memory, std::size_t size) {
-  delassus::testing::givenBack(memory);
-  return delassus::testing::taken(__libc_realloc(memory, size));
+  delassus::test::givenBack(memory);
+  return delassus::test::taken(__libc_realloc(memory, size));
 }
 void* calloc(std::size_t count, std::size_t size) {
-  return delassus::testing::taken(__libc_calloc(count, size));
+  return delassus::test::taken(__libc_calloc(count, size));
 }
 void free(void* memory) {
-  delassus::testing::givenBack(memory);
+  delassus::test::givenBack(memory);
   __libc_free(memory);
 }
 }
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 TEST(Allocation, GatheringAndWritingBackTakeNoMemoryOnceWarm) {
@@ -259,6 +259,6 @@ TEST(Allocation, AContactTakesFourKilobytesAtMost) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "tests/support/bullet_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 void expectSameMotion(const btRigidBody& a, const btRigidBody& b, double allowed) {
@@ -178,4 +178,4 @@ TEST(Parity, Row42DisabledSimulationStaysWhereItIs) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -10,8 +10,9 @@
 #include <random>
 
 #include "tests/support/bullet_world.h"
+#include "tests/support/same_bits.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 std::vector<btScalar> motionOf(BulletWorld& world) {
@@ -24,11 +25,6 @@ std::vector<btScalar> motionOf(BulletWorld& world) {
       motion.insert(motion.end(), {v.x(), v.y(), v.z()});
   }
   return motion;
-}
-
-void expectSameBits(const std::vector<btScalar>& a, const std::vector<btScalar>& b) {
-  ASSERT_EQ(a.size(), b.size());
-  EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(btScalar)), 0);
 }
 
 /// Largest difference of two motions, m and m/s.
@@ -339,4 +335,4 @@ TEST(ChangingWorlds, StepsThatNobodyAnnouncesTakeNoMoreMemory) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

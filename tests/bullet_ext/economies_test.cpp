@@ -7,7 +7,7 @@
 
 #include "tests/support/bullet_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 using Build = std::function<void(BulletWorld&)>;
@@ -331,4 +331,4 @@ TEST(Plan, CountsWhatTheSceneAsksFor) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

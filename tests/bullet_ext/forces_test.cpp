@@ -9,11 +9,8 @@
 
 #include "tests/support/bullet_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
-
-constexpr double g = BulletWorld::gravity;
-constexpr btScalar h = BulletWorld::step;
 
 /// Sum and moment about the centre of all reactions on a body, as the fields of the points say.
 struct Wrench {
@@ -168,4 +165,4 @@ TEST(ContactListener, ListeningChangesNothing) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

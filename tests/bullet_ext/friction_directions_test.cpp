@@ -7,16 +7,10 @@
 #include <cmath>
 
 #include "tests/support/bullet_world.h"
+#include "tests/support/ground_plane.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
-
-using Vector2 = Eigen::Vector2d;
-using Matrix2 = Eigen::Matrix2d;
-
-constexpr double g = BulletWorld::gravity;
-constexpr double h = BulletWorld::step;
-constexpr double friction = 0.5;
 
 /// Along x and z, the plane of the ground.
 Vector2 slipOf(const btRigidBody& body) {
@@ -31,13 +25,6 @@ btRigidBody& addRunner(BulletWorld& world, double yaw, const Vector2& velocity) 
   runner.setAngularFactor(0);
   runner.setLinearVelocity({btScalar(velocity[0]), 0, btScalar(velocity[1])});
   return runner;
-}
-
-/// diag(fx, fz) in axes turned by `yaw` about y, on the (x, z) plane.
-Matrix2 stretch(double fx, double fz, double yaw) {
-  Matrix2 R;
-  R << std::cos(yaw), std::sin(yaw), -std::sin(yaw), std::cos(yaw);
-  return R * Vector2(fx, fz).asDiagonal() * R.transpose();
 }
 
 /// Maximum dissipation on the ellipse { μ r_n D s : |s| ≤ 1 } while it slides: the velocity after
@@ -286,4 +273,4 @@ TEST(Parity, Row23AnchoredBoxDoesNotCreepDownASlope) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

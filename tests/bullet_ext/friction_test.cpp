@@ -6,11 +6,9 @@
 
 #include "tests/support/bullet_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
-constexpr double g = BulletWorld::gravity;
-constexpr double friction = 0.5;
 constexpr double degree = SIMD_RADS_PER_DEG;
 
 /// A slab on level ground. An incline is a tilted gravity: the same physics without tilted shapes.
@@ -20,7 +18,7 @@ btRigidBody& addSlab(BulletWorld& world) {
 }
 
 /// One contact point that cannot turn, at any speed.
-btRigidBody& addRunner(BulletWorld& world) {
+btRigidBody& addUnturning(BulletWorld& world) {
   world.addGround();
   btRigidBody& runner = world.addSphere(0.5, {0, btScalar(0.5), 0});
   runner.setAngularFactor(0);
@@ -58,7 +56,7 @@ TEST(Parity, Row17SlidesAboveTheFrictionAngle) {
   for (double heading : {0.0, 0.5, 1.2}) {
     SCOPED_TRACE(heading);
     DelassusWorld world;
-    btRigidBody& runner = addRunner(world);
+    btRigidBody& runner = addUnturning(world);
     const double angle = std::atan(friction) + degree;
     tilt(world, runner, angle, heading);
     constexpr int steps = 120;
@@ -120,7 +118,7 @@ void expectRoundCone(const Add& add, double speed, int steps) {
 }
 
 TEST(Parity, Row18SlidingFrictionIsTheSameInAllDirections) {
-  expectRoundCone(addRunner, 4, 30);
+  expectRoundCone(addUnturning, 4, 30);
   // Four points that share the load; one step, since Bullet's narrow phase drops points of a box
   // that slides on.
   expectRoundCone(addSlab, 1, 1);
@@ -154,4 +152,4 @@ TEST(Friction, NegativeCoefficientIsNone) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -13,7 +13,7 @@
 #include "bullet_ext/gather.h"
 #include "tests/support/bullet_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 constexpr double linkLength = 0.5;
@@ -241,4 +241,4 @@ TEST(GeometricStiffness, KeepsLockedAxesLocked) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -10,7 +10,7 @@
 
 #include "tests/support/bullet_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 /// The reactions of all points together, on `body`, which is in all of them.
@@ -133,4 +133,4 @@ TEST(Grounds, HullStandsOnManyPoints) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -11,8 +11,9 @@
 #include <thread>
 
 #include "tests/support/bullet_world.h"
+#include "tests/support/same_bits.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 /// Poses and velocities of all bodies, bit for bit.
@@ -26,11 +27,6 @@ std::vector<btScalar> motionOf(btDiscreteDynamicsWorld& world) {
       motion.insert(motion.end(), {v.x(), v.y(), v.z()});
   }
   return motion;
-}
-
-void expectSameBits(const std::vector<btScalar>& a, const std::vector<btScalar>& b) {
-  ASSERT_EQ(a.size(), b.size());
-  EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(btScalar)), 0);
 }
 
 /// Heaps of three boxes, thrown together at random, and a row of pendulums.
@@ -98,7 +94,7 @@ TEST(Parity, Row38UnsplitIslandsSkipObjectsWithoutResponse) {
   world->removeCollisionObject(&ghost);
 }
 
-std::vector<btRigidBody*> addTower(BulletWorld& world, int count) {
+std::vector<btRigidBody*> addAwakeTower(BulletWorld& world, int count) {
   std::vector<btRigidBody*> tower;
   for (int i = 0; i < count; ++i) {
     tower.push_back(&world.addCube({0, btScalar(0.5) + i, 0}));
@@ -112,7 +108,7 @@ template <class World>
 int stepsUntilAsleep() {
   World world;
   world.addGround();
-  const auto tower = addTower(world, 10);
+  const auto tower = addAwakeTower(world, 10);
   for (int step = 1; step <= 300; ++step) {
     world.advance();
     bool asleep = true;
@@ -132,7 +128,7 @@ TEST(Parity, Row39TowerFallsAsleepNoLaterThanInStock) {
 TEST(Parity, Row40RemovedSupportWakesTheTower) {
   DelassusWorld world;
   world.addGround();
-  const auto tower = addTower(world, 4);
+  const auto tower = addAwakeTower(world, 4);
   world.advance(150);
   ASSERT_EQ(tower[3]->getActivationState(), ISLAND_SLEEPING);
   for (btRigidBody* box : tower) box->activate();
@@ -159,7 +155,7 @@ TEST(Parity, Row43SolverInfoIsReadAtEachStep) {
 TEST(Parity, Row44BodiesAndJointsMayBeRemovedAtAnyTime) {
   DelassusWorld world;
   world.addGround();
-  const auto tower = addTower(world, 5);
+  const auto tower = addAwakeTower(world, 5);
   auto& joint = world.addJoint<btPoint2PointConstraint>(*tower[3], *tower[4], btVector3(0, 0.5, 0),
                                                         btVector3(0, -0.5, 0));
   world.delassus().setContactListener([](const ContactEvent&) {});
@@ -211,4 +207,4 @@ TEST(Groups, SolverTypeIsNotTheOneThatWorldsCast) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

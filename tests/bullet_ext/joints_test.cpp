@@ -11,11 +11,8 @@
 
 #include "tests/support/bullet_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
-
-constexpr double g = BulletWorld::gravity;
-constexpr double h = BulletWorld::step;
 
 using AddJoint = std::function<void(BulletWorld&, btRigidBody&, btRigidBody&)>;
 
@@ -316,4 +313,4 @@ TEST(Joints, ARowThatMakesNoSenseIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

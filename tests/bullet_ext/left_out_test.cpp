@@ -11,7 +11,7 @@
 #include "bullet_ext/gather.h"
 #include "tests/support/bullet_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 using ::testing::AllOf;
@@ -20,9 +20,6 @@ using ::testing::EndsWith;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-constexpr double g = BulletWorld::gravity;
-constexpr double h = BulletWorld::step;
-constexpr btScalar notANumber = std::numeric_limits<btScalar>::quiet_NaN();
 constexpr btScalar infinity = std::numeric_limits<btScalar>::infinity();
 
 // ---- Bodies --------------------------------------------------------------------------------------------------------
@@ -364,4 +361,4 @@ TEST(LeftOut, AConstraintThatSolvesItselfToNoNumber) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

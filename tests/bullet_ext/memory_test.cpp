@@ -10,7 +10,7 @@
 #include "bullet_ext/solve_group.h"
 #include "tests/support/bullet_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 using namespace delassus::bullet;
@@ -150,4 +150,4 @@ TEST(Memory, PointsOfThisStepAreFresh) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -8,11 +8,11 @@
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 /// Counts what solveMultiBodyGroup takes; Bullet's own share of a step is not counted.
-class CountingSolver : public btDelassusMultiBodyConstraintSolver {
+class CountingMultiBodySolver : public btDelassusMultiBodyConstraintSolver {
  public:
   void solveMultiBodyGroup(btCollisionObject** bodies, int bodyCount,
                            btPersistentManifold** manifolds, int manifoldCount,
@@ -31,7 +31,7 @@ class CountingSolver : public btDelassusMultiBodyConstraintSolver {
 };
 
 TEST(MultiBodyAllocation, AWarmStepTakesNoMemory) {
-  MultiBodyWorld world(std::make_unique<CountingSolver>());
+  MultiBodyWorld world(std::make_unique<CountingMultiBodySolver>());
   world.addGround();
   // A chain of balls with motors that hold it lies on the ground.
   const btScalar I = btScalar(0.02), radius = btScalar(0.1);
@@ -49,7 +49,7 @@ TEST(MultiBodyAllocation, AWarmStepTakesNoMemory) {
   for (int i = 0; i < links; ++i)
     world.addConstraint<btMultiBodyJointMotor>(&tree, i, btScalar(0), btScalar(0.05));
 
-  auto& solver = dynamic_cast<CountingSolver&>(world.solver());
+  auto& solver = dynamic_cast<CountingMultiBodySolver&>(world.solver());
   world.advance(120);
   EXPECT_GT(solver.taken, 0) << "the counter counts";
   solver.taken = 0;
@@ -63,6 +63,6 @@ TEST(MultiBodyAllocation, AWarmStepTakesNoMemory) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test
 
 #endif

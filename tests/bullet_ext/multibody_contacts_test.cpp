@@ -11,7 +11,7 @@
 #include "delassus/release.h"
 #include "tests/support/multibody_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 /// Sum of the normal impulses of all points, N·s.
@@ -292,4 +292,4 @@ TEST(MultiBodyContacts, QuadrupedStandsOnFeetThatCarryItsWeight) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

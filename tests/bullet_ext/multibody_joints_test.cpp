@@ -18,10 +18,8 @@
 
 #include "tests/support/multibody_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
-
-const double h = BulletWorld::step, g = BulletWorld::gravity;
 
 /// A planar chain on a fixed base at the origin: joint axes along z, links of 1 m along x at rest,
 /// masses 2, 3, ... kg in their middles.
@@ -466,4 +464,4 @@ TEST(MultiBodyJoints, SphericalLimitStopsItsLink) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -9,7 +9,7 @@
 #include "bullet_ext/convert.h"
 #include "tests/support/multibody_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 /// Seven revolute joints, axes along y and z by turns, lying along x half a metre above the ground;
@@ -192,4 +192,4 @@ TEST(MultiBodyMachines, RopesOfRigidBodiesAreStiffenedToo) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -11,7 +11,7 @@
 
 #include "tests/support/multibody_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 /// A chain of links of 0.4 m between ball-shaped ends, bent out of its plane, on a base that is fixed
@@ -297,4 +297,4 @@ TEST(MultiBodyParity, ListenerHearsTheContactsOfATree) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -6,7 +6,7 @@
 
 #include "tests/support/multibody_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 /// Chains side by side, fixed at one end, whose last links lie on the ground.
@@ -106,4 +106,4 @@ TEST(MultiBodyReport, AnalyticsTellOfTheLastGroup) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

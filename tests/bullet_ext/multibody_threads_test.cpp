@@ -8,7 +8,7 @@
 
 #include "tests/support/multibody_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 struct Swing {
@@ -67,4 +67,4 @@ TEST(MultiBodyThreads, TheMotionIsTheSame) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

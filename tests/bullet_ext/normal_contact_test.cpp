@@ -7,21 +7,19 @@
 
 #include "tests/support/bullet_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
-constexpr double h = BulletWorld::step;
-constexpr double g = BulletWorld::gravity;
 constexpr double radius = 0.5;
 
-struct Touch {
+struct Approach {
   double gap = 0;          ///< between sphere and ground, m
   double approach = 0;     ///< m/s, downwards
   double restitution = 0;  ///< of the pair
 };
 
 /// One ball above the ground, without gravity.
-btRigidBody& addBall(BulletWorld& world, const Touch& touch) {
+btRigidBody& addTouching(BulletWorld& world, const Approach& touch) {
   world->setGravity({0, 0, 0});
   world.addGround().setRestitution(1);
   btRigidBody& ball = world.addSphere(radius, {0, btScalar(radius + touch.gap), 0});
@@ -30,26 +28,26 @@ btRigidBody& addBall(BulletWorld& world, const Touch& touch) {
   return ball;
 }
 
-double velocityAfterOneStep(const Touch& touch, bool split = true) {
+double velocityAfterOneStep(const Approach& touch, bool split = true) {
   DelassusWorld world;
   world.info().m_splitImpulse = split;
-  btRigidBody& ball = addBall(world, touch);
+  btRigidBody& ball = addTouching(world, touch);
   world.advance();
   return ball.getLinearVelocity().y();
 }
 
-constexpr double oneStep = tolerance(1e-12, 2e-5);
+constexpr double roundOff = tolerance(1e-12, 2e-5);
 
 TEST(Parity, Row08SpeculativeGap) {
-  EXPECT_NEAR(velocityAfterOneStep({0.015, 1, 1}), 1 - 0.015 / h, oneStep);
-  EXPECT_NEAR(velocityAfterOneStep({0.015, 1, 0}), -0.015 / h, oneStep)
+  EXPECT_NEAR(velocityAfterOneStep({0.015, 1, 1}), 1 - 0.015 / h, roundOff);
+  EXPECT_NEAR(velocityAfterOneStep({0.015, 1, 0}), -0.015 / h, roundOff)
       << "closes the gap, no more";
-  EXPECT_NEAR(velocityAfterOneStep({0.015, 0.5, 0}), -0.5, oneStep) << "does not get there";
+  EXPECT_NEAR(velocityAfterOneStep({0.015, 0.5, 0}), -0.5, roundOff) << "does not get there";
 }
 
 TEST(Parity, Row09RestitutionHasAThreshold) {
-  EXPECT_NEAR(velocityAfterOneStep({0, 0.19, 0.5}), 0, oneStep);
-  EXPECT_NEAR(velocityAfterOneStep({0, 0.21, 0.5}), 0.105, oneStep);
+  EXPECT_NEAR(velocityAfterOneStep({0, 0.19, 0.5}), 0, roundOff);
+  EXPECT_NEAR(velocityAfterOneStep({0, 0.21, 0.5}), 0.105, roundOff);
 }
 
 TEST(Parity, Row09BouncingBallFollowsStock) {
@@ -58,7 +56,7 @@ TEST(Parity, Row09BouncingBallFollowsStock) {
     DelassusWorld ours;
     StockWorld stock;
     const auto drop = [e](BulletWorld& world) -> const btRigidBody& {
-      btRigidBody& ball = addBall(world, {1.5, 0, e});
+      btRigidBody& ball = addTouching(world, {1.5, 0, e});
       world->setGravity({0, -BulletWorld::gravity, 0});
       ball.setGravity({0, -BulletWorld::gravity, 0});
       return ball;
@@ -74,22 +72,22 @@ TEST(Parity, Row09BouncingBallFollowsStock) {
 }
 
 TEST(Parity, Row10ShallowPenetrationIsSolvedInVelocity) {
-  EXPECT_NEAR(velocityAfterOneStep({-0.03}), 0.2 * 0.03 / h, oneStep);
+  EXPECT_NEAR(velocityAfterOneStep({-0.03}), 0.2 * 0.03 / h, roundOff);
 }
 
 TEST(Parity, Row11DeepPenetrationIsPushedAndLeavesNoVelocity) {
   DelassusWorld world;
-  btRigidBody& ball = addBall(world, {-0.05});
+  btRigidBody& ball = addTouching(world, {-0.05});
   world.advance();
-  EXPECT_NEAR(ball.getLinearVelocity().y(), 0, oneStep);
-  EXPECT_NEAR(ball.getWorldTransform().getOrigin().y(), radius - 0.05 + 0.2 * 0.05, oneStep);
+  EXPECT_NEAR(ball.getLinearVelocity().y(), 0, roundOff);
+  EXPECT_NEAR(ball.getWorldTransform().getOrigin().y(), radius - 0.05 + 0.2 * 0.05, roundOff);
   EXPECT_EQ(world.report().pushIslands, 1);
   EXPECT_EQ(world.report().pushUnsolved, 0);
 }
 
 TEST(Parity, Row12SplitOffSolvesAllDepthsInVelocity) {
   for (double depth : {0.03, 0.05})
-    EXPECT_NEAR(velocityAfterOneStep({-depth}, false), 0.2 * depth / h, oneStep);
+    EXPECT_NEAR(velocityAfterOneStep({-depth}, false), 0.2 * depth / h, roundOff);
 }
 
 /// The depth at which a ball of 1 kg comes to rest.
@@ -176,4 +174,4 @@ TEST(Parity, Row16SpringCarriesAtAllDepthsSplitOrNot) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

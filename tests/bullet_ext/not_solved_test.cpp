@@ -7,7 +7,7 @@
 
 #include "tests/support/bullet_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 using ::testing::AllOf;
@@ -105,4 +105,4 @@ TEST(NotSolved, APressThatClosesOnBoxesSaysSoAndTheyStay) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

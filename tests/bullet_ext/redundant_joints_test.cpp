@@ -8,11 +8,8 @@
 
 #include "tests/support/bullet_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
-
-constexpr double g = BulletWorld::gravity;
-constexpr double h = BulletWorld::step;
 
 /// Standing askew, so that no axis is one of the world.
 class Poses {
@@ -111,4 +108,4 @@ TEST(RedundantJoints, ADoorOnTwoHingesSwingsAsInConvergedStock) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

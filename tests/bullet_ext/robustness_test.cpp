@@ -9,11 +9,8 @@
 
 #include "tests/support/bullet_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
-
-constexpr double g = BulletWorld::gravity;
-constexpr double h = BulletWorld::step;
 
 TEST(Parity, Row33RedundantContactsShareTheLoadEvenly) {
   DelassusWorld world;
@@ -64,14 +61,14 @@ constexpr btScalar halfLink = btScalar(0.1);
 constexpr double chainLength = links * 2 * halfLink;
 
 /// A chain of links of 0.1 kg from the origin along `along`, and a ball of 100 kg at its end.
-struct Chain {
+struct HungChain {
   btRigidBody& ball;
   btVector3 hook;  ///< in the ball
 
   double length() const { return (ball.getWorldTransform() * hook).length(); }
 };
 
-Chain addChain(BulletWorld& world, const btVector3& along) {
+HungChain addChain(BulletWorld& world, const btVector3& along) {
   const btVector3 toEnd = halfLink * along, thin(btScalar(0.02), btScalar(0.02), btScalar(0.02));
   const auto join = [&](btRigidBody& a, btRigidBody& b, const btVector3& inB) {
     a.setIgnoreCollisionCheck(&b, true);
@@ -96,7 +93,7 @@ Chain addChain(BulletWorld& world, const btVector3& along) {
 
 TEST(Parity, Row35HangingChainKeepsItsLength) {
   DelassusWorld world;
-  const Chain chain = addChain(world, {0, -1, 0});
+  const HungChain chain = addChain(world, {0, -1, 0});
   world.advance(300);
   EXPECT_NEAR(chain.length(), chainLength, 1e-3 * chainLength);
 }
@@ -106,7 +103,7 @@ TEST(Parity, Row35SwingingChainKeepsItsLength) {
   // velocities follows that at 60 Hz, stock run to convergence falls as ours does. At 1 kHz the
   // step is fit for the chain, and the solver is seen.
   const auto longest = [](BulletWorld& world) {
-    const Chain chain = addChain(world, {1, 0, 0});
+    const HungChain chain = addChain(world, {1, 0, 0});
     double length = 0;
     for (int i = 0; i < 500; ++i) {
       world->stepSimulation(btScalar(1e-3), 0);
@@ -199,8 +196,6 @@ TEST(Parity, Row53DemandsThatNoMotionMeetsAreNamed) {
       << "the compromise is in the middle";
 }
 
-constexpr btScalar notANumber = std::numeric_limits<btScalar>::quiet_NaN();
-
 btScalar brokenValue = 0;
 bool breakFriction(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
                    const btCollisionObjectWrapper*, int, int) {
@@ -231,4 +226,4 @@ TEST(Robustness, MessagesStayFew) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

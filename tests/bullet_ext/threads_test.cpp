@@ -11,7 +11,7 @@
 
 #include "tests/support/bullet_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 /// All that a user sees of some steps.
@@ -205,4 +205,4 @@ TEST(Threads, FourSolversInFourThreadsWithTheirOwn) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

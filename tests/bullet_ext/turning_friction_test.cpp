@@ -6,34 +6,22 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/support/bullet_world.h"
+#include "tests/support/ground_plane.h"
+#include "tests/support/turning_balls.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
-
-using Vector2 = Eigen::Vector2d;
-using Matrix2 = Eigen::Matrix2d;
-
-constexpr double g = BulletWorld::gravity;
-constexpr double h = BulletWorld::step;
-constexpr double radius = 0.25;
-
-btVector3 vector(double x, double y, double z) { return {btScalar(x), btScalar(y), btScalar(z)}; }
-
-btRigidBody& addBall(BulletWorld& world, double mass = 1, double x = 0) {
-  return world.addSphere(btScalar(radius), vector(x, radius, 0), btScalar(mass));
-}
 
 /// Rolls without slip on y = 0.
 void roll(btRigidBody& ball, const Vector2& velocity) {
   ball.setLinearVelocity(vector(velocity[0], 0, velocity[1]));
-  ball.setAngularVelocity(vector(velocity[1], 0, -velocity[0]) / btScalar(radius));
+  ball.setAngularVelocity(vector(velocity[1], 0, -velocity[0]) / btScalar(ballRadius));
 }
 
 double speedOf(const btRigidBody& body) { return body.getLinearVelocity().length(); }
 
 /// What rolling friction takes from a ball in one step, m/s: (I + m R²) Δω = κ m g h with I = 2/5 m R².
-double rollingLoss(double kappa) { return 5.0 / 7 * kappa * g / radius * h; }
+double rollingLoss(double kappa) { return 5.0 / 7 * kappa * g / ballRadius * h; }
 
 TEST(Parity, Row24RollingBallStopsAtItsDistance) {
   constexpr double kappa = 0.01;
@@ -140,7 +128,7 @@ TEST(Parity, Row24OptionHasTheBoundsOfStock) {
 TEST(Parity, Row24OptionLetsAHeavyBallRollOutAsInStock) {
   // (I + m R²) Δω = κ · 1 N·s a step, for all loads above.
   constexpr double kappa = 0.5, mass = 60;
-  constexpr double loss = kappa / (1.4 * mass * radius);
+  constexpr double loss = kappa / (1.4 * mass * ballRadius);
   DelassusWorld world;
   world.delassus().setStockRollingFriction(true);
   world.addGround();
@@ -159,7 +147,7 @@ TEST(Parity, Row24OptionLetsAHeavyBallRollOutAsInStock) {
 
 TEST(Parity, Row24BallRestsOnASlopeUpToItsAngle) {
   constexpr double kappa = 0.02;
-  const double limit = std::atan(kappa / radius);
+  const double limit = std::atan(kappa / ballRadius);
   for (double part : {0.9, 1.1}) {
     const double slope = part * limit;
     DelassusWorld world;
@@ -167,7 +155,7 @@ TEST(Parity, Row24BallRestsOnASlopeUpToItsAngle) {
     const btVector3 up = quatRotate(tilt, btVector3(0, 1, 0));
     world.addBody(std::make_unique<btBoxShape>(btVector3(100, 1, 100)), btTransform(tilt, -up), 0)
         .setFriction(1);
-    btRigidBody& ball = world.addSphere(btScalar(radius), up * btScalar(radius));
+    btRigidBody& ball = world.addSphere(btScalar(ballRadius), up * btScalar(ballRadius));
     ball.setRollingFriction(btScalar(kappa));
     const btVector3 start = ball.getWorldTransform().getOrigin();
     const int steps = part < 1 ? 600 : 60;
@@ -182,14 +170,14 @@ TEST(Parity, Row24BallRestsOnASlopeUpToItsAngle) {
         EXPECT_GT(checked, 3 * steps / 4) << "and it is only checked";
       }
     } else {
-      const double a = 5.0 / 7 * g * (std::sin(slope) - kappa / radius * std::cos(slope));
+      const double a = 5.0 / 7 * g * (std::sin(slope) - kappa / ballRadius * std::cos(slope));
       EXPECT_NEAR(speedOf(ball), a * steps * h, tolerance(1e-7, 1e-3));
     }
   }
 }
 
 TEST(Parity, Row24SpinningAloneStopsATop) {
-  constexpr double kappa = 0.005, loss = kappa * g / (0.4 * radius * radius) * h;
+  constexpr double kappa = 0.005, loss = kappa * g / (0.4 * ballRadius * ballRadius) * h;
   DelassusWorld world;
   world.addGround();
   btRigidBody& ball = addBall(world);
@@ -243,11 +231,11 @@ TEST(Parity, Row24TwoBallsTurnEachOtherAlike) {
   // In the air, pressed together: what spinning friction takes from one it gives to the other.
   DelassusWorld world;
   world->setGravity({0, 0, 0});
-  btRigidBody& left = world.addSphere(btScalar(radius), vector(-radius, 0, 0));
-  btRigidBody& right = world.addSphere(btScalar(radius), vector(radius, 0, 0), 3);
+  btRigidBody& left = world.addSphere(btScalar(ballRadius), vector(-ballRadius, 0, 0));
+  btRigidBody& right = world.addSphere(btScalar(ballRadius), vector(ballRadius, 0, 0), 3);
   for (btRigidBody* ball : {&left, &right}) ball->setSpinningFriction(btScalar(0.02));
   left.setAngularVelocity({4, 0, 0});
-  const double inertia = 0.4 * radius * radius;
+  const double inertia = 0.4 * ballRadius * ballRadius;
   for (int i = 0; i < 30; ++i) {
     left.applyCentralForce({5, 0, 0});
     right.applyCentralForce({-5, 0, 0});
@@ -294,13 +282,6 @@ TEST(Parity, Row24AnInfiniteCoefficientStopsAtOnce) {
   EXPECT_LT(ball.getAngularVelocity().length(), tolerance(1e-7, 1e-4));
 }
 
-/// diag(fx, fz) in axes turned by `yaw` about y, on the (x, z) plane.
-Matrix2 stretch(double fx, double fz, double yaw) {
-  Matrix2 R;
-  R << std::cos(yaw), std::sin(yaw), -std::sin(yaw), std::cos(yaw);
-  return R * Vector2(fx, fz).asDiagonal() * R.transpose();
-}
-
 TEST(Parity, Row25AnisotropicRollingFrictionIsAnEllipse) {
   // ω' = ω − κ m g h / (I + m R²) D Dᵀω'/|Dᵀω'|, maximum dissipation on { κ r_n D s : |s| ≤ 1 }.
   constexpr double kappa = 0.02;
@@ -308,8 +289,10 @@ TEST(Parity, Row25AnisotropicRollingFrictionIsAnEllipse) {
     for (double heading : {0.0, 0.3, 1.2}) {
       DelassusWorld world;
       world.addGround();
-      const btTransform pose(btQuaternion(btVector3(0, 1, 0), btScalar(yaw)), vector(0, radius, 0));
-      btRigidBody& ball = world.addBody(std::make_unique<btSphereShape>(btScalar(radius)), pose, 1);
+      const btTransform pose(btQuaternion(btVector3(0, 1, 0), btScalar(yaw)),
+                             vector(0, ballRadius, 0));
+      btRigidBody& ball =
+          world.addBody(std::make_unique<btSphereShape>(btScalar(ballRadius)), pose, 1);
       ball.setRollingFriction(btScalar(kappa));
       ball.setAnisotropicFriction(vector(1, 1, 0.25),
                                   btCollisionObject::CF_ANISOTROPIC_ROLLING_FRICTION);
@@ -320,7 +303,8 @@ TEST(Parity, Row25AnisotropicRollingFrictionIsAnEllipse) {
       const Vector2 before = turn();
       world.advance();
       const Matrix2 D = stretch(1, 0.25, yaw);
-      const Vector2 lost = rollingLoss(kappa) / radius * D * (D.transpose() * turn()).normalized();
+      const Vector2 lost =
+          rollingLoss(kappa) / ballRadius * D * (D.transpose() * turn()).normalized();
       EXPECT_LT((turn() - (before - lost)).norm(), tolerance(1e-7, 1e-4)) << yaw << " " << heading;
     }
 }
@@ -359,12 +343,13 @@ TEST(Parity, Row25CapsuleAndCylinderRollAgainstTheirOwnAxis) {
     world.addGround();
     std::unique_ptr<btCollisionShape> shape;
     if (capsule)
-      shape = std::make_unique<btCapsuleShapeZ>(btScalar(radius), btScalar(1));
+      shape = std::make_unique<btCapsuleShapeZ>(btScalar(ballRadius), btScalar(1));
     else
-      shape = std::make_unique<btCylinderShapeZ>(vector(radius, radius, 0.5));
+      shape = std::make_unique<btCylinderShapeZ>(vector(ballRadius, ballRadius, 0.5));
     const btVector3 direction = shape->getAnisotropicRollingFrictionDirection();
     EXPECT_EQ(direction, btVector3(0, 0, 1));
-    btRigidBody& body = world.addBody(std::move(shape), BulletWorld::at(vector(0, radius, 0)), 1);
+    btRigidBody& body =
+        world.addBody(std::move(shape), BulletWorld::at(vector(0, ballRadius, 0)), 1);
     body.setRollingFriction(btScalar(kappa));
     body.setAnisotropicFriction(direction, btCollisionObject::CF_ANISOTROPIC_ROLLING_FRICTION);
     body.setLinearFactor({1, 1, 0});
@@ -373,10 +358,10 @@ TEST(Parity, Row25CapsuleAndCylinderRollAgainstTheirOwnAxis) {
     constexpr int steps = 8;
     world.advance(steps);
     const double inertia = 1 / body.getInvInertiaDiagLocal().z();
-    const double loss = kappa * g * h / (inertia + radius * radius) * radius;
+    const double loss = kappa * g * h / (inertia + ballRadius * ballRadius) * ballRadius;
     EXPECT_NEAR(body.getLinearVelocity().x(), 1 - steps * loss, tolerance(1e-6, 1e-4)) << capsule;
   }
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -7,20 +7,12 @@
 #include <vector>
 
 #include "tests/support/multibody_world.h"
+#include "tests/support/turning_balls.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
-constexpr double g = BulletWorld::gravity;
-constexpr double h = BulletWorld::step;
-constexpr double radius = 0.25;
-constexpr double inertiaOfUnit = 0.4 * radius * radius;  ///< of a ball of 1 kg
-
-btVector3 vector(double x, double y, double z) { return {btScalar(x), btScalar(y), btScalar(z)}; }
-
-btRigidBody& addBall(BulletWorld& world, double mass = 1, double x = 0) {
-  return world.addSphere(btScalar(radius), vector(x, radius, 0), btScalar(mass));
-}
+constexpr double inertiaOfUnit = 0.4 * ballRadius * ballRadius;  ///< of a ball of 1 kg
 
 /// What a listener was told in the last step.
 class Told {
@@ -62,7 +54,7 @@ TEST(TurningListener, RollingBallLosesTheMomentsWork) {
     btRigidBody& ball = addBall(world, mass);
     ball.setRollingFriction(btScalar(kappa));
     ball.setLinearVelocity(vector(0.8, 0, 0.6));
-    ball.setAngularVelocity(vector(0.6, 0, -0.8) / btScalar(radius));
+    ball.setAngularVelocity(vector(0.6, 0, -0.8) / btScalar(ballRadius));
     Told told(world.delassus());
     for (int step = 0; step < 20; ++step) {
       told.events.clear();
@@ -89,8 +81,8 @@ TEST(TurningListener, RollingBallLosesTheMomentsWork) {
 TEST(TurningListener, MomentsAndReactionsMakeTheMotion) {
   DelassusWorld world;
   world->setGravity({0, 0, 0});
-  btRigidBody& left = world.addSphere(btScalar(radius), vector(-radius, 0, 0));
-  btRigidBody& right = world.addSphere(btScalar(radius), vector(radius, 0, 0), 3);
+  btRigidBody& left = world.addSphere(btScalar(ballRadius), vector(-ballRadius, 0, 0));
+  btRigidBody& right = world.addSphere(btScalar(ballRadius), vector(ballRadius, 0, 0), 3);
   for (btRigidBody* ball : {&left, &right}) {
     ball->setRollingFriction(btScalar(0.01));
     ball->setSpinningFriction(btScalar(0.02));
@@ -157,9 +149,10 @@ TEST(TurningListener, HearsWhatActsOnALinkWithStocksBoundsOrWithout) {
   for (const bool asStock : {false, true}) {
     DelassusMultiBodyWorld world;
     world.addGround();
-    btMultiBody& tree =
-        world.addTree(0, mass, btVector3(inertia, inertia, inertia), false, vector(0, radius, 0));
-    world.addCollider(tree, -1, std::make_unique<btSphereShape>(btScalar(radius)), btScalar(0.5))
+    btMultiBody& tree = world.addTree(0, mass, btVector3(inertia, inertia, inertia), false,
+                                      vector(0, ballRadius, 0));
+    world
+        .addCollider(tree, -1, std::make_unique<btSphereShape>(btScalar(ballRadius)), btScalar(0.5))
         .setSpinningFriction(btScalar(kappa));
     world.finish(tree);
     tree.setBaseOmega(vector(0, 9, 0));
@@ -189,7 +182,7 @@ Traffic listen(bool toChanges, bool toTurning) {
   btRigidBody& ball = addBall(world);
   ball.setRollingFriction(btScalar(0.01));
   ball.setLinearVelocity({1, 0, 0});
-  ball.setAngularVelocity(vector(0, 0, -1 / radius));
+  ball.setAngularVelocity(vector(0, 0, -1 / ballRadius));
   world.addCube({0, btScalar(0.5), 5}).setLinearVelocity({0, 0, 1});
   Traffic traffic;
   if (toChanges)
@@ -224,4 +217,4 @@ TEST(TurningListener, IsToldEveryStepAndOthersAreNot) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

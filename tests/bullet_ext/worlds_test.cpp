@@ -17,8 +17,9 @@
 #include <thread>
 
 #include "tests/support/bullet_world.h"
+#include "tests/support/same_bits.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 constexpr btScalar step = BulletWorld::step;
@@ -35,11 +36,6 @@ std::vector<btScalar> motionOf(const std::vector<btRigidBody*>& bodies) {
 
 /// Of the numbers that motionOf gives for each body.
 bool isVelocity(std::size_t i) { return i % 12 >= 6; }
-
-void expectSameBits(const std::vector<btScalar>& a, const std::vector<btScalar>& b) {
-  ASSERT_EQ(a.size(), b.size());
-  EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(btScalar)), 0);
-}
 
 /// Towers side by side on a ground and on one moving platform, which all of them share.
 struct Towers {
@@ -332,4 +328,4 @@ TEST(Parity, Row51CharacterWalksAsInStock) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -7,11 +7,8 @@
 
 #include "tests/support/bullet_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
-
-constexpr double g = BulletWorld::gravity;
-constexpr double h = BulletWorld::step;
 
 double sumOfNormalImpulses(BulletWorld& world) {
   double sum = 0;
@@ -169,4 +166,4 @@ TEST(StepReport, StaysWhereItIsAfterReset) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -9,7 +9,7 @@
 namespace delassus {
 namespace {
 
-using namespace delassus::testing;
+using namespace delassus::test;
 
 template <class Motion>
 bool alternate(const Problem& problem, double tolerance, int budget, Solution& best) {

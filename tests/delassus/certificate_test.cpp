@@ -4,7 +4,6 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "delassus/island.h"
@@ -14,11 +13,9 @@
 namespace delassus {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-class Random {
+class Draws {
  public:
-  explicit Random(unsigned seed) : random_(seed) {}
+  explicit Draws(unsigned seed) : random_(seed) {}
 
   double uniform() { return std::uniform_real_distribution<double>()(random_); }
   double normal() { return std::normal_distribution<double>()(random_); }
@@ -46,7 +43,7 @@ struct KnownRows {
   VectorXd r, u;  // r*, u*
   Problem problem;
 
-  KnownRows(Random& random, int n, int dofs, bool boxed) : J(random.matrix(n, dofs)), r(n), u(n) {
+  KnownRows(Draws& random, int n, int dofs, bool boxed) : J(random.matrix(n, dofs)), r(n), u(n) {
     soft = random.coin() ? random.positive(n) : VectorXd::Zero(n);
     problem.lower = VectorXd::Zero(n);
     problem.upper = VectorXd::Constant(n, infinity);
@@ -74,14 +71,14 @@ struct KnownRows {
     const VectorXd d = x - r;
     return (J.transpose() * d).squaredNorm() + d.dot(soft.cwiseProduct(d));
   }
-  VectorXd allowedReactions(Random& random) const {
+  VectorXd allowedReactions(Draws& random) const {
     const VectorXd top = problem.upper.cwiseMin(2.0);
     return problem.lower + (top - problem.lower).cwiseProduct(random.positive(int(r.size())));
   }
 };
 
 TEST(MotionBound, HoldsForUnilateralRowsWithoutPenetration) {
-  Random random(94);
+  Draws random(94);
   int certified = 0;
   for (int k = 0; k < 2000; ++k) {
     const KnownRows known(random, 1 + k % 4, 1 + k % 5, false);
@@ -97,7 +94,7 @@ TEST(MotionBound, HoldsForUnilateralRowsWithoutPenetration) {
 }
 
 TEST(MotionBound, HoldsWithALimitOnReactions) {
-  Random random(95);
+  Draws random(95);
   for (int k = 0; k < 1000; ++k) {
     const KnownRows known(random, 1 + k % 8, 1 + k % 6, false);
     const VectorXd r = known.allowedReactions(random), u = known.velocity(r);
@@ -114,7 +111,7 @@ TEST(MotionBound, HoldsWithALimitOnReactions) {
 }
 
 TEST(MotionBound, HoldsForBoxedRowsWithoutAnyRelaxation) {
-  Random random(96);
+  Draws random(96);
   for (int k = 0; k < 1000; ++k) {
     const KnownRows known(random, 1 + k % 8, 1 + k % 6, true);
     const VectorXd r = known.allowedReactions(random);
@@ -125,7 +122,7 @@ TEST(MotionBound, HoldsForBoxedRowsWithoutAnyRelaxation) {
 }
 
 TEST(MotionBound, VanishesAtTheSolution) {
-  Random random(97);
+  Draws random(97);
   for (int k = 0; k < 100; ++k) {
     const KnownRows known(random, 5, 6, k % 2 == 0);
     const MotionBound bound = motionBound(known.problem, known.r, known.u);
@@ -136,7 +133,7 @@ TEST(MotionBound, VanishesAtTheSolution) {
 
 /// With penetration the bound speaks of the problem whose demands are relaxed by as much; solved here by plain sweeps.
 TEST(MotionBound, HoldsForTheRelaxedProblem) {
-  Random random(98);
+  Draws random(98);
   for (int k = 0; k < 100; ++k) {
     const int n = 2 + k % 3;
     KnownRows known(random, n, 6, false);
@@ -190,7 +187,7 @@ struct World {
   Problem problem;
   VectorXd target;
 
-  explicit World(Random& random) {
+  explicit World(Draws& random) {
     for (int i = 0; i < 3; ++i) {
       Body body;
       body.inverseMass.setConstant(0.1 + random.uniform());
@@ -228,15 +225,15 @@ struct World {
 };
 
 TEST(EnergyBalance, IsTheKineticEnergyOfTheBodiesForAnyReactions) {
-  Random random(95);
+  Draws random(95);
   for (int k = 0; k < 50; ++k) {
     const World world(random);
     const VectorXd r = random.matrix(world.problem.size(), 1);
     std::vector<Body> after = world.bodies;
     applyReaction(after, world.contacts, world.rows, world.island, r);
 
-    const double before = delassus::testing::kineticEnergy(world.bodies);
-    const double gained = delassus::testing::kineticEnergy(after) - before;
+    const double before = delassus::test::kineticEnergy(world.bodies);
+    const double gained = delassus::test::kineticEnergy(after) - before;
     const EnergyBalance balance = energyBalance(world.problem, world.target, r);
     const double scale = before + std::abs(balance.impact) + std::abs(balance.compliance);
     EXPECT_NEAR(balance.change, gained, 1e-12 * scale);
@@ -247,7 +244,7 @@ TEST(EnergyBalance, IsTheKineticEnergyOfTheBodiesForAnyReactions) {
 }
 
 TEST(EnergyBalance, CoulombsLawOnlyLosesEnergy) {
-  Random random(96);
+  Draws random(96);
   for (int k = 0; k < 100; ++k) {
     const Mat3 root = random.matrix(3, 3);
     const Mat3 W = root * root.transpose() + 0.5 * Mat3::Identity();

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "delassus/solver.h"
@@ -13,9 +12,7 @@
 namespace delassus {
 namespace {
 
-using namespace delassus::testing;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using namespace delassus::test;
 
 /// Ties bodies of the pile to each other: equations (some of them twice), limits on either side, motors, a fixed impulse.
 void addJoints(Pile& pile, Random& random) {

@@ -11,20 +11,20 @@
 namespace delassus {
 namespace {
 
-using namespace delassus::testing;
+using namespace delassus::test;
 
-struct Attempt {
+struct DenseAttempt {
   bool reached;
   double tolerance, before;
   Solution solution;
 };
 
 template <int Most>
-Attempt runWithRoomFor(const Problem& problem, const VectorXd& start, int budget) {
+DenseAttempt runWithRoomFor(const Problem& problem, const VectorXd& start, int budget) {
   NaturalMap map;
   map.setProblem(problem);
   EXPECT_TRUE(fitsDenseNewton(problem, map));
-  Attempt attempt;
+  DenseAttempt attempt;
   attempt.tolerance = 1e-10 * problem.q.cwiseAbs().maxCoeff();
   attempt.solution = startFrom(problem, map, start);
   attempt.before = attempt.solution.residual;
@@ -34,10 +34,10 @@ Attempt runWithRoomFor(const Problem& problem, const VectorXd& start, int budget
 }
 
 /// With room for any number of unknowns; and with room for few, if they fit, which goes the same way.
-Attempt run(const Problem& problem, const VectorXd& start, int budget = 100) {
-  const Attempt any = runWithRoomFor<Eigen::Dynamic>(problem, start, budget);
+DenseAttempt run(const Problem& problem, const VectorXd& start, int budget = 100) {
+  const DenseAttempt any = runWithRoomFor<Eigen::Dynamic>(problem, start, budget);
   if (problem.size() <= fewUnknowns) {
-    const Attempt few = runWithRoomFor<fewUnknowns>(problem, start, budget);
+    const DenseAttempt few = runWithRoomFor<fewUnknowns>(problem, start, budget);
     EXPECT_EQ(few.reached, any.reached);
     EXPECT_EQ(few.solution.regions, any.solution.regions);
     EXPECT_LE((few.solution.r - any.solution.r).norm(), 1e-9 * any.solution.r.norm());
@@ -63,7 +63,7 @@ TEST(DenseNewton, SolvesWhatIsRegularInAFewRegions) {
   constexpr int samples = 300;
   for (int k = 0; k < samples; ++k) {
     const Problem problem = makeRegular(1 + k % 12, uniform(random, 0, 0.8), random);
-    const Attempt attempt = run(problem, VectorXd::Zero(problem.size()));
+    const DenseAttempt attempt = run(problem, VectorXd::Zero(problem.size()));
     EXPECT_LE(attempt.solution.residual, attempt.before);
     EXPECT_LE(infeasibility(problem, attempt.solution.r), 1e-13 * attempt.solution.r.norm());
     if (!attempt.reached) continue;
@@ -82,7 +82,7 @@ TEST(DenseNewton, FindsTheRegionOfThePaper) {
   for (int k = 0; k < 200; ++k) {
     Problem problem = makeRegular(1 + k % 6, 0, random);
     const int n = problem.contacts();
-    const Attempt attempt = run(problem, VectorXd::Zero(problem.size()));
+    const DenseAttempt attempt = run(problem, VectorXd::Zero(problem.size()));
     if (!attempt.reached) continue;
     ++reached;
     MatrixXd W(n, n);
@@ -103,7 +103,7 @@ TEST(DenseNewton, GivesUpWhereReactionsAreNotTold) {
   Random random(133);
   const PileIsland box(makeTower({1}, 0.8, 0, random));
   const Problem problem = withEntries(box.problem);
-  const Attempt attempt = run(problem, VectorXd::Zero(problem.size()));
+  const DenseAttempt attempt = run(problem, VectorXd::Zero(problem.size()));
   EXPECT_FALSE(attempt.reached);
   EXPECT_LE(attempt.solution.regions, 1);
 }
@@ -113,9 +113,9 @@ TEST(DenseNewton, KeepsBoundsOfRowsAndItsBudget) {
   for (int k = 0; k < 100; ++k) {
     Problem problem = makeRegular(3, 0.5, random);
     problem.friction = VectorXd::Constant(2, 0.5);  // the third contact becomes three rows
-    problem.lower = Vec3(-0.1, 0, -std::numeric_limits<double>::infinity());
-    problem.upper = Vec3(0.1, 0.2, std::numeric_limits<double>::infinity());
-    const Attempt attempt = run(problem, VectorXd::Zero(problem.size()), 1 + k % 9);
+    problem.lower = Vec3(-0.1, 0, -infinity);
+    problem.upper = Vec3(0.1, 0.2, infinity);
+    const DenseAttempt attempt = run(problem, VectorXd::Zero(problem.size()), 1 + k % 9);
     EXPECT_LE(attempt.solution.regions, 1 + k % 9);
     EXPECT_LE(infeasibility(problem, attempt.solution.r), 1e-13 * attempt.solution.r.norm());
     EXPECT_EQ(attempt.reached, attempt.solution.residual <= attempt.tolerance);

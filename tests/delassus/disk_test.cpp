@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include "delassus/certificate.h"
@@ -18,8 +17,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Two frictionless contacts, then a disk of two numbers for the first and one of one number for the second. W is diagonal.
 Problem twoDisks(const VectorXd& q, const VectorXd& W = VectorXd::Ones(5)) {

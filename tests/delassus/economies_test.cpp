@@ -9,7 +9,7 @@
 namespace delassus {
 namespace {
 
-using namespace delassus::testing;
+using namespace delassus::test;
 
 Solution solveWith(const Problem& problem, bool Economies::*without, const VectorXd& guess = {}) {
   Options options;

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "delassus/solver.h"
 #include "tests/support/pressed_piles.h"
 #include "tests/support/random_piles.h"
@@ -13,9 +11,7 @@
 namespace delassus {
 namespace {
 
-using namespace delassus::testing;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using namespace delassus::test;
 
 // No reactions prove more than is true, and those of the motion itself prove all of it.
 TEST(Farkas, TheBoundIsBelowEveryMotionAndReachedByTheLeast) {

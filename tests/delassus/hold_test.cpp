@@ -11,7 +11,7 @@
 namespace delassus {
 namespace {
 
-using namespace delassus::testing;
+using namespace delassus::test;
 
 constexpr int budget = 40;
 

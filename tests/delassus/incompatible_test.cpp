@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "delassus/solver.h"
 #include "tests/support/random_piles.h"
@@ -11,9 +10,7 @@
 namespace delassus {
 namespace {
 
-using namespace delassus::testing;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using namespace delassus::test;
 
 Row axisRow(int body, int axis, double target, double weight = 1) {
   Row row;

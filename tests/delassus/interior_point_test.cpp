@@ -3,31 +3,27 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "tests/support/random_piles.h"
 #include "tests/support/turning_piles.h"
 
 namespace delassus {
 namespace {
 
-using namespace delassus::testing;
+using namespace delassus::test;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct Attempt {
+struct InteriorAttempt {
   bool reached;
   double tolerance;
   Solution solution;
 };
 
 template <class Motion>
-Attempt run(const Problem& problem, int budget, const VectorXd& start) {
+InteriorAttempt run(const Problem& problem, int budget, const VectorXd& start) {
   NaturalMap map;
   map.setProblem(problem);
   Motion motion;
   motion.setProblem(problem);
-  Attempt attempt;
+  InteriorAttempt attempt;
   attempt.tolerance = 1e-8 * problem.q.cwiseAbs().maxCoeff();
   attempt.solution = startFrom(problem, map, start);
   attempt.reached = InteriorPoint<Motion>().solve(motion, problem, map, attempt.tolerance, budget,
@@ -36,7 +32,7 @@ Attempt run(const Problem& problem, int budget, const VectorXd& start) {
 }
 
 template <class Motion>
-Attempt run(const Problem& problem, int budget = 60) {
+InteriorAttempt run(const Problem& problem, int budget = 60) {
   return run<Motion>(problem, budget, VectorXd::Zero(problem.size()));
 }
 
@@ -47,7 +43,7 @@ PileIsland mixedTower(int height, double massRatio, double friction, Random& ran
 }
 
 /// Reached means: the law holds, recomputed from r alone, and the reactions are inside their cones and bounds.
-void expectSolved(const Problem& problem, const Attempt& attempt) {
+void expectSolved(const Problem& problem, const InteriorAttempt& attempt) {
   EXPECT_LE(naturalResidual(problem, attempt.solution.r).max, 1.01 * attempt.tolerance);
   EXPECT_LE(infeasibility(problem, attempt.solution.r),
             1e-8 * (1 + attempt.solution.r.cwiseAbs().maxCoeff()));
@@ -59,7 +55,7 @@ TEST(InteriorPoint, SolvesPilesAtRestInFewFactorisations) {
   constexpr int samples = 100;
   for (int k = 0; k < samples; ++k) {
     const PileIsland island(makeTower(randomMasses(1 + k % 6, 10, random), 0.5, 0, random));
-    const Attempt cold = run<BodyMotion>(island.problem);
+    const InteriorAttempt cold = run<BodyMotion>(island.problem);
     if (!cold.reached) continue;
     ++reached;
     factorisations += cold.solution.factorisations;
@@ -77,7 +73,7 @@ TEST(InteriorPoint, BringsMovingPilesNearTheLaw) {
   constexpr int samples = 100;
   for (int k = 0; k < samples; ++k) {
     const PileIsland island = mixedTower(1 + k % 6, 10, 0.8, random);
-    const Attempt cold = run<BodyMotion>(island.problem);
+    const InteriorAttempt cold = run<BodyMotion>(island.problem);
     if (cold.solution.residual < 1e-2 * island.problem.q.cwiseAbs().maxCoeff()) ++near;
     EXPECT_LE(cold.solution.factorisations, 60);
   }
@@ -93,13 +89,13 @@ TEST(InteriorPoint, BringsTurningHeapsNearTheLaw) {
     Pile heap = makeHeap(1 + k % 8, 0.5, random);
     resistTurning(heap, 0.1, random);
     const Problem moving = PileIsland(heap).problem;
-    const Attempt cold = run<BodyMotion>(moving);
+    const InteriorAttempt cold = run<BodyMotion>(moving);
     if (cold.solution.residual < 1e-2 * moving.q.cwiseAbs().maxCoeff()) ++near;
 
     Pile tower = makeTower(randomMasses(1 + k % 4, 3, random), 0.5, 0, random);
     resistTurning(tower, 0.1, random);
     const PileIsland island(tower);
-    const Attempt still = run<BodyMotion>(island.problem);
+    const InteriorAttempt still = run<BodyMotion>(island.problem);
     if (!still.reached) continue;
     ++atRest;
     expectSolved(island.problem, still);
@@ -115,7 +111,7 @@ TEST(InteriorPoint, ASlidingParticleInClosedForm) {
     problem.W = DelassusMatrix(DelassusMatrix::Sparse(MatrixXd::Identity(3, 3).sparseView()));
     problem.q = Vec3(-1, 2.4, -3.2);
     problem.friction = VectorXd::Constant(1, mu);
-    const Attempt cold = run<FactoredMotion>(problem);
+    const InteriorAttempt cold = run<FactoredMotion>(problem);
     EXPECT_TRUE(cold.reached) << "mu " << mu;
     EXPECT_LT((cold.solution.r - Vec3(1, -0.6 * mu, 0.8 * mu)).norm(), 1e-6) << "mu " << mu;
   }
@@ -127,7 +123,7 @@ TEST(InteriorPoint, AlwaysSolvesFrictionlessIslands) {
   for (int k = 0; k < 60; ++k) {
     const PileIsland island(
         withoutFriction(makeTower(randomMasses(1 + k % 8, 1e3, random), 0, 0.5, random)));
-    const Attempt cold = run<BodyMotion>(island.problem);
+    const InteriorAttempt cold = run<BodyMotion>(island.problem);
     EXPECT_TRUE(cold.reached) << "tower " << k;
     expectSolved(island.problem, cold);
   }
@@ -149,7 +145,7 @@ TEST(InteriorPoint, RowsOfEveryKind) {
       problem.lower[i] = i % 4 == 1 ? -infinity : i % 4 == 2 ? -0.3 : i % 4 == 3 ? -infinity : 0;
       problem.upper[i] = i % 4 == 1 ? 0.1 : i % 4 == 2 ? 0.2 : infinity;
     }
-    const Attempt cold = run<FactoredMotion>(problem);
+    const InteriorAttempt cold = run<FactoredMotion>(problem);
     EXPECT_TRUE(cold.reached) << "sample " << k;
     expectSolved(problem, cold);
   }
@@ -166,7 +162,7 @@ TEST(InteriorPoint, BoundsThatNoReactionComesNear) {
   problem.lower = VectorXd::Constant(rows, -1.5e308);
   problem.upper = VectorXd::Constant(rows, 1.5e308);
   problem.lower[0] = 0;
-  const Attempt bounded = run<FactoredMotion>(problem);
+  const InteriorAttempt bounded = run<FactoredMotion>(problem);
   EXPECT_TRUE(bounded.reached);
   expectSolved(problem, bounded);
   problem.lower.tail(rows - 1).setConstant(-infinity);
@@ -183,7 +179,7 @@ TEST(InteriorPoint, ASpinningParticleInClosedForm) {
     problem.lower = Vec2(0, -infinity);
     problem.upper = Vec2(infinity, infinity);
     problem.disks = {{1, 1, 0, 0.1}};
-    const Attempt cold = run<FactoredMotion>(problem);
+    const InteriorAttempt cold = run<FactoredMotion>(problem);
     EXPECT_TRUE(cold.reached) << spin;
     EXPECT_NEAR(cold.solution.r[1], -std::min(spin, 0.2), 1e-6) << spin;
   }
@@ -195,8 +191,8 @@ TEST(InteriorPoint, FindsTheSameMotionInEitherSpace) {
   for (int k = 0; k < 20; ++k) {
     const PileIsland island(
         withoutFriction(makeTower(randomMasses(1 + k % 4, 10, random), 0, 0.5, random)));
-    const Attempt bodies = run<BodyMotion>(island.problem);
-    const Attempt factored = run<FactoredMotion>(withEntries(island.problem));
+    const InteriorAttempt bodies = run<BodyMotion>(island.problem);
+    const InteriorAttempt factored = run<FactoredMotion>(withEntries(island.problem));
     ASSERT_TRUE(bodies.reached && factored.reached);
     EXPECT_LT(motionDistance(island, bodies.solution.r, factored.solution.r), 1e-6);
   }
@@ -206,7 +202,7 @@ TEST(InteriorPoint, FindsTheSameMotionInEitherSpace) {
 TEST(InteriorPoint, EqualContactsShareEqually) {
   Random random(55);
   const PileIsland island(makeTower({2}, 0.5, 0, random));
-  const Attempt cold = run<BodyMotion>(island.problem);
+  const InteriorAttempt cold = run<BodyMotion>(island.problem);
   ASSERT_TRUE(cold.reached);
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(cold.solution.r[3 * i], 2 * 9.81 / 60 / 4, 1e-6);
 }
@@ -219,7 +215,7 @@ TEST(InteriorPoint, NeverReturnsAWorseAnswerThanItWasGiven) {
     const VectorXd start = randomReactions(island.problem, 1, random);
     const double before = naturalResidual(island.problem, start).max;
     const int budget = k % 20;
-    const Attempt stopped = run<BodyMotion>(island.problem, budget, start);
+    const InteriorAttempt stopped = run<BodyMotion>(island.problem, budget, start);
     EXPECT_LE(stopped.solution.residual, before);
     EXPECT_LE(stopped.solution.factorisations, budget);
     EXPECT_NEAR(naturalResidual(island.problem, stopped.solution.r).max, stopped.solution.residual,
@@ -232,8 +228,8 @@ TEST(InteriorPoint, DoesNotDependOnTheGuess) {
   Random random(57);
   for (int k = 0; k < 20; ++k) {
     const PileIsland island = mixedTower(1 + k % 5, 10, 0.5, random);
-    const Attempt cold = run<BodyMotion>(island.problem);
-    const Attempt warm =
+    const InteriorAttempt cold = run<BodyMotion>(island.problem);
+    const InteriorAttempt warm =
         run<BodyMotion>(island.problem, 60, randomReactions(island.problem, 1, random));
     ASSERT_EQ(cold.reached, warm.reached);
     if (cold.reached) {

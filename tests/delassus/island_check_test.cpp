@@ -13,7 +13,7 @@
 namespace delassus {
 namespace {
 
-using namespace delassus::testing;
+using namespace delassus::test;
 
 /// Towers whose contacts are of all kinds: with and without friction, soft, some against turning, with joints on top.
 Pile mixedTower(int height, Random& random) {
@@ -113,7 +113,7 @@ TEST(IslandCheck, FreeMeansThatNoReactionIsAskedFor) {
     SCOPED_TRACE(k);
     Pile pile = mixedTower(1 + k % 2, random);
     pile.rows[0].lower = k % 3 ? 0 : -1;
-    pile.rows[0].upper = std::numeric_limits<double>::infinity();
+    pile.rows[0].upper = infinity;
     for (Body& body : pile.bodies) body.velocity[2] = uniform(random, -0.1, 0.6);
     const PileIsland island(pile);
     const double residual =
@@ -141,7 +141,7 @@ TEST(IslandCheck, WhatIsNoNumberIsNotFree) {
       pile.contacts.clear();
       pile.rows.resize(1);
       pile.rows[0].lower = lower;
-      pile.rows[0].upper = std::numeric_limits<double>::infinity();
+      pile.rows[0].upper = infinity;
       (ofTarget ? pile.rows[0].target : pile.bodies[0].velocity[5]) =
           std::numeric_limits<double>::quiet_NaN();
       Solution seen;

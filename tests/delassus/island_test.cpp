@@ -6,14 +6,11 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
-#include <limits>
 
 #include "tests/support/random_problems.h"
 
 namespace delassus {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Body randomBody(Random& random) {
   Body body;

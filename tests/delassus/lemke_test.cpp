@@ -4,15 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "delassus/pivoting.h"
 #include "tests/support/random_problems.h"
 
 namespace delassus {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(Lemke, AgreesWithPivotingOnEveryKindOfRow) {
   Random random(30);

@@ -12,7 +12,7 @@
 namespace delassus {
 namespace {
 
-using namespace delassus::testing;
+using namespace delassus::test;
 
 /// Balls on the ground, some with rolling and spinning friction, and two held together.
 Problem heap(int balls, Random& random) {

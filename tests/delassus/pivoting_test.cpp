@@ -9,23 +9,11 @@
 
 #include "delassus/region_walk.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/lone_contacts.h"
 #include "tests/support/random_problems.h"
 
 namespace delassus {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-PivotResult pivotContacts(const MatrixXd& W, const VectorXd& q,
-                          const std::vector<RowState>& guess = {}) {
-  const auto n = q.size();
-  return pivot(W, q, VectorXd::Zero(n), VectorXd::Constant(n, infinity), guess);
-}
-
-/// |r − s|_W: the difference of the two motions, √J.
-double motionDistance(const MatrixXd& W, const VectorXd& r, const VectorXd& s) {
-  return std::sqrt(std::max(0.0, (r - s).dot(W * (r - s))));
-}
 
 double naturalResidual(const PivotResult& result, const VectorXd& lower, const VectorXd& upper) {
   const VectorXd projected = (result.r - result.u).cwiseMax(lower).cwiseMin(upper);

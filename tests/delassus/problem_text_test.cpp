@@ -28,8 +28,6 @@ using test::withLine;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 TEST(ProblemText, ReadsContacts) {
   const Problem problem = fromText(contactText);
   EXPECT_EQ(problem.name, "two");

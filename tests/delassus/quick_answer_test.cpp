@@ -9,7 +9,7 @@
 namespace delassus {
 namespace {
 
-using namespace delassus::testing;
+using namespace delassus::test;
 
 // One sweep answers those that approach, and the others are not looked at.
 TEST(QuickAnswer, LoneContactsNeedOneSweep) {

@@ -4,19 +4,12 @@
 
 #include <algorithm>
 
-#include "delassus/pivoting.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/lone_contacts.h"
 #include "tests/support/random_problems.h"
 
 namespace delassus {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-PivotResult pivotContacts(const MatrixXd& W, const VectorXd& q) {
-  const auto n = q.size();
-  return pivot(W, q, VectorXd::Zero(n), VectorXd::Constant(n, infinity));
-}
 
 PivotResult pivotJoints(const MatrixXd& W, const VectorXd& q) {
   const auto n = q.size();

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 
 #include "tests/support/brute_force.h"
+#include "tests/support/lone_contacts.h"
 #include "tests/support/random_problems.h"
 
 namespace delassus {
@@ -38,11 +39,6 @@ VectorXd currentIdea(const MatrixXd& W, const VectorXd& q) {
 double violation(const MatrixXd& W, const VectorXd& q, const VectorXd& r) {
   const VectorXd u = W * r + q;
   return r.cwiseMin(u).cwiseAbs().maxCoeff();
-}
-
-/// |r − s|_W: the difference of the two motions, √J.
-double motionDistance(const MatrixXd& W, const VectorXd& r, const VectorXd& s) {
-  return std::sqrt(std::max(0.0, (r - s).dot(W * (r - s))));
 }
 
 // §6: one contact is kept if and only if its forced reaction is positive.

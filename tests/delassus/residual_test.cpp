@@ -5,7 +5,6 @@
 #include <Eigen/SVD>
 #include <cmath>
 #include <fstream>
-#include <limits>
 #include <map>
 #include <random>
 #include <sstream>
@@ -16,8 +15,6 @@
 
 namespace delassus {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// An explicit problem; friction one number a contact, bounds one pair a row.
 Problem problemOf(const MatrixXd& W, const VectorXd& q, const VectorXd& friction,

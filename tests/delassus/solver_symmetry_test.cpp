@@ -12,10 +12,10 @@
 namespace delassus {
 namespace {
 
-using namespace delassus::testing;
+using namespace delassus::test;
 using test::sameBits;
 
-Pile mixedTower(int height, Random& random) {
+Pile motorTower(int height, Random& random) {
   Pile pile = makeTower(randomMasses(height, 100, random), 0, 0.3, random);
   mixFriction(pile, 0.8, random);
   Row motor;
@@ -63,7 +63,7 @@ TEST(Solver, IslandsDoNotFeelEachOther) {
   Random random(101);
   for (int k = 0; k < 10; ++k) {
     std::vector<Pile> piles;
-    for (int i = 0; i < 5; ++i) piles.push_back(mixedTower(1 + (i + k) % 5, random));
+    for (int i = 0; i < 5; ++i) piles.push_back(motorTower(1 + (i + k) % 5, random));
     const Pile all = together(piles, random);
 
     Solver solver;  // one for all: it must not remember either
@@ -136,7 +136,7 @@ TEST_P(Scaling, UnitsChangeReactionsExactlyAndModesNotAtAll) {
   Random random(103);
   for (int k = 0; k < 40; ++k) {
     SCOPED_TRACE(k);
-    Pile pile = mixedTower(1 + k % 6, random);
+    Pile pile = motorTower(1 + k % 6, random);
     pile.rows.clear();  // their rad/s are not the m/s in which the tolerance is read
     const PileIsland island(pile), scaled(inUnits(pile, mass, length, time));
     const Solution here = Solver().solve(island.problem), there = Solver().solve(scaled.problem);
@@ -206,7 +206,7 @@ TEST(Solver, SameInputSameBitsWhateverWasSolvedBefore) {
   Random random(106);
   Solver used;
   for (int k = 0; k < 30; ++k) {
-    const PileIsland island(mixedTower(1 + k % 6, random));
+    const PileIsland island(motorTower(1 + k % 6, random));
     const Problem& problem = island.problem;
     const VectorXd guess = k % 2 ? randomReactions(problem, 0.1, random) : VectorXd();
     const Solution a = used.solve(k % 3 ? problem : withEntries(problem), guess);
@@ -221,7 +221,7 @@ TEST(Solver, SameInputSameBitsWhateverWasSolvedBefore) {
 TEST(Solver, AnImmovableBodyIsTheFixedWorld) {
   Random random(107);
   for (int k = 0; k < 10; ++k) {
-    const Pile pile = mixedTower(1 + k % 4, random);
+    const Pile pile = motorTower(1 + k % 4, random);
     Pile onBody = pile;
     const int ground = static_cast<int>(pile.bodies.size());
     onBody.bodies.emplace_back();

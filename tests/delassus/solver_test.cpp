@@ -13,7 +13,7 @@
 namespace delassus {
 namespace {
 
-using namespace delassus::testing;
+using namespace delassus::test;
 using test::sameBits;
 
 /// Towers and pyramids; targets as restitution and push-out make them; motors and joints now and then.
@@ -227,7 +227,7 @@ TEST(Solver, ManyExplicitRowsTakeNoDenseMatrix) {
   problem.W = DelassusMatrix(W);
   problem.q = normalVector(n, random);
   problem.lower.setZero(n);
-  problem.upper = VectorXd::Constant(n, std::numeric_limits<double>::infinity());
+  problem.upper = VectorXd::Constant(n, infinity);
   const Solution solution = solve(problem);
   EXPECT_EQ(solution.status, Status::Solved);
   EXPECT_LE(naturalResidual(problem, solution.r).max, 1e-8 * problem.q.cwiseAbs().maxCoeff());
@@ -289,7 +289,6 @@ TEST(Solver, AGuessThatIsFarWrongAtOneContactIsWorthMoreThanNone) {
 }
 
 TEST(Solver, AToleranceThatIsNoNumberIsRefused) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const double wrong : {0.0, -1e-8, infinity, std::numeric_limits<double>::quiet_NaN()}) {
     Options options;
     options.tolerance = wrong;

@@ -7,7 +7,7 @@
 #include "delassus/solver.h"
 #include "tests/support/random_piles.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 Pile inOtherUnits(Pile pile, int lengths, int masses) {
@@ -58,4 +58,4 @@ TEST(Units, pyramidsAnswerInTheSameBits) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <vector>
 
 #include "delassus/solver.h"
@@ -15,7 +14,7 @@
 namespace delassus {
 namespace {
 
-using namespace delassus::testing;
+using namespace delassus::test;
 
 std::vector<int> unknownsOf(const ProblemParts& parts, int part) {
   std::vector<int> unknowns;
@@ -57,7 +56,7 @@ TEST(ProblemParts, ADiskIsConnectedToItsGovernor) {
   W.topLeftCorner<6, 6>() = problem.W.dense();
   problem.W = matrix(W);
   problem.q = VectorXd::Constant(9, -1);
-  problem.lower = problem.upper = VectorXd::Constant(3, std::numeric_limits<double>::infinity());
+  problem.lower = problem.upper = VectorXd::Constant(3, infinity);
   problem.lower *= -1;
   problem.disks = {{6, 1, 0, 0.1}, {7, 2, 3, 0.2}};
   const ProblemParts parts(problem);

@@ -10,7 +10,7 @@
 namespace delassus {
 namespace {
 
-using namespace delassus::testing;
+using namespace delassus::test;
 
 /// 0: conjugate gradient; otherwise Anderson's, with the steps that it remembers.
 constexpr int memories[] = {0, 4, Anderson::longest};

@@ -13,7 +13,7 @@
 namespace delassus {
 namespace {
 
-using namespace delassus::testing;
+using namespace delassus::test;
 
 class Tiers {
  public:

@@ -14,7 +14,7 @@
 namespace delassus {
 namespace {
 
-using namespace delassus::testing;
+using namespace delassus::test;
 
 constexpr double g = 9.81, h = 1.0 / 60, mass = 2.5, radius = 0.3;
 constexpr double inertia = 0.4 * mass * radius * radius;
@@ -277,7 +277,7 @@ TEST(TurningFriction, TheRightRegionIsConfirmedAtOnce) {
     newton.setProblem(island.problem, map);
     s.regions = 0;
     const double tolerance = 1e-8 * island.problem.q.cwiseAbs().maxCoeff();
-    s.residual = std::numeric_limits<double>::infinity();
+    s.residual = infinity;
     confirmed += newton.walkFromRegion(island.problem, tolerance, 1e-6, 8, s) == Outcome::Reached;
   }
   EXPECT_GE(confirmed, samples - 2);

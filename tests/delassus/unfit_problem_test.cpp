@@ -5,20 +5,18 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "delassus/residual.h"
 #include "delassus/solver.h"
 #include "tests/support/box_piles.h"
 #include "tests/support/random_piles.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 const double notANumber = std::nan("");
 
 /// Two contacts with friction and a row, not coupled.
@@ -169,4 +167,4 @@ TEST(NotSolved, OutOfBudgetBlamesTheLargestResidual) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -8,7 +8,7 @@
 namespace delassus {
 namespace {
 
-using namespace delassus::testing;
+using namespace delassus::test;
 
 struct Task {
   Problem problem;

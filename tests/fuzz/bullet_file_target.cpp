@@ -16,7 +16,7 @@
 #include "demos/subject.h"
 #include "tests/fuzz/target.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 std::string serialised(demos::World& world) {
@@ -82,4 +82,4 @@ Outcome ask(const std::string& bytes) {
 
 const Target target{"bullet_file", ask, seed, mutated, 60, {{"refused", 0.1}, {"run", 0.1}}};
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -7,7 +7,7 @@
 
 #include "tests/fuzz/fuzz.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 
 class ByteDraws {
  public:
@@ -40,4 +40,4 @@ inline double decades(ByteDraws& draws, double from, double to) {
   return std::pow(10.0, uniform(draws, from, to));
 }
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

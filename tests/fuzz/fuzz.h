@@ -7,7 +7,7 @@
 
 #include "tests/support/random_problems.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 
 /// Rounds of a run: `usual`, times the number in the environment variable DELASSUS_FUZZ where it is set.
 inline int fuzzRounds(int usual) {
@@ -33,4 +33,4 @@ inline double decades(Random& random, double from, double to) {
   return std::pow(10.0, uniform(random, from, to));
 }
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

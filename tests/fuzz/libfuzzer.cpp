@@ -29,7 +29,7 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);
-  const delassus::testing::Outcome outcome = delassus::testing::target.ask(bytes);
+  const delassus::test::Outcome outcome = delassus::test::target.ask(bytes);
   for (const std::string& fault : outcome.faults) std::fprintf(stderr, "%s\n", fault.c_str());
   if (!outcome.faults.empty()) std::abort();
   return 0;
@@ -37,10 +37,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t maxSize, unsigned int number) {
-  using delassus::testing::target;
+  using delassus::test::target;
   delassus::Random random(number);
-  if (size > 0 && delassus::testing::chance(random, 0.5))
-    return LLVMFuzzerMutate(data, size, maxSize);
+  if (size > 0 && delassus::test::chance(random, 0.5)) return LLVMFuzzerMutate(data, size, maxSize);
   const std::string bytes =
       size > 0 ? std::string(reinterpret_cast<const char*>(data), size) : target.seed(random);
   const std::string changed = target.mutated(bytes, random).substr(0, maxSize);

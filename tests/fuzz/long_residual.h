@@ -9,7 +9,7 @@
 
 #include "delassus/problem.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 
 using Long = long double;
 using LongVector = Eigen::Matrix<Long, Eigen::Dynamic, 1>;
@@ -115,4 +115,4 @@ inline LongResidual longResidual(const Problem& problem, const VectorXd& r) {
   return out;
 }
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -8,7 +8,7 @@
 #include "tests/fuzz/target.h"
 #include "tests/support/problem_texts.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 std::string seed(Random& random) { return chance(random, 0.5) ? test::contactText : test::rowText; }
@@ -123,4 +123,4 @@ Outcome ask(const std::string& text) {
 const Target target{"problem_text", ask,  seed,
                     mutated,        4000, {{"refused", 0.25}, {"read, solved", 0.01}}};
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -11,7 +11,7 @@
 #include "tests/fuzz/byte_draws.h"
 #include "tests/support/bullet_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 
 /// What a world is, so that laws that need it are asked of it alone.
 struct WorldTraits {
@@ -218,4 +218,4 @@ class RandomWorld {
   std::vector<btRigidBody*> bodies_;
 };
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

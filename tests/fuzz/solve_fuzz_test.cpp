@@ -12,10 +12,8 @@
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/long_residual.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Case {
   Problem problem;
@@ -247,4 +245,4 @@ TEST(SolveFuzz, LongReactionsAreNotTakenForIncompatibleDemands) {
 TEST(SolveFuzz, BodiesOfAllMasses) { fuzz("bodies", bodyCase, 3000); }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -8,7 +8,7 @@
 
 #include "tests/fuzz/fuzz.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 
 /// What became of one input.
 struct Outcome {
@@ -30,4 +30,4 @@ struct Target {
 /// The one of this program.
 extern const Target target;
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 TEST(Fuzz, changedSeedsBreakNoLaw) {
@@ -41,4 +41,4 @@ TEST(Fuzz, foundCasesStayMended) {
 }
 
 }  // namespace
-}  // namespace delassus::testing
+}  // namespace delassus::test

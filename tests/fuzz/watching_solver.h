@@ -15,7 +15,7 @@
 #include "delassus/cone.h"
 #include "tests/fuzz/random_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 
 class WatchingSolver : public btConstraintSolver {
  public:
@@ -211,4 +211,4 @@ class WatchingSolver : public btConstraintSolver {
   std::set<std::string> faults_;
 };
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -6,7 +6,7 @@
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/watching_solver.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 namespace {
 
 struct Run {
@@ -79,4 +79,4 @@ std::string mutated(std::string bytes, Random& random) {
 
 const Target target{"world", ask, seed, mutated, 120, {{"contacts", 10}, {"parts left out", 0.2}}};
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

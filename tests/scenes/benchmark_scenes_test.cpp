@@ -12,8 +12,6 @@
 namespace demos {
 namespace {
 
-constexpr double hz = 60;
-
 /// How deep bodies are in each other at the start, m.
 double firstOverlap(World& world) {
   world.dynamics().performDiscreteCollisionDetection();

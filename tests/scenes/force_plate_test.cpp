@@ -12,8 +12,6 @@
 namespace demos {
 namespace {
 
-constexpr double h = 1.0 / 60;
-
 TEST(ForcePlate, readsForceAndMomentsOfStatics) {
   OnRegions run("force_plate");
   for (int step = 0; step < 300; ++step) {

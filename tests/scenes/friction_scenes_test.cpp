@@ -6,8 +6,6 @@ namespace demos {
 namespace {
 
 constexpr double degree = M_PI / 180;
-constexpr double hz = 60;
-
 std::vector<Slope> slopesAt(double angle) {
   std::vector<Slope> slopes;
   for (const double heading : {0.0, 17.0, 30.0, 45.0, 71.0})

@@ -7,8 +7,6 @@
 namespace demos {
 namespace {
 
-constexpr double hz = 60;
-
 TEST(Gripper, liftsTheBoxWithoutSlip) {
   OnRegions run("gripper");
   btRigidBody& box = run.body(0);

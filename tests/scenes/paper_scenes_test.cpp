@@ -16,8 +16,6 @@ using delassus::bullet::toCore;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double h = 1.0 / 60;
-
 /// Rows: the normals of the planes that the bead touches, as Bullet has rounded them.
 MatrixXd planeNormals(const World& world) {
   std::vector<Eigen::Vector3d> normals;

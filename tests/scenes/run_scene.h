@@ -14,6 +14,7 @@
 namespace demos {
 
 constexpr bool doublePrecision = sizeof(btScalar) == sizeof(double);
+constexpr double hz = 60, h = 1 / hz;
 
 /// `inDouble` or `inFloat`, by the build of Bullet.
 inline double byPrecision(double inDouble, double inFloat) {

@@ -10,8 +10,6 @@
 namespace demos {
 namespace {
 
-constexpr double hz = 60;
-
 /// Half a millimetre in double precision, two in single.
 const double stackTolerance = byPrecision(0.5e-3, 2e-3);
 

@@ -1,8 +1,8 @@
 #pragma once
 
-namespace delassus::testing {
+namespace delassus::test {
 
 /// How often this thread has asked for memory; counted by allocation_test.cpp.
 extern thread_local long allocations;
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -1,6 +1,6 @@
 #include "tests/support/box_piles.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 
 Body makeBox(double mass, double halfSize, const Vec6& velocity) {
   Body box;
@@ -89,4 +89,4 @@ Pile makePyramid(int base, double friction, double disturbance, double massRatio
   return pile;
 }
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -5,7 +5,7 @@
 
 #include "delassus/island.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 
 /// Bodies and contacts of one step, without Bullet.
 struct Pile {
@@ -32,4 +32,4 @@ Pile makeTower(const std::vector<double>& masses, double friction, double distur
 Pile makePyramid(int base, double friction, double disturbance, double massRatio,
                  std::mt19937_64& random);
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

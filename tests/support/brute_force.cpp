@@ -45,7 +45,7 @@ VectorXd enumerateBoundedRegions(const MatrixXd& W, const VectorXd& q, const Vec
   for (int i = 0; i < n; ++i) regions *= 3;
 
   VectorXd best;
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   for (int region = 0; region < regions; ++region) {
     VectorXd r(n);
     std::vector<int> free;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <limits>
-
 #include "delassus/types.h"
 
 namespace delassus {
@@ -11,8 +9,7 @@ namespace delassus {
 struct BruteForce {
   unsigned persisting = 0;  ///< bit i set: contact i is kept
   VectorXd r, u;
-  double violation =
-      std::numeric_limits<double>::infinity();  ///< largest wrong sign, scaled to unit diagonal
+  double violation = infinity;  ///< largest wrong sign, scaled to unit diagonal
 };
 
 /// All 2ⁿ regions of u = W r + q, 0 ≤ r ⊥ u ≥ 0, for W symmetric positive definite.

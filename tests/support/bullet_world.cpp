@@ -1,6 +1,6 @@
 #include "tests/support/bullet_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 
 Options optionsOfPrecision() {
   Options options;
@@ -16,4 +16,4 @@ StockWorld::StockWorld(int sweeps)
   info().m_leastSquaresResidualThreshold = 0;
 }
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -2,16 +2,18 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "bullet_ext/btDelassusConstraintSolver.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 
 /// Rounding of the Bullet library under test: tolerances are multiples of it.
 constexpr double precision = SIMD_EPSILON;
+constexpr btScalar notANumber = std::numeric_limits<btScalar>::quiet_NaN();
 constexpr bool isDouble = sizeof(btScalar) == sizeof(double);
 
 /// Picks the tolerance that goes with the precision of the build.
@@ -21,6 +23,8 @@ constexpr double tolerance(double inDouble, double inFloat) {
 
 /// A tolerance that poses and velocities of this precision can meet from step to step.
 Options optionsOfPrecision();
+
+constexpr double friction = 0.5;  ///< of two bodies, where a test says nothing else
 
 /// A world that owns all that is in it: gravity 9.81 along −y, 60 Hz, bodies of friction 0.5 that
 /// never sleep.
@@ -58,7 +62,7 @@ class OwningWorld {
     if (mass > 0) shape->calculateLocalInertia(mass, inertia);
     btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, shape.get(), inertia);
     info.m_startWorldTransform = pose;
-    info.m_friction = btScalar(0.5);
+    info.m_friction = btScalar(friction);
     bodies_.push_back(std::make_unique<btRigidBody>(info));
     bodies_.back()->setActivationState(DISABLE_DEACTIVATION);
     shapes_.push_back(std::move(shape));
@@ -150,6 +154,8 @@ class OwningWorld {
 
 using BulletWorld = OwningWorld<btDiscreteDynamicsWorld, btConstraintSolver>;
 
+constexpr double g = BulletWorld::gravity, h = BulletWorld::step;
+
 /// A world with our solver.
 struct DelassusWorld : BulletWorld {
   DelassusWorld();
@@ -160,4 +166,4 @@ struct StockWorld : BulletWorld {
   explicit StockWorld(int sweeps = 1000);
 };
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

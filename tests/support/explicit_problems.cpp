@@ -1,6 +1,6 @@
 #include "tests/support/explicit_problems.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 
 DelassusMatrix matrix(const MatrixXd& W) {
   return DelassusMatrix(DelassusMatrix::Sparse(W.sparseView()));
@@ -20,4 +20,4 @@ Problem loneContacts(int n, Random& random) {
   return problem;
 }
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

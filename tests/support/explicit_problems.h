@@ -4,11 +4,11 @@
 #include "delassus/problem.h"
 #include "tests/support/random_problems.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 
 DelassusMatrix matrix(const MatrixXd& W);
 
 /// Contacts that nothing couples, of all modes.
 Problem loneContacts(int n, Random& random);
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -10,7 +10,7 @@
 #include "bullet_ext/btDelassusMultiBodyConstraintSolver.h"
 #include "tests/support/bullet_world.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 
 /// A world that owns its articulated bodies too. These are undamped and never sleep.
 class MultiBodyWorld : public OwningWorld<btMultiBodyDynamicsWorld, btMultiBodyConstraintSolver> {
@@ -108,4 +108,4 @@ struct StockMultiBodyWorld : MultiBodyWorld {
   }
 };
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-namespace delassus::testing {
+namespace delassus::test {
 
 Pile makePressed(int height, double friction, double tilt, double disturbance, double speed,
                  Random& random) {
@@ -21,4 +21,4 @@ Pile makePressed(int height, double friction, double tilt, double disturbance, d
   return pile;
 }
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

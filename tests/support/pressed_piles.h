@@ -3,10 +3,10 @@
 
 #include "tests/support/random_piles.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 
 /// A tower of boxes whose floor rises and whose ceiling, tilted by so much, comes down at that speed. Its corners alone touch.
 Pile makePressed(int height, double friction, double tilt, double disturbance, double speed,
                  Random& random);
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

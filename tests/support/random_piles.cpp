@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace delassus::testing {
+namespace delassus::test {
 
 PileIsland::PileIsland(Pile p) : pile(std::move(p)) {
   island = splitIslands(pile.bodies, pile.contacts, pile.rows).at(0);
@@ -103,4 +103,4 @@ VectorXd randomReactions(const Problem& problem, double scale, Random& random) {
   return r;
 }
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -10,7 +10,7 @@
 #include "tests/support/box_piles.h"
 #include "tests/support/random_problems.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 
 /// A pile that is one island, its problem in body space, and the targets in the order of q.
 struct PileIsland {
@@ -51,4 +51,4 @@ double infeasibility(const Problem& problem, const VectorXd& r);
 /// Reactions drawn from the cones and bounds, of the size `scale`.
 VectorXd randomReactions(const Problem& problem, double scale, Random& random);
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -2,7 +2,6 @@
 
 #include <Eigen/QR>
 #include <cmath>
-#include <limits>
 
 namespace delassus {
 
@@ -53,7 +52,7 @@ MatrixXd boxStackJacobian(int boxes, double massRatio) {
 }
 
 void randomBounds(int n, Random& random, VectorXd& lower, VectorXd& upper) {
-  constexpr double unbounded = std::numeric_limits<double>::infinity();
+  constexpr double unbounded = infinity;
   lower.resize(n);
   upper.resize(n);
   for (int i = 0; i < n; ++i) {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-namespace delassus::testing {
+namespace delassus::test {
 
 TurningFriction aboutTangents(const Contact& c, double spinning, double rolling) {
   return {spinning, rolling, c.frame.rightCols<2>()};
@@ -45,4 +45,4 @@ Pile makeHeap(int balls, double friction, Random& random) {
   return pile;
 }
 
-}  // namespace delassus::testing
+}  // namespace delassus::test

@@ -5,7 +5,7 @@
 #include "tests/support/box_piles.h"
 #include "tests/support/random_problems.h"
 
-namespace delassus::testing {
+namespace delassus::test {
 
 TurningFriction aboutTangents(const Contact& c, double spinning, double rolling);
 
@@ -15,4 +15,4 @@ void resistTurning(Pile& pile, double largest, Random& random);
 /// Balls of radius ½ thrown together, all on the ground, contacts along the lines of centres.
 Pile makeHeap(int balls, double friction, Random& random);
 
-}  // namespace delassus::testing
+}  // namespace delassus::test
