@@ -47,7 +47,7 @@ void setUserDirections(const btManifoldPoint& point, int solverMode, ContactFram
   }
 }
 
-Anisotropy anisotropyOf(const btCollisionObject& a, const btCollisionObject& b, int flag) {
+Anisotropy anisotropyBy(int flag, const btCollisionObject& a, const btCollisionObject& b) {
   Anisotropy out;
   out.any = a.hasAnisotropicFriction(flag) || b.hasAnisotropicFriction(flag);
   if (out.any) out.F = stretchOf(b, flag) * stretchOf(a, flag);
@@ -67,11 +67,11 @@ Tangents tangentsOf(const btManifoldPoint& point, const Vec3& n, const Anisotrop
 }  // namespace
 
 Anisotropy anisotropyOf(const btCollisionObject& a, const btCollisionObject& b) {
-  return anisotropyOf(a, b, btCollisionObject::CF_ANISOTROPIC_FRICTION);
+  return anisotropyBy(btCollisionObject::CF_ANISOTROPIC_FRICTION, a, b);
 }
 
 Anisotropy rollingAnisotropyOf(const btCollisionObject& a, const btCollisionObject& b) {
-  return anisotropyOf(a, b, btCollisionObject::CF_ANISOTROPIC_ROLLING_FRICTION);
+  return anisotropyBy(btCollisionObject::CF_ANISOTROPIC_ROLLING_FRICTION, a, b);
 }
 
 ContactFrame contactFrame(const btManifoldPoint& point, const Anisotropy& anisotropy,

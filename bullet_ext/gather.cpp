@@ -16,7 +16,7 @@ std::string placeOf(const btCollisionObject& object) {
 
 std::string quoted(const char* name) { return "'" + std::string(name) + "'"; }
 
-std::string nameOf(const btMultiBody& body) {
+std::string nameOfTree(const btMultiBody& body) {
   if (body.getBaseName()) return "multibody " + quoted(body.getBaseName());
   const btCollisionObject* first = body.getBaseCollider();
   for (int link = 0; !first && link < body.getNumLinks(); ++link)
@@ -26,9 +26,10 @@ std::string nameOf(const btMultiBody& body) {
 }
 
 std::string nameOfLink(const btMultiBody& body, int link) {
-  if (link < 0) return "the base of " + nameOf(body);
+  if (link < 0) return "the base of " + nameOfTree(body);
   const char* name = body.getLink(link).m_linkName;
-  return "link " + std::to_string(link) + (name ? " " + quoted(name) : "") + " of " + nameOf(body);
+  return "link " + std::to_string(link) + (name ? " " + quoted(name) : "") + " of " +
+         nameOfTree(body);
 }
 
 }  // namespace
@@ -58,7 +59,7 @@ std::size_t Group::bytes() const {
          obsolete.capacity() * sizeof(void*) + indexOf.bytes() + articulation.bytes();
 }
 
-const char* faultOf(const Row& row) {
+const char* faultOfRow(const Row& row) {
   if (!row.jacobianA.allFinite() || !row.jacobianB.allFinite()) return "its axis is not finite";
   if (!std::isfinite(row.target)) return "its target velocity is not finite";
   if (std::isnan(row.lower) || std::isnan(row.upper)) return "a bound is not a number";

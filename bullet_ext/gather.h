@@ -164,7 +164,7 @@ void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
 void gatherTurningFriction(Group& group, bool asStock = false);
 
 /// What is wrong with a row, or null.
-const char* faultOf(const Row& row);
+const char* faultOfRow(const Row& row);
 
 /// How messages call an object: by its place in the world. Contacts and joints: by their bodies. A link: by its number and
 /// its multibody too, which is called by the name of its base, or by the place of its first collider.

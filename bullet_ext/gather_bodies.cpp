@@ -25,7 +25,7 @@ bool hasInfiniteMass(const btRigidBody& rigid) {
 }
 
 /// What is wrong with a body, or null.
-const char* faultOf(const btRigidBody& rigid) {
+const char* faultOfBody(const btRigidBody& rigid) {
   const btTransform& pose = rigid.getWorldTransform();
   if (!toCore(pose.getOrigin()).allFinite() || !toCore(pose.getBasis()).allFinite())
     return "its pose is not finite";
@@ -131,7 +131,7 @@ int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo
   group.bodies.pop_back();
   group.bodySources.pop_back();
   group.indexOf.insert(&object, leftOut);
-  const char* fault = faultOf(*rigid);
+  const char* fault = faultOfBody(*rigid);
   report.leaveOut(nameOf(object), fault ? fault : "its numbers are too large");
   return leftOut;
 }

@@ -133,7 +133,7 @@ bool isInverted(const btManifoldPoint& point) {
 }
 
 /// What is wrong with a contact point that is not sound.
-const char* faultOf(const btManifoldPoint& point, const Contact& c, double push) {
+const char* faultOfPoint(const btManifoldPoint& point, const Contact& c, double push) {
   const Vec3 normal = toCore(point.m_normalWorldOnB);
   if (!normal.allFinite()) return "its normal is not finite";
   if (std::abs(normal.norm() - 1) > unitTolerance) return "its normal is not a unit vector";
@@ -191,7 +191,7 @@ void gatherManifold(Group& group, const Pair& pair, const btContactSolverInfo& i
     const double push = fillContact(group, pair, point, info, contact);
     if (!sound(point, contact, push)) {
       const PointSource source{&manifold, i, Trouble::LeftOut};
-      report.leaveOut(nameOf(source), faultOf(point, contact, push));
+      report.leaveOut(nameOf(source), faultOfPoint(point, contact, push));
       group.contacts.pop_back();
       group.idle.push_back(source);
       continue;

@@ -100,7 +100,7 @@ void gatherRows(Group& group, btTypedConstraint& joint, double lastImpulse, doub
     const Row row =
         toRow(group, a, b, group.asked[i], damping, joint.getBreakingImpulseThreshold());
     source.lastRow = -1;
-    if (const char* fault = faultOf(row)) {
+    if (const char* fault = faultOfRow(row)) {
       report.leaveOut("row " + std::to_string(i) + " of " + nameOf(joint), fault);
       continue;
     }

@@ -280,7 +280,7 @@ void MultiBodyParts::addRow(Group& group, btMultiBodyConstraint& constraint, int
   row.upper = toCoreBound(from.m_upperLimit);
   row.compliance = complianceOf(from.m_cfm, response);
 
-  const char* fault = row.a == leftOut || row.b == leftOut ? brokenBody : faultOf(row);
+  const char* fault = row.a == leftOut || row.b == leftOut ? brokenBody : faultOfRow(row);
   for (std::size_t i = jointRowsBefore; i < jointRows.size() && !fault; ++i)
     if (!(jointRows[i].effect.cwiseAbs().sum() <= largestNumber)) fault = "its axis is not finite";
   if (fault || (row.lower == 0 && row.upper == 0)) {

@@ -18,8 +18,6 @@ namespace demos::render {
 
 namespace {
 
-Eigen::Vector3d toDouble(const btVector3& v) { return toFloat(v).cast<double>(); }
-
 /// Of a body or of an articulated one's link, kg; 0 if it cannot move.
 double massOf(const btCollisionObject& object) {
   if (const btRigidBody* body = btRigidBody::upcast(&object))

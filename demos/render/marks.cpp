@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "demos/render/shape_mesh.h"
 #include "demos/scenes/measures.h"
 
 namespace demos::render {
@@ -12,8 +13,6 @@ namespace demos::render {
 using Eigen::Vector3d;
 
 namespace {
-
-Vector3d toDouble(const btVector3& v) { return {double(v.x()), double(v.y()), double(v.z())}; }
 
 /// Relative velocity at the point, body 0 against body 1, along the surface, m/s.
 double slidingSpeed(const btPersistentManifold& manifold, const btManifoldPoint& point) {

@@ -132,6 +132,9 @@ void addShape(std::vector<ShapePart>& parts, const btCollisionShape& shape, cons
 }  // namespace
 
 Vector3f toFloat(const btVector3& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
+Eigen::Vector3d toDouble(const btVector3& v) {
+  return {double(v.x()), double(v.y()), double(v.z())};
+}
 
 Matrix4f toMatrix(const btTransform& transform) {
   Matrix4f matrix = Matrix4f::Identity();

@@ -23,6 +23,7 @@ struct ShapePart {
 std::vector<ShapePart> shapeParts(const btCollisionShape& shape, int segments);
 
 Eigen::Vector3f toFloat(const btVector3& v);
+Eigen::Vector3d toDouble(const btVector3& v);
 Eigen::Matrix4f toMatrix(const btTransform& transform);
 
 }  // namespace demos::render

@@ -7,7 +7,7 @@
 namespace delassus {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double rounding = std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
@@ -35,9 +35,9 @@ double Quarrel::leastMotion(const VectorXd& r) {
   const BodySpace& space = demands_.W.bodySpace();
   space.impulse(r, felt_);
   const double compliant = space.compliance.dot(r.cwiseAbs2());
-  const double noise = roundings * epsilon * map_->diagonal().cwiseSqrt().dot(r.cwiseAbs());
+  const double noise = roundings * rounding * map_->diagonal().cwiseSqrt().dot(r.cwiseAbs());
   const double doubt = demands_.roundOff * r.cwiseAbs().sum() +
-                       roundings * epsilon * demands_.q.cwiseAbs().dot(r.cwiseAbs());
+                       roundings * rounding * demands_.q.cwiseAbs().dot(r.cwiseAbs());
   const double push = -r.dot(demands_.q) - doubt;
   return push > 0 ? push / (std::sqrt(felt_.squaredNorm() + compliant) + noise) : 0;
 }

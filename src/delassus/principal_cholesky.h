@@ -6,6 +6,9 @@
 
 namespace delassus {
 
+/// A pivot this small beside the diagonal says that a row depends on those before it (algorithms 3.5).
+constexpr double dependentPivot = 1e-10;
+
 /// Cholesky factor L Lᵀ = (W + shift I)_SS of the rows S that a region keeps, edited as contacts
 /// come and go (algorithms 4.2). Only the lower triangle of W is read; W must outlive the factor.
 ///
@@ -15,7 +18,8 @@ class PrincipalCholesky {
  public:
   /// A row whose pivot falls to `redundant` times its diagonal entry or below depends on the rows
   /// before it.
-  explicit PrincipalCholesky(const MatrixXd& W, double shift = 0, double redundant = 1e-10);
+  explicit PrincipalCholesky(const MatrixXd& W, double shift = 0,
+                             double redundant = dependentPivot);
 
   /// Factors the rows in this order. False if some are redundant: these are left out.
   bool factor(const std::vector<int>& rows);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "delassus/principal_cholesky.h"
+
 namespace delassus {
 namespace {
 
@@ -15,10 +17,6 @@ constexpr double cofactorPivot = 1e-4;
 /// For three contacts the error is ε over the determinant, the product of the pivots: measured 2e-8
 /// |q| with two pivots just above 1e-4, 3e-14 |q| above this determinant.
 constexpr double cofactorDeterminant = 1e-2;
-
-/// A pivot this small against the unit diagonal says that a contact is dependent on the others
-/// (algorithms 3.5).
-constexpr double dependentPivot = 1e-10;
 
 /// Round-off of sums of q's, in units of the largest |q| (algorithms 3.6).
 constexpr double signTolerance = 64 * std::numeric_limits<double>::epsilon();

@@ -9,9 +9,6 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Pivots at or below this part of the diagonal are dependent rows (algorithms 3.5).
-constexpr double dependentPivot = 1e-10;
-
 /// Block changes of state allowed without a new smallest number of objections, before single
 /// changes.
 constexpr int blockPatience = 10;
