@@ -6,7 +6,6 @@
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 #include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
 
-#include <cstring>
 #include <random>
 #include <thread>
 

@@ -13,7 +13,6 @@
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 
 #include <array>
-#include <cstring>
 #include <thread>
 
 #include "tests/support/bullet_world.h"
