@@ -9,7 +9,7 @@
 
 #include "delassus/region_walk.h"
 #include "tests/support/brute_force.h"
-#include "tests/support/lone_contacts.h"
+#include "tests/support/frictionless_contacts.h"
 #include "tests/support/random_problems.h"
 
 namespace delassus {

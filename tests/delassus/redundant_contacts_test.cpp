@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "tests/support/brute_force.h"
-#include "tests/support/lone_contacts.h"
+#include "tests/support/frictionless_contacts.h"
 #include "tests/support/random_problems.h"
 
 namespace delassus {
