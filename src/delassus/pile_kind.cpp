@@ -1,22 +1,18 @@
 #include "delassus/pile_kind.h"
 
 namespace delassus {
-namespace {
-
-constexpr int manyContacts = 1000;
-
-}  // namespace
 
 bool isHeap(const Problem& problem) {
   constexpr int fewContacts = 20, perBody = 3;
-  constexpr int perBodyOfMany = 6;
+  constexpr int manyContacts = 1000, perBodyOfMany = 6;
   const int n = problem.contacts();
   if (!problem.W.inBodySpace() || n <= fewContacts) return false;
   return n <= (n > manyContacts ? perBodyOfMany : perBody) * problem.W.bodySpace().bodies;
 }
 
 bool isLargeHeap(const Problem& problem) {
-  return isHeap(problem) && problem.contacts() > manyContacts;
+  constexpr int fewContacts = 200;
+  return isHeap(problem) && problem.contacts() > fewContacts;
 }
 
 bool isLargePile(const Problem& problem) {

@@ -172,7 +172,7 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
   const int most = guess && isLargePile(problem) && !isHurried_ ? pileWalk : shortWalk;
   outcome = newton.walk(problem, tolerance, weight, left(most), best);
   // In small heaps regions cost no more than tens of sweeps: there that is left for the end.
-  if (outcome == Outcome::Lost && guess && isLargeHeap(problem))
+  if (outcome == Outcome::Lost && isLargeHeap(problem))
     outcome = outlast(newton, problem, options, tolerance, guess, best);
   return outcome == Outcome::Lost ? findBack(engines, problem, options, tolerance, guess, best)
                                   : outcome;
@@ -268,24 +268,33 @@ void Search::polishWith(Engines<Motion>& engines, const Problem& problem, const 
   engines.walk.polish(problem, aim, weight, most, best);
 }
 
-/// From the last reactions, then from nothing.
+/// From the last reactions, then from nothing. In large heaps the path of compliance comes between, as far as it is short: it is
+/// where what sweeps have left is small, and costs less then than to begin anew.
 template <class Motion>
 Outcome Search::walkTwice(Engines<Motion>& engines, const Problem& problem, const Options& options,
                           double tolerance, const VectorXd* guess, Solution& best) {
   if (isHurried_) return walkOnce(engines, problem, options, tolerance, guess, best);
+  constexpr int shortPath = 8;  // one part in so many
+  Options rest = options;
   Outcome outcome;
   if (guess) {
     Options share = options;
     share.newtonBudget -= options.newtonBudget / 8 * 3;
     share.sweepBudget -= options.sweepBudget / 2;
     outcome = walkOnce(engines, problem, share, tolerance, guess, best);
-    if (outcome == Outcome::Lost && isLargeHeap(problem))
-      outcome = outlast(engines.walk, problem, options, tolerance, nullptr, best);
-    if (outcome == Outcome::Lost) outcome = walkCold(engines, problem, options, tolerance, best);
+    if (outcome == Outcome::Lost && isLargeHeap(problem)) {
+      share.pathBudget = options.pathBudget / shortPath;
+      rest.pathBudget -= share.pathBudget;
+      outcome = harden(engines.walk, problem, share, tolerance, guess, best);
+      if (outcome == Outcome::Lost)
+        outcome = outlast(engines.walk, problem, options, tolerance, nullptr, best);
+    } else if (outcome == Outcome::Lost) {
+      outcome = walkCold(engines, problem, options, tolerance, best);
+    }
   } else {
     outcome = walkOnce(engines, problem, options, tolerance, nullptr, best);
   }
-  return outcome == Outcome::Lost ? harden(engines.walk, problem, options, tolerance, guess, best)
+  return outcome == Outcome::Lost ? harden(engines.walk, problem, rest, tolerance, guess, best)
                                   : outcome;
 }
 

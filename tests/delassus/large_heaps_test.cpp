@@ -1,4 +1,4 @@
-/// Heaps of a thousand contacts, whose walk loses its way: what finds back there (find_back.cpp).
+/// Heaps of hundreds of contacts and more, whose walk loses its way: what finds back there (find_back.cpp).
 #include <gtest/gtest.h>
 
 #include "delassus/residual.h"
@@ -11,9 +11,18 @@ namespace {
 
 using namespace delassus::test;
 
-PileIsland makeLargeHeap(int spheres, int seed) {
+/// About 400 contacts.
+PileIsland makeHeap(int seed) {
   Random random(seed);
-  return PileIsland(makeSphereHeap(spheres, 7, 0.5, 0.1, random));
+  return PileIsland(makeSphereHeap(200, 4.7, 0.5, 0.1, random));
+}
+
+/// About a thousand.
+PileIsland makeHeapOfMany(int spheres, int seed) {
+  Random random(seed);
+  PileIsland heap(makeSphereHeap(spheres, 7, 0.5, 0.1, random));
+  EXPECT_GT(heap.problem.contacts(), 1000);
+  return heap;
 }
 
 /// As a step finds them that comes after one which had little time.
@@ -31,38 +40,46 @@ void expectSolved(const Problem& problem, const Options& options, const Solution
   EXPECT_LT(infeasibility(problem, solution.r), 1e-14);
 }
 
-/// Without its plain sweeps by the thousand none of these heaps is solved: what is left is 5e-6 to 5e-3 m/s.
-void expectOutlasted(int seed) {
-  const PileIsland heap = makeLargeHeap(640, seed);
-  ASSERT_GT(heap.problem.contacts(), 1000);
+void expectOutlasted(const Problem& problem, const VectorXd& start) {
   Options options;
   options.pathBudget = 0;
-  const Solution solution = Solver(options).solve(heap.problem, sweptReactions(heap.problem));
-  expectSolved(heap.problem, options, solution);
+  const Solution solution = Solver(options).solve(problem, start);
+  expectSolved(problem, options, solution);
   EXPECT_GT(solution.sweeps, 2000);
 }
 
-TEST(LargeHeap, IsOutlasted) { expectOutlasted(9); }
+void expectHardened(const Problem& problem) {
+  Options options;
+  const VectorXd start = sweptReactions(problem);
+  expectSolved(problem, options, Solver(options).solve(problem, start));
+  options.pathBudget = 0;
+  EXPECT_EQ(Solver(options).solve(problem, start).status, Status::OutOfBudget);
+}
 
-TEST(LargeHeap, OthersAreOutlastedSlow) {
-  for (const int seed : {4, 6, 10, 14}) {
+// Without plain sweeps by the thousand none of these heaps is solved: what is left is 2e-5 to 8e-3 m/s.
+TEST(LargeHeap, IsOutlasted) {
+  for (const int seed : {1, 5, 10}) {
     SCOPED_TRACE(seed);
-    expectOutlasted(seed);
+    const PileIsland heap = makeHeap(seed);
+    expectOutlasted(heap.problem, sweptReactions(heap.problem));
   }
 }
 
-// What is left without the path of compliance is 2e-4 and 5e-6 m/s.
-TEST(LargeHeap, WhatIsNotOutlastedIsHardenedSlow) {
-  for (const int seed : {23, 32}) {
+TEST(LargeHeap, IsOutlastedFromNothing) { expectOutlasted(makeHeap(10).problem, {}); }
+
+TEST(LargeHeap, OfManyIsOutlastedSlow) {
+  for (const int seed : {4, 6, 9, 10, 14}) {
     SCOPED_TRACE(seed);
-    const PileIsland heap = makeLargeHeap(660, seed);
-    ASSERT_GT(heap.problem.contacts(), 1000);
-    Options options;
-    const VectorXd start = sweptReactions(heap.problem);
-    expectSolved(heap.problem, options, Solver(options).solve(heap.problem, start));
-    options.pathBudget = 0;
-    EXPECT_EQ(Solver(options).solve(heap.problem, start).status, Status::OutOfBudget);
+    const PileIsland heap = makeHeapOfMany(640, seed);
+    expectOutlasted(heap.problem, sweptReactions(heap.problem));
   }
+}
+
+// What is left without the path of compliance is 2e-3 m/s.
+TEST(LargeHeap, WhatIsNotOutlastedIsHardened) { expectHardened(makeHeap(8).problem); }
+
+TEST(LargeHeap, WhatIsNotOutlastedOfManyIsHardenedSlow) {
+  expectHardened(makeHeapOfMany(660, 23).problem);
 }
 
 }  // namespace
