@@ -20,8 +20,9 @@ Outcome Search::findBack(Engines<Motion>& engines, const Problem& problem, const
     return Outcome::Reached;
   const Outcome outcome =
       newton.walk(problem, tolerance, proximalWeight(problem, best, 1e-4), left(longWalk), best);
-  return outcome == Outcome::Lost ? wander(engines, problem, options, tolerance, guess, best)
-                                  : outcome;
+  return outcome == Outcome::Lost && !isNearEnough(problem, best)
+             ? wander(engines, problem, options, tolerance, guess, best)
+             : outcome;
 }
 
 /// The answer, in softAnswer_, for bodies that are as little compliant where they touch as sweeps and a short walk can find it;
@@ -84,18 +85,19 @@ bool Search::setOutOnPath(ProximalNewton<BodyMotion>& newton, const Problem& pro
   return path.setOut(best.r, softness, budget, best) || path.setOut(best.r, soft, budget, best);
 }
 
-/// Along the path of compliance to rigid bodies, and a walk from the answers of those that are nearly rigid.
+/// Along the path of compliance to rigid bodies, and a walk from the answers of those that are nearly rigid. Not in large piles, where it
+/// takes ten thousands of factors and gains next to nothing.
 template <class Motion>
 Outcome Search::harden(ProximalNewton<Motion>& newton, const Problem& problem,
                        const Options& options, double tolerance, const VectorXd* guess,
                        Solution& best) {
   constexpr double nearlyRigid = 1e-5, rigid = 1e-8, finest = 1e-7;
-  constexpr int few = 600, many = 1000, regions = 60;
+  constexpr int few = 600, regions = 60;
   if constexpr (std::is_same_v<Motion, BodyMotion>) {
     const int parts = problem.contacts() + problem.rows();
     const int budget = static_cast<int>(options.pathBudget * std::min(1.0, double(few) / parts));
-    const bool isTooLarge = parts > many && !isLargeHeap(problem);
-    if (budget == 0 || isTooLarge || !CompliancePath::canFollow(problem)) return Outcome::Lost;
+    if (budget == 0 || isLargePile(problem) || !CompliancePath::canFollow(problem))
+      return Outcome::Lost;
     const int begun = best.factorisations, walked = best.regions;
     if (!setOutOnPath(newton, problem, options, budget, guess, best)) return Outcome::Lost;
     CompliancePath& path = machines().path;

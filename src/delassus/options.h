@@ -17,7 +17,7 @@ struct Options {
   /// the walk, as sequential impulses make theirs.
   int sweepBudget = 64000;
   /// Most factorisations along a path of compliance, of an island of up to 600 contacts and rows; of larger ones, in which each
-  /// costs more, as many fewer; none beyond 1000 but in heaps, with disks, or where W is explicit. Its start takes up to 11 000 sweeps
+  /// costs more, as many fewer; none beyond 200 but in heaps, with disks, or where W is explicit. Its start takes up to 11 000 sweeps
   /// that no other budget holds.
   int pathBudget = 30000;
   double guessShare = 1;  ///< a guess within this share of the tolerance is kept as it is; > 0
