@@ -20,9 +20,8 @@ Outcome Search::findBack(Engines<Motion>& engines, const Problem& problem, const
     return Outcome::Reached;
   const Outcome outcome =
       newton.walk(problem, tolerance, proximalWeight(problem, best, 1e-4), left(longWalk), best);
-  return outcome == Outcome::Lost && !isNearEnough(problem, best)
-             ? wander(engines, problem, options, tolerance, guess, best)
-             : outcome;
+  return outcome == Outcome::Lost ? wander(engines, problem, options, tolerance, guess, best)
+                                  : outcome;
 }
 
 /// The answer, in softAnswer_, for bodies that are as little compliant where they touch as sweeps and a short walk can find it;

@@ -114,10 +114,6 @@ void Search::startBetter(const Problem& problem, Solution& best) {
   if (!(guessed <= hopeless * trial_.residualRms)) take(trial_, best);
 }
 
-bool Search::isNearEnough(const Problem& problem, const Solution& best) {
-  return isLargePile(problem) && best.residual <= nearly * problem.q.cwiseAbs().maxCoeff();
-}
-
 void Search::allow(const Problem& problem, Solution& best) {
   makeFeasible(problem, best.r);
   measure(problem, best);
@@ -292,7 +288,7 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Problem& problem, cons
       outcome = harden(engines.walk, problem, share, tolerance, guess, best);
       if (outcome == Outcome::Lost)
         outcome = outlast(engines.walk, problem, options, tolerance, nullptr, best);
-    } else if (outcome == Outcome::Lost && !isNearEnough(problem, best)) {
+    } else if (outcome == Outcome::Lost) {
       outcome = walkCold(engines, problem, options, tolerance, best);
     }
   } else {

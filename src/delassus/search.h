@@ -144,9 +144,6 @@ class Search {
   void measure(const Problem& problem, Solution& candidate);
   /// Measures it, and takes it as the best answer if its residual is smaller.
   void consider(const Problem& problem, Solution& candidate, Solution& best);
-  /// Whether no new start is worth what it may gain: large piles that slide in many places come near to the law, and then take thousands
-  /// of regions for each of the last digits.
-  static bool isNearEnough(const Problem& problem, const Solution& best);
   /// Puts the answer of a walk back into the cones and bounds that rounding, or a compromise, left.
   void allow(const Problem& problem, Solution& best);
 

@@ -89,6 +89,22 @@ TEST(SplitNames, splitsAtCommas) {
   EXPECT_TRUE(splitNames("").empty());
 }
 
+// Boxes that slide in many places: a large pile, in which the path of compliance would take thousands of factorisations in vain.
+TEST(PileFromStock, comesNearTheLawAndTakesNoPath) {
+  NamedSolver stock("si:10");
+  OnRegions run(buildPyramid(8));
+  stock.configure(run.world->dynamics().getSolverInfo());
+  run.world->setSolver(stock.solver());
+  for (int i = 0; i < 3; ++i) run.world->step(h);
+  run.world->setSolver(run.solver);
+  run.world->step(h);
+  const auto& report = run.solver.report();
+  constexpr int otherFactors = 50;
+  EXPECT_EQ(report.contacts, 256);
+  EXPECT_LE(report.residualMax, 1e-6);
+  EXPECT_LE(report.factorisations, report.regions + otherFactors);
+}
+
 // The judge: a stock solver run long comes to the same law, run short it does not.
 TEST(Judge, seesSequentialImpulsesConverge) {
   const double few = runFor(buildStack(5, 1), "si2:2", 0.5).residualMax;
