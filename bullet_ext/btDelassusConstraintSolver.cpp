@@ -20,6 +20,13 @@ using namespace delassus::bullet;
 
 namespace {
 
+using Listener = std::function<void(const ContactEvent&)>;
+
+/// Null if the function is empty.
+std::shared_ptr<const Listener> shared(Listener listener) {
+  return listener ? std::make_shared<const Listener>(std::move(listener)) : nullptr;
+}
+
 /// Adds the time since the last lap to a counter; for the report only.
 class Laps {
  public:
@@ -235,13 +242,12 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(
   laps.end(report_.secondsWriteBack);
 
   if (plan.heard && !w.events.empty()) {
-    // Who listens may end that while it is called.
     const auto listener = listener_, troubleListener = troubleListener_,
                turningListener = turningListener_;
     for (const ContactEvent& event : w.events) {
-      if (listener && event.from != event.to) listener(event);
-      if (troubleListener && event.trouble != Trouble::None) troubleListener(event);
-      if (turningListener && !event.moment.isZero()) turningListener(event);
+      if (listener && event.from != event.to) (*listener)(event);
+      if (troubleListener && event.trouble != Trouble::None) (*troubleListener)(event);
+      if (turningListener && !event.moment.isZero()) (*turningListener)(event);
     }
     laps.end(report_.secondsListener);
   }
@@ -265,15 +271,15 @@ void btDelassusConstraintSolver::reset() {
 
 void btDelassusConstraintSolver::setContactListener(
     std::function<void(const ContactEvent&)> listener) {
-  listener_ = std::move(listener);
+  listener_ = shared(std::move(listener));
 }
 
 void btDelassusConstraintSolver::setTroubleListener(
     std::function<void(const ContactEvent&)> listener) {
-  troubleListener_ = std::move(listener);
+  troubleListener_ = shared(std::move(listener));
 }
 
 void btDelassusConstraintSolver::setTurningListener(
     std::function<void(const ContactEvent&)> listener) {
-  turningListener_ = std::move(listener);
+  turningListener_ = shared(std::move(listener));
 }

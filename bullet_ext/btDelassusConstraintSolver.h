@@ -41,8 +41,8 @@ class btDelassusConstraintSolver : public btConstraintSolver {
                       btDispatcher* dispatcher) override;
   /// Has islands that do not touch solved side by side by so many threads, the caller's being one of them: it starts the
   /// others at once, and they sleep between steps. Until then, and with 1, no thread is started. The motion, the report (but
-  /// for its seconds and bytes) and the order of events are the same for any number. Throws std::system_error where no
-  /// thread is to be had.
+  /// for its seconds and bytes) and the order of events are the same for any number; below 1 is 1. Storage that is kept from step to step
+  /// is given back. Throws std::system_error where no thread is to be had; the caller is alone then.
   void setThreads(int threads);
   /// Has rolling and spinning friction of rigid bodies bounded as in Bullet's own solver, for worlds that were tuned with it:
   /// |τ| ≤ κ min(r_n, 1 N·s) at each point in each step, and no spinning friction where there is no rolling friction. What
@@ -55,7 +55,8 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   /// SOLVER_USE_WARMSTARTING and a warm starting factor above 0, has no effect in a solver pool; report().stiffened counts.
   /// Off at first: such ropes gain energy and tear, with any solver, unless steps are shorter.
   void setGeometricStiffness(bool on);
-  /// Forgets the last step's report and the workspace.
+  /// Forgets the last step's report, the workspace, and the reactions that are kept here; Bullet's contact points keep theirs. Options,
+  /// threads, listeners and what was switched on stay. Throws as setThreads.
   void reset() override;
   /// BT_MLCP_SOLVER: of Bullet's names the nearest. Contacts and joints are one mixed
   /// complementarity problem, solved by pivoting between regions, not by sequential impulses.
@@ -94,6 +95,8 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   struct Workspace;
   std::unique_ptr<Workspace> workspace_;
   delassus::StepReport report_;
-  std::function<void(const delassus::ContactEvent&)> listener_, troubleListener_, turningListener_;
+  using Listener = std::function<void(const delassus::ContactEvent&)>;
+  // Shared, since who listens may end that while it is called; a copy of the function might take memory in every step.
+  std::shared_ptr<const Listener> listener_, troubleListener_, turningListener_;
   bool stockRollingFriction_ = false, geometricStiffness_ = false;
 };

@@ -23,6 +23,7 @@ class btDelassusMultiBodyConstraintSolver : public btMultiBodyConstraintSolver {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();
 
+  /// Throws std::invalid_argument where a tolerance or a share among the options is no number > 0.
   explicit btDelassusMultiBodyConstraintSolver(const delassus::Options& options = {})
       : btDelassusMultiBodyConstraintSolver(options, btDelassusPrecision{}) {}
   ~btDelassusMultiBodyConstraintSolver() override;
@@ -41,15 +42,14 @@ class btDelassusMultiBodyConstraintSolver : public btMultiBodyConstraintSolver {
                            btMultiBodyConstraint** multiBodyConstraints,
                            int multiBodyConstraintCount, const btContactSolverInfo& info,
                            btIDebugDraw* debugDrawer, btDispatcher* dispatcher) override;
-  /// As those of btDelassusConstraintSolver.
+  // These five, and those below, as in btDelassusConstraintSolver.
   void setThreads(int threads);
-  void setStockRollingFriction(bool on);
-  void setGeometricStiffness(bool on);  ///< of rigid bodies
-  /// Forgets the last step's report and the workspace.
+  void setStockRollingFriction(bool on);  ///< of rigid bodies
+  void setGeometricStiffness(bool on);    ///< the same
   void reset() override;
   btConstraintSolverType getSolverType() const override { return BT_MULTIBODY_SOLVER; }
 
-  /// As those of btDelassusConstraintSolver; `rows` counts those of both kinds of constraints.
+  /// `rows` counts those of both kinds of constraints.
   const delassus::StepReport& report() const;
   void setContactListener(std::function<void(const delassus::ContactEvent&)> listener);
   void setTroubleListener(std::function<void(const delassus::ContactEvent&)> listener);

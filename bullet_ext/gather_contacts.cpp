@@ -116,8 +116,8 @@ double fillContact(const Group& group, const Pair& pair, const btManifoldPoint& 
               frame.motion1, frame.motion2};
   c.compliance = soft.cfm < 0 ? 0 : soft.cfm / h;
   if (frame.softness > 0)
-    c.slipCompliance = {frame.softness * tangentialResponse(group, c, 1),
-                        frame.softness * tangentialResponse(group, c, 2)};
+    c.slipCompliance =
+        0.5 * frame.softness * (tangentialResponse(group, c, 1) + tangentialResponse(group, c, 2));
   return split ? recovery : 0;
 }
 
@@ -145,7 +145,7 @@ const char* faultOfPoint(const btManifoldPoint& point, const Contact& c, double 
   if (!std::isfinite(point.m_combinedRestitution)) return "its restitution is not finite";
   if (!c.target.tail<2>().allFinite()) return "its wanted sliding velocity is not finite";
   if (!std::isfinite(c.target[0]) || !std::isfinite(c.compliance) ||
-      !c.slipCompliance.allFinite() || !std::isfinite(push))
+      !std::isfinite(c.slipCompliance) || !std::isfinite(push))
     return "its softness is not finite";
   return "its numbers are too large";
 }
@@ -154,9 +154,8 @@ const char* faultOfPoint(const btManifoldPoint& point, const Contact& c, double 
 bool sound(const btManifoldPoint& point, const Contact& c, double push) {
   const double lengthError = static_cast<double>(point.m_normalWorldOnB.length2()) - 1;
   const double size = c.armA.cwiseAbs().sum() + c.armB.cwiseAbs().sum() + c.frame.cwiseAbs().sum() +
-                      c.target.cwiseAbs().sum() + c.friction + c.compliance +
-                      c.slipCompliance.cwiseAbs().sum() + push + std::abs(point.getDistance()) +
-                      std::abs(point.m_combinedRestitution);
+                      c.target.cwiseAbs().sum() + c.friction + c.compliance + c.slipCompliance +
+                      push + std::abs(point.getDistance()) + std::abs(point.m_combinedRestitution);
   return std::abs(lengthError) <= unitTolerance && size <= largestNumber && !isInverted(point);
 }
 

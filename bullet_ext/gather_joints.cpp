@@ -131,6 +131,9 @@ void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
       const double damping = askRows(joint, size.m_numConstraintRows, info, group.asked);
       gatherRows(group, joint, lastImpulse, damping, info, report);
     } else {
+      // It is shown its bodies, be they kinematic ones that nothing touches.
+      bodyIndex(group, joint.getRigidBodyA(), info, report);
+      bodyIndex(group, joint.getRigidBodyB(), info, report);
       group.obsolete.push_back(&joint);
     }
   }

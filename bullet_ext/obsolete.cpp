@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "bullet_ext/convert.h"
 
@@ -52,8 +51,11 @@ btSolverBody solverBody(const Group& group, int index) {
   return out;
 }
 
-ObsoleteConstraints::ObsoleteConstraints(const Group& group, const btContactSolverInfo& info)
-    : info_(info), acted_(group.obsolete.size(), 0), leftOut_(group.obsolete.size(), 0) {
+void ObsoleteConstraints::start(const Group& group) {
+  acted_.assign(group.obsolete.size(), 0);
+  leftOut_.assign(group.obsolete.size(), 0);
+  free_.clear();
+  bodies_.clear();
   for (std::size_t i = 0; i < group.bodies.size(); ++i) {
     free_.push_back(group.bodies[i].velocity);
     bodies_.push_back(solverBody(group, static_cast<int>(i)));
@@ -68,10 +70,11 @@ void ObsoleteConstraints::setDeltas(const std::vector<Body>& moved) {
   }
 }
 
-bool ObsoleteConstraints::sweep(Group& group, const std::vector<Body>& moved, StepReport& report) {
+bool ObsoleteConstraints::sweep(Group& group, double timeStep, const std::vector<Body>& moved,
+                                StepReport& report) {
   setDeltas(moved);
-  bool changed = false;
-  const int fixed = bodies_.size() - 1;
+  changed_.assign(group.bodies.size(), 0);
+  const std::size_t fixed = bodies_.size() - 1;
   for (std::size_t i = 0; i < group.obsolete.size(); ++i) {
     if (leftOut_[i]) continue;
     btTypedConstraint& constraint = *group.obsolete[i];
@@ -85,7 +88,7 @@ bool ObsoleteConstraints::sweep(Group& group, const std::vector<Body>& moved, St
     btSolverBody& bodyA = bodies_[a >= 0 ? a : fixed];
     btSolverBody& bodyB = bodies_[b >= 0 ? b : fixed];
     const Vec6 beforeA = delta(bodyA), beforeB = delta(bodyB);
-    constraint.solveConstraintObsolete(bodyA, bodyB, info_.m_timeStep);
+    constraint.solveConstraintObsolete(bodyA, bodyB, static_cast<btScalar>(timeStep));
     if (!((delta(bodyA) - beforeA).norm() + (delta(bodyB) - beforeB).norm() <= largestNumber)) {
       report.leaveOut(nameOf(constraint), "the velocities that it sets are not finite");
       leftOut_[i] = 1;
@@ -97,13 +100,12 @@ bool ObsoleteConstraints::sweep(Group& group, const std::vector<Body>& moved, St
     const auto take = [&](int body, const Vec6& gain) {
       if (!group.movable(body) || !gain.any()) return;
       group.bodies[body].velocity += gain;
-      acted_[i] = 1;
-      changed = true;
+      acted_[i] = changed_[body] = 1;
     };
     take(a, delta(bodyA) - beforeA);
     if (b != a) take(b, delta(bodyB) - beforeB);
   }
-  return changed;
+  return std::find(changed_.begin(), changed_.end(), 1) != changed_.end();
 }
 
 int ObsoleteConstraints::acted() const {

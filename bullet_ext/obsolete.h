@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "BulletDynamics/ConstraintSolver/btSolverBody.h"
-#include "LinearMath/btAlignedObjectArray.h"
 #include "bullet_ext/gather.h"
 
 namespace delassus::bullet {
@@ -19,23 +18,29 @@ btSolverBody solverBody(const Group& group, int index);
 /// They are given solverBody(), and in its delta velocities what reactions have done.
 class ObsoleteConstraints {
  public:
-  ObsoleteConstraints(const Group& group, const btContactSolverInfo& info);
+  /// Before the sweeps of a group, whose bodies nothing has moved yet.
+  void start(const Group& group);
 
   /// Calls each constraint once with the motion that the reactions left, `moved`. What the
   /// constraints change is added to the free velocities in `group`. Returns whether anything
   /// changed. A constraint whose change is not finite is left out from then on.
-  bool sweep(Group& group, const std::vector<Body>& moved, StepReport& report);
+  bool sweep(Group& group, double timeStep, const std::vector<Body>& moved, StepReport& report);
+
+  /// By body: whether the last sweep has changed its free velocity.
+  const std::vector<char>& changed() const { return changed_; }
 
   /// How many constraints have changed a velocity so far.
   int acted() const;
 
+  std::size_t bytes() const { return bytesOf(free_, bodies_, changed_, acted_, leftOut_); }
+
  private:
   void setDeltas(const std::vector<Body>& moved);
 
-  const btContactSolverInfo& info_;
-  std::vector<Vec6> free_;  ///< free velocities before any of the constraints acted
-  btAlignedObjectArray<btSolverBody> bodies_;  ///< one a body, and the fixed world at the end
-  std::vector<char> acted_, leftOut_;          ///< by constraint
+  std::vector<Vec6> free_;             ///< free velocities before any of the constraints acted
+  std::vector<btSolverBody> bodies_;   ///< one a body, and the fixed world at the end
+  std::vector<char> changed_;          ///< by body
+  std::vector<char> acted_, leftOut_;  ///< by constraint
 };
 
 }  // namespace delassus::bullet

@@ -32,7 +32,7 @@ Plan makePlan(const Group& group, bool heard, const Economies& economies, const 
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {
     const Contact& c = group.contacts[i];
     ++(c.friction > 0 ? plan.frictional : plan.frictionless);
-    plan.soft += c.compliance > 0 || c.slipCompliance.any();
+    plan.soft += c.compliance > 0 || c.slipCompliance > 0;
     plan.deep += group.pushes[i] > 0;
   }
   plan.joints = static_cast<int>(group.joints.size());

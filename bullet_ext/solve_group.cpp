@@ -1,11 +1,11 @@
 #include "bullet_ext/solve_group.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
-#include "bullet_ext/obsolete.h"
 #include "delassus/island.h"
 #include "delassus/residual.h"
 
@@ -78,7 +78,6 @@ void note(const Solution& solution, int parts, IslandResult& result) {
   result.residualMax = solution.residual;
   result.residualRms = solution.residualRms;
   result.parts = parts;
-  result.restless = -1;
   result.open = false;
   result.blamed = solution.blamed;
 }
@@ -182,11 +181,55 @@ void solveOpenIslands(const Group& group, Workshop& workshop, Answer& answer) {
       });
 }
 
+/// Answers those of the open islands that need no solving; the others stay open.
+void checkOpenIslands(const Group& group, Workshop& workshop, Answer& answer) {
+  // Unknowns whose check takes longer than it takes to call another thread.
+  constexpr int worthwhile = 6000;
+  workshop.share(
+      static_cast<int>(answer.open.size()), worthwhile,
+      [&](int k) { return answer.island(answer.open[k]).unknowns(); },
+      [&](Bench& bench, int k) {
+        const int i = answer.open[k];
+        checkIsland(group, answer.island(i), workshop.options().economies, bench, answer,
+                    answer.islands[i]);
+      });
+  const auto isAnswered = [&](int i) { return !answer.islands[i].open; };
+  answer.open.erase(std::remove_if(answer.open.begin(), answer.open.end(), isAnswered),
+                    answer.open.end());
+}
+
+/// Opens the islands with bodies whose free velocity a constraint has changed, as if no reaction had moved them; the others keep
+/// their answers, and their bits.
+void reopenIslands(const Group& group, Answer& answer) {
+  const std::vector<char>& changed = answer.obsolete.changed();
+  for (std::size_t body = 0; body < changed.size(); ++body)
+    if (changed[body]) answer.bodies[body] = group.bodies[body];  // it may be in no island
+  answer.open.clear();
+  for (int i = 0; i < answer.islandCount(); ++i) {
+    const Island& island = answer.island(i);
+    if (std::none_of(island.bodies.begin(), island.bodies.end(),
+                     [&](int body) { return changed[body] != 0; }))
+      continue;
+    answer.open.push_back(i);
+    for (int body : island.bodies) {
+      answer.bodies[body] = group.bodies[body];
+      if (const Articulation::Limb* limb = group.articulation.limbOf(body))
+        answer.gains.of[limb->tree].setZero();
+    }
+    for (const std::vector<int>* contacts : {&island.frictional, &island.frictionless}) {
+      for (int contact : *contacts) {
+        answer.modes[contact] = Mode::Open;
+        answer.troubles[contact] = Trouble::None;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::size_t Answer::bytes() const {
   std::size_t sum = bytesOf(bodies, contacts, modes, troubles, rows, islands, open) +
-                    assembler.bytes() + joiner.bytes() + gains.bytes();
+                    assembler.bytes() + joiner.bytes() + gains.bytes() + obsolete.bytes();
   for (const IslandResult& island : islands) sum += bytesOf(island.blamed);
   return sum;
 }
@@ -198,23 +241,16 @@ void findIslands(const Group& group, const Economies& economies, Answer& answer)
 }
 
 void checkIslands(const Group& group, Workshop& workshop, Answer& answer) {
-  // Unknowns whose check takes longer than it takes to call another thread.
-  constexpr int worthwhile = 6000;
   const int count = answer.islandCount();
   if (answer.joined) answer.gains.reset(group.articulation);
   answer.islands.resize(count);
+  for (IslandResult& result : answer.islands) result.restless = -1;
   answer.bodies = group.bodies;
   answer.modes.assign(group.contacts.size(), Mode::Open);
   answer.troubles.assign(group.contacts.size(), Trouble::None);
-  workshop.share(
-      count, worthwhile, [&](int i) { return answer.island(i).unknowns(); },
-      [&](Bench& bench, int i) {
-        checkIsland(group, answer.island(i), workshop.options().economies, bench, answer,
-                    answer.islands[i]);
-      });
-  answer.open.clear();
-  for (int i = 0; i < count; ++i)
-    if (answer.islands[i].open) answer.open.push_back(i);
+  answer.open.resize(count);
+  std::iota(answer.open.begin(), answer.open.end(), 0);
+  checkOpenIslands(group, workshop, answer);
 }
 
 void startFromGuess(const Group& group, Answer& answer) {
@@ -229,10 +265,13 @@ void solveIslands(Group& group, const btContactSolverInfo& info, Workshop& works
   solveOpenIslands(group, workshop, answer);
   if (group.obsolete.empty()) return;
 
-  ObsoleteConstraints obsolete(group, info);
-  for (int sweep = 0; sweep < info.m_numIterations && obsolete.sweep(group, answer.bodies, report);
+  ObsoleteConstraints& obsolete = answer.obsolete;
+  obsolete.start(group);
+  for (int sweep = 0; sweep < info.m_numIterations &&
+                      obsolete.sweep(group, info.m_timeStep, answer.bodies, report);
        ++sweep) {
-    checkIslands(group, workshop, answer);
+    reopenIslands(group, answer);
+    checkOpenIslands(group, workshop, answer);
     solveOpenIslands(group, workshop, answer);
   }
   answer.obsoleteConstraints = obsolete.acted();

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bullet_ext/gather.h"
+#include "bullet_ext/obsolete.h"
 #include "bullet_ext/workshop.h"
 #include "delassus/active_set.h"
 #include "delassus/articulation.h"
@@ -44,7 +45,8 @@ struct Answer {
   bool joined = false;    ///< there are
   TreeGains gains;        ///< of these
   int matrices = 0;       ///< problems whose W was built
-  int obsoleteConstraints = 0;
+  ObsoleteConstraints obsolete;
+  int obsoleteConstraints = 0;  ///< that acted
 
   /// Of the group; trees join what the assembler has split.
   int islandCount() const {

@@ -15,18 +15,19 @@ struct StepReport {
   int islands = 0;
   int contacts = 0;  ///< contact points that took part
   int rows = 0;      ///< joint rows
-  int open = 0, stick = 0,
-      slide = 0;  ///< modes of the contacts; frictionless persisting contacts count as slide
-  int modeChanges = 0;
-  int events = 0;  ///< contact events made
-  int freeIslands = 0, keptIslands = 0, closedForms = 0,
-      walks = 0;           ///< islands by the tier that answered them
+  /// Modes of the contacts; frictionless persisting contacts count as slide.
+  int open = 0, stick = 0, slide = 0;
+  int modeChanges = 0;  ///< contacts whose mode is not what it was after the step before
+  int events = 0;       ///< contact events made
+  /// Islands by what answered them: nothing approaches, the last reactions, a formula, anything that has to be searched.
+  int freeIslands = 0, keptIslands = 0, closedForms = 0, walks = 0;
   int matrices = 0;        ///< problems whose W was built, no pushes
   int regions = 0;         ///< regions visited, pushes included
   int factorisations = 0;  ///< pushes included
   int sweeps = 0;          ///< and alternations; pushes included
   int patches = 0;         ///< parts of islands that were solved apart on the way, pushes included
-  double residualMax = 0;  ///< natural residual, m/s
+  double residualMax =
+      0;  ///< natural residual (residual.h), m/s; of rows about an axis rad/s; without pushes
   double residualRms = 0;  ///< m/s, over contacts and rows
   int solved = 0, outOfBudget = 0, incompatible = 0, nonFinite = 0;  ///< islands by status
   int leftOut =
@@ -34,17 +35,18 @@ struct StepReport {
   int stiffened = 0;     ///< bodies that setGeometricStiffness had turn more slowly
   int pushIslands = 0;   ///< islands of the split-impulse problem, not counted in `islands`
   int pushUnsolved = 0;  ///< those of them that ended without status solved
-  int obsoleteConstraints =
-      0;  ///< constraints without rows that moved something in their own solveConstraintObsolete
-  double secondsGather = 0;
+  /// Constraints without rows that moved something in their own solveConstraintObsolete.
+  int obsoleteConstraints = 0;
+  double secondsGather =
+      0;                    ///< reading bodies, contacts, joints and what is known of the last step
   double secondsPlan = 0;   ///< plan, islands, and the check for those that need no solving
   double secondsSolve = 0;  ///< the others, and constraints that solve themselves
-  double secondsPush = 0;
+  double secondsPush = 0;   ///< split impulse
   double secondsWriteBack = 0;
   double secondsListener = 0;      ///< inside the user's function
   std::size_t workspaceBytes = 0;  ///< kept from step to step, for all threads
-  std::vector<std::string>
-      messages;  ///< bodies, contacts, joints left out or not solved: what, where, why
+  /// Bodies, contacts, joints left out or not solved: what, where, why.
+  std::vector<std::string> messages;
 
   /// Adds a message unless it is there already. The list is kept short: the last message says that
   /// it was cut.

@@ -173,7 +173,8 @@ void addDumpCommand(CLI::App& app, Action& chosen) {
   auto arguments = std::make_shared<DumpArguments>();
   CLI::App* command = app.add_subcommand("dump",
                                          "writes the problems of one step, an island a file; rows "
-                                         "of joints beside contacts as contacts");
+                                         "of joints beside contacts as contacts; no island with "
+                                         "rolling or spinning friction, which no format holds");
   command->add_option("subject", arguments->subject, "a built-in scene or a .bullet file")
       ->required()
       ->type_name("SCENE|FILE.bullet");
@@ -183,7 +184,8 @@ void addDumpCommand(CLI::App& app, Action& chosen) {
                    "steps a second (default: the scene's own, 60 for most and for files)")
       ->check(greaterThanZero);
   command
-      ->add_option("--out", arguments->out, "file; several islands get a number before the suffix")
+      ->add_option("--out", arguments->out,
+                   "file; of several islands FILE-0, FILE-1 and so on, before the suffix")
       ->required()
       ->type_name("FILE");
   command->callback(

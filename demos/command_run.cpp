@@ -227,6 +227,19 @@ void addRunCommand(CLI::App& app, Action& chosen) {
                     "what the scene asks of delassus, what a step is made of therefore, and what "
                     "each part costs");
   command->add_flag("--json", arguments->json, "one JSON object a line, one per solver");
+  command->footer(
+      "Solvers:\n"
+      "  delassus, delassus:TOL  to its own tolerance, or to TOL, relative to the largest demand\n"
+      "  delassus/N              N sweeps an island and a region for every twenty, at least one\n"
+      "  si:N                    Bullet's sequential impulses, N sweeps\n"
+      "  si2:N                   the same with two friction directions\n"
+      "  nncg:N                  Bullet's nonsmooth nonlinear conjugate gradient\n"
+      "  dantzig, dantzig:CFM    Bullet's MLCP solver, Dantzig's method, with a global CFM\n"
+      "  lemke, pgs:N            the same, Lemke's method; projected Gauss-Seidel, N sweeps\n\n"
+      "Residuals (m/s), reaction/weight and the law's error are of the last three quarters of the\n"
+      "run, all else is of the whole; times are of solveGroup alone. through: bodies that ended "
+      "in\n"
+      "or under what cannot move.");
   command->callback(
       [&chosen, arguments] { chosen = [arguments] { return runSubject(*arguments); }; });
 }

@@ -104,7 +104,9 @@ void addSolveCommand(CLI::App& app, Action& chosen) {
   auto arguments = std::make_shared<SolveArguments>();
   CLI::App* command =
       app.add_subcommand("solve", "solves one problem file: status, residuals, time");
-  command->add_option("file", arguments->file, "delassus-problem v1 or lcp v1")
+  command
+      ->add_option("file", arguments->file,
+                   "delassus-problem v1 (contacts with friction) or lcp v1 (rows with bounds)")
       ->required()
       ->type_name("FILE.fc3d|FILE.lcp");
   command

@@ -118,7 +118,7 @@ void QuadProblem::addContact(const Contact& contact, int axes) {
     const Vec3 d = contact.frame.col(axis);
     Direction direction;
     direction.q = -contact.target[axis];
-    direction.compliance = axis == 0 ? contact.compliance : contact.slipCompliance[axis - 1];
+    direction.compliance = axis == 0 ? contact.compliance : contact.slipCompliance;
     direction.shares[0] =
         shareOf(contact.a, {d[0], d[1], d[2]}, cross(contact.armA, d), direction.q);
     direction.shares[1] =

@@ -28,7 +28,7 @@ bool invert(const Mat6& A, Mat6& inverse, bool& isNegative) {
 }  // namespace
 
 void BlockFactor::analyse(int bodies, const std::vector<Edge>& edges) {
-  // Of large islands there are few kinds at a time: room is counted in edges.
+  // Of large islands there are few kinds at a time: room is counted in edges, but for the largest, which is not to drive out all others.
   constexpr std::size_t mostPatterns = 64, mostEdges = 4096;
   const auto known = std::find_if(patterns_.begin(), patterns_.end(),
                                   [&](const BlockPattern& p) { return p.isOf(bodies, edges); });
@@ -36,10 +36,11 @@ void BlockFactor::analyse(int bodies, const std::vector<Edge>& edges) {
     patterns_.splice(patterns_.begin(), patterns_, known);
   } else {
     patterns_.emplace_front(bodies, edges);
-    std::size_t count = 0, sum = 0;
+    std::size_t count = 0, sum = 0, largest = 0;
     patterns_.remove_if([&](const BlockPattern& p) {
       sum += p.edges.size();
-      return ++count > 1 && (count > mostPatterns || sum > mostEdges);
+      largest = std::max(largest, p.edges.size());
+      return ++count > 1 && (count > mostPatterns || sum - largest > mostEdges);
     });
   }
 

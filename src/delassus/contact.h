@@ -17,7 +17,9 @@ struct Contact {
   Vec3 target =
       Vec3::Zero();       ///< wanted relative velocity in the frame, m/s (restitution, gap, belt)
   double compliance = 0;  ///< added to W_nn, 1/kg
-  Vec2 slipCompliance = Vec2::Zero();  ///< added to the tangential diagonal of W, 1/kg
+  /// Added to both tangential diagonals of W, 1/kg. One for both: a walk finds friction against the slip only if they give alike
+  /// (algorithms §6.10).
+  double slipCompliance = 0;
 };
 
 }  // namespace delassus

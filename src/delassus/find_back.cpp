@@ -11,15 +11,19 @@ template <class Motion>
 Outcome Search::findBack(Engines<Motion>& engines, const Problem& problem, const Options& options,
                          double tolerance, const VectorXd* guess, Solution& best) {
   constexpr int proof = 90, interiorSteps = 40, longWalk = 400;
+  const bool isSmall = !isLargeHeap(problem) && !isLargePile(problem);
   ProximalNewton<Motion>& newton = engines.walk;
   const auto left = [&](int most) { return std::min(most, options.newtonBudget - best.regions); };
-  if (alternate(newton, problem, options, tolerance, best)) return Outcome::Reached;
   if (left(1) <= 0) return Outcome::Lost;
   if (compromise(engines, problem, tolerance, left(proof), best)) return Outcome::Incompatible;
+  const auto walk = [&](int most) {
+    return newton.walk(problem, tolerance, proximalWeight(problem, best, 1e-4), left(most), best);
+  };
+  Outcome outcome = isSmall ? walk(fairWalk) : Outcome::Lost;
+  if (outcome != Outcome::Lost || left(1) <= 0) return outcome;
   if (engines.interior.solve(newton.motion(), problem, map_, tolerance, left(interiorSteps), best))
     return Outcome::Reached;
-  const Outcome outcome =
-      newton.walk(problem, tolerance, proximalWeight(problem, best, 1e-4), left(longWalk), best);
+  outcome = walk(longWalk);
   return outcome == Outcome::Lost ? wander(engines, problem, options, tolerance, guess, best)
                                   : outcome;
 }
@@ -95,7 +99,7 @@ Outcome Search::harden(ProximalNewton<Motion>& newton, const Problem& problem,
   if constexpr (std::is_same_v<Motion, BodyMotion>) {
     const int parts = problem.contacts() + problem.rows();
     const int budget = static_cast<int>(options.pathBudget * std::min(1.0, double(few) / parts));
-    if (budget == 0 || isLargePile(problem) || !CompliancePath::canFollow(problem))
+    if (budget <= 0 || isLargePile(problem) || !CompliancePath::canFollow(problem))
       return Outcome::Lost;
     const int begun = best.factorisations, walked = best.regions;
     if (!setOutOnPath(newton, problem, options, budget, guess, best)) return Outcome::Lost;

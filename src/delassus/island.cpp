@@ -174,7 +174,7 @@ const Problem& Assembler::assemble(const std::vector<Body>& bodies,
     takeShare(c.a, entry.a, entry.Ja, q);
     takeShare(c.b, entry.b, entry.Jb, q);
     problem_.q.segment<3>(at) = q - c.target;
-    space.compliance.segment<3>(at) << c.compliance, c.slipCompliance;
+    space.compliance.segment<3>(at) << c.compliance, c.slipCompliance, c.slipCompliance;
     problem_.friction[at / 3] = c.friction;
     at += 3;
   }

@@ -58,7 +58,7 @@ double traceShare(const std::vector<Body>& bodies, int body, const Vec3& arm, co
 double trace(const std::vector<Body>& bodies, const Contact& c, int columns) {
   return traceShare(bodies, c.a, c.armA, c.frame, columns) +
          traceShare(bodies, c.b, c.armB, c.frame, columns) + c.compliance +
-         (columns > 1 ? c.slipCompliance.sum() : 0);
+         (columns > 1 ? 2 * c.slipCompliance : 0);
 }
 
 double diagonalShare(const std::vector<Body>& bodies, int body, const Row6& J) {
@@ -249,7 +249,7 @@ bool IslandCheck::isKept(const std::vector<Body>& bodies, const std::vector<Cont
     const double size = trace(moved, c, 3), mean = size / 3;
     const Vec3 reaction = r.segment<3>(at);
     Vec3 velocity = relativeVelocity(moved, c) + c.compliance * Vec3(reaction[0], 0, 0);
-    velocity.tail<2>() += c.slipCompliance.cwiseProduct(reaction.tail<2>());
+    velocity.tail<2>() += c.slipCompliance * reaction.tail<2>();
     u.segment<3>(at) = velocity;
     solution.activeSet.contacts[at / 3] = modeOf(reaction, velocity, c.friction, mean);
     at += 3;

@@ -7,6 +7,8 @@
 namespace delassus {
 namespace {
 
+constexpr double rounding = std::numeric_limits<double>::epsilon();
+
 /// (S + s I)⁻¹
 Mat2 inverseOf(const Mat2& S, double s) {
   const double a = S(0, 0) + s, d = S(1, 1) + s, perDet = 1 / (a * d - S(0, 1) * S(1, 0));
@@ -19,7 +21,13 @@ Mat2 inverseOf(const Mat2& S, double s) {
 
 OneContact::OneContact(const Mat3& W) : W_(W), wnt_(W(0, 1) / W(0, 0), W(0, 2) / W(0, 0)) {
   S_ = W.bottomRightCorner<2, 2>() - W.bottomLeftCorner<2, 1>() * wnt_.transpose();
-  inverse_ = inverseOf(S_, 0);
+  const double trace = S_.trace();
+  const double det = S_(0, 0) * S_(1, 1) - S_(0, 1) * S_(1, 0);
+  isSingular_ = !(det > 16 * rounding * trace * trace);
+  if (!isSingular_)
+    inverse_ = inverseOf(S_, 0);
+  else if (S_.squaredNorm() > 0)
+    inverse_ = S_ / S_.squaredNorm();  // of rank one
 }
 
 Vec3 OneContact::solve(const Vec3& q, double friction, const Vec3& before) const {
@@ -30,12 +38,21 @@ Vec3 OneContact::solve(const Vec3& q, double friction, const Vec3& before) const
   const Vec2 c = q.tail<2>() + held * W_.bottomLeftCorner<2, 1>();
   const Vec2 rt = -(inverse_ * c);
   const double rn = held - wnt_.dot(rt), most = friction * rn;
-  if (rt.allFinite() && rn > 0 && rt.squaredNorm() <= most * most) return {rn, rt[0], rt[1]};
+  if (rt.allFinite() && rn > 0 && rt.squaredNorm() <= most * most &&
+      (!isSingular_ || stops(rt, c, q, held)))
+    return {rn, rt[0], rt[1]};
 
   // Near the end the slip is what it was.
   const double braked = before.tail<2>().squaredNorm();
   const Vec2 ut = W_.bottomRows<2>() * before + q.tail<2>();
   return slide(held, c, friction, braked > 0 ? std::sqrt(ut.squaredNorm() / braked) : 0);
+}
+
+/// Whether S r_t + c = 0 to rounding, which a singular S can meet for some c only.
+bool OneContact::stops(const Vec2& rt, const Vec2& c, const Vec3& q, double held) const {
+  constexpr double digitsLost = 64;
+  const double terms = q.tail<2>().norm() + held * W_.bottomLeftCorner<2, 1>().norm();
+  return (S_ * rt + c).norm() <= digitsLost * rounding * terms;
 }
 
 /// `slip`: where the search for s begins; 0: anywhere.
@@ -54,7 +71,6 @@ Vec3 OneContact::slide(double held, const Vec2& c, double friction, double slip)
   }
   if (!(s > 0)) s = 0.5 * (size + W_.norm());
   constexpr int most = 100;
-  constexpr double rounding = std::numeric_limits<double>::epsilon();
   // Digits double in every step: the one after so small a change has them all.
   constexpr double lastChange = 1e-9;
   bool isLast = false;

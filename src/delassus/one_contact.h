@@ -9,7 +9,8 @@ namespace delassus {
 /// Regions in fixed order: released (r = 0), stuck, sliding. With u_n = 0 held there is u_t = c + S r_t,
 /// S = W_tt − W_tn W_nt / W_nn: it sticks where r_t = −S⁻¹ c is in the cone, and else slides with u_t = −s r_t, so that
 /// r_t(s) = −(S + s I)⁻¹ c and s is the root of μ r_n(s) = ‖r_t(s)‖, found by a Newton iteration safeguarded by a bracket.
-/// W must have a positive normal entry; the tangential block may be singular. It is taken apart once for many q.
+/// W must have a positive normal entry; the tangential block may be singular: then the shortest of the r_t that stop it is taken. It is
+/// taken apart once for many q.
 class OneContact {
  public:
   OneContact() = default;
@@ -20,11 +21,13 @@ class OneContact {
   const Mat3& W() const { return W_; }
 
  private:
+  bool stops(const Vec2& rt, const Vec2& c, const Vec3& q, double held) const;
   Vec3 slide(double held, const Vec2& c, double friction, double slip) const;
 
   Mat3 W_ = Mat3::Zero();
-  Mat2 S_ = Mat2::Zero(), inverse_ = Mat2::Zero();  ///< S and S⁻¹
+  Mat2 S_ = Mat2::Zero(), inverse_ = Mat2::Zero();  ///< S and S⁻¹, or its pseudoinverse
   Vec2 wnt_ = Vec2::Zero();                         ///< W_nt / W_nn
+  bool isSingular_ = false;                         ///< S
 };
 
 inline Vec3 solveOneContact(const Mat3& W, const Vec3& q, double friction) {

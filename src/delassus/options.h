@@ -10,17 +10,23 @@ namespace delassus {
 constexpr double keptShare = 1e-1, polishedShare = 1e-4;
 
 struct Options {
-  double tolerance = 1e-8;  ///< natural residual to reach, relative to the largest |q|; > 0
-  /// Most regions visited per island. Budgets count work, never time; that in a patch of an island by what it costs beside the island's.
+  /// Natural residual to reach, relative to the largest |q_i| of the island (m/s, rad/s), but no less than the rounding of q
+  /// (Problem::roundOff); > 0.
+  double tolerance = 1e-8;
+  /// Most regions visited per island. Budgets count work, never time: the same input takes the same work everywhere. Work in a patch of an
+  /// island counts by its share of what the island costs. 0 or less is none, as for all budgets.
   int newtonBudget = 1800;
-  /// Most block Gauss-Seidel sweeps, and alternations, per island. Below 300 there are no alternations: all sweeps are made, before
-  /// the walk, as sequential impulses make theirs.
+  /// Most block Gauss-Seidel sweeps, and alternations, per island. Who allows fewer than 300 is in a hurry: all sweeps are made, before
+  /// the walk, as sequential impulses make theirs, and there are no alternations, no `hold`, no second start and no path of compliance.
   int sweepBudget = 64000;
-  /// Most factorisations along a path of compliance, of an island of up to 600 contacts and rows; of larger ones, in which each
-  /// costs more, as many fewer; none beyond 200 but in heaps, with disks, or where W is explicit. Its start takes up to 11 000 sweeps
-  /// that no other budget holds.
+  /// Most factorisations along a path of compliance (compliance_path.h), of an island of up to 600 contacts and rows; of larger ones, in
+  /// which each costs more, as many fewer. There is no path in islands of more than 200 contacts and rows that are no heaps
+  /// (pile_kind.h), with rolling or spinning friction, or where W is explicit. Its start takes up to 11 000 sweeps that no other budget
+  /// holds.
   int pathBudget = 30000;
-  double guessShare = 1;  ///< a guess within this share of the tolerance is kept as it is; > 0
+  /// A guess whose residual is within this share of the tolerance comes back as it is; > 0. The Bullet solvers take no more than
+  /// polishedShare in double precision; before, they keep the last reactions where these are within keptShare.
+  double guessShare = 1;
   Economies economies;
 };
 

@@ -18,7 +18,7 @@ namespace delassus {
 /// A contact without friction is a row with bounds [0, ∞). Impulses N·s, velocities m/s.
 struct Problem {
   std::string name;
-  DelassusMatrix W;
+  DelassusMatrix W;         ///< square, of size 3 n + m; 1/kg
   VectorXd q;               ///< relative velocity without reactions, size 3 n + m
   VectorXd friction;        ///< μ, size n
   VectorXd lower, upper;    ///< bounds of the rows, size m; infinite for those of disks

@@ -15,6 +15,20 @@ class ProblemTextError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Lists of numbers, divided by blanks or new lines; lines that begin with # stand between sections only. A block of W is that of the
+/// contacts `row` and `col`, from 0, its nine entries row by row; each contact has its normal first. Both triangles are written, what
+/// is not there is zero, blocks and entries are sorted.
+///
+///     delassus-problem v1           lcp v1                        solution v1
+///     name NAME                     name NAME                     name NAME
+///     contacts N                    size N                        status STATUS
+///     blocks B                      entries E                     r
+///     mu    N numbers               bounds N times lower upper    ...
+///     q     3 N numbers             q     N numbers               u
+///     W     B times row col w00..   M     E times row col value   ...
+///     end                           end                           end
+///
+/// `bounds`, which may be left out (then [0, ∞)), alone may hold inf and -inf.
 enum class ProblemFormat {
   Contacts,  ///< `delassus-problem v1`: contacts with friction
   Rows,      ///< `lcp v1`: rows with bounds

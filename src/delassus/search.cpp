@@ -111,7 +111,8 @@ void Search::startBetter(const Problem& problem, Solution& best) {
   trial_.r.setZero(problem.size());
   makeFeasible(problem, trial_.r);
   measure(problem, trial_);
-  if (!(guessed <= hopeless * trial_.residualRms)) take(trial_, best);
+  const bool isHopeless = !(guessed <= hopeless * trial_.residualRms);
+  if (isHopeless && !(best.residual <= trial_.residual)) take(trial_, best);
 }
 
 void Search::allow(const Problem& problem, Solution& best) {
@@ -152,10 +153,10 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
 ///   - few sweeps are allowed: all of them;
 ///   - much is disturbed: accelerated sweeps as long as they gain, in heaps with patches;
 ///   - large piles: alternating directions, which share the loads anew among contacts that squeeze each other.
-/// Then a short walk, in large piles a long one. Where it loses its way, many contacts are at a wall of their region:
+/// Then a walk, in large heaps a short one, in large piles a long one. Where it loses its way, many contacts are at a wall of their region:
 ///   - in large heaps plain sweeps, to outlast what hurried ones run past;
-///   - alternating directions; a proof that nothing can meet the demands; an interior point, which
-///     comes down between the walls; a longer walk from there; and `wander`.
+///   - a proof that nothing can meet the demands; a second walk, but in large islands, as bold as what the first has left allows;
+///     an interior point, which comes down between the walls; a longer walk from there; and `wander`.
 template <class Motion>
 Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const Options& options,
                          double tolerance, const VectorXd* guess, Solution& best) {
@@ -168,11 +169,14 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
   const double weight = best.residual <= nearly * problem.q.cwiseAbs().maxCoeff()
                             ? knownRegion
                             : proximalWeight(problem, best, 1e-2);
-  // In large piles alternations were tried already, and what else finds back is dear and seldom helps.
-  const int most = guess && isLargePile(problem) && !isHurried_ ? pileWalk : shortWalk;
+  const bool outlasts = isLargeHeap(problem);
+  // In large piles what else finds back is dear and seldom helps.
+  const int most = outlasts                                       ? shortWalk
+                   : guess && isLargePile(problem) && !isHurried_ ? pileWalk
+                                                                  : fairWalk;
   outcome = newton.walk(problem, tolerance, weight, left(most), best);
   // In small heaps regions cost no more than tens of sweeps: there that is left for the end.
-  if (outcome == Outcome::Lost && isLargeHeap(problem))
+  if (outcome == Outcome::Lost && outlasts)
     outcome = outlast(newton, problem, options, tolerance, guess, best);
   return outcome == Outcome::Lost ? findBack(engines, problem, options, tolerance, guess, best)
                                   : outcome;
@@ -243,11 +247,6 @@ bool Search::alternate(ProximalNewton<Motion>& newton, const Problem& problem,
   finish(newton, problem, options, tolerance, best);
   return true;
 }
-
-template bool Search::alternate(ProximalNewton<BodyMotion>&, const Problem&, const Options&, double,
-                                Solution&);
-template bool Search::alternate(ProximalNewton<FactoredMotion>&, const Problem&, const Options&,
-                                double, Solution&);
 
 /// What first-order methods leave is slow; one step in the region that they have found takes it away.
 template <class Motion>

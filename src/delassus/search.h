@@ -137,6 +137,7 @@ class Search {
                    double outstanding, Solution& unsettled, Solution& best);
 
   static constexpr double unknownRegion = 1e-1;  ///< proximal weight
+  static constexpr int fairWalk = 80;            ///< regions that find most ways there are
   /// How far a walk from here must look, by what is left to correct; at least `least`.
   static double proximalWeight(const Problem& problem, const Solution& from, double least);
 

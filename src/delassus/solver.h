@@ -19,8 +19,10 @@ class Solver {
   Solver(Solver&&) noexcept;
   Solver& operator=(Solver&&) noexcept;
 
-  /// Solves `problem`, starting from the reactions `guess` (empty: from rest). The best answer is always returned. With more than
-  /// 10 000 unknowns and explicit entries it is that of sweeps alone: there is no room for a dense factor.
+  /// Solves `problem`, starting from the reactions `guess` (N·s, in the order of q; empty, of another size, or with what is no number: from
+  /// rest). The best answer is always returned; its status and natural residual (m/s) tell how good it is. With more than 10 000 unknowns
+  /// and explicit entries it is that of sweeps alone: there is no room for a dense factor. Sizes that do not fit each other (Problem)
+  /// are not looked for.
   Solution solve(const Problem& problem, const VectorXd& guess = {});
   /// The same into storage that is used again; `guess` may be its reactions.
   void solve(const Problem& problem, const VectorXd& guess, Solution& into);
@@ -36,7 +38,7 @@ class Solver {
   VectorXd guess_;    ///< where it was in the answer's place
 };
 
-/// One-off use.
+/// One-off use: the r with u = W r + q and the laws of Problem. Throws as Solver(Options).
 Solution solve(const Problem& problem, const Options& options = {});
 
 }  // namespace delassus

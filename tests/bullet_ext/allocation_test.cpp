@@ -168,6 +168,42 @@ TEST(Allocation, AWarmStepTakesNoMemory) {
   EXPECT_GT(allocationsOf(options, buildTower, rest), 0);
 }
 
+// A joint whose axes are all within their limits has no rows, and is asked whether it solves itself.
+TEST(Allocation, AJointWithoutRowsTakesNoMemory) {
+  int withoutRows = 0;
+  const auto build = [](BulletWorld& world) {
+    world.addGround();
+    btRigidBody& box = world.addCube({0, btScalar(0.5), 0});
+    auto& joint = world.addJoint<btGeneric6DofConstraint>(box, BulletWorld::at({0, 0, 0}), true);
+    for (int axis = 0; axis < 6; ++axis) joint.setLimit(axis, -1, 1);
+  };
+  const auto rest = [&](BulletWorld& world, int) {
+    btTypedConstraint::btConstraintInfo1 size{};
+    world->getConstraint(0)->getInfo1(&size);
+    withoutRows += size.m_numConstraintRows == 0;
+  };
+  EXPECT_EQ(allocationsOf(optionsOfPrecision(), build, rest), 0);
+  EXPECT_EQ(withoutRows, 90);
+}
+
+TEST(Allocation, AListenerOfAnySizeTakesNoMemory) {
+  struct Large {
+    double numbers[16];
+  };
+  int heard = 0;
+  const auto build = [&](BulletWorld& world) {
+    buildTower(world);
+    world.delassus().setContactListener(
+        [&heard, large = Large{}](const ContactEvent&) { heard += large.numbers[0] == 0; });
+  };
+  const auto slip = [](BulletWorld& world, int step) {
+    btRigidBody::upcast(world->getCollisionObjectArray()[3])
+        ->applyCentralForce({btScalar(step % 2 ? 7 : -7), 0, 0});
+  };
+  EXPECT_EQ(allocationsOf(optionsOfPrecision(), build, slip), 0);
+  EXPECT_GT(heard, 20);
+}
+
 TEST(Allocation, APushTakesNoMemory) {
   const auto build = [](BulletWorld& world) {
     world.addGround();

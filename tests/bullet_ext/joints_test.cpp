@@ -303,6 +303,65 @@ TEST(Parity, Row32ConstraintsWithoutRowsSolveThemselves) {
   EXPECT_EQ(ours.report().obsoleteConstraints, 1);
 }
 
+// The rest of the group keeps its bits, whoever else is in it.
+TEST(Joints, AConstraintWithoutRowsLeavesOtherIslandsAlone) {
+  const auto run = [](bool brakes) {
+    DelassusWorld world;
+    world.addGround();
+    std::vector<const btRigidBody*> tower;
+    for (int i = 0; i < 4; ++i)
+      tower.push_back(&world.addCube({btScalar(0.1) * i, btScalar(0.52) + i, 0}));
+    btRigidBody& falling = world.addCube({20, 50, 0});
+    if (brakes) world.addJoint<FallBrake>(falling, btScalar(1));
+    std::vector<btVector3> motion;
+    for (int step = 0; step < 60; ++step) {
+      world.advance();
+      for (const btRigidBody* body : tower) {
+        motion.push_back(body->getLinearVelocity());
+        motion.push_back(body->getAngularVelocity());
+      }
+    }
+    EXPECT_EQ(falling.getLinearVelocity().y() > -2, brakes);
+    return motion;
+  };
+  EXPECT_EQ(run(true), run(false));
+}
+
+/// Looks at its second body, in solveConstraintObsolete.
+class Watcher : public btTypedConstraint {
+ public:
+  Watcher(btRigidBody& a, btRigidBody& b) : btTypedConstraint(MAX_CONSTRAINT_TYPE, a, b) {}
+  void getInfo1(btConstraintInfo1* info) override { info->m_numConstraintRows = info->nub = 0; }
+  void getInfo2(btConstraintInfo2*) override {}
+  void setParam(int, btScalar, int) override {}
+  btScalar getParam(int, int) const override { return 0; }
+  void solveConstraintObsolete(btSolverBody&, btSolverBody& body, btScalar) override {
+    seen = body.m_originalBody;
+    speed = body.m_linearVelocity.x();
+  }
+  const btRigidBody* seen = nullptr;
+  btScalar speed = 0;
+};
+
+TEST(Joints, AConstraintWithoutRowsSeesAKinematicPartnerThatNothingTouches) {
+  const auto run = [](BulletWorld& world) {
+    btRigidBody& falling = world.addCube({0, 10, 0});
+    btRigidBody& platform = world.addCube({0, 0, 0}, 0);
+    platform.setCollisionFlags(platform.getCollisionFlags() |
+                               btCollisionObject::CF_KINEMATIC_OBJECT);
+    Watcher& watcher = world.addJoint<Watcher>(falling, platform);
+    platform.setWorldTransform(BulletWorld::at({btScalar(h), 0, 0}));
+    world.advance();
+    EXPECT_EQ(watcher.seen, &platform);
+    return watcher.speed;
+  };
+  DelassusWorld ours;
+  StockWorld stock;
+  const btScalar speed = run(ours);
+  EXPECT_NEAR(speed, 1, 100 * precision);
+  EXPECT_EQ(speed, run(stock));
+}
+
 TEST(Joints, ARowThatMakesNoSenseIsLeftOut) {
   Hanging hanging;
   hanging.joint.setBreakingImpulseThreshold(-1);  // bounds cross

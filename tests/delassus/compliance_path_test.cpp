@@ -231,6 +231,14 @@ TEST(CompliancePath, IsTheSolversLastResort) {
   }
   EXPECT_LT(without, 3);
   EXPECT_EQ(with, 6);
+
+  // Less than nothing is none.
+  const Problem problem = wedgedHeap(random);
+  const Solution none = Solver(walks).solve(problem);
+  walks.pathBudget = -1;
+  const Solution less = Solver(walks).solve(problem);
+  EXPECT_EQ(less.factorisations, none.factorisations);
+  EXPECT_EQ(less.sweeps, none.sweeps);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ Pile mixedTower(int height, Random& random) {
   for (Contact& c : pile.contacts)
     if (uniform(random, 0, 1) < 0.3) {
       c.compliance = uniform(random, 0, 0.1);
-      c.slipCompliance = Vec2(0.02, 0.03);
+      c.slipCompliance = 0.02;
     }
   Row row;
   row.a = height - 1;

@@ -29,7 +29,7 @@ Contact randomContact(int a, int b, double friction, Random& random) {
   c.friction = friction;
   c.target = normalVector(3, random);
   c.compliance = uniform(random, 0, 1);
-  c.slipCompliance = Vec2(uniform(random, 0, 1), uniform(random, 0, 1));
+  c.slipCompliance = uniform(random, 0, 1);
   return c;
 }
 
@@ -72,8 +72,8 @@ VectorXd compliances(const std::vector<Contact>& contacts, const std::vector<Row
                      const Island& island) {
   std::vector<double> c;
   for (const int i : island.frictional)
-    c.insert(c.end(), {contacts[i].compliance, contacts[i].slipCompliance[0],
-                       contacts[i].slipCompliance[1]});
+    c.insert(c.end(),
+             {contacts[i].compliance, contacts[i].slipCompliance, contacts[i].slipCompliance});
   for (const int i : island.frictionless) c.push_back(contacts[i].compliance);
   for (const int i : island.rows) c.push_back(rows[i].compliance);
   return Eigen::Map<Eigen::VectorXd>(c.data(), static_cast<int>(c.size()));

@@ -133,7 +133,8 @@ TEST(OneContact, SingularTangentialBlocks) {
   for (const double mu : {0.0, 0.3, 2.0}) {
     const Mat3 rises = Vec3(2, 0, 0).asDiagonal();
     const Mat3 inPlane = Vec3(2, 1, 0).asDiagonal();
-    for (const Vec3& q : {Vec3(-1, 0, 0), Vec3(-1, 3, 0), Vec3(-1, 3, -4), Vec3(-1, 0.1, 0.2)}) {
+    for (const Vec3& q :
+         {Vec3(-1, 0, 0), Vec3(-1, 3, 0), Vec3(-1, 3, -4), Vec3(-1, 0.1, 0.2), Vec3(-1, 0.1, 0)}) {
       for (const Mat3& W : {rises, inPlane}) {
         const Vec3 r = solveOneContact(W, q, mu);
         ASSERT_TRUE(r.allFinite());
@@ -143,6 +144,24 @@ TEST(OneContact, SingularTangentialBlocks) {
         }
       }
     }
+  }
+}
+
+// As in worlds that move in a plane: along the third axis nothing moves.
+TEST(OneContact, SticksInAPlane) {
+  const Mat3 W = Vec3(2, 1, 0).asDiagonal();
+  EXPECT_EQ(solveOneContact(W, {-1, 0.1, 0}, 0.3), Vec3(0.5, -0.1, 0));
+  Random random(31);
+  for (int k = 0; k < 1000; ++k) {
+    Mat3 rotation = Mat3::Identity();
+    rotation.bottomRightCorner<2, 2>() = Eigen::Rotation2Dd(uniform(random, 0, 3)).matrix();
+    Mat3 inPlane = Mat3::Zero();
+    inPlane.topLeftCorner<2, 2>() = randomDelassus(2, 100, random);
+    const Mat3 turned = rotation * inPlane * rotation.transpose();
+    const double mu = uniform(random, 0, 1);
+    const Vec3 q = rotation * Vec3(-1, uniform(random, -1, 1), 0);
+    const Vec3 r = solveOneContact(turned, q, mu);
+    EXPECT_LT(lawViolation(turned, q, mu, r), 1e-12 * inPlane.norm());
   }
 }
 

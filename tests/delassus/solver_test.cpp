@@ -146,6 +146,23 @@ TEST(Solver, ASpentBudgetIsSaidAndNeverWorseThanTheGuess) {
   }
 }
 
+// Nor where no reactions at all are nearer in the mean: what counts is the largest residual.
+TEST(Solver, ASpentBudgetIsNeverWorseThanAGuessThatIsWrongEverywhere) {
+  constexpr int contacts = 1000;
+  Problem problem;
+  DelassusMatrix::Sparse W(3 * contacts, 3 * contacts);
+  W.setIdentity();
+  problem.W = DelassusMatrix(W);
+  problem.q = VectorXd::Zero(3 * contacts);
+  problem.q[0] = -1.05;
+  problem.friction = VectorXd::Constant(contacts, 0.5);
+  VectorXd guess = VectorXd::Zero(3 * contacts);
+  for (int i = 0; i < contacts; ++i) guess[3 * i] = 1;
+  Options options;
+  options.newtonBudget = options.sweepBudget = options.pathBudget = 0;
+  EXPECT_LE(Solver(options).solve(problem, guess).residual, naturalResidual(problem, guess).max);
+}
+
 // Frictionless: Gauss' principle has one motion. Without disturbance a tower rests: that is another.
 TEST(Solver, TheMotionDoesNotDependOnTheGuessWhereItIsUnique) {
   Random random(73);

@@ -112,12 +112,12 @@ class WatchingSolver : public btConstraintSolver {
         faults_.insert("a reaction is outside its cone");
 
       Mat3 W = c.frame.transpose() * (response(c.a, c.armA) + response(c.b, c.armB)) * c.frame;
-      W.diagonal() += Vec3(c.compliance, c.slipCompliance[0], c.slipCompliance[1]);
+      W.diagonal() += Vec3(c.compliance, c.slipCompliance, c.slipCompliance);
       const double size = c.friction > 0 ? spectralNorm(W) : W(0, 0);
       if (!(size > 0)) continue;
       Vec3 u = c.frame.transpose() * (pointVelocity(c.a, c.armA) - pointVelocity(c.b, c.armB)) -
                c.target;
-      u += Vec3(c.compliance, c.slipCompliance[0], c.slipCompliance[1]).cwiseProduct(r);
+      u += Vec3(c.compliance, c.slipCompliance, c.slipCompliance).cwiseProduct(r);
       if (c.friction == 0) u.tail<2>().setZero();  // no law for them
       const Vec3 v = correctedVelocity(u, c.friction);
       const double residual = size * (r - projectOnCone(r - v / size, c.friction)).norm();
