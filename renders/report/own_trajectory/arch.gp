@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.17506 0.00070185 0.17506 0.17506
+0.179116 0.00118067 0.179116 0.179116
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-2.68018 0.00464689 2.68018 2.68018
+1.0599 0.00349957 1.0599 1.0599
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.011918 58.5231 0.011918 0.011918
+0.015129 58.5231 0.015129 0.015129
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.038857 52.8113 0.038857 0.038857
+0.049593 52.8113 0.049593 0.049593
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.110684 52.0951 0.110684 0.110684
+0.155612 52.0951 0.155612 0.155612
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.793326 51.863 0.793326 0.793326
+0.846067 51.863 0.846067 0.846067
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.22931 0.0289805 0.22931 0.22931
+0.234149 0.0289805 0.234149 0.234149
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.018227 56.2986 0.018227 0.018227
+0.017773 56.2986 0.017773 0.017773
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.056154 51.9634 0.056154 0.056154
+0.06927 51.9634 0.06927 0.06927
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.202591 53.4827 0.202591 0.202591
+0.209533 53.4827 0.209533 0.209533
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.033961 58.4105 0.033961 0.033961
+0.047559 58.4105 0.047559 0.047559
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.079328 53.9692 0.079328 0.079328
+0.108123 53.9692 0.108123 0.108123
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-10.1739 0.643701 10.1739 10.1739
+17.5204 0.480156 17.5204 17.5204
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.17506 0.000324694 0.17506 0.17506
+0.179116 0.00147588 0.179116 0.179116
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-2.68018 0.00350706 2.68018 2.68018
+1.0599 0.00108136 1.0599 1.0599
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.011918 0.0860226 0.011918 0.011918
+0.015129 0.0860226 0.015129 0.015129
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.038857 0.125669 0.038857 0.038857
+0.049593 0.125669 0.049593 0.049593
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.110684 0.0745132 0.110684 0.110684
+0.155612 0.0745132 0.155612 0.155612
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.793326 0.141876 0.793326 0.793326
+0.846067 0.141876 0.846067 0.846067
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.22931 0.00548533 0.22931 0.22931
+0.234149 0.00548533 0.234149 0.234149
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.018227 0.07651 0.018227 0.018227
+0.017773 0.07651 0.017773 0.017773
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.056154 0.0918368 0.056154 0.056154
+0.06927 0.0918368 0.06927 0.06927
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.202591 0.166559 0.202591 0.202591
+0.209533 0.166559 0.209533 0.209533
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.033961 0.13303 0.033961 0.033961
+0.047559 0.13303 0.047559 0.047559
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.079328 0.0948268 0.079328 0.079328
+0.108123 0.0948268 0.108123 0.108123
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-10.1739 0.0109993 10.1739 10.1739
+17.5204 0.00786191 17.5204 17.5204
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.17506 2.42343e-10 0.17506 0.17506
+0.179116 1.57298e-11 0.179116 0.179116
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-2.68018 0.0303848 2.68018 2.68018
+1.0599 0.0183986 1.0599 1.0599
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.011918 0.152558 0.011918 0.011918
+0.015129 0.152558 0.015129 0.015129
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.038857 0.180157 0.038857 0.038857
+0.049593 0.180157 0.049593 0.049593
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.110684 0.271838 0.110684 0.110684
+0.155612 0.271838 0.155612 0.155612
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.793326 0.249463 0.793326 0.793326
+0.846067 0.249463 0.846067 0.846067
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.22931 0.0503998 0.22931 0.22931
+0.234149 0.0503998 0.234149 0.234149
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.018227 0.189352 0.018227 0.018227
+0.017773 0.189352 0.017773 0.017773
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.056154 0.172081 0.056154 0.056154
+0.06927 0.172081 0.06927 0.06927
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.202591 0.257695 0.202591 0.202591
+0.209533 0.257695 0.209533 0.209533
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.033961 0.141583 0.033961 0.033961
+0.047559 0.141583 0.047559 0.047559
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.079328 0.156361 0.079328 0.079328
+0.108123 0.156361 0.108123 0.108123
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-10.1739 1e-12 10.1739 10.1739
+17.5204 1e-12 17.5204 17.5204
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00703911:77.2028]
+set xrange [0.0088843:107.877]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -223,25 +223,25 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.372395, graph 0.141041 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.665698, graph 0.27786 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.401413, graph 0.410351 left front noenhanced textcolor rgb '#e69f00'
-set label "lemke" at graph 0.80909, graph 0.634781 left front noenhanced textcolor rgb '#999999'
-set label "si:1000" at graph 0.534832, graph 0.952476 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.250169, graph 0.92934 left front noenhanced textcolor rgb '#009e73'
-set label "si:200" at graph 0.323114, graph 0.871334 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.296172, graph 0.952799 to graph 0.323114, graph 0.871334 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.0444462, graph 0.930512 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.388096, graph 0.815047 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.361154, graph 0.954702 to graph 0.388096, graph 0.815047 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.287308, graph 0.757513 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.260366, graph 0.955358 to graph 0.287308, graph 0.757513 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.129216, graph 0.876951 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.102274, graph 0.958416 to graph 0.129216, graph 0.876951 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.196111, graph 0.821427 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.169169, graph 0.961082 to graph 0.196111, graph 0.821427 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.0835457, graph 0.821566 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0566038, graph 0.961221 to graph 0.0835457, graph 0.821566 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.346338, graph 0.178688 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.535386, graph 0.257336 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.374827, graph 0.410351 left front noenhanced textcolor rgb '#e69f00'
+set label "lemke" at graph 0.833669, graph 0.613564 left front noenhanced textcolor rgb '#999999'
+set label "si:1000" at graph 0.511426, graph 0.952476 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.24532, graph 0.92934 left front noenhanced textcolor rgb '#009e73'
+set label "si:200" at graph 0.331381, graph 0.871334 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.304439, graph 0.952799 to graph 0.331381, graph 0.871334 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.0436456, graph 0.930512 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.174423, graph 0.873237 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.336074, graph 0.954702 to graph 0.309132, graph 0.873237 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.292665, graph 0.815702 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.265723, graph 0.955358 to graph 0.292665, graph 0.815702 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.100672, graph 0.818761 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0737304, graph 0.958416 to graph 0.100672, graph 0.818761 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.205334, graph 0.763237 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.178393, graph 0.961082 to graph 0.205334, graph 0.763237 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.0835457, graph 0.763376 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0566038, graph 0.961221 to graph 0.0835457, graph 0.763376 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -264,7 +264,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00703911:77.2028]
+set xrange [0.0088843:107.877]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -275,22 +275,22 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.372395, graph 0.127868 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.665698, graph 0.386236 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.401413, graph 0.434801 left front noenhanced textcolor rgb '#e69f00'
-set label "lemke" at graph 0.80909, graph 0.510341 left front noenhanced textcolor rgb '#999999'
-set label "si:200" at graph 0.323114, graph 0.718058 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.129216, graph 0.709292 left front noenhanced textcolor rgb '#009e73'
+set label "delassus:1e-3" at graph 0.535386, graph 0.258492 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.346338, graph 0.292263 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.374827, graph 0.434801 left front noenhanced textcolor rgb '#e69f00'
+set label "lemke" at graph 0.833669, graph 0.473882 left front noenhanced textcolor rgb '#999999'
+set label "si:200" at graph 0.331381, graph 0.718058 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.100672, graph 0.709292 left front noenhanced textcolor rgb '#009e73'
 set label "si:10" at graph 0.0835457, graph 0.815119 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.733653 to graph 0.0835457, graph 0.815119 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:50" at graph 0.250169, graph 0.775668 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig:1e-6" at graph 0.287308, graph 0.662767 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.260366, graph 0.744233 to graph 0.287308, graph 0.662767 nohead lw 0.6 lc rgb '#555555'
-set label "si:50" at graph 0.0444462, graph 0.763169 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.196111, graph 0.827539 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.169169, graph 0.780987 to graph 0.196111, graph 0.827539 nohead lw 0.6 lc rgb '#555555'
-set label "si:1000" at graph 0.534832, graph 0.787977 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.388096, graph 0.828668 left front noenhanced textcolor rgb '#cc79a7'
+set label "nncg:50" at graph 0.24532, graph 0.775668 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.292665, graph 0.662767 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.265723, graph 0.744233 to graph 0.292665, graph 0.662767 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.0436456, graph 0.763169 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.205334, graph 0.839177 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.178393, graph 0.780987 to graph 0.205334, graph 0.839177 nohead lw 0.6 lc rgb '#555555'
+set label "si:1000" at graph 0.511426, graph 0.787977 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.363016, graph 0.828668 left front noenhanced textcolor rgb '#cc79a7'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -313,7 +313,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00703911:77.2028]
+set xrange [0.0088843:107.877]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -324,24 +324,25 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke" at graph 0.80909, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "delassus" at graph 0.372395, graph 0.260341 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.665698, graph 0.883281 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.401413, graph 0.900187 left front noenhanced textcolor rgb '#e69f00'
-set label "dantzig" at graph 0.196111, graph 0.911417 left front noenhanced textcolor rgb '#555555'
+set label "lemke" at graph 0.833669, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
+set label "delassus" at graph 0.346338, graph 0.168979 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.535386, graph 0.866522 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.374827, graph 0.900187 left front noenhanced textcolor rgb '#e69f00'
+set label "dantzig" at graph 0.205334, graph 0.876503 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.178393, graph 0.934693 to graph 0.205334, graph 0.876503 nohead lw 0.6 lc rgb '#555555'
 set label "si:10" at graph 0.0835457, graph 0.972101 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.287308, graph 0.844907 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.260366, graph 0.93801 to graph 0.287308, graph 0.844907 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.0391238, graph 0.859745 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.223227, graph 0.94121 to graph 0.196285, graph 0.859745 nohead lw 0.6 lc rgb '#009e73'
-set label "si:50" at graph 0.0444462, graph 0.907829 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.129216, graph 0.80475 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.102274, graph 0.944405 to graph 0.129216, graph 0.80475 nohead lw 0.6 lc rgb '#009e73'
-set label "si:1000" at graph 0.534832, graph 0.953616 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.388096, graph 0.791769 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.361154, graph 0.9547 to graph 0.388096, graph 0.791769 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:200" at graph 0.13452, graph 0.747003 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.296172, graph 0.956485 to graph 0.26923, graph 0.747003 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.292665, graph 0.809993 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.265723, graph 0.93801 to graph 0.292665, graph 0.809993 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.0342747, graph 0.906296 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.0436456, graph 0.849639 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.182846, graph 0.942742 to graph 0.155904, graph 0.849639 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.100672, graph 0.793112 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0737304, graph 0.944405 to graph 0.100672, graph 0.793112 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000" at graph 0.511426, graph 0.953616 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.363016, graph 0.756856 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.336074, graph 0.9547 to graph 0.363016, graph 0.756856 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:200" at graph 0.142787, graph 0.735365 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.304439, graph 0.956485 to graph 0.277497, graph 0.735365 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.034091 5.84011e-05 0.034091 0.034091
+0.043241 5.84011e-05 0.043241 0.043241
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.145216 8.46076e-05 0.145216 0.145216
+0.105909 6.17465e-05 0.105909 0.105909
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.020901 5.11253 0.020901 0.020901
+0.027953 5.11253 0.027953 0.027953
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.120058 4.78169 0.120058 0.120058
+0.099948 4.78169 0.099948 0.099948
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.288688 4.80447 0.288688 0.288688
+0.400552 4.80447 0.400552 0.400552
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-1.37103 5.09893 1.37103 1.37103
+1.81644 5.09893 1.81644 1.81644
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.096353 0.366385 0.096353 0.096353
+0.129593 0.366385 0.129593 0.129593
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.004217 2312.01 0.004217 0.004217
+0.004228 2312.01 0.004228 0.004228
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.001782 2.61083e+09 0.001782 0.001782
+0.002194 2.61083e+09 0.002194 0.002194
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.311542 5.02576 0.311542 0.311542
+0.504697 5.02576 0.504697 0.504697
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.181699 4.77027 0.181699 0.181699
+0.178725 4.77027 0.178725 0.178725
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.290691 5.32617 0.290691 0.290691
+0.386865 5.32617 0.386865 0.386865
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-250.031 0.0503891 250.031 250.031
+312.959 0.0356512 312.959 312.959
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.034091 1e-05 0.034091 0.034091
+0.043241 1e-05 0.043241 0.043241
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.145216 1e-05 0.145216 0.145216
+0.105909 1e-05 0.105909 0.105909
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.020901 0.121117 0.020901 0.020901
+0.027953 0.121117 0.027953 0.027953
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.120058 0.167842 0.120058 0.120058
+0.099948 0.167842 0.099948 0.099948
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.288688 0.142591 0.288688 0.288688
+0.400552 0.142591 0.400552 0.400552
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-1.37103 0.130371 1.37103 1.37103
+1.81644 0.130371 1.81644 1.81644
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.096353 0.00221929 0.096353 0.096353
+0.129593 0.00221929 0.129593 0.129593
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.004217 0.964563 0.004217 0.004217
+0.004228 0.964563 0.004228 0.004228
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.001782 1e-05 0.001782 0.001782
+0.002194 1e-05 0.002194 0.002194
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.311542 0.150794 0.311542 0.311542
+0.504697 0.150794 0.504697 0.504697
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.181699 0.198679 0.181699 0.181699
+0.178725 0.198679 0.178725 0.178725
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.290691 0.211083 0.290691 0.290691
+0.386865 0.211083 0.386865 0.386865
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-250.031 0.00357857 250.031 250.031
+312.959 0.00357857 312.959 312.959
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.034091 3.93094e-10 0.034091 0.034091
+0.043241 3.97257e-10 0.043241 0.043241
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.145216 0.000256439 0.145216 0.145216
+0.105909 4.76899e-05 0.105909 0.105909
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.020901 0.206329 0.020901 0.020901
+0.027953 0.206329 0.027953 0.027953
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.120058 0.0960487 0.120058 0.120058
+0.099948 0.0960487 0.099948 0.099948
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.288688 0.878815 0.288688 0.288688
+0.400552 0.878815 0.400552 0.400552
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-1.37103 0.443111 1.37103 1.37103
+1.81644 0.443111 1.81644 1.81644
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.096353 0.00309642 0.096353 0.096353
+0.129593 0.00309642 0.129593 0.129593
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.004217 0.775073 0.004217 0.004217
+0.004228 0.775073 0.004228 0.004228
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.001782 1e-12 0.001782 0.001782
+0.002194 1e-12 0.002194 0.002194
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.311542 0.311414 0.311542 0.311542
+0.504697 0.311414 0.504697 0.504697
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.181699 0.294591 0.181699 0.181699
+0.178725 0.294591 0.178725 0.178725
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.290691 0.364726 0.290691 0.290691
+0.386865 0.364726 0.386865 0.386865
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-250.031 1e-12 250.031 250.031
+312.959 1e-12 312.959 312.959
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.000728639:5298.64]
+set xrange [0.000895985:6660.47]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,20 +223,20 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0368453, graph 0.0510947 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.362066, graph 0.0618273 left front noenhanced textcolor rgb '#0060a8'
-set label "lemke" at graph 0.833669, graph 0.246822 left front noenhanced textcolor rgb '#999999'
-set label "si2:50" at graph 0.336103, graph 0.304262 left front noenhanced textcolor rgb '#e69f00'
-set label "dantzig" at graph 0.376251, graph 0.355294 left front noenhanced textcolor rgb '#555555'
-set label "si:50" at graph 0.183882, graph 0.355363 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.405556, graph 0.41369 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.221784, graph 0.414994 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:1000" at graph 0.504165, graph 0.461964 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.477223, graph 0.380499 to graph 0.504165, graph 0.461964 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:10" at graph 0.0732349, graph 0.403852 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.0826902, graph 0.463227 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.379051, graph 0.381761 to graph 0.35211, graph 0.463227 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.138066, graph 0.557599 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.038467, graph 0.0510947 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.328582, graph 0.0527075 left front noenhanced textcolor rgb '#0060a8'
+set label "lemke" at graph 0.833669, graph 0.236805 left front noenhanced textcolor rgb '#999999'
+set label "si2:50" at graph 0.341338, graph 0.304262 left front noenhanced textcolor rgb '#e69f00'
+set label "dantzig" at graph 0.361655, graph 0.355294 left front noenhanced textcolor rgb '#555555'
+set label "si:50" at graph 0.158779, graph 0.355363 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.412662, graph 0.41369 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.238676, graph 0.403356 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:1000" at graph 0.508214, graph 0.461964 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.481272, graph 0.380499 to graph 0.508214, graph 0.461964 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:10" at graph 0.0782477, graph 0.403852 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.0871608, graph 0.451589 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.383522, graph 0.381761 to graph 0.35658, graph 0.451589 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.125008, graph 0.557599 left front noenhanced textcolor rgb '#009e73'
 set label "nncg:50" at graph 0.0835457, graph 0.961119 left front noenhanced textcolor rgb '#009e73'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -260,7 +260,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.000728639:5298.64]
+set xrange [0.000895985:6660.47]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -271,22 +271,22 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.270342, graph 0.119581 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.362066, graph 0.177771 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.271964, graph 0.119581 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.328582, graph 0.177771 left front noenhanced textcolor rgb '#0060a8'
 set label "nncg:50" at graph 0.0835457, graph 0.142857 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.336103, graph 0.478031 left front noenhanced textcolor rgb '#e69f00'
+set label "si2:50" at graph 0.341338, graph 0.478031 left front noenhanced textcolor rgb '#e69f00'
 set label "lemke" at graph 0.833669, graph 0.507673 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.0732349, graph 0.726172 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.504165, graph 0.73074 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.216962, graph 0.701385 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.410378, graph 0.786321 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.383436, graph 0.739769 to graph 0.410378, graph 0.786321 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:50" at graph 0.183882, graph 0.781328 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.376251, graph 0.838345 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.349309, graph 0.756879 to graph 0.376251, graph 0.838345 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.0826902, graph 0.830464 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.379051, graph 0.760636 to graph 0.35211, graph 0.830464 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.138066, graph 0.87818 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.0782477, graph 0.726172 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.508214, graph 0.73074 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.224068, graph 0.701385 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.427269, graph 0.786321 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.400327, graph 0.739769 to graph 0.427269, graph 0.786321 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:50" at graph 0.158779, graph 0.781328 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.361655, graph 0.838345 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.334713, graph 0.756879 to graph 0.361655, graph 0.838345 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.0871608, graph 0.830464 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.383522, graph 0.760636 to graph 0.35658, graph 0.830464 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.125008, graph 0.87818 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -309,7 +309,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.000728639:5298.64]
+set xrange [0.000895985:6660.47]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -322,21 +322,21 @@ unset arrow
 unset object
 set label "nncg:50" at graph 0.0835457, graph 0.0714286 left front noenhanced textcolor rgb '#009e73'
 set label "lemke" at graph 0.833669, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
-set label "delassus" at graph 0.270342, graph 0.25675 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.362066, graph 0.67207 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.336103, graph 0.749347 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.350024, graph 0.855892 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.0732349, graph 0.879611 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.165206, graph 0.93721 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.349309, graph 0.890659 to graph 0.322368, graph 0.93721 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:50" at graph 0.410378, graph 0.927295 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.405993, graph 0.80418 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.379051, graph 0.897283 to graph 0.405993, graph 0.80418 nohead lw 0.6 lc rgb '#555555'
-set label "si:1000" at graph 0.504165, graph 0.880046 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.138066, graph 0.827564 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.111124, graph 0.920667 to graph 0.138066, graph 0.827564 nohead lw 0.6 lc rgb '#009e73'
-set label "si:200" at graph 0.216962, graph 0.691805 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.378614, graph 0.924564 to graph 0.351672, graph 0.691805 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.271964, graph 0.257077 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.328582, graph 0.619888 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.341338, graph 0.749347 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.324921, graph 0.855892 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.0782477, graph 0.879611 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.15061, graph 0.93721 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.334713, graph 0.890659 to graph 0.307772, graph 0.93721 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:50" at graph 0.427269, graph 0.927295 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.410464, graph 0.80418 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.383522, graph 0.897283 to graph 0.410464, graph 0.80418 nohead lw 0.6 lc rgb '#555555'
+set label "si:1000" at graph 0.508214, graph 0.880046 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.125008, graph 0.827564 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0980664, graph 0.920667 to graph 0.125008, graph 0.827564 nohead lw 0.6 lc rgb '#009e73'
+set label "si:200" at graph 0.412662, graph 0.691805 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.38572, graph 0.924564 to graph 0.412662, graph 0.691805 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,167 +2,167 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.507322 7.86199e-11 0.507322 0.507322
+0.504777 8.49372e-11 0.504777 0.504777
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.424049 8.09675e-06 0.424049 0.424049
+2.12805 0.000705173 2.12805 2.12805
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.616685 0.0861536 0.616685 0.616685
+0.983414 0.0861536 0.983414 0.983414
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-2.30763 0.00905939 2.30763 2.30763
+3.96924 0.00905939 3.96924 3.96924
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-8.62574 0.00855399 8.62574 8.62574
+15.4216 0.00855399 15.4216 15.4216
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-43.2651 0.00107734 43.2651 43.2651
+61.9714 0.000719043 61.9714 61.9714
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-3.63286 0.132401 3.63286 3.63286
+6.03569 0.132401 6.03569 6.03569
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.833146 0.0854176 0.833146 0.833146
+1.49635 0.0854176 1.49635 1.49635
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-3.65578 33.2113 3.65578 3.65578
+6.10374 33.2113 6.10374 6.10374
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-117.385 0.00495296 117.385 117.385
+288.793 0.00422498 288.793 288.793
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-99.1406 0.0340875 99.1406 99.1406
+169.246 0.0340875 169.246 169.246
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.507322 3.61466e-12 0.507322 0.507322
+0.504777 2.70717e-12 0.504777 0.504777
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.424049 2.89984e-07 0.424049 0.424049
+2.12805 5.62543e-06 2.12805 2.12805
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.616685 0.00611616 0.616685 0.616685
+0.983414 0.00611616 0.983414 0.983414
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-2.30763 0.000726752 2.30763 2.30763
+3.96924 0.000726752 3.96924 3.96924
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-8.62574 6.46454e-05 8.62574 8.62574
+15.4216 6.46454e-05 15.4216 15.4216
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-43.2651 4.75653e-06 43.2651 43.2651
+61.9714 4.75653e-06 61.9714 61.9714
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-3.63286 0.0114209 3.63286 3.63286
+6.03569 0.0114209 6.03569 6.03569
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.833146 0.0209408 0.833146 0.833146
+1.49635 0.0209408 1.49635 1.49635
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-3.65578 0.456277 3.65578 3.65578
+6.10374 0.456277 6.10374 6.10374
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-117.385 0.000726761 117.385 117.385
+288.793 0.000726761 288.793 288.793
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-99.1406 0.00611616 99.1406 99.1406
+169.246 0.00611616 169.246 169.246
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.507322 1.33357e-09 0.507322 0.507322
+0.504777 1.38618e-09 0.504777 0.504777
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.424049 0.000122865 0.424049 0.424049
+2.12805 0.000357943 2.12805 2.12805
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.616685 0.00043191 0.616685 0.616685
+0.983414 0.00043191 0.983414 0.983414
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-2.30763 0.000140512 2.30763 2.30763
+3.96924 0.000140512 3.96924 3.96924
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-8.62574 0.000184248 8.62574 8.62574
+15.4216 0.000184248 15.4216 15.4216
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-43.2651 3.36124e-05 43.2651 43.2651
+61.9714 1e-12 61.9714 61.9714
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-3.63286 0.00375766 3.63286 3.63286
+6.03569 0.00375766 6.03569 6.03569
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.833146 0.0556839 0.833146 0.833146
+1.49635 0.0556839 1.49635 1.49635
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-3.65578 0.174073 3.65578 3.65578
+6.10374 0.174073 6.10374 6.10374
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-117.385 1e-12 117.385 117.385
+288.793 1e-12 288.793 288.793
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-99.1406 1e-12 99.1406 99.1406
+169.246 1e-12 169.246 169.246
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -182,7 +182,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.274212:606.614]
+set xrange [0.308551:1844.91]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -193,18 +193,17 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.106826, graph 0.0688871 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.454485 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.684092, graph 0.617873 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.813687, graph 0.668836 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.474711, graph 0.68709 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.303513, graph 0.689008 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.791755, graph 0.733277 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.171235, graph 0.763965 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.132172, graph 0.810804 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.10523, graph 0.764252 to graph 0.132172, graph 0.810804 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.362434, graph 0.778607 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:50" at graph 0.363251, graph 0.963176 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.0835457, graph 0.0714691 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.249005, graph 0.603715 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.636706, graph 0.604366 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.813687, graph 0.663525 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.476759, graph 0.68709 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.320689, graph 0.689008 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.752239, graph 0.733277 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.208506, graph 0.752327 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.160237, graph 0.799166 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.368885, graph 0.778607 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:50" at graph 0.370175, graph 0.963176 left front noenhanced textcolor rgb '#009e73'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -225,7 +224,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.274212:606.614]
+set xrange [0.308551:1844.91]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -236,17 +235,17 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.106826, graph 0.0465057 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.455198 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.684092, graph 0.556441 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.474711, graph 0.650878 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.303513, graph 0.738449 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.0835457, graph 0.0360429 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.636706, graph 0.556441 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.249005, graph 0.562513 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.476759, graph 0.650878 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.320689, graph 0.738449 left front noenhanced textcolor rgb '#d55e00'
 set label "pgs:50" at graph 0.813687, graph 0.738449 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:10" at graph 0.132172, graph 0.81554 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.791755, graph 0.81554 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.362434, graph 0.838142 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.171235, graph 0.871721 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.363251, graph 0.971602 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.160237, graph 0.81554 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.752239, graph 0.81554 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.368885, graph 0.838142 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.208506, graph 0.871721 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.370175, graph 0.971602 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -267,7 +266,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.274212:606.614]
+set xrange [0.308551:1844.91]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -278,17 +277,18 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
+set label "si:1000" at graph 0.425661, graph 0.0769231 left front noenhanced textcolor rgb '#d55e00'
 set label "pgs:50" at graph 0.813687, graph 0.0769231 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.580709, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
-set label "delassus" at graph 0.106826, graph 0.317309 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.684092, graph 0.655885 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.675911 left front noenhanced textcolor rgb '#0060a8'
-set label "si:50" at graph 0.303513, graph 0.726946 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.474711, graph 0.712723 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.132172, graph 0.741184 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.362434, graph 0.813455 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.171235, graph 0.903518 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.363251, graph 0.941595 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.752239, graph 0.123475 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.725297, graph 0.0769231 to graph 0.752239, graph 0.123475 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.0835457, graph 0.318602 left front noenhanced textcolor rgb '#0060a8'
+set label "si:50" at graph 0.320689, graph 0.70367 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.476759, graph 0.712723 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.249005, graph 0.769823 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.160237, graph 0.70627 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.368885, graph 0.825093 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.208506, graph 0.903518 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.370175, graph 0.941595 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

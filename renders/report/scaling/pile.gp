@@ -1,145 +1,145 @@
 # Draws pile.svg and pile.png: gnuplot pile.gp
 $line0_0 << EOD
-2 1.1215 2 2
-19 8.46574 19 19
-60 39.2459 60 60
-134 12.0272 134 134
-722 891.243 722 722
+2 1.4575 2 2
+19 12.8583 19 19
+60 45.6883 60 60
+134 19.7469 134 134
+722 667.609 722 722
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-2 2.2285 2 2
-19 11.7796 19 19
-60 31.3755 60 60
-134 11.0618 134 134
-722 658.134 722 722
+2 1.553 2 2
+19 10.8852 19 19
+60 48.4692 60 60
+134 10.8436 134 134
+722 255.374 722 722
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-2 0.3405 2 2
-19 0.357895 19 19
-60 0.478383 60 60
-134 0.390657 134 134
-722 0.600712 722 722
-3051 0.899134 3051 3051
-10851 1.48877 10851 10851
-24829 1.86572 24829 24829
+2 0.3605 2 2
+19 0.472474 19 19
+60 0.75575 60 60
+134 0.562851 134 134
+722 0.645352 722 722
+3051 1.47241 3051 3051
+10851 1.44688 10851 10851
+24829 2.05757 24829 24829
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-2 0.3405 2 2
-19 3.19158 19 19
-60 3.44845 60 60
-134 2.55401 134 134
-722 3.89282 722 722
-3051 4.00256 3051 3051
-10851 5.7746 10851 10851
-24829 10.1168 24829 24829
+2 0.3605 2 2
+19 3.75021 19 19
+60 4.61832 60 60
+134 3.57237 134 134
+722 3.89088 722 722
+3051 7.90518 3051 3051
+10851 6.97575 10851 10851
+24829 13.5807 24829 24829
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-2 0.3405 2 2
-19 0.557158 19 19
-60 0.628433 60 60
-134 0.479142 134 134
-722 0.51858 722 722
-3051 1.04902 3051 3051
-10851 1.4335 10851 10851
-24829 2.82706 24829 24829
+2 0.4005 2 2
+19 0.687053 19 19
+60 0.943767 60 60
+134 0.815709 134 134
+722 0.723641 722 722
+3051 1.8631 3051 3051
+10851 1.83063 10851 10851
+24829 2.25227 24829 24829
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-2 1.222 2 2
-19 1.42632 19 19
-60 2.16188 60 60
-134 2.41656 134 134
-722 14.5626 722 722
-3051 121.729 3051 3051
+2 1.2625 2 2
+19 2.08921 19 19
+60 4.05093 60 60
+134 4.61469 134 134
+722 35.0293 722 722
+3051 206.411 3051 3051
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-2 0.9465 2 2
-19 1.38942 19 19
-60 8.15543 60 60
-134 24.3138 134 134
-722 817.284 722 722
+2 0.9015 2 2
+19 2.07547 19 19
+60 11.301 60 60
+134 34.6138 134 134
+722 1175.38 722 722
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-2 1.0315 2 2
-19 1.24079 19 19
-60 5.59347 60 60
-134 23.7977 134 134
-722 882.739 722 722
+2 0.8915 2 2
+19 2.08811 19 19
+60 11.5321 60 60
+134 31.7998 134 134
+722 976.038 722 722
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-19 14.3797 19 19
-60 140.601 60 60
-134 811.807 134 134
+19 23.2214 19 19
+60 314.104 60 60
+134 1106.61 134 134
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-722 5.74259 722 722
+722 5.24288 722 722
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-722 5.66886 722 722
+722 5.55418 722 722
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-3051 4.68582 3051 3051
-10851 19.6198 10851 10851
-24829 42.8524 24829 24829
+3051 5.26336 3051 3051
+10851 19.5748 10851 10851
+24829 42.2461 24829 24829
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-3051 4.68582 3051 3051
-10851 19.6198 10851 10851
-24829 42.8524 24829 24829
+3051 5.26336 3051 3051
+10851 19.5748 10851 10851
+24829 42.2461 24829 24829
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-3051 4.78003 3051 3051
-10851 19.8697 10851 10851
-24829 43.3152 24829 24829
+3051 5.33709 3051 3051
+10851 19.755 10851 10851
+24829 42.4141 24829 24829
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-722 35.713 722 722
-3051 601.952 3051 3051
+722 35.7704 722 722
+3051 602.014 3051 3051
 EOD
 $marks1_5 << EOD
 EOD
 $line1_6 << EOD
-134 3.04742 134 134
-722 69.2675 722 722
+134 3.12934 134 134
+722 69.3207 722 722
 EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-134 3.04742 134 134
-722 69.2675 722 722
+134 3.12934 134 134
+722 69.3207 722 722
 EOD
 $marks1_7 << EOD
 EOD
 $line1_8 << EOD
-60 4.1943 60 60
-134 22.1348 134 134
+60 4.28851 60 60
+134 22.1266 134 134
 EOD
 $marks1_8 << EOD
 EOD
@@ -172,17 +172,16 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.254169 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.301905 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.401008 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:10" at graph 0.667268, graph 0.617079 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.551021, graph 0.763663 left front noenhanced textcolor rgb '#0060a8'
-set label "lemke" at graph 0.415176, graph 0.781891 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.551021, graph 0.817388 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.317942, graph 0.835718 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.531598, graph 0.789166 to graph 0.512175, graph 0.835718 nohead lw 0.6 lc rgb '#555555'
-set label "delassus" at graph 0.551021, graph 0.871465 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.531598, graph 0.789999 to graph 0.551021, graph 0.871465 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.262671 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.684225, graph 0.2938 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.426584 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:10" at graph 0.667268, graph 0.662946 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.551021, graph 0.716349 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.551021, graph 0.764904 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.551021, graph 0.821169 left front noenhanced textcolor rgb '#555555'
+set label "lemke" at graph 0.415176, graph 0.808799 left front noenhanced textcolor rgb '#999999'
+set label "dantzig" at graph 0.398872, graph 0.860587 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.531598, graph 0.814035 to graph 0.512175, graph 0.860587 nohead lw 0.6 lc rgb '#555555'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -230,18 +229,18 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.389947, graph 0.309355 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.370524, graph 0.251165 to graph 0.389947, graph 0.309355 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.389947, graph 0.253036 left front noenhanced textcolor rgb '#0060a8'
-set label "lemke" at graph 0.17742, graph 0.448358 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.836374, graph 0.543992 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.555629 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.592098 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.545547 to graph 0.836374, graph 0.592098 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.237798, graph 0.61351 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.156868, graph 0.660061 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.370524, graph 0.61351 to graph 0.3511, graph 0.660061 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:10" at graph 0.571811, graph 0.926521 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus" at graph 0.389947, graph 0.239857 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-4" at graph 0.389947, graph 0.190017 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.370524, graph 0.248207 to graph 0.389947, graph 0.190017 nohead lw 0.6 lc rgb '#0060a8'
+set label "lemke" at graph 0.17742, graph 0.448305 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.836374, graph 0.541929 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.553567 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.589055 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.542503 to graph 0.836374, graph 0.589055 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.237798, graph 0.613621 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6" at graph 0.156868, graph 0.660173 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.370524, graph 0.613621 to graph 0.3511, graph 0.660173 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:10" at graph 0.571811, graph 0.926535 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \

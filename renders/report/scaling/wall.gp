@@ -1,80 +1,80 @@
 # Draws wall.svg and wall.png: gnuplot wall.gp
 $line0_0 << EOD
-4 8.64775 4 4
-8 19.6391 8 8
-44 50.7937 44 44
-240 3008.07 240 240
-992 3378.34 992 992
-4156 973.094 4156 4156
+4 22.2143 4 4
+8 28.933 8 8
+44 54.5341 44 44
+240 2052.48 240 240
+992 1214.26 992 992
+4156 1571.13 4156 4156
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 5.44325 4 4
-8 6.36062 8 8
-44 15.4486 44 44
-240 17.3315 240 240
-992 21.3844 992 992
-4156 361.773 4156 4156
+4 13.7005 4 4
+8 10.6212 8 8
+44 22.1206 44 44
+240 28.6846 240 240
+992 25.3407 992 992
+4156 539.197 4156 4156
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.353 4 4
-8 0.32925 8 8
-44 0.435886 44 44
-240 0.347263 240 240
-992 0.391993 992 992
-4156 0.413016 4156 4156
-17032 0.751982 17032 17032
-42644 0.84978 42644 42644
+4 0.729 4 4
+8 0.7665 8 8
+44 0.579955 44 44
+240 0.464162 240 240
+992 0.547296 992 992
+4156 0.717782 4156 4156
+17032 0.823425 17032 17032
+42644 1.31997 42644 42644
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 2.4135 4 4
-8 2.26838 8 8
-44 3.03086 44 44
-240 2.52074 240 240
-992 2.74205 992 992
-4156 2.95219 4156 4156
-17032 4.34072 17032 17032
-42644 6.67707 42644 42644
+4 4.929 4 4
+8 5.36375 8 8
+44 4.6683 44 44
+240 3.291 240 240
+992 3.75587 992 992
+4156 5.03312 4156 4156
+17032 4.53374 17032 17032
+42644 7.4852 42644 42644
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.42575 4 4
-8 0.403125 8 8
-44 0.546045 44 44
-240 0.4621 240 240
-992 0.47718 992 992
-4156 0.543298 4156 4156
-17032 1.22912 17032 17032
-42644 1.68141 42644 42644
+4 1.14975 4 4
+8 0.990625 8 8
+44 0.85775 44 44
+240 0.798079 240 240
+992 0.673036 992 992
+4156 0.858045 4156 4156
+17032 1.28085 17032 17032
+42644 1.55238 42644 42644
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 0.969 4 4
-8 0.845 8 8
-44 2.77048 44 44
-240 4.81422 240 240
-992 25.2592 992 992
-4156 176.192 4156 4156
+4 2.4245 4 4
+8 2.05763 8 8
+44 5.19657 44 44
+240 8.5864 240 240
+992 84.1127 992 992
+4156 280.401 4156 4156
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 0.73125 4 4
+4 1.55275 4 4
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 0.631 4 4
-8 0.635875 8 8
-44 3.36886 44 44
-240 149.956 240 240
+4 1.72075 4 4
+8 1.69063 8 8
+44 5.10366 44 44
+240 207.108 240 240
 EOD
 $marks0_7 << EOD
 EOD
@@ -83,43 +83,44 @@ EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-240 2.51494 240 240
-992 5.45587 992 992
-4156 14.1066 4156 4156
+240 2.33882 240 240
+992 4.58342 992 992
+4156 14.889 4156 4156
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-992 3.46522 992 992
-4156 14.0042 4156 4156
+240 2.06438 240 240
+992 3.75194 992 992
+4156 14.889 4156 4156
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
 4156 9.9369 4156 4156
-17032 39.1168 17032 17032
-42644 73.6993 42644 42644
+17032 36.737 17032 17032
+42644 68.9971 42644 42644
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
 4156 9.9369 4156 4156
-17032 39.1168 17032 17032
-42644 73.6993 42644 42644
+17032 36.737 17032 17032
+42644 68.9971 42644 42644
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4156 10.1007 4156 4156
-17032 39.4609 17032 17032
-42644 74.2482 42644 42644
+4156 10.1212 4156 4156
+17032 37.077 17032 17032
+42644 69.292 42644 42644
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-240 4.43597 240 240
-992 65.7981 992 992
-4156 1120.14 4156 4156
+240 4.46874 240 240
+992 65.9292 992 992
+4156 1119.88 4156 4156
 EOD
 $marks1_5 << EOD
 EOD
@@ -128,7 +129,7 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-240 8.17562 240 240
+240 8.18381 240 240
 EOD
 $marks1_7 << EOD
 EOD
@@ -165,16 +166,16 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig" at graph 0.076027, graph 0.0797097 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.172813 to graph 0.076027, graph 0.0797097 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.836374, graph 0.185861 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.245135 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.364917 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.411697, graph 0.693383 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.392274, graph 0.635193 to graph 0.411697, graph 0.693383 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:10" at graph 0.645488, graph 0.649197 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.645488, graph 0.711687 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.645488, graph 0.797631 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.224113 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.684225, graph 0.261475 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.076027, graph 0.133479 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.23822 to graph 0.076027, graph 0.133479 nohead lw 0.6 lc rgb '#555555'
+set label "si:100" at graph 0.836374, graph 0.374841 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.411697, graph 0.733067 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.392274, graph 0.663239 to graph 0.411697, graph 0.733067 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:10" at graph 0.645488, graph 0.689556 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.645488, graph 0.746349 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.645488, graph 0.839242 left front noenhanced textcolor rgb '#0060a8'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -219,16 +220,16 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig:1e-6" at graph 0.076027, graph 0.076837 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.22813 to graph 0.076027, graph 0.076837 nohead lw 0.6 lc rgb '#555555'
-set label "delassus:1e-4" at graph 0.245344, graph 0.309841 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.494609, graph 0.229166 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.475186, graph 0.287356 to graph 0.494609, graph 0.229166 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:10" at graph 0.836374, graph 0.466866 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.490142 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.514223 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.467671 to graph 0.836374, graph 0.514223 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:10" at graph 0.494609, graph 0.762318 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.076027, graph 0.0536699 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.228239 to graph 0.076027, graph 0.0536699 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.326274, graph 0.304854 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-4" at graph 0.494609, graph 0.235026 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.475186, graph 0.293216 to graph 0.494609, graph 0.235026 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.459708 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.482984 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.506723 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.460171 to graph 0.836374, graph 0.506723 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:10" at graph 0.494609, graph 0.762293 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
