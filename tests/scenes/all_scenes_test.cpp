@@ -142,7 +142,7 @@ class EveryWorld : public testing::TestWithParam<std::string> {
 
 // The boxes of `slope` touch nothing for two seconds. What may end above the tolerance is a share of all five.
 TEST_P(EveryWorld, keepsTheLawInItsFirstSteps) {
-  expectLawKept([this] { return loadBulletFile(path()).world; }, GetParam() == "slope" ? 2.5 : 0.5,
+  expectLawKept([this] { return loadBulletFile(path()).world; }, GetParam() == "slope" ? 2.25 : 0.5,
                 60, seconds);
 }
 
