@@ -243,5 +243,20 @@ TEST(BlockFactor, NoBodiesAtAll) {
   EXPECT_EQ(nothing.size(), 0);
 }
 
+// Where one island is larger than all room for patterns, it and the others are not to be analysed in turns.
+TEST(BlockFactor, TheLargestPatternDrivesOutNoOther) {
+  constexpr int many = 6000;
+  Edges chain;
+  for (int body = 1; body < many; ++body) chain.push_back({body - 1, body});
+  BlockFactor factor;
+  factor.analyse(2, {{0, 1}});
+  factor.analyse(many, chain);
+  const std::size_t both = factor.bytes();
+  factor.analyse(2, {{0, 1}});
+  EXPECT_EQ(factor.bytes(), both);
+  factor.analyse(many, chain);
+  EXPECT_EQ(factor.bytes(), both);
+}
+
 }  // namespace
 }  // namespace delassus
