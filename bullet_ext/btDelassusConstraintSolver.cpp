@@ -83,7 +83,7 @@ const char* reasonOf(Status status) {
 
 /// Worlds step on from their reactions: what comes to a solver with a guess has been found wanting by the island check.
 Options forWorlds(Options options) {
-  options.guessShare = std::min(options.guessShare, worldPolishedShare);
+  options.guessShare = std::min(options.guessShare, polishedShare);
   return options;
 }
 

@@ -61,14 +61,17 @@ Memory::Owner Memory::ownerOf(const JointSource& joint, double impulse) {
 void Memory::Owners::clear() {
   list_.clear();
   indexOf_.clear();
-  indexed_ = 0;
+  indexed_ = next_ = 0;
 }
 
 const Memory::Owner* Memory::Owners::find(const Owner& wanted) {
+  if (next_ < list_.size() && list_[next_].isSame(wanted)) return &list_[next_++];
   for (; indexed_ < list_.size(); ++indexed_)
     indexOf_.insert(list_[indexed_].object, static_cast<int>(indexed_));
   const int* index = indexOf_.find(wanted.object);
-  return index && list_[*index].isSame(wanted) ? &list_[*index] : nullptr;
+  if (!index || !list_[*index].isSame(wanted)) return nullptr;
+  next_ = *index + 1;
+  return &list_[*index];
 }
 
 void Memory::nextStep() {
@@ -167,12 +170,34 @@ void Memory::keepForce(Group& group, int contact, const Owner& owner) const {
   group.guess[contact] = projectOnCone(reaction, c.friction);
 }
 
+/// Gives the points that stayed the digits of their reactions that Bullet's float cannot carry. A reaction that is not what was written is
+/// somebody else's, and stays.
+void Memory::recallDigits(Group& group, int begin, int end, const Owner& owner) const {
+  const auto isRoundedTo = [](const Vec3& r, const Vec3& rounded) {
+    for (int k = 0; k < 3; ++k)
+      if (static_cast<btScalar>(r[k]) != static_cast<btScalar>(rounded[k])) return false;
+    return true;
+  };
+  for (int i = begin; i < end; ++i) {
+    if (group.contactSources[i].fresh) continue;
+    for (int k = owner.begin; k < owner.end; ++k) {
+      const Vec3& reaction = last_.points[k].reaction;
+      if (!isRoundedTo(reaction, group.guess[i])) continue;
+      group.guess[i] = reaction;
+      break;
+    }
+  }
+}
+
 void Memory::recallPoints(Group& group, int begin, int end) {
+  constexpr bool losesDigits = sizeof(btScalar) < sizeof(double);
   int fresh = 0;
   for (int i = begin; i < end; ++i) fresh += group.contactSources[i].fresh;
-  if (fresh == 0) return;
+  if (fresh == 0 && !losesDigits) return;
   const Owner* owner = last_.manifolds.find(ownerOf(group.contactSources[begin]));
   if (!owner) return;
+  if (losesDigits) recallDigits(group, begin, end, *owner);
+  if (fresh == 0) return;
   if (end - begin == 1) return keepForce(group, begin, *owner);
   // Points that stayed claim their own past; what is left goes to the fresh ones.
   claim(group, begin, end, *owner, false);

@@ -9,8 +9,9 @@ namespace delassus::bullet {
 
 struct Answer;
 
-/// Reactions of the last step, for those who cannot carry their own: rows of joints and of turning friction, and points that
-/// Bullet's narrow phase has put in the place of others. Only guesses come from here; the answer does not depend on them.
+/// Reactions of the last step, for those who cannot carry their own: rows of joints and of turning friction, points that Bullet's
+/// narrow phase has put in the place of others, and in single precision all points, which round theirs by more than the tolerance: no
+/// island would be kept. Only guesses come from here; the answer does not depend on them.
 ///
 /// A fresh point takes over the reaction of the nearest point of its manifold that is gone; then all points of the
 /// manifold share the rest, so that together they push and turn as those of the last step did (a point that is alone: push). Pointers serve to
@@ -57,6 +58,8 @@ class Memory {
     std::vector<Owner> list_;
     AddressTable indexOf_;  ///< of the first so many, by object: where all rests nobody asks
     std::size_t indexed_ = 0;
+    std::size_t next_ =
+        0;  ///< after the one that was found last: most come in the same order again
   };
   /// Of a contact that resists turning.
   struct Turn {
@@ -77,6 +80,7 @@ class Memory {
   static Owner ownerOf(const JointSource& joint, double impulse);
   void recallRestless(Group& group);
   void recallPoints(Group& group, int begin, int end);
+  void recallDigits(Group& group, int begin, int end, const Owner& owner) const;
   const Turn* nearestTurn(const Owner& owner, const Vec3& arm) const;
   void recallTurns(Group& group);
   void keepTurns(const Group& group, const Answer& answer);

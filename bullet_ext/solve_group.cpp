@@ -95,7 +95,7 @@ double shareToKeep(const Group& group, const Island& island) {
       group.restless.empty() ||
       (std::none_of(island.frictional.begin(), island.frictional.end(), restless) &&
        std::none_of(island.frictionless.begin(), island.frictionless.end(), restless));
-  return settled ? worldKeptShare : worldPolishedShare;
+  return settled ? keptShare : polishedShare;
 }
 
 /// A body by whose contacts the island is known in the next step.
@@ -145,7 +145,7 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
   note(solution, partsOf(island), result);
   constexpr double gain = 10;
   const double tolerance = bench.solver.options().tolerance * problem.q.cwiseAbs().maxCoeff();
-  if (solution.tier == Tier::Walk && solution.startResidual > worldKeptShare * tolerance &&
+  if (solution.tier == Tier::Walk && solution.startResidual > keptShare * tolerance &&
       solution.startResidual > gain * solution.residual)
     result.restless = bodyToRemember(group, island);
   if (fitsBullet(solution.r)) {

@@ -13,11 +13,6 @@
 
 namespace delassus::bullet {
 
-/// In single precision the points round their reactions by more than the tolerance: there are no digits to gain.
-constexpr bool keepsDigits = sizeof(btScalar) == sizeof(double);
-constexpr double worldKeptShare = keepsDigits ? keptShare : 1,
-                 worldPolishedShare = keepsDigits ? polishedShare : 1;
-
 /// How the solve of one island ended.
 struct IslandResult {
   Status status;

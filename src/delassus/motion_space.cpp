@@ -81,6 +81,11 @@ Eigen::RowVector3d Stiffness::ofNormal(const Disk& disk) const {
 void BodyMotion::setProblem(const Problem& problem) {
   space_ = &problem.W.bodySpace();
   disks_ = &problem.disks;
+  isAnalysed_ = false;
+}
+
+void BodyMotion::analyse() {
+  isAnalysed_ = true;
   edges_.clear();
   const auto couple = [&](int a, int b) {
     if (a >= 0 && b >= 0 && a != b) edges_.push_back({a, b});
@@ -97,6 +102,7 @@ void BodyMotion::setProblem(const Problem& problem) {
 }
 
 bool BodyMotion::factorise(const Stiffness& G) {
+  if (!isAnalysed_) analyse();
   factor_.setIdentity(G.isSymmetric());
   int edge = 0;
   for (std::size_t i = 0; i < space_->contacts.size(); ++i) {

@@ -66,6 +66,8 @@ class BodyMotion {
     Mat36 governor;  ///< its first row alone if the governor is a row
   };
 
+  /// Finds which bodies are coupled and in which order they are eliminated: for the first factor, since many problems need none.
+  void analyse();
   int addParts(const Stiffness& G, int firstEdge);
   void addDisks(const Stiffness& G, int firstEdge);
   void findShares(const Disk& disk);
@@ -75,6 +77,7 @@ class BodyMotion {
   std::vector<DiskShare> shares_;  ///< of one disk
   std::vector<BlockFactor::Edge> edges_;
   BlockFactor factor_;
+  bool isAnalysed_ = false;
 };
 
 /// Explicit W: J̃ is its pivoted Cholesky factor, as many columns as W has rank. The asymmetry and the slightly negative

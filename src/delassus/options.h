@@ -16,8 +16,9 @@ struct Options {
   /// Most regions visited per island. Budgets count work, never time: the same input takes the same work everywhere. Work in a patch of an
   /// island counts by its share of what the island costs. 0 or less is none, as for all budgets.
   int newtonBudget = 1800;
-  /// Most block Gauss-Seidel sweeps, and alternations, per island. Who allows fewer than 300 is in a hurry: all sweeps are made, before
-  /// the walk, as sequential impulses make theirs, and there are no alternations, no `hold`, no second start and no path of compliance.
+  /// Most block Gauss-Seidel sweeps, and alternations, per island. Who allows fewer than 300 is in a hurry: what slid nowhere is held
+  /// all at once, if that is the answer, for the price of one region; otherwise all sweeps are made, before the walk, as sequential
+  /// impulses make theirs; and there are no alternations, no second start and no path of compliance.
   int sweepBudget = 64000;
   /// Most factorisations along a path of compliance (compliance_path.h), of an island of up to 600 contacts and rows; of larger ones, in
   /// which each costs more, as many fewer. There is no path in islands of more than 200 contacts and rows that are no heaps
@@ -25,7 +26,7 @@ struct Options {
   /// holds.
   int pathBudget = 30000;
   /// A guess whose residual is within this share of the tolerance comes back as it is; > 0. The Bullet solvers take no more than
-  /// polishedShare in double precision; before, they keep the last reactions where these are within keptShare.
+  /// polishedShare; before, they keep the last reactions where these are within keptShare.
   double guessShare = 1;
   Economies economies;
 };

@@ -62,6 +62,11 @@ constexpr double disturbed = 1e-3,
 constexpr int shortWalk = 16, pileWalk = 400, fewRegions = 8;
 constexpr int alternations = 300;  ///< what brings a large pile to rest
 
+/// A few regions settle a small island; where there are many contacts they only take time.
+int leastWalk(const Problem& problem) {
+  return isHeap(problem) || isLargePile(problem) ? shortWalk : 1;
+}
+
 /// Explicit entries that are too many for a dense matrix and its factor are swept over, and no more.
 bool isTooLargeToFactor(const Problem& problem) {
   constexpr int most = 10000;
@@ -150,9 +155,9 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
 ///   - where there is but one region, a walk to it; elsewhere alternating directions.
 /// With them:
 ///   - piles, and what slid nowhere: `hold`, from the last reactions;
-///   - few sweeps are allowed: all of them;
 ///   - much is disturbed: accelerated sweeps as long as they gain, in heaps with patches;
 ///   - large piles: alternating directions, which share the loads anew among contacts that squeeze each other.
+/// Where few sweeps are allowed: `hold` if nothing slid, and all sweeps.
 /// Then a walk, in large heaps a short one, in large piles a long one. Where it loses its way, many contacts are at a wall of their region:
 ///   - in large heaps plain sweeps, to outlast what hurried ones run past;
 ///   - a proof that nothing can meet the demands; a second walk, but in large islands, as bold as what the first has left allows;
@@ -165,7 +170,8 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
   newton.setProblem(problem, map_);
   newton.keepFactors(options.economies.factors);
   Outcome outcome = startOut(newton, problem, options, tolerance, guess, best);
-  if (outcome != Outcome::Lost || left(1) <= 0) return outcome;
+  const int least = isHurried_ ? leastWalk(problem) : 1;
+  if (outcome != Outcome::Lost || left(least) < least) return outcome;
   const double weight = best.residual <= nearly * problem.q.cwiseAbs().maxCoeff()
                             ? knownRegion
                             : proximalWeight(problem, best, 1e-2);
@@ -190,13 +196,15 @@ Outcome Search::startOut(ProximalNewton<Motion>& newton, const Problem& problem,
   const double demand = problem.q.cwiseAbs().maxCoeff(), aim = keptShare * tolerance;
   const auto left = [&](int most) { return std::min(most, options.newtonBudget - best.regions); };
   const auto isReached = [&] { return best.residual <= tolerance; };
+  if (isHurried_ && hold(newton, problem, options, tolerance, guess, best)) return Outcome::Reached;
   if (!guess && !isLargePile(problem)) {
     forceActiveSet(problem, best.activeSet);
     const Outcome outcome =
         newton.walkFromRegion(problem, tolerance, forcedRegion, left(shortWalk), best);
     if (outcome != Outcome::Lost) return outcome;
   }
-  if (hold(newton, problem, options, tolerance, guess, best)) return Outcome::Reached;
+  if (!isHurried_ && hold(newton, problem, options, tolerance, guess, best))
+    return Outcome::Reached;
   if (options.economies.oneRegion && hasOneRegion(problem)) {
     const Outcome outcome = newton.walk(problem, tolerance, knownRegion, left(shortWalk), best);
     if (outcome != Outcome::Lost) return outcome;
@@ -223,18 +231,33 @@ Outcome Search::startOut(ProximalNewton<Motion>& newton, const Problem& problem,
                                                                             : Outcome::Lost;
 }
 
-/// Holds all that touches. Not where the last reactions slid somewhere and regions are cheap: then something will again.
+/// Whether it is worth a region to hold all that touches. Not where the last reactions slid somewhere and regions are cheap, or few:
+/// then something will again.
+bool Search::mayHold(const Problem& problem, const Options& options, const VectorXd* guess,
+                     const Solution& best) const {
+  constexpr int fewContacts = 12;
+  if (isHeap(problem) || best.regions >= options.newtonBudget) return false;
+  if (isLargePile(problem) && !isHurried_) return true;
+  // Small islands without reactions of a last step hold all in their first region, if there may be others.
+  return (guess || isHurried_) && problem.contacts() > fewContacts &&
+         slidesNowhere(problem, best.r);
+}
+
+/// Holds all that touches. Who has few sweeps pays a region for it and no sweeps, and makes these as if it had not been tried.
 template <class Motion>
 bool Search::hold(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
                   double tolerance, const VectorXd* guess, Solution& best) {
-  constexpr int fewContacts = 12, mostSteps = 40;
-  const bool isLikely =
-      isLargePile(problem) || (guess && !isHeap(problem) && problem.contacts() > fewContacts &&
-                               slidesNowhere(problem, best.r));
-  const int most = std::min(mostSteps, options.sweepBudget - best.sweeps);
-  if (isHurried_ || !isLikely || most <= 0 || best.regions >= options.newtonBudget) return false;
+  constexpr int mostSteps = 40;
+  const int sweeps = best.sweeps;
+  const int most = isHurried_ ? mostSteps : std::min(mostSteps, options.sweepBudget - sweeps);
+  if (most <= 0 || !mayHold(problem, options, guess, best)) return false;
+  take(best, wandering_);
   holdActiveSet(problem, best.r, best.activeSet);
-  return newton.holdAll(problem, tolerance, most, best);
+  const bool isHeld = newton.holdAll(problem, tolerance, most, best);
+  if (!isHurried_) return isHeld;
+  best.sweeps = sweeps;
+  if (!isHeld) take(wandering_, best);
+  return isHeld;
 }
 
 /// Alternating directions. False if they do not reach the tolerance.
@@ -342,9 +365,8 @@ Outcome Search::walk(const Problem& problem, const Options& options, double tole
       dense_.solve(problem, map_, tolerance, options.newtonBudget - best.regions, Start::Best,
                    best))
     return Outcome::Reached;
-  // A few regions settle a small island; where there are many contacts they only take time.
-  const int least = isHeap(problem) || isLargePile(problem) ? shortWalk : 1;
-  if (isTooLargeToFactor(problem) || (isHurried_ && options.newtonBudget - best.regions < least)) {
+  const bool isRushed = isHurried_ && options.newtonBudget - best.regions < leastWalk(problem);
+  if (isTooLargeToFactor(problem) || (isRushed && !mayHold(problem, options, guess, best))) {
     sweepAll(problem, options, keptShare * tolerance, best);
     return best.residual <= tolerance ? Outcome::Reached : Outcome::Lost;
   }

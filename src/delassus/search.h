@@ -107,6 +107,8 @@ class Search {
   template <class Motion>
   Outcome findBack(Engines<Motion>& engines, const Problem& problem, const Options& options,
                    double tolerance, const VectorXd* guess, Solution& best);
+  bool mayHold(const Problem& problem, const Options& options, const VectorXd* guess,
+               const Solution& best) const;
   template <class Motion>
   bool hold(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
             double tolerance, const VectorXd* guess, Solution& best);

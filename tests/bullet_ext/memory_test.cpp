@@ -76,6 +76,28 @@ TEST(Memory, FreshPointsPushAndTurnAsThoseThatAreGone) {
   EXPECT_LT((touch.wrench(touch.group().guess) - before).norm(), 1e-6 * before.norm());
 }
 
+// But for those that somebody has changed.
+TEST(Memory, PointsThatStayHaveAllTheirDigits) {
+  Touch touch(corners);
+  Memory memory;
+  memory.nextStep();
+  memory.keep(touch.group(), answerOf(reactions));
+  memory.nextStep();
+
+  // As the narrow phase may have ordered them.
+  const auto& guess =
+      touch.group().guess = {reactions[2], reactions[0], reactions[3], reactions[1]};
+  for (Vec3& r : touch.group().guess)
+    for (double& x : r) x = static_cast<btScalar>(x);
+  touch.group().guess[1][0] = 7;
+  const Vec3 changed = guess[1];
+  memory.recall(touch.group());
+  EXPECT_EQ(guess[0], reactions[2]);
+  EXPECT_EQ(guess[1], changed);
+  EXPECT_EQ(guess[2], reactions[3]);
+  EXPECT_EQ(guess[3], reactions[1]);
+}
+
 // A smaller polygon on one side cannot pull, nor hold a moment about itself: what it starts from is allowed all the same.
 TEST(Memory, FreshPointsThatCannotCarryTheWrenchStartInsideTheirCones) {
   Touch touch(corners);

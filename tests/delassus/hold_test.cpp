@@ -70,6 +70,40 @@ TEST(Holding, HoldsWhatTheSceneHas) {
   }
 }
 
+Options hurried() {
+  Options options;
+  options.newtonBudget = 1;
+  options.sweepBudget = 2;
+  return options;
+}
+
+// One region is what it costs: who allows no more, and next to no sweeps, has piles at rest all the same.
+TEST(Holding, IsWithinTheSmallestBudget) {
+  Random random(137);
+  for (const int base : {3, 5, 12}) {
+    const Problem problem = PileIsland(makePyramid(base, 0.5, 0, 1, random)).problem;
+    const Solution solution = Solver(hurried()).solve(problem);
+    EXPECT_EQ(solution.status, Status::Solved) << base;
+    EXPECT_EQ(solution.regions, 1) << base;
+    EXPECT_EQ(solution.sweeps, 0) << base;
+  }
+}
+
+// Where it fails the sweeps are made from where they would have begun without it.
+TEST(Holding, TakesNoSweepsFromASmallBudget) {
+  Random random(138);
+  Pile pile = makePyramid(8, 0.5, 0, 1, random);
+  pile.bodies.back().velocity[0] += 6;
+  const Problem problem = PileIsland(pile).problem;
+  Options sweepsAlone = hurried();
+  sweepsAlone.newtonBudget = 0;
+  const Solution tried = Solver(hurried()).solve(problem);
+  const Solution swept = Solver(sweepsAlone).solve(problem);
+  EXPECT_EQ(tried.regions, 1);
+  EXPECT_EQ(tried.sweeps, hurried().sweepBudget);
+  EXPECT_LE((tried.r - swept.r).norm(), 1e-12 * swept.r.norm());
+}
+
 // A box that slides, or flies off, cannot be held: that is told soon, and nothing is lost.
 TEST(Holding, GivesUpWhereSomethingGivesWay) {
   Random random(133);

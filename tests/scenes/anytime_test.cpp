@@ -62,5 +62,16 @@ TEST(Anytime, isNoWorseInTheLongRun) {
   EXPECT_LE(runFor(buildPyramid(10), "delassus/40", 3).kineticEnergy, byPrecision(0.01, 0.1));
 }
 
+// What rests needs no budget: it is held in the first step, and kept.
+TEST(Anytime, whatRestsIsExactOnTheSmallestBudget) {
+  for (const char* scene :
+       {"one_box", "stack_10", "stack_10_heavy_top", "stack_40", "pyramid_10", "wall_20x10"}) {
+    SCOPED_TRACE(scene);
+    const RunSummary run = runFor(findScene(scene).build(), "delassus/2", 1);
+    EXPECT_LE(run.residualMax, byPrecision(1e-8, 1e-6));
+    EXPECT_LE(run.driftMax, byPrecision(1e-6, 1e-3));
+  }
+}
+
 }  // namespace
 }  // namespace demos
