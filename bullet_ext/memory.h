@@ -58,8 +58,8 @@ class Memory {
     std::vector<Owner> list_;
     AddressTable indexOf_;  ///< of the first so many, by object: where all rests nobody asks
     std::size_t indexed_ = 0;
-    std::size_t next_ =
-        0;  ///< after the one that was found last: most come in the same order again
+    /// After the one that was found last: most come in the same order again.
+    std::size_t next_ = 0;
   };
   /// Of a contact that resists turning.
   struct Turn {

@@ -107,6 +107,26 @@ Disk diskAt(const std::vector<Row>& rows, const Island& island, int k, int rowsB
           last.mostLoad};
 }
 
+/// Whether no body moves faster than that, nor turns so fast that a contact as far out as the furthest of the island would. A joint
+/// does not tell how far out it holds its bodies.
+bool isSlower(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
+              const std::vector<Row>& rows, const Island& island, double speed) {
+  if (std::any_of(island.rows.begin(), island.rows.end(),
+                  [&](int i) { return rows[i].governor < 0; }))
+    return false;
+  const double square = speed * speed;
+  double turn = 0, reach = 0;  // squared
+  for (int body : island.bodies) {
+    const Vec6& v = bodies[body].velocity;
+    if (!(v.head<3>().squaredNorm() <= square)) return false;
+    turn = std::max(turn, v.tail<3>().squaredNorm());
+  }
+  for (const std::vector<int>* touching : {&island.frictional, &island.frictionless})
+    for (int i : *touching)
+      reach = std::max({reach, contacts[i].armA.squaredNorm(), contacts[i].armB.squaredNorm()});
+  return turn * reach <= square;
+}
+
 void makeReady(const Island& island, Tier tier, Solution& solution) {
   const auto scalars = island.frictionless.size() + island.rows.size();
   solution.u.resize(static_cast<int>(3 * island.frictional.size() + scalars));
@@ -239,7 +259,8 @@ bool IslandCheck::isKept(const std::vector<Body>& bodies, const std::vector<Cont
                          std::vector<Body>& moved, Solution& solution) {
   VectorXd& r = solution.r;
   const double demand = move(bodies, contacts, rows, island, moved, r);
-  Residuals residuals(share * options_.tolerance * demand);
+  const double tolerance = share * options_.tolerance * demand;
+  Residuals residuals(tolerance);
   makeReady(island, Tier::Kept, solution);
   VectorXd& u = solution.u;
 
@@ -294,6 +315,8 @@ bool IslandCheck::isKept(const std::vector<Body>& bodies, const std::vector<Cont
       std::all_of(island.frictionless.begin(), island.frictionless.end(), keepsNormal) &&
       std::all_of(island.rows.begin(), island.rows.end(), keepsRow)) {
     residuals.write(solution);
+    if (isSlower(moved, contacts, rows, island, tolerance))
+      for (int body : island.bodies) moved[body].velocity.setZero();
     return true;
   }
   for (int body : island.bodies) moved[body].velocity = bodies[body].velocity;

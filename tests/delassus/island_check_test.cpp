@@ -106,6 +106,73 @@ TEST(IslandCheck, RefusesWhatDoesNotKeepTheLawAndLeavesTheBodiesAlone) {
 }
 
 // q ≥ 0, and only then: against the natural residual of r = 0.
+/// A box of 1 kg on its base, with what holds it against gravity, and the velocity that these leave if it moved at `velocity` before.
+struct StandingBox {
+  Pile pile;
+  std::vector<Body> moved;
+  Solution seen;
+  bool isKept = false;
+
+  StandingBox(const Vec6& velocity, bool hung, Random& random) {
+    pile = makeTower({1}, 0.5, 0, random);
+    Body& box = pile.bodies.back();
+    box.velocity << 0, 0, -fall, 0, 0, 0;
+    if (hung) {
+      Row row;
+      row.a = static_cast<int>(pile.bodies.size()) - 1;
+      row.jacobianA << 1, 0, 0, 0, 0, 0;
+      pile.rows.push_back(row);
+    }
+    Options tight;
+    tight.tolerance = 1e-14;
+    seen.r = Solver(tight).solve(PileIsland(pile).problem).r;
+    box.velocity += velocity;
+    moved = pile.bodies;
+    const PileIsland island(pile);
+    isKept = IslandCheck(Options()).isKept(pile.bodies, pile.contacts, pile.rows, island.island, 1,
+                                           moved, seen);
+  }
+  const Vec6& left() const { return moved.back().velocity; }
+
+  static constexpr double fall = 0.16;  ///< m/s a step, by gravity
+};
+
+// What is slower than the tolerance is brought to rest, however it moves; a joint is not asked.
+TEST(IslandCheck, WhatIsKeptAtRestIsAtRest) {
+  Random random(82);
+  const double tolerance = Options().tolerance * StandingBox::fall;
+  for (int axis = 0; axis < 6; ++axis)
+    for (const double speed : {0.05 * tolerance, 0.3 * tolerance}) {
+      const Vec6 velocity = speed * Vec6::Unit(axis);
+      const StandingBox box(velocity, false, random), hung(velocity, true, random);
+      EXPECT_TRUE(box.isKept && hung.isKept);
+      EXPECT_TRUE(box.left().isZero(0)) << box.left().transpose();
+      EXPECT_LT((hung.left() - velocity).norm(), 1e-3 * speed);
+    }
+}
+
+// A ball that spins about the point it stands on moves no point that touches.
+TEST(IslandCheck, WhatSpinsIsNotAtRest) {
+  const double fall = StandingBox::fall;
+  Pile pile;
+  Body& ball = pile.bodies.emplace_back();
+  ball.inverseMass.setOnes();
+  ball.inverseInertia.setIdentity();
+  ball.velocity << 0, 0, -fall, 0, 0, 1;
+  Contact& contact = pile.contacts.emplace_back();
+  contact.a = 0;
+  contact.frame << 0, 1, 0, 0, 0, 1, 1, 0, 0;
+  contact.armA << 0, 0, -0.5;
+  contact.friction = 0.5;
+  const PileIsland island(pile);
+  std::vector<Body> moved = pile.bodies;
+  Solution seen;
+  seen.r = Vec3(fall, 0, 0);
+  EXPECT_TRUE(IslandCheck(Options()).isKept(pile.bodies, pile.contacts, pile.rows, island.island, 1,
+                                            moved, seen));
+  EXPECT_EQ(moved[0].velocity[5], 1);
+}
+
 TEST(IslandCheck, FreeMeansThatNoReactionIsAskedFor) {
   Random random(83);
   int free = 0;
