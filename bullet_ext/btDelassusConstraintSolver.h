@@ -21,8 +21,9 @@ class Extension;
 ///     btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
 ///
 /// Drop-in for btSequentialImpulseConstraintSolver in a world of rigid bodies. One solver a world:
-/// it owns its workspace; reactions are kept in Bullet's contact points, and for joints and points
-/// that narrow phase replaced, here for one step.
+/// it owns its workspace; reactions are kept in Bullet's contact points, and for joints, points that
+/// narrow phase replaced, and the digits that float has no room for, here for one step. That needs
+/// prepareSolve, which Bullet's world calls; without it (a solver pool) float worlds are solved in every step.
 class btDelassusConstraintSolver : public btConstraintSolver {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();

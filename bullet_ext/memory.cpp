@@ -178,10 +178,12 @@ void Memory::recallDigits(Group& group, int begin, int end, const Owner& owner) 
       if (static_cast<btScalar>(r[k]) != static_cast<btScalar>(rounded[k])) return false;
     return true;
   };
+  const int count = owner.end - owner.begin;
   for (int i = begin; i < end; ++i) {
     if (group.contactSources[i].fresh) continue;
-    for (int k = owner.begin; k < owner.end; ++k) {
-      const Vec3& reaction = last_.points[k].reaction;
+    // Its own place first: others may have the same digits in float.
+    for (int k = 0; k < count; ++k) {
+      const Vec3& reaction = last_.points[owner.begin + (i - begin + k) % count].reaction;
       if (!isRoundedTo(reaction, group.guess[i])) continue;
       group.guess[i] = reaction;
       break;

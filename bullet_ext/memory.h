@@ -22,7 +22,7 @@ class Memory {
   /// What was kept since the last call is what is recalled from now on. Nothing is kept before the first call, nor once a
   /// group comes again without one: who does not announce steps (a solver pool) would have it grow without end.
   void nextStep();
-  /// Fills the guesses that `group` lacks. Call once per group, before `keep`.
+  /// Fills the guesses, and the digits of guesses, that `group` lacks. Call once per group, before `keep`.
   void recall(Group& group);
   void keep(const Group& group, const Answer& answer);
 
@@ -56,7 +56,7 @@ class Memory {
 
    private:
     std::vector<Owner> list_;
-    AddressTable indexOf_;  ///< of the first so many, by object: where all rests nobody asks
+    AddressTable indexOf_;  ///< of the first so many, by object: where all rests next_ answers
     std::size_t indexed_ = 0;
     /// After the one that was found last: most come in the same order again.
     std::size_t next_ = 0;

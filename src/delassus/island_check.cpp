@@ -42,23 +42,43 @@ double relativeVelocity(const std::vector<Body>& bodies, const Row& c) {
   return along(bodies, c.a, c.jacobianA) + along(bodies, c.b, c.jacobianB) - c.target;
 }
 
-/// Trace of one body's share in the first `columns` rows of W_aa.
-double traceShare(const std::vector<Body>& bodies, int body, const Vec3& arm, const Mat3& frame,
-                  int columns) {
+/// One body's share in the trace of W_aa of a contact whose axes e_i are orthonormal, whichever they are:
+/// Σ e_iᵀ M⁻¹ e_i + (arm × e_i)ᵀ I⁻¹ (arm × e_i).
+double traceShare(const std::vector<Body>& bodies, int body, const Vec3& arm) {
   if (body < 0) return 0;
-  double trace = 0;
-  for (int i = 0; i < columns; ++i) {
-    const Vec3 turn = arm.cross(frame.col(i));
-    trace += frame.col(i).cwiseAbs2().dot(bodies[body].inverseMass) +
-             turn.dot(bodies[body].inverseInertia * turn);
-  }
-  return trace;
+  const Body& b = bodies[body];
+  const double turning =
+      arm.squaredNorm() * b.inverseInertia.trace() - arm.dot(b.inverseInertia * arm);
+  return b.inverseMass.sum() + std::max(0.0, turning);
 }
 
-double trace(const std::vector<Body>& bodies, const Contact& c, int columns) {
-  return traceShare(bodies, c.a, c.armA, c.frame, columns) +
-         traceShare(bodies, c.b, c.armB, c.frame, columns) + c.compliance +
-         (columns > 1 ? 2 * c.slipCompliance : 0);
+/// The same in the diagonal of W, along one axis.
+double diagonalShare(const std::vector<Body>& bodies, int body, const Vec3& arm, const Vec3& axis) {
+  if (body < 0) return 0;
+  const Vec3 turn = arm.cross(axis);
+  return axis.cwiseAbs2().dot(bodies[body].inverseMass) +
+         turn.dot(bodies[body].inverseInertia * turn);
+}
+
+double diagonal(const std::vector<Body>& bodies, const Contact& c, int axis) {
+  return diagonalShare(bodies, c.a, c.armA, c.frame.col(axis)) +
+         diagonalShare(bodies, c.b, c.armB, c.frame.col(axis));
+}
+
+/// Not where friction depends on the direction.
+bool areTangentsOrthonormal(const Contact& c) {
+  constexpr double rounding = 1e-12;
+  const Vec3 t1 = c.frame.col(1), t2 = c.frame.col(2);
+  return std::abs(t1.squaredNorm() - 1) + std::abs(t2.squaredNorm() - 1) + std::abs(t1.dot(t2)) <
+         rounding;
+}
+
+double trace(const std::vector<Body>& bodies, const Contact& c) {
+  const double hard =
+      areTangentsOrthonormal(c)
+          ? traceShare(bodies, c.a, c.armA) + traceShare(bodies, c.b, c.armB)
+          : diagonal(bodies, c, 0) + diagonal(bodies, c, 1) + diagonal(bodies, c, 2);
+  return hard + c.compliance + 2 * c.slipCompliance;
 }
 
 double diagonalShare(const std::vector<Body>& bodies, int body, const Row6& J) {
@@ -107,8 +127,16 @@ Disk diskAt(const std::vector<Row>& rows, const Island& island, int k, int rowsB
           last.mostLoad};
 }
 
-/// Whether no body moves faster than that, nor turns so fast that a contact as far out as the furthest of the island would. A joint
-/// does not tell how far out it holds its bodies.
+/// The square of about the largest radius of gyration; 0 if it cannot turn.
+double reachOf(const Body& body) {
+  double least = infinity;
+  for (int i = 0; i < 3; ++i)
+    if (body.inverseInertia(i, i) > 0) least = std::min(least, body.inverseInertia(i, i));
+  return least < infinity ? body.inverseMass.maxCoeff() / least : 0;
+}
+
+/// Whether no body moves faster than that, nor turns so fast that what of the island is furthest from its centre would. A joint does
+/// not tell how far out it holds its bodies.
 bool isSlower(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
               const std::vector<Row>& rows, const Island& island, double speed) {
   if (std::any_of(island.rows.begin(), island.rows.end(),
@@ -116,14 +144,20 @@ bool isSlower(const std::vector<Body>& bodies, const std::vector<Contact>& conta
     return false;
   const double square = speed * speed;
   double turn = 0, reach = 0;  // squared
-  for (int body : island.bodies) {
-    const Vec6& v = bodies[body].velocity;
+  for (int i : island.bodies) {
+    const Vec6& v = bodies[i].velocity;
     if (!(v.head<3>().squaredNorm() <= square)) return false;
     turn = std::max(turn, v.tail<3>().squaredNorm());
+    reach = std::max(reach, reachOf(bodies[i]));
   }
+  const auto reachTo = [&](int body, const Vec3& arm) {
+    if (body >= 0 && bodies[body].movable()) reach = std::max(reach, arm.squaredNorm());
+  };
   for (const std::vector<int>* touching : {&island.frictional, &island.frictionless})
-    for (int i : *touching)
-      reach = std::max({reach, contacts[i].armA.squaredNorm(), contacts[i].armB.squaredNorm()});
+    for (int i : *touching) {
+      reachTo(contacts[i].a, contacts[i].armA);
+      reachTo(contacts[i].b, contacts[i].armB);
+    }
   return turn * reach <= square;
 }
 
@@ -259,15 +293,14 @@ bool IslandCheck::isKept(const std::vector<Body>& bodies, const std::vector<Cont
                          std::vector<Body>& moved, Solution& solution) {
   VectorXd& r = solution.r;
   const double demand = move(bodies, contacts, rows, island, moved, r);
-  const double tolerance = share * options_.tolerance * demand;
-  Residuals residuals(tolerance);
+  Residuals residuals(share * options_.tolerance * demand);
   makeReady(island, Tier::Kept, solution);
   VectorXd& u = solution.u;
 
   int at = 0, state = 0;
   const auto keepsCone = [&](int i) {
     const Contact& c = contacts[i];
-    const double size = trace(moved, c, 3), mean = size / 3;
+    const double size = trace(moved, c), mean = size / 3;
     const Vec3 reaction = r.segment<3>(at);
     Vec3 velocity = relativeVelocity(moved, c) + c.compliance * Vec3(reaction[0], 0, 0);
     velocity.tail<2>() += c.slipCompliance * reaction.tail<2>();
@@ -285,7 +318,7 @@ bool IslandCheck::isKept(const std::vector<Body>& bodies, const std::vector<Cont
   const auto keepsNormal = [&](int i) {
     const Contact& c = contacts[i];
     return keepsBounds(normalVelocity(moved, c) + c.compliance * r[at], 0, infinity,
-                       trace(moved, c, 1));
+                       diagonal(moved, c, 0) + c.compliance);
   };
   const int rowsBegin = island.unknowns() - static_cast<int>(island.rows.size());
   double pairSize = 0;  // of the first row of a pair
@@ -315,7 +348,9 @@ bool IslandCheck::isKept(const std::vector<Body>& bodies, const std::vector<Cont
       std::all_of(island.frictionless.begin(), island.frictionless.end(), keepsNormal) &&
       std::all_of(island.rows.begin(), island.rows.end(), keepsRow)) {
     residuals.write(solution);
-    if (isSlower(moved, contacts, rows, island, tolerance))
+    // Rounding, not what a user would tolerate: forces that nothing resists add up.
+    const double still = share * std::min(options_.tolerance, Options().tolerance) * demand;
+    if (isSlower(moved, contacts, rows, island, still))
       for (int body : island.bodies) moved[body].velocity.setZero();
     return true;
   }

@@ -27,9 +27,11 @@ class IslandCheck {
   /// larger: it bounds the one with ρ = 1/‖W_aa‖.) `share` is how much of the tolerance may be used. If so, `moved` holds the bodies'
   /// velocities v_f + M⁻¹ Jᵀ r; otherwise `moved` and `solution.r` are as they were, but for that projection.
   ///
-  /// Where no body, in an island without joints, is left faster than that share of the tolerance, `moved` is at rest. Reactions that are
-  /// kept do not answer to what moves: the rounding of one step would be a motion that grows in all that follow, in a pile by a third a
-  /// step, until they are solved anew and the narrow phase puts other points in the place of those that the pile stands on.
+  /// Where no body, in an island without joints, is left faster than `share` of 1e-8 of the largest demand (of the tolerance, if that is
+  /// less), `moved` is at rest; u and the residual are as they were before. Reactions that are kept do not answer to what moves: the
+  /// rounding of one step would be a motion that grows in all that follow, in a pile by a third a step, until they are solved anew and
+  /// the narrow phase puts other points in the place of those that the pile stands on. What sets a body in motion by less a step, a ball
+  /// on a slope of 1e-9 rad, does not move it.
   bool isKept(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
               const std::vector<Row>& rows, const Island& island, double share,
               std::vector<Body>& moved, Solution& solution);

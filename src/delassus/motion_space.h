@@ -46,7 +46,7 @@ struct Stiffness {
 /// Bodies of a world: six columns a body, K is sparse in 6x6 blocks over the body graph.
 class BodyMotion {
  public:
-  /// Keeps pointers to the problem, which must outlive the use.
+  /// Keeps pointers to the problem, which must outlive the use and stay as it is.
   void setProblem(const Problem& problem);
 
   int size() const { return 6 * space_->bodies; }

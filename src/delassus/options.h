@@ -5,8 +5,8 @@
 namespace delassus {
 
 /// Shares of the tolerance. Reactions that are kept act again in every step, and a tall pile makes twice the error of each
-/// step in the next. So they are kept only as long as they are better than what is solved (keptShare), and solving again
-/// goes on for some digits more where these come by themselves (polishedShare).
+/// step in the next, unless it is at rest (island_check.h). So they are kept only as long as they are better than what is solved
+/// (keptShare), and solving again goes on for some digits more where these come by themselves (polishedShare).
 constexpr double keptShare = 1e-1, polishedShare = 1e-4;
 
 struct Options {
@@ -16,9 +16,10 @@ struct Options {
   /// Most regions visited per island. Budgets count work, never time: the same input takes the same work everywhere. Work in a patch of an
   /// island counts by its share of what the island costs. 0 or less is none, as for all budgets.
   int newtonBudget = 1800;
-  /// Most block Gauss-Seidel sweeps, and alternations, per island. Who allows fewer than 300 is in a hurry: what slid nowhere is held
-  /// all at once, if that is the answer, for the price of one region; otherwise all sweeps are made, before the walk, as sequential
-  /// impulses make theirs; and there are no alternations, no second start and no path of compliance.
+  /// Most block Gauss-Seidel sweeps, and alternations, per island. Who allows fewer than 300 is in a hurry: where nothing slid, and there
+  /// are more than 12 contacts and no heap (pile_kind.h), all is held at once for one region, its up to 40 steps uncounted; if that is
+  /// no answer, all sweeps are made, before the walk, as sequential impulses make theirs. There are no alternations, no second start and
+  /// no path of compliance.
   int sweepBudget = 64000;
   /// Most factorisations along a path of compliance (compliance_path.h), of an island of up to 600 contacts and rows; of larger ones, in
   /// which each costs more, as many fewer. There is no path in islands of more than 200 contacts and rows that are no heaps

@@ -71,7 +71,7 @@ class ProximalNewton {
   ///
   /// each of which goes to the forced reactions nearest to r', that is r with what lies outside moved further inside than to the wall
   /// (Gubin, Polyak, Raik 1967, The method of projections for finding the common point of convex sets). They begin at `best`, and then
-  /// from nothing, with what is left of `budget`. Steps are counted as sweeps.
+  /// from nothing, with what is left of `budget`. Steps are counted as sweeps here.
   bool holdAll(const Problem& problem, double tolerance, int budget, Solution& best);
 
   /// The space of the last problem, for other methods; what it has factored is forgotten here.

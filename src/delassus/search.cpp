@@ -62,11 +62,6 @@ constexpr double disturbed = 1e-3,
 constexpr int shortWalk = 16, pileWalk = 400, fewRegions = 8;
 constexpr int alternations = 300;  ///< what brings a large pile to rest
 
-/// A few regions settle a small island; where there are many contacts they only take time.
-int leastWalk(const Problem& problem) {
-  return isHeap(problem) || isLargePile(problem) ? shortWalk : 1;
-}
-
 /// Explicit entries that are too many for a dense matrix and its factor are swept over, and no more.
 bool isTooLargeToFactor(const Problem& problem) {
   constexpr int most = 10000;
@@ -86,6 +81,12 @@ void take(const Solution& candidate, Solution& best) {
 double Search::proximalWeight(const Problem& problem, const Solution& from, double least) {
   return std::clamp(std::sqrt(from.residual / problem.q.cwiseAbs().maxCoeff()), least,
                     unknownRegion);
+}
+
+/// A few regions settle a small island; where there are many contacts, and no time, they only take some.
+bool Search::hasNoWalk(const Problem& problem, const Options& options, const Solution& best) const {
+  const int least = isHeap(problem) || isLargePile(problem) ? shortWalk : 1;
+  return isHurried_ && options.newtonBudget - best.regions < least;
 }
 
 void Search::measure(const Problem& problem, Solution& candidate) {
@@ -169,9 +170,9 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
   ProximalNewton<Motion>& newton = engines.walk;
   newton.setProblem(problem, map_);
   newton.keepFactors(options.economies.factors);
+  const bool isRushed = hasNoWalk(problem, options, best);
   Outcome outcome = startOut(newton, problem, options, tolerance, guess, best);
-  const int least = isHurried_ ? leastWalk(problem) : 1;
-  if (outcome != Outcome::Lost || left(least) < least) return outcome;
+  if (outcome != Outcome::Lost || isRushed || left(1) <= 0) return outcome;
   const double weight = best.residual <= nearly * problem.q.cwiseAbs().maxCoeff()
                             ? knownRegion
                             : proximalWeight(problem, best, 1e-2);
@@ -196,6 +197,7 @@ Outcome Search::startOut(ProximalNewton<Motion>& newton, const Problem& problem,
   const double demand = problem.q.cwiseAbs().maxCoeff(), aim = keptShare * tolerance;
   const auto left = [&](int most) { return std::min(most, options.newtonBudget - best.regions); };
   const auto isReached = [&] { return best.residual <= tolerance; };
+  wandering_.residual = infinity;  // of what a hold leaves
   if (isHurried_ && hold(newton, problem, options, tolerance, guess, best)) return Outcome::Reached;
   if (!guess && !isLargePile(problem)) {
     forceActiveSet(problem, best.activeSet);
@@ -213,6 +215,7 @@ Outcome Search::startOut(ProximalNewton<Motion>& newton, const Problem& problem,
   }
   if (isHurried_) {
     sweepAll(problem, options, aim, best);
+    if (wandering_.residual < best.residual) take(wandering_, best);
     if (isReached()) return Outcome::Reached;
   } else if (best.residual > disturbed * demand && isHeap(problem)) {
     settle(problem, options, aim, best);
@@ -237,13 +240,16 @@ bool Search::mayHold(const Problem& problem, const Options& options, const Vecto
                      const Solution& best) const {
   constexpr int fewContacts = 12;
   if (isHeap(problem) || best.regions >= options.newtonBudget) return false;
-  if (isLargePile(problem) && !isHurried_) return true;
+  // Explicit entries of this size cost more to factor than few sweeps are worth.
+  if (isHurried_ && isLargePile(problem) && !problem.W.inBodySpace()) return false;
+  if (!isHurried_ && isLargePile(problem)) return true;
   // Small islands without reactions of a last step hold all in their first region, if there may be others.
   return (guess || isHurried_) && problem.contacts() > fewContacts &&
          slidesNowhere(problem, best.r);
 }
 
-/// Holds all that touches. Who has few sweeps pays a region for it and no sweeps, and makes these as if it had not been tried.
+/// Holds all that touches. Who has few sweeps pays a region for it and no sweeps; these are made as if it had not been tried, and what it
+/// has come to waits in wandering_.
 template <class Motion>
 bool Search::hold(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
                   double tolerance, const VectorXd* guess, Solution& best) {
@@ -251,12 +257,15 @@ bool Search::hold(ProximalNewton<Motion>& newton, const Problem& problem, const 
   const int sweeps = best.sweeps;
   const int most = isHurried_ ? mostSteps : std::min(mostSteps, options.sweepBudget - sweeps);
   if (most <= 0 || !mayHold(problem, options, guess, best)) return false;
-  take(best, wandering_);
+  if (isHurried_) take(best, trial_);
   holdActiveSet(problem, best.r, best.activeSet);
   const bool isHeld = newton.holdAll(problem, tolerance, most, best);
   if (!isHurried_) return isHeld;
   best.sweeps = sweeps;
-  if (!isHeld) take(wandering_, best);
+  if (!isHeld && best.residual < trial_.residual) {
+    take(best, wandering_);
+    take(trial_, best);
+  }
   return isHeld;
 }
 
@@ -365,8 +374,8 @@ Outcome Search::walk(const Problem& problem, const Options& options, double tole
       dense_.solve(problem, map_, tolerance, options.newtonBudget - best.regions, Start::Best,
                    best))
     return Outcome::Reached;
-  const bool isRushed = isHurried_ && options.newtonBudget - best.regions < leastWalk(problem);
-  if (isTooLargeToFactor(problem) || (isRushed && !mayHold(problem, options, guess, best))) {
+  if (isTooLargeToFactor(problem) ||
+      (hasNoWalk(problem, options, best) && !mayHold(problem, options, guess, best))) {
     sweepAll(problem, options, keptShare * tolerance, best);
     return best.residual <= tolerance ? Outcome::Reached : Outcome::Lost;
   }

@@ -107,6 +107,7 @@ class Search {
   template <class Motion>
   Outcome findBack(Engines<Motion>& engines, const Problem& problem, const Options& options,
                    double tolerance, const VectorXd* guess, Solution& best);
+  bool hasNoWalk(const Problem& problem, const Options& options, const Solution& best) const;
   bool mayHold(const Problem& problem, const Options& options, const VectorXd* guess,
                const Solution& best) const;
   template <class Motion>

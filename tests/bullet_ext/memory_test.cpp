@@ -98,6 +98,22 @@ TEST(Memory, PointsThatStayHaveAllTheirDigits) {
   EXPECT_EQ(guess[3], reactions[1]);
 }
 
+// What float cannot tell apart is at its own place.
+TEST(Memory, PointsAlikeKeepTheirOwnDigits) {
+  constexpr double belowFloat = 1e-10;
+  std::vector<Vec3> alike(4, Vec3(1, 0, 0));
+  for (std::size_t i = 0; i < alike.size(); ++i) alike[i][0] += belowFloat * double(i);
+  Touch touch(corners);
+  Memory memory;
+  memory.nextStep();
+  memory.keep(touch.group(), answerOf(alike));
+  memory.nextStep();
+  for (std::size_t i = 0; i < alike.size(); ++i)
+    touch.group().guess[i] = Vec3(static_cast<btScalar>(alike[i][0]), 0, 0);
+  memory.recall(touch.group());
+  EXPECT_EQ(touch.group().guess, alike);
+}
+
 // A smaller polygon on one side cannot pull, nor hold a moment about itself: what it starts from is allowed all the same.
 TEST(Memory, FreshPointsThatCannotCarryTheWrenchStartInsideTheirCones) {
   Touch touch(corners);

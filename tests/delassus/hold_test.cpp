@@ -104,6 +104,17 @@ TEST(Holding, TakesNoSweepsFromASmallBudget) {
   EXPECT_LE((tried.r - swept.r).norm(), 1e-12 * swept.r.norm());
 }
 
+// Where rounding keeps it from the tolerance it is the best answer all the same.
+TEST(Holding, IsTakenIfItIsBetterThanSweeps) {
+  Random random(139);
+  const Problem problem = PileIsland(makePyramid(5, 0.5, 0, 1, random)).problem;
+  Options options = hurried();
+  options.tolerance = 1e-18;
+  const Solution solution = Solver(options).solve(problem);
+  EXPECT_LE(solution.residual, 1e-12 * problem.q.cwiseAbs().maxCoeff());
+  EXPECT_EQ(solution.sweeps, hurried().sweepBudget);
+}
+
 // A box that slides, or flies off, cannot be held: that is told soon, and nothing is lost.
 TEST(Holding, GivesUpWhereSomethingGivesWay) {
   Random random(133);
