@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.089067 1e-12 0.089067 0.089067
+0.049793 1e-12 0.049793 0.049793
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.071404 1e-12 0.071404 0.071404
+0.036258 1e-12 0.036258 0.036258
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.028143 1e-12 0.028143 0.028143
+0.020829 1e-12 0.020829 0.020829
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.102693 1e-12 0.102693 0.102693
+0.077105 1e-12 0.077105 0.077105
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.379933 1e-12 0.379933 0.379933
+0.290705 1e-12 0.290705 0.290705
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-1.9165 1e-12 1.9165 1.9165
+1.46955 1e-12 1.46955 1.46955
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.109075 1e-12 0.109075 0.109075
+0.118742 1e-12 0.118742 0.118742
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.023875 1e-12 0.023875 0.023875
+0.025628 1e-12 0.025628 0.025628
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.096611 1e-12 0.096611 0.096611
+0.104225 1e-12 0.104225 0.104225
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.211116 1e-12 0.211116 0.211116
+0.215674 1e-12 0.215674 0.215674
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.058419 1e-12 0.058419 0.058419
+0.061916 1e-12 0.061916 0.061916
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.168947 1e-12 0.168947 0.168947
+0.176992 1e-12 0.176992 0.176992
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-2.12307 1e-12 2.12307 2.12307
+4.37596 1e-12 4.37596 4.37596
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.089067 0.0168985 0.089067 0.089067
+0.049793 0.0168985 0.049793 0.049793
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.071404 0.0138221 0.071404 0.071404
+0.036258 0.0138221 0.036258 0.036258
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.028143 0.0111974 0.028143 0.028143
+0.020829 0.0111974 0.020829 0.020829
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.102693 0.0144332 0.102693 0.102693
+0.077105 0.0144332 0.077105 0.077105
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.379933 0.0144332 0.379933 0.379933
+0.290705 0.0144332 0.290705 0.290705
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-1.9165 0.0144332 1.9165 1.9165
+1.46955 0.0144332 1.46955 1.46955
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.109075 0.0123557 0.109075 0.109075
+0.118742 0.0123557 0.118742 0.118742
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.023875 0.0131251 0.023875 0.023875
+0.025628 0.0131251 0.025628 0.025628
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.096611 0.0129979 0.096611 0.096611
+0.104225 0.0129979 0.104225 0.104225
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.211116 0.0141521 0.211116 0.211116
+0.215674 0.0141521 0.215674 0.215674
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.058419 0.0161089 0.058419 0.058419
+0.061916 0.0161089 0.061916 0.061916
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.168947 0.0122605 0.168947 0.168947
+0.176992 0.0122605 0.176992 0.176992
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-2.12307 0.0469486 2.12307 2.12307
+4.37596 0.0469486 4.37596 4.37596
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.089067 5.24248e-09 0.089067 0.089067
+0.049793 5.2423e-09 0.049793 0.049793
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.071404 0.000221509 0.071404 0.071404
+0.036258 0.000128 0.036258 0.036258
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.028143 7.46436e-06 0.028143 0.028143
+0.020829 7.46436e-06 0.020829 0.020829
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.102693 7.6924e-09 0.102693 0.102693
+0.077105 7.6924e-09 0.077105 0.077105
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.379933 8.36709e-09 0.379933 0.379933
+0.290705 8.36709e-09 0.290705 0.290705
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-1.9165 1.32551e-08 1.9165 1.9165
+1.46955 1.32551e-08 1.46955 1.46955
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.109075 4.43081e-09 0.109075 0.109075
+0.118742 4.43081e-09 0.118742 0.118742
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.023875 0.000438412 0.023875 0.023875
+0.025628 0.000438412 0.025628 0.025628
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.096611 1.022e-08 0.096611 0.096611
+0.104225 1.022e-08 0.104225 0.104225
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.211116 7.00686e-09 0.211116 0.211116
+0.215674 7.00686e-09 0.215674 0.215674
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.058419 1.25939e-05 0.058419 0.058419
+0.061916 1.25939e-05 0.061916 0.061916
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.168947 7.66175e-09 0.168947 0.168947
+0.176992 7.66175e-09 0.176992 0.176992
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-2.12307 0.26307 2.12307 2.12307
+4.37596 0.26307 4.37596 4.37596
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0168243:8.15391]
+set xrange [0.013913:17.3561]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -223,25 +223,26 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.296463, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.260716, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.110144, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.319485, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.292543, graph 0.5 to graph 0.319485, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.531059, graph 0.488362 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.792768, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.140642, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.302293, graph 0.5 to graph 0.275352, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.0835457, graph 0.534914 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.309611, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.28267, graph 0.5 to graph 0.309611, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.436032, graph 0.418534 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.409091, graph 0.5 to graph 0.436032, graph 0.418534 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.0172115, graph 0.593103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.201315, graph 0.5 to graph 0.174373, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.399997, graph 0.371983 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.373055, graph 0.5 to graph 0.399997, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
-set label "lemke" at graph 0.809322, graph 0.534914 left front noenhanced textcolor rgb '#999999'
+set label "delassus" at graph 0.205799, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.161302, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.26714, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.240198, graph 0.5 to graph 0.26714, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.453304, graph 0.5 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.680605, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.327709, graph 0.593103 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.300767, graph 0.5 to graph 0.327709, graph 0.593103 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.11263, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0856882, graph 0.5 to graph 0.11263, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.0983716, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.282475, graph 0.5 to graph 0.255533, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.411427, graph 0.453448 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.384485, graph 0.5 to graph 0.411427, graph 0.453448 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.236365, graph 0.371983 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.209424, graph 0.5 to graph 0.236365, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.3837, graph 0.639655 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.356758, graph 0.5 to graph 0.3837, graph 0.639655 nohead lw 0.6 lc rgb '#555555'
+set label "lemke" at graph 0.833669, graph 0.534914 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -264,7 +265,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0168243:8.15391]
+set xrange [0.013913:17.3561]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -275,27 +276,28 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.110144, graph 0.524559 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.399997, graph 0.544254 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.329235, graph 0.604124 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.302293, graph 0.545934 to graph 0.329235, graph 0.604124 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:50" at graph 0.309611, graph 0.487109 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.28267, graph 0.556936 to graph 0.309611, graph 0.487109 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.0835457, graph 0.628879 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0566038, graph 0.559051 to graph 0.0835457, graph 0.628879 nohead lw 0.6 lc rgb '#009e73'
-set label "delassus:1e-3" at graph 0.260716, graph 0.651753 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.233774, graph 0.570288 to graph 0.260716, graph 0.651753 nohead lw 0.6 lc rgb '#0060a8'
-set label "pgs:50" at graph 0.436032, graph 0.703428 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.409091, graph 0.575411 to graph 0.436032, graph 0.703428 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:50" at graph 0.153343, graph 0.47494 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.292543, graph 0.579682 to graph 0.265601, graph 0.47494 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.531059, graph 0.59132 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.792768, graph 0.579682 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.0172115, graph 0.684999 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.201315, graph 0.603533 to graph 0.174373, graph 0.684999 nohead lw 0.6 lc rgb '#555555'
-set label "delassus" at graph 0.062966, graph 0.741942 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.269521, graph 0.613924 to graph 0.242579, graph 0.741942 nohead lw 0.6 lc rgb '#0060a8'
-set label "lemke" at graph 0.809322, graph 0.835812 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.0835457, graph 0.524559 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.3837, graph 0.544254 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.327709, graph 0.604124 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.300767, graph 0.545934 to graph 0.327709, graph 0.604124 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:50" at graph 0.309417, graph 0.487109 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.282475, graph 0.556936 to graph 0.309417, graph 0.487109 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.11263, graph 0.640517 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0856882, graph 0.559051 to graph 0.11263, graph 0.640517 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus:1e-3" at graph 0.161302, graph 0.698305 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.13436, graph 0.570288 to graph 0.161302, graph 0.698305 nohead lw 0.6 lc rgb '#0060a8'
+set label "pgs:50" at graph 0.411427, graph 0.435756 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.384485, graph 0.575411 to graph 0.411427, graph 0.435756 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:50" at graph 0.100998, graph 0.47494 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.240198, graph 0.579682 to graph 0.213256, graph 0.47494 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.453304, graph 0.661147 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.426363, graph 0.579682 to graph 0.453304, graph 0.661147 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.680605, graph 0.579682 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.236365, graph 0.754827 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.209424, graph 0.603533 to graph 0.236365, graph 0.754827 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.205799, graph 0.427718 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.178857, graph 0.613924 to graph 0.205799, graph 0.427718 nohead lw 0.6 lc rgb '#0060a8'
+set label "lemke" at graph 0.833669, graph 0.835812 left front noenhanced textcolor rgb '#999999'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -318,7 +320,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0168243:8.15391]
+set xrange [0.013913:17.3561]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -329,22 +331,24 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "si2:50" at graph 0.329235, graph 0.0601935 left front noenhanced textcolor rgb '#e69f00'
-set label "delassus" at graph 0.062966, graph 0.0799485 left front noenhanced textcolor rgb '#0060a8'
-set label "pgs:50" at graph 0.436032, graph 0.128861 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.0766938, graph 0.14481 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.373055, graph 0.0982586 to graph 0.346113, graph 0.14481 nohead lw 0.6 lc rgb '#555555'
-set label "si:50" at graph 0.153343, graph 0.0286237 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.292543, graph 0.0984513 to graph 0.265601, graph 0.0286237 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.531059, graph 0.0792324 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.309611, graph 0.193627 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.28267, graph 0.112161 to graph 0.309611, graph 0.193627 nohead lw 0.6 lc rgb '#009e73'
-set label "si:1000" at graph 0.792768, graph 0.124709 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.110144, graph 0.430333 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.228257, graph 0.455573 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.260716, graph 0.593932 left front noenhanced textcolor rgb '#0060a8'
-set label "nncg:10" at graph 0.0835457, graph 0.626876 left front noenhanced textcolor rgb '#009e73'
-set label "lemke" at graph 0.809322, graph 0.935564 left front noenhanced textcolor rgb '#999999'
+set label "si2:50" at graph 0.327709, graph 0.0601935 left front noenhanced textcolor rgb '#e69f00'
+set label "delassus" at graph 0.205799, graph 0.138137 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.178857, graph 0.0799469 to graph 0.205799, graph 0.138137 nohead lw 0.6 lc rgb '#0060a8'
+set label "pgs:50" at graph 0.411427, graph 0.128861 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.3837, graph 0.191362 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.356758, graph 0.0982586 to graph 0.3837, graph 0.191362 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.100998, graph 0.0518996 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.240198, graph 0.0984513 to graph 0.213256, graph 0.0518996 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.453304, graph 0.242163 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.426363, graph 0.102508 to graph 0.453304, graph 0.242163 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:50" at graph 0.0983716, graph 0.193627 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.282475, graph 0.112161 to graph 0.255533, graph 0.193627 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000" at graph 0.680605, graph 0.124709 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.0835457, graph 0.430333 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.236365, graph 0.455573 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.161302, graph 0.567468 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg:10" at graph 0.11263, graph 0.626876 left front noenhanced textcolor rgb '#009e73'
+set label "lemke" at graph 0.833669, graph 0.935564 left front noenhanced textcolor rgb '#999999'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

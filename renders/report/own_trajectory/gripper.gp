@@ -2,182 +2,182 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.006032 39.7133 0.006032 0.006032
+0.0107 39.7133 0.0107 0.0107
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.024075 39.7131 0.024075 0.024075
+0.039964 39.7131 0.039964 0.039964
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.008906 37.9149 0.008906 0.008906
+0.012473 37.9149 0.012473 0.012473
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.029796 38.2401 0.029796 0.029796
+0.040987 38.2401 0.040987 0.040987
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.107753 38.6732 0.107753 0.107753
+0.147657 38.6732 0.147657 0.147657
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.516739 38.757 0.516739 0.516739
+0.689523 38.757 0.689523 0.689523
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.035146 39.732 0.035146 0.035146
+0.048801 39.732 0.048801 0.048801
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.009929 36.4352 0.009929 0.009929
+0.013786 36.4352 0.013786 0.013786
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.115797 38.2932 0.115797 0.115797
+0.182913 38.2932 0.182913 0.182913
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.024577 32.8561 0.024577 0.024577
+0.033212 32.8561 0.033212 0.033212
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.029977 37.9822 0.029977 0.029977
+0.030758 37.9822 0.030758 0.030758
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-36.8501 34.2159 36.8501 36.8501
+36.2617 37.5966 36.2617 36.2617
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.006032 8.89688e-12 0.006032 0.006032
+0.0107 7.83551e-12 0.0107 0.0107
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.024075 0.00666647 0.024075 0.024075
+0.039964 0.00666647 0.039964 0.039964
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.008906 0.00500574 0.008906 0.008906
+0.012473 0.00500574 0.012473 0.012473
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.029796 0.00669307 0.029796 0.029796
+0.040987 0.00669307 0.040987 0.040987
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.107753 0.00333333 0.107753 0.107753
+0.147657 0.00333333 0.147657 0.147657
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.516739 0.00333333 0.516739 0.516739
+0.689523 0.00333333 0.689523 0.689523
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.035146 0.00669494 0.035146 0.035146
+0.048801 0.00669494 0.048801 0.048801
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.009929 0.0301487 0.009929 0.009929
+0.013786 0.0301487 0.013786 0.013786
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.115797 0.00669307 0.115797 0.115797
+0.182913 0.00669307 0.182913 0.182913
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.024577 0.022196 0.024577 0.024577
+0.033212 0.022196 0.033212 0.033212
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.029977 0.00333328 0.029977 0.029977
+0.030758 0.00333328 0.030758 0.030758
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-36.8501 0.0424203 36.8501 36.8501
+36.2617 0.0424203 36.2617 36.2617
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.006032 1.69739e-11 0.006032 0.006032
+0.0107 1.6714e-11 0.0107 0.0107
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.024075 4.07415e-07 0.024075 0.024075
+0.039964 4.07415e-07 0.039964 0.039964
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.008906 0.00599616 0.008906 0.008906
+0.012473 0.00599616 0.012473 0.012473
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.029796 0.0019067 0.029796 0.029796
+0.040987 0.0019067 0.040987 0.040987
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.107753 0.000601327 0.107753 0.107753
+0.147657 0.000601327 0.147657 0.147657
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.516739 0.000111512 0.516739 0.516739
+0.689523 0.000111512 0.689523 0.689523
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.035146 0.000496805 0.035146 0.035146
+0.048801 0.000496805 0.048801 0.048801
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.009929 0.0127535 0.009929 0.009929
+0.013786 0.0127535 0.013786 0.013786
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.115797 0.00216536 0.115797 0.115797
+0.182913 0.00216536 0.182913 0.182913
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.024577 0.00360595 0.024577 0.024577
+0.033212 0.00360595 0.033212 0.033212
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.029977 1.40259e-06 0.029977 0.029977
+0.030758 1.40259e-06 0.030758 0.030758
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-36.8501 0.00958296 36.8501 36.8501
+36.2617 0.00958296 36.2617 36.2617
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -197,7 +197,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00312445:348.268]
+set xrange [0.00579439:294.432]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics nomirror (10, 20, 50, 100, 200, 500)
@@ -208,25 +208,25 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig" at graph 0.20442, graph 0.516616 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.833669, graph 0.534228 left front noenhanced textcolor rgb '#999999'
-set label "nncg:10" at graph 0.12643, graph 0.631349 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0994883, graph 0.561522 to graph 0.12643, graph 0.631349 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.117074, graph 0.683552 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0901319, graph 0.57881 to graph 0.117074, graph 0.683552 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.22151, graph 0.463201 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.194568, graph 0.57958 to graph 0.22151, graph 0.463201 nohead lw 0.6 lc rgb '#555555'
-set label "si:50" at graph 0.0548473, graph 0.535967 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.194047, graph 0.582519 to graph 0.167105, graph 0.535967 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.337796, graph 0.618035 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.331601, graph 0.564134 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.466497, graph 0.565075 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.202644, graph 0.738589 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.175702, graph 0.598933 to graph 0.202644, graph 0.738589 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig" at graph 0.188075, graph 0.516616 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.106932, graph 0.631349 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0799899, graph 0.561522 to graph 0.106932, graph 0.631349 nohead lw 0.6 lc rgb '#009e73'
+set label "lemke" at graph 0.833669, graph 0.575149 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.0976952, graph 0.683552 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0707533, graph 0.57881 to graph 0.0976952, graph 0.683552 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.180991, graph 0.463201 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.154049, graph 0.57958 to graph 0.180991, graph 0.463201 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.0413445, graph 0.535967 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.180545, graph 0.582519 to graph 0.153603, graph 0.535967 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.345523, graph 0.559846 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.325763, graph 0.622323 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.467985, graph 0.611626 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.205154, graph 0.738589 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.178212, graph 0.598933 to graph 0.205154, graph 0.738589 nohead lw 0.6 lc rgb '#0060a8'
 set label "delassus" at graph 0.0835457, graph 0.785142 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.598936 to graph 0.0835457, graph 0.785142 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.235199, graph 0.680606 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.208257, graph 0.59914 to graph 0.235199, graph 0.680606 nohead lw 0.6 lc rgb '#e69f00'
+set label "si2:50" at graph 0.22359, graph 0.680606 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.196648, graph 0.59914 to graph 0.22359, graph 0.680606 nohead lw 0.6 lc rgb '#e69f00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -248,7 +248,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00312445:348.268]
+set xrange [0.00579439:294.432]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -259,22 +259,23 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0862944 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.22151, graph 0.84244 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.331601, graph 0.90063 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.466497, graph 0.888992 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.117074, graph 0.916684 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.202644, graph 0.974547 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.175702, graph 0.893081 to graph 0.202644, graph 0.974547 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:50" at graph 0.0548473, graph 0.858325 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.337796, graph 0.788497 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.310854, graph 0.893239 to graph 0.337796, graph 0.788497 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si2:50" at graph 0.0466053, graph 0.800146 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.208257, graph 0.89325 to graph 0.181315, graph 0.800146 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig" at graph 0.20442, graph 0.731088 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.177478, graph 0.94057 to graph 0.20442, graph 0.731088 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.12643, graph 0.67335 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0994883, graph 0.952661 to graph 0.12643, graph 0.67335 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus" at graph 0.0835457, graph 0.0812788 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.180991, graph 0.84244 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.325763, graph 0.923906 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.298821, graph 0.865716 to graph 0.325763, graph 0.923906 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.467985, graph 0.865716 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.0976952, graph 0.916684 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.205154, graph 0.974547 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.178212, graph 0.893081 to graph 0.205154, graph 0.974547 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:50" at graph 0.0413445, graph 0.858325 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.345523, graph 0.788497 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.318581, graph 0.893239 to graph 0.345523, graph 0.788497 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si2:50" at graph 0.0349964, graph 0.800146 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.196648, graph 0.89325 to graph 0.169706, graph 0.800146 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig" at graph 0.188075, graph 0.789277 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.161133, graph 0.94057 to graph 0.188075, graph 0.789277 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.106932, graph 0.73154 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0799899, graph 0.952661 to graph 0.106932, graph 0.73154 nohead lw 0.6 lc rgb '#009e73'
 set label "lemke" at graph 0.833669, graph 0.966143 left front noenhanced textcolor rgb '#999999'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -297,7 +298,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00312445:348.268]
+set xrange [0.00579439:294.432]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -309,19 +310,19 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0232759 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.202644, graph 0.461004 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.22151, graph 0.514693 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.466497, graph 0.704732 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0466053, graph 0.769619 left front noenhanced textcolor rgb '#e69f00'
-set label "si:200" at graph 0.331601, graph 0.777911 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0548473, graph 0.828028 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.337796, graph 0.833553 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.20442, graph 0.890616 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.117074, graph 0.947615 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0901319, graph 0.877787 to graph 0.117074, graph 0.947615 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.205154, graph 0.461004 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.180991, graph 0.514693 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.467985, graph 0.704732 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0349964, graph 0.769619 left front noenhanced textcolor rgb '#e69f00'
+set label "si:200" at graph 0.325763, graph 0.777911 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0413445, graph 0.828028 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.345523, graph 0.833553 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.188075, graph 0.86734 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.0976952, graph 0.924339 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0707533, graph 0.877787 to graph 0.0976952, graph 0.924339 nohead lw 0.6 lc rgb '#d55e00'
 set label "lemke" at graph 0.833669, graph 0.89815 left front noenhanced textcolor rgb '#999999'
-set label "nncg:10" at graph 0.12643, graph 0.712718 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0994883, graph 0.910563 to graph 0.12643, graph 0.712718 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.106932, graph 0.712718 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0799899, graph 0.910563 to graph 0.106932, graph 0.712718 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

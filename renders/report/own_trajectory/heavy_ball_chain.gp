@@ -2,167 +2,167 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.299652 1e-12 0.299652 0.299652
+0.365556 1e-12 0.365556 0.365556
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.295124 1e-12 0.295124 0.295124
+0.189926 1e-12 0.189926 0.189926
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.076013 1e-12 0.076013 0.076013
+0.050946 1e-12 0.050946 0.050946
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.226906 1e-12 0.226906 0.226906
+0.178825 1e-12 0.178825 0.178825
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.539872 1e-12 0.539872 0.539872
+0.505949 1e-12 0.505949 0.505949
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-2.50792 1e-12 2.50792 2.50792
+3.14356 1e-12 3.14356 3.14356
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.166081 1e-12 0.166081 0.166081
+0.210905 1e-12 0.210905 0.210905
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.516088 1e-12 0.516088 0.516088
+0.667472 1e-12 0.667472 0.667472
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.367229 1972.84 0.367229 0.367229
+0.464221 1972.84 0.464221 0.464221
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.727805 1e-12 0.727805 0.727805
+0.731511 1e-12 0.731511 0.731511
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-40.4889 1e-12 40.4889 40.4889
+34.2009 1e-12 34.2009 34.2009
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.299652 0.0147663 0.299652 0.299652
+0.365556 0.0122086 0.365556 0.365556
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.295124 0.0120011 0.295124 0.295124
+0.189926 0.0144739 0.189926 0.189926
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.076013 0.0182838 0.076013 0.076013
+0.050946 0.0182838 0.050946 0.050946
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.226906 0.0146517 0.226906 0.226906
+0.178825 0.0146517 0.178825 0.178825
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.539872 0.0156359 0.539872 0.539872
+0.505949 0.0156359 0.505949 0.505949
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-2.50792 0.0193802 2.50792 2.50792
+3.14356 0.0193802 3.14356 3.14356
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.166081 0.0148255 0.166081 0.166081
+0.210905 0.0148255 0.210905 0.210905
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.516088 0.0271712 0.516088 0.516088
+0.667472 0.0271712 0.667472 0.667472
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.367229 0.0669926 0.367229 0.367229
+0.464221 0.0669926 0.464221 0.464221
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.727805 0.0211407 0.727805 0.727805
+0.731511 0.0211407 0.731511 0.731511
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-40.4889 1.45434e-05 40.4889 40.4889
+34.2009 1.45434e-05 34.2009 34.2009
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.299652 0.000216863 0.299652 0.299652
+0.365556 0.000218443 0.365556 0.365556
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.295124 0.000355637 0.295124 0.295124
+0.189926 0.000503057 0.189926 0.189926
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.076013 0.147173 0.076013 0.076013
+0.050946 0.147173 0.050946 0.050946
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.226906 0.0267271 0.226906 0.226906
+0.178825 0.0267271 0.178825 0.178825
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.539872 0.00570616 0.539872 0.539872
+0.505949 0.00570616 0.505949 0.505949
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-2.50792 0.0010972 2.50792 2.50792
+3.14356 0.0010972 3.14356 3.14356
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.166081 0.0267271 0.166081 0.166081
+0.210905 0.0267271 0.210905 0.210905
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.516088 0.0267271 0.516088 0.516088
+0.667472 0.0267271 0.667472 0.667472
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.367229 0.284647 0.367229 0.367229
+0.464221 0.284647 0.464221 0.464221
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.727805 0.000277861 0.727805 0.727805
+0.731511 0.000277861 0.731511 0.731511
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-40.4889 0.000327021 40.4889 40.4889
+34.2009 0.000371813 34.2009 34.2009
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -182,7 +182,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0473317:204.088]
+set xrange [0.031174:182.982]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -193,21 +193,22 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.247448, graph 0.0355477 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.245628, graph 0.0937373 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.0835457, graph 0.0355477 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0480783, graph 0.0937373 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.317791, graph 0.140289 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.290849, graph 0.0588235 to graph 0.317791, graph 0.140289 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.501308, graph 0.0471856 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.176933, graph 0.140289 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.149991, graph 0.0588235 to graph 0.176933, graph 0.140289 nohead lw 0.6 lc rgb '#e69f00'
-set label "pgs:50" at graph 0.312407, graph 0.186841 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.285465, graph 0.0588235 to graph 0.312407, graph 0.186841 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.0301785, graph 0.186841 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.32654, graph 0.0588235 to graph 0.299598, graph 0.186841 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.310643, graph 0.0355477 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.235186, graph 0.0937373 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.0835457, graph 0.0588235 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0621036, graph 0.105375 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.201304, graph 0.0588235 to graph 0.174362, graph 0.105375 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.348098, graph 0.140289 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.321156, graph 0.0588235 to graph 0.348098, graph 0.140289 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.558604, graph 0.0588235 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0586666, graph 0.151927 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.220318, graph 0.0588235 to graph 0.193376, graph 0.151927 nohead lw 0.6 lc rgb '#e69f00'
+set label "pgs:50" at graph 0.380027, graph 0.186841 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.353085, graph 0.0588235 to graph 0.380027, graph 0.186841 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.0672811, graph 0.198479 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.363642, graph 0.0588235 to graph 0.3367, graph 0.198479 nohead lw 0.6 lc rgb '#555555'
 set label "lemke" at graph 0.833669, graph 0.0588235 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.271747, graph 0.958535 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.338179, graph 0.958535 left front noenhanced textcolor rgb '#555555'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -228,7 +229,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0473317:204.088]
+set xrange [0.031174:182.982]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -240,23 +241,22 @@ unset label
 unset arrow
 unset object
 set label "lemke" at graph 0.833669, graph 0.232533 left front noenhanced textcolor rgb '#999999'
-set label "delassus:1e-3" at graph 0.245628, graph 0.804206 left front noenhanced textcolor rgb '#0060a8'
-set label "si:50" at graph 0.0480783, graph 0.809902 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus" at graph 0.013951, graph 0.880406 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.220506, graph 0.833854 to graph 0.193564, graph 0.880406 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.176933, graph 0.752736 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.149991, graph 0.834202 to graph 0.176933, graph 0.752736 nohead lw 0.6 lc rgb '#e69f00'
-set label "si:200" at graph 0.317791, graph 0.897014 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.290849, graph 0.838824 to graph 0.317791, graph 0.897014 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.310643, graph 0.805695 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.235186, graph 0.913582 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.208244, graph 0.832117 to graph 0.235186, graph 0.913582 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:50" at graph 0.0621036, graph 0.82154 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0586666, graph 0.880753 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.220318, graph 0.834202 to graph 0.193376, graph 0.880753 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:200" at graph 0.159505, graph 0.768997 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.321156, graph 0.838824 to graph 0.294214, graph 0.768997 nohead lw 0.6 lc rgb '#d55e00'
 set label "si:10" at graph 0.0835457, graph 0.933879 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.852413 to graph 0.0835457, graph 0.933879 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.501308, graph 0.857472 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.353482, graph 0.946489 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.32654, graph 0.865024 to graph 0.353482, graph 0.946489 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:50" at graph 0.312407, graph 0.747167 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.285465, graph 0.886822 to graph 0.312407, graph 0.747167 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.271747, graph 0.697533 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.244805, graph 0.965205 to graph 0.271747, graph 0.697533 nohead lw 0.6 lc rgb '#555555'
+set label "si:1000" at graph 0.558604, graph 0.857472 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.390584, graph 0.969765 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.363642, graph 0.865024 to graph 0.390584, graph 0.969765 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:50" at graph 0.380027, graph 0.863546 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.338179, graph 0.755723 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.311237, graph 0.965205 to graph 0.338179, graph 0.755723 nohead lw 0.6 lc rgb '#555555'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -277,7 +277,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0473317:204.088]
+set xrange [0.031174:182.982]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -288,18 +288,17 @@ set ylabel "joints pulled apart, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.247448, graph 0.0840463 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.353482, graph 0.134233 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.833669, graph 0.128644 left front noenhanced textcolor rgb '#999999'
-set label "delassus:1e-3" at graph 0.245628, graph 0.184303 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.218687, graph 0.137752 to graph 0.245628, graph 0.184303 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:1000" at graph 0.501308, graph 0.260072 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.317791, graph 0.439086 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.21422, graph 0.641652 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.176933, graph 0.571824 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.312407, graph 0.5951 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus" at graph 0.310643, graph 0.0848343 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.390584, graph 0.134233 left front noenhanced textcolor rgb '#555555'
+set label "lemke" at graph 0.833669, graph 0.142581 left front noenhanced textcolor rgb '#999999'
+set label "delassus:1e-3" at graph 0.235186, graph 0.187042 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.558604, graph 0.260072 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.348098, graph 0.439086 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0621036, graph 0.606738 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.24726, graph 0.641652 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.380027, graph 0.5951 left front noenhanced textcolor rgb '#cc79a7'
 set label "si:10" at graph 0.0835457, graph 0.791957 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.271747, graph 0.863577 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.338179, graph 0.863577 left front noenhanced textcolor rgb '#555555'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,167 +2,167 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.504777 8.49372e-11 0.504777 0.504777
+0.620634 1e-12 0.620634 0.620634
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-2.12805 0.000705173 2.12805 2.12805
+0.465453 1.34558e-10 0.465453 0.465453
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.983414 0.0861536 0.983414 0.983414
+0.83158 0.0861536 0.83158 0.83158
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-3.96924 0.00905939 3.96924 3.96924
+3.98012 0.00905939 3.98012 3.98012
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-15.4216 0.00855399 15.4216 15.4216
+14.7226 0.00855399 14.7226 14.7226
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-61.9714 0.000719043 61.9714 61.9714
+61.9852 0.000719043 61.9852 61.9852
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-6.03569 0.132401 6.03569 6.03569
+4.87434 0.132401 4.87434 4.87434
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-1.49635 0.0854176 1.49635 1.49635
+1.14192 0.0854176 1.14192 1.14192
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-6.10374 33.2113 6.10374 6.10374
+4.69405 33.2113 4.69405 4.69405
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-288.793 0.00422498 288.793 288.793
+196.03 0.00444147 196.03 196.03
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-169.246 0.0340875 169.246 169.246
+131.915 0.0340875 131.915 131.915
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.504777 2.70717e-12 0.504777 0.504777
+0.620634 1e-12 0.620634 0.620634
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-2.12805 5.62543e-06 2.12805 2.12805
+0.465453 4.63736e-11 0.465453 0.465453
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.983414 0.00611616 0.983414 0.983414
+0.83158 0.00611616 0.83158 0.83158
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-3.96924 0.000726752 3.96924 3.96924
+3.98012 0.000726752 3.98012 3.98012
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-15.4216 6.46454e-05 15.4216 15.4216
+14.7226 6.46454e-05 14.7226 14.7226
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-61.9714 4.75653e-06 61.9714 61.9714
+61.9852 4.75653e-06 61.9852 61.9852
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-6.03569 0.0114209 6.03569 6.03569
+4.87434 0.0114209 4.87434 4.87434
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-1.49635 0.0209408 1.49635 1.49635
+1.14192 0.0209408 1.14192 1.14192
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-6.10374 0.456277 6.10374 6.10374
+4.69405 0.456277 4.69405 4.69405
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-288.793 0.000726761 288.793 288.793
+196.03 0.000726761 196.03 196.03
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-169.246 0.00611616 169.246 169.246
+131.915 0.00611616 131.915 131.915
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.504777 1.38618e-09 0.504777 0.504777
+0.620634 1e-12 0.620634 0.620634
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-2.12805 0.000357943 2.12805 2.12805
+0.465453 1e-12 0.465453 0.465453
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.983414 0.00043191 0.983414 0.983414
+0.83158 0.00043191 0.83158 0.83158
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-3.96924 0.000140512 3.96924 3.96924
+3.98012 0.000140512 3.98012 3.98012
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-15.4216 0.000184248 15.4216 15.4216
+14.7226 0.000184248 14.7226 14.7226
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-61.9714 1e-12 61.9714 61.9714
+61.9852 1e-12 61.9852 61.9852
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-6.03569 0.00375766 6.03569 6.03569
+4.87434 0.00375766 4.87434 4.87434
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-1.49635 0.0556839 1.49635 1.49635
+1.14192 0.0556839 1.14192 1.14192
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-6.10374 0.174073 6.10374 6.10374
+4.69405 0.174073 4.69405 4.69405
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-288.793 1e-12 288.793 288.793
+196.03 1e-12 196.03 196.03
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-169.246 1e-12 169.246 169.246
+131.915 1e-12 131.915 131.915
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -182,28 +182,28 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.308551:1844.91]
+set xrange [0.291352:1145.12]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
 unset mytics
 set format y "10^{%T}"
-set yrange [1e-11:100]
+set yrange [1e-13:100]
 set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0714691 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.249005, graph 0.603715 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.636706, graph 0.604366 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.813687, graph 0.663525 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.476759, graph 0.68709 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.320689, graph 0.689008 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.752239, graph 0.733277 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.208506, graph 0.752327 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.160237, graph 0.799166 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.368885, graph 0.778607 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:50" at graph 0.370175, graph 0.963176 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.11831, graph 0.0666667 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.208594 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.674574, graph 0.657117 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.813687, graph 0.709835 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.500888, graph 0.728811 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.342841, graph 0.730473 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.765828, graph 0.76884 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.19198, graph 0.783799 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.153662, graph 0.830599 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.367329, graph 0.808126 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:50" at graph 0.362775, graph 0.968086 left front noenhanced textcolor rgb '#009e73'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -224,28 +224,28 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.308551:1844.91]
+set xrange [0.291352:1145.12]
 set xlabel "ms a step" noenhanced
 set logscale y
-set ytics 100 nomirror
+set ytics 1000 nomirror
 unset mytics
 set format y "10^{%T}"
-set yrange [1e-12:1]
+set yrange [1e-13:1]
 set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0360429 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.636706, graph 0.556441 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.249005, graph 0.562513 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.476759, graph 0.650878 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.320689, graph 0.738449 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.813687, graph 0.738449 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:10" at graph 0.160237, graph 0.81554 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.752239, graph 0.81554 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.368885, graph 0.838142 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.208506, graph 0.871721 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.370175, graph 0.971602 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.11831, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.205098 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.674574, graph 0.590561 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.500888, graph 0.677734 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.342841, graph 0.758568 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.813687, graph 0.758569 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:10" at graph 0.153662, graph 0.829729 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.765828, graph 0.829729 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.367329, graph 0.850592 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.19198, graph 0.882484 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.362775, graph 0.973787 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -266,7 +266,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.308551:1844.91]
+set xrange [0.291352:1145.12]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -277,18 +277,19 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:1000" at graph 0.425661, graph 0.0769231 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.11831, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566038, graph 0.0769231 to graph 0.0835457, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:1000" at graph 0.463529, graph 0.0769231 left front noenhanced textcolor rgb '#d55e00'
 set label "pgs:50" at graph 0.813687, graph 0.0769231 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.752239, graph 0.123475 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.725297, graph 0.0769231 to graph 0.752239, graph 0.123475 nohead lw 0.6 lc rgb '#555555'
-set label "delassus" at graph 0.0835457, graph 0.318602 left front noenhanced textcolor rgb '#0060a8'
-set label "si:50" at graph 0.320689, graph 0.70367 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.476759, graph 0.712723 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.249005, graph 0.769823 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.160237, graph 0.70627 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.368885, graph 0.825093 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.208506, graph 0.903518 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.370175, graph 0.941595 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.765828, graph 0.123475 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.738886, graph 0.0769231 to graph 0.765828, graph 0.123475 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.342841, graph 0.70367 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.500888, graph 0.712723 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.153662, graph 0.741184 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.367329, graph 0.813455 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.19198, graph 0.903518 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.362775, graph 0.941595 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -1,95 +1,95 @@
 # Draws pile.svg and pile.png: gnuplot pile.gp
 $line0_0 << EOD
-2 1.4575 2 2
-19 12.8583 19 19
-60 45.6883 60 60
-134 19.7469 134 134
-722 667.609 722 722
+2 1.493 2 2
+19 13.0777 19 19
+60 37.2186 60 60
+134 16.0879 134 134
+722 697.956 722 722
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-2 1.553 2 2
-19 10.8852 19 19
-60 48.4692 60 60
-134 10.8436 134 134
-722 255.374 722 722
+2 1.503 2 2
+19 11.5095 19 19
+60 37.0012 60 60
+134 10.688 134 134
+722 290.831 722 722
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-2 0.3605 2 2
-19 0.472474 19 19
-60 0.75575 60 60
-134 0.562851 134 134
-722 0.645352 722 722
-3051 1.47241 3051 3051
-10851 1.44688 10851 10851
-24829 2.05757 24829 24829
+2 0.3055 2 2
+19 0.490421 19 19
+60 0.8025 60 60
+134 0.551851 134 134
+722 0.713512 722 722
+3051 1.08129 3051 3051
+10851 1.74195 10851 10851
+24829 3.91958 24829 24829
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-2 0.3605 2 2
-19 3.75021 19 19
-60 4.61832 60 60
-134 3.57237 134 134
-722 3.89088 722 722
-3051 7.90518 3051 3051
-10851 6.97575 10851 10851
-24829 13.5807 24829 24829
+2 0.3305 2 2
+19 3.50816 19 19
+60 3.31488 60 60
+134 3.46126 134 134
+722 3.79472 722 722
+3051 5.73078 3051 3051
+10851 7.04014 10851 10851
+24829 18.9031 24829 24829
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-2 0.4005 2 2
-19 0.687053 19 19
-60 0.943767 60 60
-134 0.815709 134 134
-722 0.723641 722 722
-3051 1.8631 3051 3051
-10851 1.83063 10851 10851
-24829 2.25227 24829 24829
+2 0.3305 2 2
+19 0.592684 19 19
+60 0.61115 60 60
+134 0.638216 134 134
+722 0.841064 722 722
+3051 1.30002 3051 3051
+10851 1.81518 10851 10851
+24829 4.09278 24829 24829
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-2 1.2625 2 2
-19 2.08921 19 19
-60 4.05093 60 60
-134 4.61469 134 134
-722 35.0293 722 722
-3051 206.411 3051 3051
+2 1.192 2 2
+19 1.74432 19 19
+60 2.5927 60 60
+134 4.05267 134 134
+722 34.5594 722 722
+3051 250.218 3051 3051
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-2 0.9015 2 2
-19 2.07547 19 19
-60 11.301 60 60
-134 34.6138 134 134
-722 1175.38 722 722
+2 0.902 2 2
+19 2.15511 19 19
+60 8.51898 60 60
+134 33.8186 134 134
+722 1115.65 722 722
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-2 0.8915 2 2
-19 2.08811 19 19
-60 11.5321 60 60
-134 31.7998 134 134
-722 976.038 722 722
+2 0.8865 2 2
+19 1.82921 19 19
+60 8.1087 60 60
+134 32.5381 134 134
+722 961.453 722 722
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-19 23.2214 19 19
-60 314.104 60 60
-134 1106.61 134 134
+19 23.1228 19 19
+60 199.761 60 60
+134 1117.93 134 134
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-722 5.24288 722 722
+722 5.33709 722 722
 EOD
 $marks1_0 << EOD
 EOD
@@ -99,47 +99,47 @@ EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-3051 5.26336 3051 3051
-10851 19.5748 10851 10851
-24829 42.2461 24829 24829
+3051 4.48102 3051 3051
+10851 19.6403 10851 10851
+24829 42.3363 24829 24829
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-3051 5.26336 3051 3051
-10851 19.5748 10851 10851
-24829 42.2461 24829 24829
+3051 4.48102 3051 3051
+10851 19.6403 10851 10851
+24829 42.3363 24829 24829
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-3051 5.33709 3051 3051
-10851 19.755 10851 10851
-24829 42.4141 24829 24829
+3051 4.57114 3051 3051
+10851 19.8902 10851 10851
+24829 42.5042 24829 24829
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-722 35.7704 722 722
-3051 602.014 3051 3051
+722 35.4181 722 722
+3051 601.817 3051 3051
 EOD
 $marks1_5 << EOD
 EOD
 $line1_6 << EOD
-134 3.12934 134 134
-722 69.3207 722 722
+134 3.11706 134 134
+722 68.7104 722 722
 EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-134 3.12934 134 134
-722 69.3207 722 722
+134 3.12115 134 134
+722 68.7186 722 722
 EOD
 $marks1_7 << EOD
 EOD
 $line1_8 << EOD
-60 4.28851 60 60
-134 22.1266 134 134
+60 4.36224 60 60
+134 21.4057 134 134
 EOD
 $marks1_8 << EOD
 EOD
@@ -172,16 +172,16 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.262671 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.684225, graph 0.2938 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.426584 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:10" at graph 0.667268, graph 0.662946 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.551021, graph 0.716349 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.551021, graph 0.764904 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.551021, graph 0.821169 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.415176, graph 0.808799 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.398872, graph 0.860587 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.531598, graph 0.814035 to graph 0.512175, graph 0.860587 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.836374, graph 0.318648 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.368955 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.322404 to graph 0.836374, graph 0.368955 nohead lw 0.6 lc rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.455307 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:10" at graph 0.667268, graph 0.679664 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.551021, graph 0.727642 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.551021, graph 0.780404 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.551021, graph 0.831499 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.398872, graph 0.844419 left front noenhanced textcolor rgb '#555555'
+set label "lemke" at graph 0.295399, graph 0.809683 left front noenhanced textcolor rgb '#999999'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -229,18 +229,18 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.389947, graph 0.239857 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-4" at graph 0.389947, graph 0.190017 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.370524, graph 0.248207 to graph 0.389947, graph 0.190017 nohead lw 0.6 lc rgb '#0060a8'
-set label "lemke" at graph 0.17742, graph 0.448305 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.836374, graph 0.541929 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.553567 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.589055 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.542503 to graph 0.836374, graph 0.589055 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.237798, graph 0.613621 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.156868, graph 0.660173 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.370524, graph 0.613621 to graph 0.3511, graph 0.660173 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:10" at graph 0.571811, graph 0.926535 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus" at graph 0.389947, graph 0.242435 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-4" at graph 0.389947, graph 0.306396 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.370524, graph 0.248207 to graph 0.389947, graph 0.306396 nohead lw 0.6 lc rgb '#0060a8'
+set label "lemke" at graph 0.17742, graph 0.44351 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.836374, graph 0.542237 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.553875 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.589362 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.542811 to graph 0.836374, graph 0.589362 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.237798, graph 0.612341 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6" at graph 0.156868, graph 0.65891 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.370524, graph 0.612358 to graph 0.3511, graph 0.65891 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:10" at graph 0.571811, graph 0.926488 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \

@@ -1,130 +1,127 @@
 # Draws pyramid.svg and pyramid.png: gnuplot pyramid.gp
 $line0_0 << EOD
-4 20.373 4 4
-16 31.9681 16 16
-64 70.5814 64 64
-256 2612.18 256 256
-1024 1687.27 1024 1024
-4096 1839.16 4096 4096
+4 16.1127 4 4
+16 34.5461 16 16
+64 75.0232 64 64
+256 2407.59 256 256
+1024 1859.69 1024 1024
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 12.3782 4 4
-16 19.9781 16 16
-64 24.1512 64 64
-256 35.2118 256 256
-1024 102.283 1024 1024
-4096 1663.97 4096 4096
+4 11.0757 4 4
+16 20.7752 16 16
+64 23.0152 64 64
+256 25.9149 256 256
+1024 142.744 1024 1024
+4096 1568.39 4096 4096
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.7815 4 4
-16 0.534062 16 16
-64 0.625859 64 64
-256 0.649383 256 256
-1024 0.478799 1024 1024
-4096 0.782757 4096 4096
-15876 0.949865 15876 15876
-40000 1.55528 40000 40000
+4 0.82675 4 4
+16 0.647437 16 16
+64 0.634328 64 64
+256 0.487242 256 256
+1024 0.499569 1024 1024
+4096 0.686971 4096 4096
+15876 1.15143 15876 15876
+40000 1.45837 40000 40000
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 5.16975 4 4
-16 4.84225 16 16
-64 4.34158 64 64
-256 4.27986 256 256
-1024 4.60526 1024 1024
-4096 4.82651 4096 4096
-15876 5.0801 15876 15876
-40000 10.7587 40000 40000
+4 5.122 4 4
+16 4.50031 16 16
+64 5.21462 64 64
+256 3.39496 256 256
+1024 3.65818 1024 1024
+4096 3.76205 4096 4096
+15876 4.55669 15876 15876
+40000 10.2791 40000 40000
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 1.032 4 4
-16 0.941125 16 16
-64 0.783984 64 64
-256 0.804832 256 256
-1024 0.773031 1024 1024
-4096 1.01313 4096 4096
-15876 1.31239 15876 15876
-40000 2.29073 40000 40000
+4 0.88425 4 4
+16 0.814625 16 16
+64 0.747172 64 64
+256 0.596195 256 256
+1024 0.64853 1024 1024
+4096 0.790408 4096 4096
+15876 1.00607 15876 15876
+40000 3.02108 40000 40000
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 2.267 4 4
-16 3.63687 16 16
-64 6.75517 64 64
-256 17.428 256 256
-1024 106.145 1024 1024
-4096 316.786 4096 4096
+4 2.30425 4 4
+16 3.58356 16 16
+64 7.38541 64 64
+256 12.515 256 256
+1024 72.0279 1024 1024
+4096 298.674 4096 4096
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 1.71575 4 4
-16 2.082 16 16
-64 13.0612 64 64
+4 1.78575 4 4
+16 1.86725 16 16
+64 13.3995 64 64
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 1.78575 4 4
-16 2.1465 16 16
-64 11.2802 64 64
-256 391.097 256 256
-1024 8868.12 1024 1024
+4 1.77825 4 4
+16 1.97812 16 16
+64 11.5553 64 64
+256 402.909 256 256
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-4 13.5477 4 4
+4 15.0482 4 4
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-256 2.39616 256 256
-1024 4.77184 1024 1024
-4096 14.5039 4096 4096
+256 2.58048 256 256
+1024 4.72678 1024 1024
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-256 2.09306 256 256
-1024 4.72678 1024 1024
-4096 14.5039 4096 4096
+256 2.33472 256 256
+1024 4.67763 1024 1024
+4096 14.0739 4096 4096
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4096 5.30432 4096 4096
-15876 20.2547 15876 15876
-40000 68.7514 40000 40000
+4096 4.82918 4096 4096
+15876 14.4466 15876 15876
+40000 68.9848 40000 40000
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4096 5.30432 4096 4096
-15876 20.2547 15876 15876
-40000 68.7514 40000 40000
+4096 4.82918 4096 4096
+15876 14.4466 15876 15876
+40000 68.9848 40000 40000
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4096 5.48864 4096 4096
-15876 20.5005 15876 15876
-40000 69.1651 40000 40000
+4096 4.92339 4096 4096
+15876 14.7251 15876 15876
+40000 69.2511 40000 40000
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-256 5.09133 256 256
-1024 70.1235 1024 1024
-4096 1086.06 4096 4096
+256 5.26336 256 256
+1024 69.9802 1024 1024
+4096 1084.49 4096 4096
 EOD
 $marks1_5 << EOD
 EOD
@@ -133,8 +130,7 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-256 9.32659 256 256
-1024 137.421 1024 1024
+256 9.31021 256 256
 EOD
 $marks1_7 << EOD
 EOD
@@ -166,22 +162,22 @@ set logscale y
 set ytics 10 nomirror
 set mytics
 set format y "10^{%T}"
-set yrange [0.1:100000]
+set yrange [0.1:10000]
 set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.198635 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.249938 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.338627 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.304914, graph 0.247923 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.285491, graph 0.352664 to graph 0.304914, graph 0.247923 nohead lw 0.6 lc rgb '#555555'
-set label "lemke" at graph 0.076027, graph 0.320397 left front noenhanced textcolor rgb '#999999'
-set label "pgs:10" at graph 0.648245, graph 0.583461 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.648245, graph 0.703524 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.648245, graph 0.757321 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.628822, graph 0.71077 to graph 0.648245, graph 0.757321 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.533801, graph 0.824639 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.836374, graph 0.232773 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.296033 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.402391 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.152765, graph 0.425418 left front noenhanced textcolor rgb '#555555'
+set label "lemke" at graph 0.076027, graph 0.377308 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.0566038, graph 0.435497 to graph 0.076027, graph 0.377308 nohead lw 0.6 lc rgb '#999999'
+set label "pgs:10" at graph 0.648245, graph 0.695039 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.186279, graph 0.849059 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.399935, graph 0.721041 to graph 0.380511, graph 0.849059 nohead lw 0.6 lc rgb '#555555'
+set label "delassus:1e-4" at graph 0.648245, graph 0.839091 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.533801, graph 0.888802 left front noenhanced textcolor rgb '#0060a8'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -229,15 +225,15 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.325023, graph 0.302009 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-4" at graph 0.244093, graph 0.348561 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.473935, graph 0.290371 to graph 0.454511, graph 0.348561 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:10" at graph 0.836374, graph 0.45932 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.470958 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.506523 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.459972 to graph 0.836374, graph 0.506523 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig:1e-6" at graph 0.0516134, graph 0.534513 left front noenhanced textcolor rgb '#555555'
-set label "pgs:10" at graph 0.493358, graph 0.758963 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus" at graph 0.284692, graph 0.145366 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.076027, graph 0.0676709 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.24224 to graph 0.076027, graph 0.0676709 nohead lw 0.6 lc rgb '#555555'
+set label "delassus:1e-4" at graph 0.244093, graph 0.298741 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.459688 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.459688 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.506658 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.460107 to graph 0.836374, graph 0.506658 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:10" at graph 0.493358, graph 0.758806 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \

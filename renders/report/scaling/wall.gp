@@ -1,80 +1,80 @@
 # Draws wall.svg and wall.png: gnuplot wall.gp
 $line0_0 << EOD
-4 22.2143 4 4
-8 28.933 8 8
-44 54.5341 44 44
-240 2052.48 240 240
-992 1214.26 992 992
-4156 1571.13 4156 4156
+4 21.553 4 4
+8 24.6 8 8
+44 55.4929 44 44
+240 2099.21 240 240
+992 1136.9 992 992
+4156 1769.48 4156 4156
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 13.7005 4 4
-8 10.6212 8 8
-44 22.1206 44 44
-240 28.6846 240 240
-992 25.3407 992 992
-4156 539.197 4156 4156
+4 11.048 4 4
+8 10.64 8 8
+44 20.9329 44 44
+240 28.3945 240 240
+992 33.2563 992 992
+4156 612.006 4156 4156
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.729 4 4
-8 0.7665 8 8
-44 0.579955 44 44
-240 0.464162 240 240
-992 0.547296 992 992
-4156 0.717782 4156 4156
-17032 0.823425 17032 17032
-42644 1.31997 42644 42644
+4 0.829 4 4
+8 0.66875 8 8
+44 0.590636 44 44
+240 0.682233 240 240
+992 0.713596 992 992
+4156 0.588408 4156 4156
+17032 1.2417 17032 17032
+42644 1.67442 42644 42644
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 4.929 4 4
-8 5.36375 8 8
-44 4.6683 44 44
-240 3.291 240 240
-992 3.75587 992 992
-4156 5.03312 4156 4156
-17032 4.53374 17032 17032
-42644 7.4852 42644 42644
+4 5.49525 4 4
+8 4.58362 8 8
+44 4.34793 44 44
+240 4.02392 240 240
+992 4.8433 992 992
+4156 4.09535 4156 4156
+17032 6.0808 17032 17032
+42644 10.4167 42644 42644
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 1.14975 4 4
-8 0.990625 8 8
-44 0.85775 44 44
-240 0.798079 240 240
-992 0.673036 992 992
-4156 0.858045 4156 4156
-17032 1.28085 17032 17032
-42644 1.55238 42644 42644
+4 0.58375 4 4
+8 0.867875 8 8
+44 0.789 44 44
+240 0.752079 240 240
+992 0.885501 992 992
+4156 1.07184 4156 4156
+17032 1.78519 17032 17032
+42644 1.88854 42644 42644
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 2.4245 4 4
-8 2.05763 8 8
-44 5.19657 44 44
-240 8.5864 240 240
-992 84.1127 992 992
-4156 280.401 4156 4156
+4 1.94125 4 4
+8 2.35312 8 8
+44 4.83041 44 44
+240 12.4562 240 240
+992 60.1263 992 992
+4156 327.13 4156 4156
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 1.55275 4 4
+4 1.98625 4 4
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 1.72075 4 4
-8 1.69063 8 8
-44 5.10366 44 44
-240 207.108 240 240
+4 1.46275 4 4
+8 1.80838 8 8
+44 5.39832 44 44
+240 249.769 240 240
 EOD
 $marks0_7 << EOD
 EOD
@@ -83,44 +83,44 @@ EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-240 2.33882 240 240
-992 4.58342 992 992
-4156 14.889 4156 4156
+240 2.53542 240 240
+992 4.54246 992 992
+4156 13.8527 4156 4156
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-240 2.06438 240 240
-992 3.75194 992 992
-4156 14.889 4156 4156
+240 2.30605 240 240
+992 3.82976 992 992
+4156 13.8527 4156 4156
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4156 9.9369 4156 4156
-17032 36.737 17032 17032
-42644 68.9971 42644 42644
+4156 8.83507 4156 4156
+17032 29.7001 17032 17032
+42644 69.0381 42644 42644
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4156 9.9369 4156 4156
-17032 36.737 17032 17032
-42644 68.9971 42644 42644
+4156 8.83507 4156 4156
+17032 29.7001 17032 17032
+42644 69.0381 42644 42644
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4156 10.1212 4156 4156
-17032 37.077 17032 17032
-42644 69.292 42644 42644
+4156 8.94976 4156 4156
+17032 29.7656 17032 17032
+42644 69.3903 42644 42644
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-240 4.46874 240 240
-992 65.9292 992 992
-4156 1119.88 4156 4156
+240 4.6039 240 240
+992 65.7244 992 992
+4156 1118.63 4156 4156
 EOD
 $marks1_5 << EOD
 EOD
@@ -129,7 +129,7 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-240 8.18381 240 240
+240 8.16333 240 240
 EOD
 $marks1_7 << EOD
 EOD
@@ -166,16 +166,16 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.224113 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.684225, graph 0.261475 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig" at graph 0.076027, graph 0.133479 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.23822 to graph 0.076027, graph 0.133479 nohead lw 0.6 lc rgb '#555555'
-set label "si:100" at graph 0.836374, graph 0.374841 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.411697, graph 0.733067 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.392274, graph 0.663239 to graph 0.411697, graph 0.733067 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:10" at graph 0.645488, graph 0.689556 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.645488, graph 0.746349 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.645488, graph 0.839242 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.244773 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.684225, graph 0.278501 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.076027, graph 0.213055 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.259607 to graph 0.076027, graph 0.213055 nohead lw 0.6 lc rgb '#555555'
+set label "si:100" at graph 0.836374, graph 0.403546 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.411697, graph 0.737697 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.392274, graph 0.679508 to graph 0.411697, graph 0.737697 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:10" at graph 0.645488, graph 0.702944 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.645488, graph 0.757351 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.645488, graph 0.849569 left front noenhanced textcolor rgb '#0060a8'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -220,16 +220,16 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig:1e-6" at graph 0.076027, graph 0.0536699 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.228239 to graph 0.076027, graph 0.0536699 nohead lw 0.6 lc rgb '#555555'
-set label "delassus" at graph 0.326274, graph 0.304854 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-4" at graph 0.494609, graph 0.235026 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.475186, graph 0.293216 to graph 0.494609, graph 0.235026 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:10" at graph 0.836374, graph 0.459708 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.482984 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.506723 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.460171 to graph 0.836374, graph 0.506723 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:10" at graph 0.494609, graph 0.762293 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.076027, graph 0.0650358 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.227967 to graph 0.076027, graph 0.0650358 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.326274, graph 0.297021 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-4" at graph 0.245344, graph 0.343573 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.475186, graph 0.285383 to graph 0.455763, graph 0.343573 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.459772 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.47141 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.506876 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.460325 to graph 0.836374, graph 0.506876 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:10" at graph 0.494609, graph 0.762172 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
