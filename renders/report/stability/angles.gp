@@ -319,8 +319,8 @@ set object 179 rectangle from screen 0.20375, screen 0.306273 to screen 0.239219
 set object 180 rectangle from screen 0.239219, screen 0.306273 to screen 0.274687, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 181 rectangle from screen 0.274688, screen 0.306273 to screen 0.310156, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 182 rectangle from screen 0.310156, screen 0.306273 to screen 0.345625, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 183 rectangle from screen 0.345625, screen 0.306273 to screen 0.381094, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.363359, screen 0.324723 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 183 rectangle from screen 0.345625, screen 0.306273 to screen 0.381094, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.363359, screen 0.324723 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 184 rectangle from screen 0.381094, screen 0.306273 to screen 0.416563, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
 set label "!" at screen 0.398828, screen 0.324723 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 185 rectangle from screen 0.416563, screen 0.306273 to screen 0.452031, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
@@ -467,8 +467,7 @@ set object 254 rectangle from screen 0.823798, screen 0.343173 to screen 0.85108
 set object 255 rectangle from screen 0.851082, screen 0.343173 to screen 0.878365, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 256 rectangle from screen 0.878365, screen 0.343173 to screen 0.905649, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 257 rectangle from screen 0.905649, screen 0.343173 to screen 0.932933, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 258 rectangle from screen 0.932933, screen 0.343173 to screen 0.960216, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.946575, screen 0.361624 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 258 rectangle from screen 0.932933, screen 0.343173 to screen 0.960216, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 259 rectangle from screen 0.960216, screen 0.343173 to screen 0.9875, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.973858, screen 0.361624 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "delassus float" at screen 0.626563, screen 0.324723 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
@@ -481,12 +480,9 @@ set object 265 rectangle from screen 0.769231, screen 0.306273 to screen 0.79651
 set object 266 rectangle from screen 0.796514, screen 0.306273 to screen 0.823798, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 267 rectangle from screen 0.823798, screen 0.306273 to screen 0.851082, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 268 rectangle from screen 0.851082, screen 0.306273 to screen 0.878365, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 269 rectangle from screen 0.878365, screen 0.306273 to screen 0.905649, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.892007, screen 0.324723 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 270 rectangle from screen 0.905649, screen 0.306273 to screen 0.932933, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.919291, screen 0.324723 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 271 rectangle from screen 0.932933, screen 0.306273 to screen 0.960216, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.946575, screen 0.324723 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 269 rectangle from screen 0.878365, screen 0.306273 to screen 0.905649, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 270 rectangle from screen 0.905649, screen 0.306273 to screen 0.932933, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 271 rectangle from screen 0.932933, screen 0.306273 to screen 0.960216, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 272 rectangle from screen 0.960216, screen 0.306273 to screen 0.9875, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.973858, screen 0.324723 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 double" at screen 0.626563, screen 0.287823 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)

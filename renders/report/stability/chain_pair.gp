@@ -55,8 +55,8 @@ set object 18 rectangle from screen 0.335491, screen 0.739777 to screen 0.386161
 set label "x" at screen 0.360826, screen 0.758364 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 19 rectangle from screen 0.386161, screen 0.739777 to screen 0.43683, screen 0.776952 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.411496, screen 0.758364 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 20 rectangle from screen 0.43683, screen 0.739777 to screen 0.4875, screen 0.776952 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.462165, screen 0.758364 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 20 rectangle from screen 0.43683, screen 0.739777 to screen 0.4875, screen 0.776952 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.462165, screen 0.758364 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "960 steps a second" at screen 0.126562, screen 0.72119 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set arrow from screen 0.365433, screen 0.739777 to screen 0.365433, screen 0.702602 nohead front lw 2.5 lc rgb '#000000'
 set object 21 rectangle from screen 0.132812, screen 0.702602 to screen 0.183482, screen 0.739777 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -132,8 +132,8 @@ set object 58 rectangle from screen 0.734152, screen 0.665428 to screen 0.784821
 set object 59 rectangle from screen 0.784821, screen 0.665428 to screen 0.835491, screen 0.702602 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 60 rectangle from screen 0.835491, screen 0.665428 to screen 0.886161, screen 0.702602 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 61 rectangle from screen 0.886161, screen 0.665428 to screen 0.93683, screen 0.702602 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 62 rectangle from screen 0.93683, screen 0.665428 to screen 0.9875, screen 0.702602 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.962165, screen 0.684015 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 62 rectangle from screen 0.93683, screen 0.665428 to screen 0.9875, screen 0.702602 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.962165, screen 0.684015 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "1" at screen 0.658147, screen 0.64684 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "10" at screen 0.708817, screen 0.64684 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "100" at screen 0.759487, screen 0.64684 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)

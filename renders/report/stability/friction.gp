@@ -39,7 +39,8 @@ set object 10 rectangle from screen 0.239219, screen 0.845758 to screen 0.274687
 set object 11 rectangle from screen 0.274688, screen 0.845758 to screen 0.310156, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 12 rectangle from screen 0.310156, screen 0.845758 to screen 0.345625, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 13 rectangle from screen 0.345625, screen 0.845758 to screen 0.381094, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 14 rectangle from screen 0.381094, screen 0.845758 to screen 0.416563, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 14 rectangle from screen 0.381094, screen 0.845758 to screen 0.416563, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.398828, screen 0.858612 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 15 rectangle from screen 0.416563, screen 0.845758 to screen 0.452031, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 16 rectangle from screen 0.452031, screen 0.845758 to screen 0.4875, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.126562, screen 0.832905 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
@@ -54,8 +55,7 @@ set object 24 rectangle from screen 0.381094, screen 0.820051 to screen 0.416563
 set label "x" at screen 0.398828, screen 0.832905 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 25 rectangle from screen 0.416563, screen 0.820051 to screen 0.452031, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.434297, screen 0.832905 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 26 rectangle from screen 0.452031, screen 0.820051 to screen 0.4875, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.469766, screen 0.832905 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 26 rectangle from screen 0.452031, screen 0.820051 to screen 0.4875, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:10 double" at screen 0.126562, screen 0.807198 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 27 rectangle from screen 0.132812, screen 0.794344 to screen 0.168281, screen 0.820051 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 28 rectangle from screen 0.168281, screen 0.794344 to screen 0.20375, screen 0.820051 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -389,8 +389,8 @@ set object 255 rectangle from screen 0.94809, screen 0.542416 to screen 0.9875, 
 set label "x" at screen 0.967795, screen 0.55527 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "delassus float" at screen 0.626563, screen 0.529563 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 256 rectangle from screen 0.632812, screen 0.51671 to screen 0.672222, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 257 rectangle from screen 0.672222, screen 0.51671 to screen 0.711632, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.691927, screen 0.529563 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 257 rectangle from screen 0.672222, screen 0.51671 to screen 0.711632, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.691927, screen 0.529563 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 258 rectangle from screen 0.711632, screen 0.51671 to screen 0.751042, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 259 rectangle from screen 0.751042, screen 0.51671 to screen 0.790451, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 260 rectangle from screen 0.790451, screen 0.51671 to screen 0.829861, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -625,7 +625,8 @@ set object 375 rectangle from screen 0.132812, screen 0.059126 to screen 0.17714
 set object 376 rectangle from screen 0.177148, screen 0.059126 to screen 0.221484, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 377 rectangle from screen 0.221484, screen 0.059126 to screen 0.26582, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 378 rectangle from screen 0.26582, screen 0.059126 to screen 0.310156, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 379 rectangle from screen 0.310156, screen 0.059126 to screen 0.354492, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 379 rectangle from screen 0.310156, screen 0.059126 to screen 0.354492, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.332324, screen 0.0719794 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 380 rectangle from screen 0.354492, screen 0.059126 to screen 0.398828, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.37666, screen 0.0719794 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 381 rectangle from screen 0.398828, screen 0.059126 to screen 0.443164, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1

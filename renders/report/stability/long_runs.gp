@@ -87,14 +87,16 @@ set object 44 rectangle from screen 0.191927, screen 0.691517 to screen 0.251042
 set object 45 rectangle from screen 0.251042, screen 0.691517 to screen 0.310156, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 46 rectangle from screen 0.310156, screen 0.691517 to screen 0.369271, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 47 rectangle from screen 0.369271, screen 0.691517 to screen 0.428385, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 48 rectangle from screen 0.428385, screen 0.691517 to screen 0.4875, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 48 rectangle from screen 0.428385, screen 0.691517 to screen 0.4875, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.457943, screen 0.70437 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "dantzig:1e-6 float" at screen 0.126562, screen 0.678663 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 49 rectangle from screen 0.132812, screen 0.66581 to screen 0.191927, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 50 rectangle from screen 0.191927, screen 0.66581 to screen 0.251042, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 51 rectangle from screen 0.251042, screen 0.66581 to screen 0.310156, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 52 rectangle from screen 0.310156, screen 0.66581 to screen 0.369271, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 53 rectangle from screen 0.369271, screen 0.66581 to screen 0.428385, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 54 rectangle from screen 0.428385, screen 0.66581 to screen 0.4875, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 54 rectangle from screen 0.428385, screen 0.66581 to screen 0.4875, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.457943, screen 0.678663 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "1" at screen 0.16237, screen 0.652956 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "10" at screen 0.221484, screen 0.652956 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "100" at screen 0.280599, screen 0.652956 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
@@ -114,8 +116,7 @@ set object 60 rectangle from screen 0.632812, screen 0.820051 to screen 0.70375,
 set object 61 rectangle from screen 0.70375, screen 0.820051 to screen 0.774687, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 62 rectangle from screen 0.774687, screen 0.820051 to screen 0.845625, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 63 rectangle from screen 0.845625, screen 0.820051 to screen 0.916563, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 64 rectangle from screen 0.916563, screen 0.820051 to screen 0.9875, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.952031, screen 0.832905 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 64 rectangle from screen 0.916563, screen 0.820051 to screen 0.9875, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:10 double" at screen 0.626563, screen 0.807198 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 65 rectangle from screen 0.632812, screen 0.794344 to screen 0.70375, screen 0.820051 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.668281, screen 0.807198 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
@@ -187,20 +188,14 @@ set label "3600" at screen 0.952031, screen 0.652956 center front noenhanced tex
 set label "simulated time, s" at screen 0.810156, screen 0.62982 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "arch of 21 voussoirs" at screen 0.009375, screen 0.587404 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
 set label "delassus double" at screen 0.126562, screen 0.55527 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 95 rectangle from screen 0.132812, screen 0.542416 to screen 0.20375, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.168281, screen 0.55527 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 96 rectangle from screen 0.20375, screen 0.542416 to screen 0.274688, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.239219, screen 0.55527 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 97 rectangle from screen 0.274688, screen 0.542416 to screen 0.345625, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.310156, screen 0.55527 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 98 rectangle from screen 0.345625, screen 0.542416 to screen 0.416562, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.381094, screen 0.55527 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 99 rectangle from screen 0.416563, screen 0.542416 to screen 0.4875, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.452031, screen 0.55527 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 95 rectangle from screen 0.132812, screen 0.542416 to screen 0.20375, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 96 rectangle from screen 0.20375, screen 0.542416 to screen 0.274688, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 97 rectangle from screen 0.274688, screen 0.542416 to screen 0.345625, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 98 rectangle from screen 0.345625, screen 0.542416 to screen 0.416562, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 99 rectangle from screen 0.416563, screen 0.542416 to screen 0.4875, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.126562, screen 0.529563 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 100 rectangle from screen 0.132812, screen 0.51671 to screen 0.20375, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 101 rectangle from screen 0.20375, screen 0.51671 to screen 0.274688, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.239219, screen 0.529563 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 101 rectangle from screen 0.20375, screen 0.51671 to screen 0.274688, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 102 rectangle from screen 0.274688, screen 0.51671 to screen 0.345625, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.310156, screen 0.529563 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 103 rectangle from screen 0.345625, screen 0.51671 to screen 0.416562, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
@@ -394,7 +389,8 @@ set object 195 rectangle from screen 0.132812, screen 0.136247 to screen 0.20375
 set object 196 rectangle from screen 0.20375, screen 0.136247 to screen 0.274688, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 197 rectangle from screen 0.274688, screen 0.136247 to screen 0.345625, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 198 rectangle from screen 0.345625, screen 0.136247 to screen 0.416562, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 199 rectangle from screen 0.416563, screen 0.136247 to screen 0.4875, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 199 rectangle from screen 0.416563, screen 0.136247 to screen 0.4875, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.452031, screen 0.1491 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:1000 float" at screen 0.126562, screen 0.123393 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 200 rectangle from screen 0.132812, screen 0.11054 to screen 0.20375, screen 0.136247 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 201 rectangle from screen 0.20375, screen 0.11054 to screen 0.274688, screen 0.136247 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1

@@ -41,7 +41,8 @@ set object 12 rectangle from screen 0.310156, screen 0.904 to screen 0.345625, s
 set object 13 rectangle from screen 0.345625, screen 0.904 to screen 0.381094, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 14 rectangle from screen 0.381094, screen 0.904 to screen 0.416563, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 15 rectangle from screen 0.416563, screen 0.904 to screen 0.452031, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 16 rectangle from screen 0.452031, screen 0.904 to screen 0.4875, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 16 rectangle from screen 0.452031, screen 0.904 to screen 0.4875, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.469766, screen 0.912 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "delassus float" at screen 0.126562, screen 0.896 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 17 rectangle from screen 0.132812, screen 0.888 to screen 0.168281, screen 0.904 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 18 rectangle from screen 0.168281, screen 0.888 to screen 0.20375, screen 0.904 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -190,7 +191,8 @@ set object 92 rectangle from screen 0.810156, screen 0.904 to screen 0.845625, s
 set object 93 rectangle from screen 0.845625, screen 0.904 to screen 0.881094, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 94 rectangle from screen 0.881094, screen 0.904 to screen 0.916563, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 95 rectangle from screen 0.916563, screen 0.904 to screen 0.952031, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 96 rectangle from screen 0.952031, screen 0.904 to screen 0.9875, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 96 rectangle from screen 0.952031, screen 0.904 to screen 0.9875, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.969766, screen 0.912 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "delassus float" at screen 0.626563, screen 0.896 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 97 rectangle from screen 0.632812, screen 0.888 to screen 0.668281, screen 0.904 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 98 rectangle from screen 0.668281, screen 0.888 to screen 0.70375, screen 0.904 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -201,8 +203,7 @@ set object 102 rectangle from screen 0.810156, screen 0.888 to screen 0.845625, 
 set object 103 rectangle from screen 0.845625, screen 0.888 to screen 0.881094, screen 0.904 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 104 rectangle from screen 0.881094, screen 0.888 to screen 0.916563, screen 0.904 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 105 rectangle from screen 0.916563, screen 0.888 to screen 0.952031, screen 0.904 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 106 rectangle from screen 0.952031, screen 0.888 to screen 0.9875, screen 0.904 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.969766, screen 0.896 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 106 rectangle from screen 0.952031, screen 0.888 to screen 0.9875, screen 0.904 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:10 double" at screen 0.626563, screen 0.88 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 107 rectangle from screen 0.632812, screen 0.872 to screen 0.668281, screen 0.888 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.650547, screen 0.88 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
@@ -340,7 +341,8 @@ set object 172 rectangle from screen 0.310156, screen 0.7152 to screen 0.345625,
 set object 173 rectangle from screen 0.345625, screen 0.7152 to screen 0.381094, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 174 rectangle from screen 0.381094, screen 0.7152 to screen 0.416563, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 175 rectangle from screen 0.416563, screen 0.7152 to screen 0.452031, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 176 rectangle from screen 0.452031, screen 0.7152 to screen 0.4875, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 176 rectangle from screen 0.452031, screen 0.7152 to screen 0.4875, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.469766, screen 0.7232 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "delassus float" at screen 0.126562, screen 0.7072 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 177 rectangle from screen 0.132812, screen 0.6992 to screen 0.168281, screen 0.7152 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 178 rectangle from screen 0.168281, screen 0.6992 to screen 0.20375, screen 0.7152 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -494,10 +496,10 @@ set object 251 rectangle from screen 0.774687, screen 0.7152 to screen 0.810156,
 set label "x" at screen 0.792422, screen 0.7232 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 252 rectangle from screen 0.810156, screen 0.7152 to screen 0.845625, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.827891, screen 0.7232 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 253 rectangle from screen 0.845625, screen 0.7152 to screen 0.881094, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.863359, screen 0.7232 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 254 rectangle from screen 0.881094, screen 0.7152 to screen 0.916563, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.898828, screen 0.7232 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 253 rectangle from screen 0.845625, screen 0.7152 to screen 0.881094, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.863359, screen 0.7232 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 254 rectangle from screen 0.881094, screen 0.7152 to screen 0.916563, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.898828, screen 0.7232 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 255 rectangle from screen 0.916563, screen 0.7152 to screen 0.952031, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
 set label "!" at screen 0.934297, screen 0.7232 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 256 rectangle from screen 0.952031, screen 0.7152 to screen 0.9875, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
@@ -515,12 +517,12 @@ set object 262 rectangle from screen 0.810156, screen 0.6992 to screen 0.845625,
 set label "x" at screen 0.827891, screen 0.7072 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 263 rectangle from screen 0.845625, screen 0.6992 to screen 0.881094, screen 0.7152 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.863359, screen 0.7072 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 264 rectangle from screen 0.881094, screen 0.6992 to screen 0.916563, screen 0.7152 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.898828, screen 0.7072 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 265 rectangle from screen 0.916563, screen 0.6992 to screen 0.952031, screen 0.7152 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.934297, screen 0.7072 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 266 rectangle from screen 0.952031, screen 0.6992 to screen 0.9875, screen 0.7152 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.969766, screen 0.7072 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 264 rectangle from screen 0.881094, screen 0.6992 to screen 0.916563, screen 0.7152 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.898828, screen 0.7072 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 265 rectangle from screen 0.916563, screen 0.6992 to screen 0.952031, screen 0.7152 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.934297, screen 0.7072 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 266 rectangle from screen 0.952031, screen 0.6992 to screen 0.9875, screen 0.7152 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.969766, screen 0.7072 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 double" at screen 0.626563, screen 0.6912 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set arrow from screen 0.752558, screen 0.6992 to screen 0.752558, screen 0.6832 nohead front lw 2.5 lc rgb '#000000'
 set object 267 rectangle from screen 0.632812, screen 0.6832 to screen 0.668281, screen 0.6992 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -660,8 +662,8 @@ set object 331 rectangle from screen 0.274688, screen 0.5264 to screen 0.310156,
 set label "x" at screen 0.292422, screen 0.5344 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 332 rectangle from screen 0.310156, screen 0.5264 to screen 0.345625, screen 0.5424 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.327891, screen 0.5344 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 333 rectangle from screen 0.345625, screen 0.5264 to screen 0.381094, screen 0.5424 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.363359, screen 0.5344 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 333 rectangle from screen 0.345625, screen 0.5264 to screen 0.381094, screen 0.5424 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.363359, screen 0.5344 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 334 rectangle from screen 0.381094, screen 0.5264 to screen 0.416563, screen 0.5424 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
 set label "!" at screen 0.398828, screen 0.5344 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 335 rectangle from screen 0.416563, screen 0.5264 to screen 0.452031, screen 0.5424 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
@@ -679,14 +681,14 @@ set object 341 rectangle from screen 0.274688, screen 0.5104 to screen 0.310156,
 set label "x" at screen 0.292422, screen 0.5184 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 342 rectangle from screen 0.310156, screen 0.5104 to screen 0.345625, screen 0.5264 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.327891, screen 0.5184 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 343 rectangle from screen 0.345625, screen 0.5104 to screen 0.381094, screen 0.5264 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.363359, screen 0.5184 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 344 rectangle from screen 0.381094, screen 0.5104 to screen 0.416563, screen 0.5264 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.398828, screen 0.5184 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 345 rectangle from screen 0.416563, screen 0.5104 to screen 0.452031, screen 0.5264 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.434297, screen 0.5184 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 346 rectangle from screen 0.452031, screen 0.5104 to screen 0.4875, screen 0.5264 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.469766, screen 0.5184 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 343 rectangle from screen 0.345625, screen 0.5104 to screen 0.381094, screen 0.5264 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.363359, screen 0.5184 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 344 rectangle from screen 0.381094, screen 0.5104 to screen 0.416563, screen 0.5264 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.398828, screen 0.5184 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 345 rectangle from screen 0.416563, screen 0.5104 to screen 0.452031, screen 0.5264 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.434297, screen 0.5184 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 346 rectangle from screen 0.452031, screen 0.5104 to screen 0.4875, screen 0.5264 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.469766, screen 0.5184 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 double" at screen 0.126562, screen 0.5024 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set arrow from screen 0.250825, screen 0.5104 to screen 0.250825, screen 0.4944 nohead front lw 2.5 lc rgb '#000000'
 set object 347 rectangle from screen 0.132812, screen 0.4944 to screen 0.168281, screen 0.5104 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -733,9 +735,12 @@ set object 366 rectangle from screen 0.452031, screen 0.4784 to screen 0.4875, s
 set label "x" at screen 0.469766, screen 0.4864 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:1000 double" at screen 0.126562, screen 0.4704 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set arrow from screen 0.250825, screen 0.4784 to screen 0.250825, screen 0.4624 nohead front lw 2.5 lc rgb '#000000'
-set object 367 rectangle from screen 0.132812, screen 0.4624 to screen 0.168281, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 368 rectangle from screen 0.168281, screen 0.4624 to screen 0.20375, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 369 rectangle from screen 0.20375, screen 0.4624 to screen 0.239219, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 367 rectangle from screen 0.132812, screen 0.4624 to screen 0.168281, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.150547, screen 0.4704 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 368 rectangle from screen 0.168281, screen 0.4624 to screen 0.20375, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.186016, screen 0.4704 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 369 rectangle from screen 0.20375, screen 0.4624 to screen 0.239219, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.221484, screen 0.4704 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 370 rectangle from screen 0.239219, screen 0.4624 to screen 0.274687, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.256953, screen 0.4704 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 371 rectangle from screen 0.274688, screen 0.4624 to screen 0.310156, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -752,9 +757,12 @@ set object 376 rectangle from screen 0.452031, screen 0.4624 to screen 0.4875, s
 set label "x" at screen 0.469766, screen 0.4704 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:1000 float" at screen 0.126562, screen 0.4544 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set arrow from screen 0.250825, screen 0.4624 to screen 0.250825, screen 0.4464 nohead front lw 2.5 lc rgb '#000000'
-set object 377 rectangle from screen 0.132812, screen 0.4464 to screen 0.168281, screen 0.4624 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 378 rectangle from screen 0.168281, screen 0.4464 to screen 0.20375, screen 0.4624 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 379 rectangle from screen 0.20375, screen 0.4464 to screen 0.239219, screen 0.4624 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 377 rectangle from screen 0.132812, screen 0.4464 to screen 0.168281, screen 0.4624 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.150547, screen 0.4544 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 378 rectangle from screen 0.168281, screen 0.4464 to screen 0.20375, screen 0.4624 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.186016, screen 0.4544 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 379 rectangle from screen 0.20375, screen 0.4464 to screen 0.239219, screen 0.4624 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.221484, screen 0.4544 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 380 rectangle from screen 0.239219, screen 0.4464 to screen 0.274687, screen 0.4624 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.256953, screen 0.4544 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 381 rectangle from screen 0.274688, screen 0.4464 to screen 0.310156, screen 0.4624 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -771,9 +779,12 @@ set object 386 rectangle from screen 0.452031, screen 0.4464 to screen 0.4875, s
 set label "x" at screen 0.469766, screen 0.4544 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "dantzig:1e-6 double" at screen 0.126562, screen 0.4384 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set arrow from screen 0.250825, screen 0.4464 to screen 0.250825, screen 0.4304 nohead front lw 2.5 lc rgb '#000000'
-set object 387 rectangle from screen 0.132812, screen 0.4304 to screen 0.168281, screen 0.4464 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 388 rectangle from screen 0.168281, screen 0.4304 to screen 0.20375, screen 0.4464 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 389 rectangle from screen 0.20375, screen 0.4304 to screen 0.239219, screen 0.4464 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 387 rectangle from screen 0.132812, screen 0.4304 to screen 0.168281, screen 0.4464 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.150547, screen 0.4384 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 388 rectangle from screen 0.168281, screen 0.4304 to screen 0.20375, screen 0.4464 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.186016, screen 0.4384 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 389 rectangle from screen 0.20375, screen 0.4304 to screen 0.239219, screen 0.4464 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.221484, screen 0.4384 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 390 rectangle from screen 0.239219, screen 0.4304 to screen 0.274687, screen 0.4464 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.256953, screen 0.4384 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 391 rectangle from screen 0.274688, screen 0.4304 to screen 0.310156, screen 0.4464 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -790,7 +801,8 @@ set object 396 rectangle from screen 0.452031, screen 0.4304 to screen 0.4875, s
 set label "x" at screen 0.469766, screen 0.4384 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "dantzig:1e-6 float" at screen 0.126562, screen 0.4224 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set arrow from screen 0.250825, screen 0.4304 to screen 0.250825, screen 0.4144 nohead front lw 2.5 lc rgb '#000000'
-set object 397 rectangle from screen 0.132812, screen 0.4144 to screen 0.168281, screen 0.4304 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 397 rectangle from screen 0.132812, screen 0.4144 to screen 0.168281, screen 0.4304 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.150547, screen 0.4224 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 398 rectangle from screen 0.168281, screen 0.4144 to screen 0.20375, screen 0.4304 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 399 rectangle from screen 0.20375, screen 0.4144 to screen 0.239219, screen 0.4304 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 400 rectangle from screen 0.239219, screen 0.4144 to screen 0.274687, screen 0.4304 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -957,8 +969,7 @@ set object 474 rectangle from screen 0.239219, screen 0.3376 to screen 0.274687,
 set object 475 rectangle from screen 0.274688, screen 0.3376 to screen 0.310156, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 476 rectangle from screen 0.310156, screen 0.3376 to screen 0.345625, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 477 rectangle from screen 0.345625, screen 0.3376 to screen 0.381094, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 478 rectangle from screen 0.381094, screen 0.3376 to screen 0.416563, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.398828, screen 0.3456 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 478 rectangle from screen 0.381094, screen 0.3376 to screen 0.416563, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 479 rectangle from screen 0.416563, screen 0.3376 to screen 0.452031, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.434297, screen 0.3456 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 480 rectangle from screen 0.452031, screen 0.3376 to screen 0.4875, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
@@ -971,12 +982,11 @@ set object 484 rectangle from screen 0.239219, screen 0.3216 to screen 0.274687,
 set object 485 rectangle from screen 0.274688, screen 0.3216 to screen 0.310156, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 486 rectangle from screen 0.310156, screen 0.3216 to screen 0.345625, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 487 rectangle from screen 0.345625, screen 0.3216 to screen 0.381094, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 488 rectangle from screen 0.381094, screen 0.3216 to screen 0.416563, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.398828, screen 0.3296 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 489 rectangle from screen 0.416563, screen 0.3216 to screen 0.452031, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.434297, screen 0.3296 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 490 rectangle from screen 0.452031, screen 0.3216 to screen 0.4875, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.469766, screen 0.3296 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 488 rectangle from screen 0.381094, screen 0.3216 to screen 0.416563, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 489 rectangle from screen 0.416563, screen 0.3216 to screen 0.452031, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.434297, screen 0.3296 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 490 rectangle from screen 0.452031, screen 0.3216 to screen 0.4875, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.469766, screen 0.3296 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 double" at screen 0.126562, screen 0.3136 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 491 rectangle from screen 0.132812, screen 0.3056 to screen 0.168281, screen 0.3216 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.150547, screen 0.3136 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
@@ -1115,10 +1125,8 @@ set object 554 rectangle from screen 0.739219, screen 0.3376 to screen 0.774687,
 set object 555 rectangle from screen 0.774687, screen 0.3376 to screen 0.810156, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 556 rectangle from screen 0.810156, screen 0.3376 to screen 0.845625, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 557 rectangle from screen 0.845625, screen 0.3376 to screen 0.881094, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 558 rectangle from screen 0.881094, screen 0.3376 to screen 0.916563, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.898828, screen 0.3456 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 559 rectangle from screen 0.916563, screen 0.3376 to screen 0.952031, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.934297, screen 0.3456 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 558 rectangle from screen 0.881094, screen 0.3376 to screen 0.916563, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 559 rectangle from screen 0.916563, screen 0.3376 to screen 0.952031, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 560 rectangle from screen 0.952031, screen 0.3376 to screen 0.9875, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.626563, screen 0.3296 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 561 rectangle from screen 0.632812, screen 0.3216 to screen 0.668281, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -1128,11 +1136,10 @@ set object 564 rectangle from screen 0.739219, screen 0.3216 to screen 0.774687,
 set object 565 rectangle from screen 0.774687, screen 0.3216 to screen 0.810156, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 566 rectangle from screen 0.810156, screen 0.3216 to screen 0.845625, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 567 rectangle from screen 0.845625, screen 0.3216 to screen 0.881094, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 568 rectangle from screen 0.881094, screen 0.3216 to screen 0.916563, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.898828, screen 0.3296 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 569 rectangle from screen 0.916563, screen 0.3216 to screen 0.952031, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.934297, screen 0.3296 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 570 rectangle from screen 0.952031, screen 0.3216 to screen 0.9875, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 568 rectangle from screen 0.881094, screen 0.3216 to screen 0.916563, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 569 rectangle from screen 0.916563, screen 0.3216 to screen 0.952031, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 570 rectangle from screen 0.952031, screen 0.3216 to screen 0.9875, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.969766, screen 0.3296 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 double" at screen 0.626563, screen 0.3136 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 571 rectangle from screen 0.632812, screen 0.3056 to screen 0.668281, screen 0.3216 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 572 rectangle from screen 0.668281, screen 0.3056 to screen 0.70375, screen 0.3216 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -1400,8 +1407,7 @@ set object 719 rectangle from screen 0.683482, screen 0.1328 to screen 0.734152,
 set object 720 rectangle from screen 0.734152, screen 0.1328 to screen 0.784821, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 721 rectangle from screen 0.784821, screen 0.1328 to screen 0.835491, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 722 rectangle from screen 0.835491, screen 0.1328 to screen 0.886161, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 723 rectangle from screen 0.886161, screen 0.1328 to screen 0.93683, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.911496, screen 0.1408 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 723 rectangle from screen 0.886161, screen 0.1328 to screen 0.93683, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 724 rectangle from screen 0.93683, screen 0.1328 to screen 0.9875, screen 0.1488 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.962165, screen 0.1408 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 double" at screen 0.626563, screen 0.1248 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
