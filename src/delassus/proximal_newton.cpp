@@ -47,29 +47,40 @@ void ProximalNewton<Motion>::setTolerance(double tolerance) {
   fine_ = 0.1 * tolerance / std::sqrt(scale_.maxCoeff());
 }
 
+/// The reaction `r` to center + step. Where the law leaves that as it is, the change is the step to all its digits, of which the
+/// difference of two large reactions keeps few.
+template <class Motion>
+void ProximalNewton<Motion>::answer(int at, double step, double r) {
+  r_[at] = r;
+  change_[at] = r == center_[at] + step ? step : r - center_[at];
+}
+
 template <class Motion>
 void ProximalNewton<Motion>::respond(const Problem& problem, const VectorXd& u, Stiffness* G) {
+  change_.resize(problem.size());
   const int n = problem.contacts(), m = problem.rows();
   for (int i = 0; i < n; ++i) {
     const int at = 3 * i;
     const double mu = problem.friction[i];
     const Vec3 l = l_.segment<3>(at);
-    const Vec3 z = center_.segment<3>(at) - l.cwiseProduct(u.segment<3>(at));
-    r_.segment<3>(at) = reactionTo(z, mu, G ? &G->contacts[i] : nullptr);
+    const Vec3 step = -l.cwiseProduct(u.segment<3>(at));
+    const Vec3 r = reactionTo(center_.segment<3>(at) + step, mu, G ? &G->contacts[i] : nullptr);
+    for (int k = 0; k < 3; ++k) answer(at + k, step[k], r[k]);
     if (G) G->contacts[i] *= l.asDiagonal();
   }
   for (int i = 0; i < m; ++i) {
     const int at = 3 * n + i;
-    const double z = center_[at] - l_[at] * u[at];
-    r_[at] = std::clamp(z, problem.lower[i], problem.upper[i]);
+    const double step = -l_[at] * u[at], z = center_[at] + step;
+    answer(at, step, std::clamp(z, problem.lower[i], problem.upper[i]));
     if (G) G->rows[i] = z > problem.lower[i] && z < problem.upper[i] ? l_[at] : 0;
   }
   for (std::size_t k = 0; k < problem.disks.size(); ++k) {
     const Disk& disk = problem.disks[k];
-    const Vec2 z = disk.of(center_) - l_[disk.first] * disk.of(u);
+    const Vec2 step = -l_[disk.first] * disk.of(u), z = disk.of(center_) + step;
     const double length = z.norm(), radius = disk.radiusAt(r_);
     const Mode mode = !(radius > 0) ? Mode::Open : length <= radius ? Mode::Stick : Mode::Slide;
-    disk.put(projectOnDisk(z, radius), r_);
+    const Vec2 r = projectOnDisk(z, radius);
+    for (int j = 0; j < disk.unknowns; ++j) answer(disk.first + j, step[j], r[j]);
     if (G)
       answerOfDisk(disk, static_cast<int>(k), mode, z, radius * l_[disk.first] / length,
                    disk.grows(r_), *G);
@@ -163,7 +174,6 @@ bool ProximalNewton<Motion>::factorise(Solution& count) {
 /// What the bodies feel of r_ beyond the center, J̃ᵀ (r − r_k).
 template <class Motion>
 const VectorXd& ProximalNewton<Motion>::felt() {
-  change_ = r_ - center_;
   motion_.impulse(change_, felt_);
   return felt_;
 }
@@ -182,6 +192,7 @@ typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
     ++count.regions;
     respondInRegion(problem, *region);
     if (!factorise(count)) return Inner::Failed;
+    change_ = r_ - center_;
     delta_ = felt();
     motion_.solve(delta_);
     if (!delta_.allFinite()) return Inner::Failed;

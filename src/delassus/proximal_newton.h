@@ -87,10 +87,11 @@ class ProximalNewton {
   enum class Inner { Converged, Failed };
 
   void setWeights(double alpha);
-  /// r = P(z) and, if asked, its derivative, for relative velocities u = u_k + J̃ δ.
+  /// r = P(z), the change r − r_k and, if asked, its derivative, for relative velocities u = u_k + J̃ δ.
   void respond(const Problem& problem, const VectorXd& u, Stiffness* G);
   /// The same in one given region, that of `from`: an affine answer, right if the region is.
   void respondInRegion(const Problem& problem, const Solution& from);
+  void answer(int at, double step, double r);
   void answerOfDisk(const Disk& disk, int k, Mode mode, const Vec2& direction, double turn,
                     bool grows, Stiffness& G) const;
   /// Factors the Newton matrix of G_, unless that very region is factored already.
@@ -122,8 +123,9 @@ class ProximalNewton {
   VectorXd compliance_;
   VectorXd center_, u_;  ///< r_k and u_k
   VectorXd r_, delta_;   ///< the answer of the inner problem
+  VectorXd change_;      ///< r − r_k
   VectorXd error_;       ///< δ − J̃ᵀ (r − r_k)
-  VectorXd step_, trialDelta_, trialError_, trialU_, change_, felt_;
+  VectorXd step_, trialDelta_, trialError_, trialU_, felt_;
   double enough_ =
       0;  ///< share of the step that is inner error small enough: what a large weight leaves is larger anyway
   double fine_ = 0;  ///< inner error that is small enough whatever the size of the step

@@ -201,7 +201,7 @@ TEST(Allocation, AListenerOfAnySizeTakesNoMemory) {
         ->applyCentralForce({btScalar(step % 2 ? 7 : -7), 0, 0});
   };
   EXPECT_EQ(allocationsOf(optionsOfPrecision(), build, slip), 0);
-  EXPECT_GT(heard, 20);
+  EXPECT_GT(heard, 10);
 }
 
 TEST(Allocation, APushTakesNoMemory) {

@@ -61,7 +61,8 @@ TEST(Standing, isTheSameToTheLastBit) {
   }
 }
 
-// Nor is it in piles that have been disturbed, once they are at rest again; but in single precision Bullet turns what does not turn.
+// Nor is it in piles that have been disturbed, once they are at rest again; but Bullet, which takes every pose apart and puts it
+// together again, turns what does not turn by its last digits.
 TEST(Standing, isNotSolvedAgainWhereABlowHasPassed) {
   OnRegions run(buildPyramid(10));
   run.world->run(0.2, hz);
@@ -75,8 +76,9 @@ TEST(Standing, isNotSolvedAgainWhereABlowHasPassed) {
     run.world->step(1 / hz);
     solved += run.solver.report().regions > 0;
   }
+  const std::vector<btScalar> after = stateOf(*run.world);
   if (doublePrecision) {
-    EXPECT_EQ(stateOf(*run.world), before);
+    for (std::size_t i = 0; i < after.size(); ++i) EXPECT_NEAR(after[i], before[i], 1e-15) << i;
   }
   EXPECT_LE(solved, byPrecision(0, 12));
 }
@@ -104,6 +106,15 @@ void expectStandingBesideStock(int boxes, double topMass) {
 }
 
 TEST(Stack, ofTenWithAHeavyTopStandsForTenSeconds) { expectStandingBesideStock(10, 1000); }
+// Impulses of 1e8 N·s on boxes of 1 kg, which hear of differences of 1e-8: a step must keep the digits that reactions lose.
+TEST(Stack, underABillionTimesTheWeightOfABoxIsSolvedInAFewRegions) {
+  OnRegions run(buildStack(10, 1e9));
+  for (int i = 0; i < 120; ++i) {
+    run.world->step(1 / hz);
+    EXPECT_LE(run.solver.report().regions, 40) << i;
+    EXPECT_LE(run.solver.report().residualMax, 1e-6) << i;
+  }
+}
 TEST(Stack, ofFortyStandsForTenSeconds) { expectStandingBesideStock(40, 1); }
 
 /// Joints of an arch may open by what the erp of its contacts leaves: it stands if it comes to rest near where it was.
