@@ -96,6 +96,16 @@ ContactFrame contactFrame(const btManifoldPoint& point, const Anisotropy& anisot
   return out;
 }
 
+const ContactFrame& ContactFrames::of(const btManifoldPoint& point) {
+  constexpr int beyondNormal =
+      BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED | BT_CONTACT_FLAG_FRICTION_ANCHOR;
+  const bool isPlain = (point.m_contactPointFlags & beyondNormal) == 0;
+  if (isPlain && point.m_normalWorldOnB == normal_) return frame_;
+  frame_ = contactFrame(point, anisotropy_, info_);
+  normal_ = isPlain ? point.m_normalWorldOnB : btVector3(0, 0, 0);
+  return frame_;
+}
+
 Eigen::Matrix<double, 3, 2> rollingAxes(const btManifoldPoint& point,
                                         const Anisotropy& anisotropy) {
   return tangentsOf(point, toCore(point.m_normalWorldOnB).normalized(), anisotropy);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "LinearMath/btVector3.h"
 #include "delassus/types.h"
 
 class btManifoldPoint;
@@ -47,6 +48,23 @@ struct ContactFrame {
 };
 ContactFrame contactFrame(const btManifoldPoint& point, const Anisotropy& anisotropy,
                           const btContactSolverInfo& info);
+
+/// Those of the points of one manifold. Most have the same normal, and nothing else that their frames depend on: such a frame is
+/// found once.
+class ContactFrames {
+ public:
+  ContactFrames(const Anisotropy& anisotropy, const btContactSolverInfo& info)
+      : anisotropy_(anisotropy), info_(info) {}
+
+  /// That of the point; good until the next call.
+  const ContactFrame& of(const btManifoldPoint& point);
+
+ private:
+  Anisotropy anisotropy_;
+  const btContactSolverInfo& info_;
+  ContactFrame frame_;
+  btVector3 normal_{0, 0, 0};  ///< of frame_; zero where that depends on more
+};
 
 /// The axes T D that rolling friction acts about, as those above and whatever directions the user has set for sliding.
 Eigen::Matrix<double, 3, 2> rollingAxes(const btManifoldPoint& point, const Anisotropy& anisotropy);

@@ -49,10 +49,11 @@ struct Pair {
   int a, b;
   Vec3 centreA, centreB;
   Vec6 beforeA, beforeB;  ///< velocities before forces
-  Anisotropy anisotropy;
+  ContactFrames frames;
 };
 
-Pair pairOf(const Group& group, btPersistentManifold& manifold, int a, int b) {
+Pair pairOf(const Group& group, btPersistentManifold& manifold, int a, int b,
+            const btContactSolverInfo& info) {
   const btCollisionObject &objectA = *manifold.getBody0(), &objectB = *manifold.getBody1();
   const auto before = [&](int body) {
     return body >= 0 ? group.bodySources[body].before : Vec6::Zero();
@@ -64,7 +65,7 @@ Pair pairOf(const Group& group, btPersistentManifold& manifold, int a, int b) {
           toCore(objectB.getWorldTransform().getOrigin()),
           before(a),
           before(b),
-          anisotropyOf(objectA, objectB)};
+          ContactFrames(anisotropyOf(objectA, objectB), info)};
 }
 
 /// The velocity with which the bodies leave each other.
@@ -95,9 +96,9 @@ double tangentialResponse(const Group& group, const Contact& c, int column) {
 }
 
 /// Fills the contact, whose numbers may be no numbers, and answers with its push velocity.
-double fillContact(const Group& group, const Pair& pair, const btManifoldPoint& point,
+double fillContact(const Group& group, Pair& pair, const btManifoldPoint& point,
                    const btContactSolverInfo& info, Contact& c) {
-  const ContactFrame frame = contactFrame(point, pair.anisotropy, info);
+  const ContactFrame& frame = pair.frames.of(point);
   c.a = pair.a;
   c.b = pair.b;
   c.armA = toCore(point.getPositionWorldOnA()) - pair.centreA;
@@ -174,8 +175,7 @@ bool responds(btDispatcher* dispatcher, const btCollisionObject& a, const btColl
                     : a.hasContactResponse() && b.hasContactResponse();
 }
 
-void gatherManifold(Group& group, const Pair& pair, const btContactSolverInfo& info,
-                    StepReport& report) {
+void gatherManifold(Group& group, Pair pair, const btContactSolverInfo& info, StepReport& report) {
   btPersistentManifold& manifold = pair.manifold;
   const bool brokenBody = pair.a == leftOut || pair.b == leftOut;
   const bool takesPart = !brokenBody && (group.movable(pair.a) || group.movable(pair.b));
@@ -238,7 +238,7 @@ void gatherContacts(Group& group, btPersistentManifold** manifolds, int count,
     if (!responds(dispatcher, a, b)) continue;
     const int indexA = bodyIndex(group, a, info, report);
     const int indexB = bodyIndex(group, b, info, report);
-    gatherManifold(group, pairOf(group, manifold, indexA, indexB), info, report);
+    gatherManifold(group, pairOf(group, manifold, indexA, indexB, info), info, report);
   }
 }
 

@@ -83,7 +83,12 @@ void Assembler::split(const std::vector<Body>& bodies, const std::vector<Contact
   const auto join = [&](int a, int b) {
     if (movable(bodies, a) && movable(bodies, b)) links_.join(a, b);
   };
-  for (const Contact& c : contacts) join(c.a, c.b);
+  // Most contacts come after another of the same two bodies.
+  const auto comesAfterItsLike = [&](std::size_t i) {
+    return i > 0 && contacts[i].a == contacts[i - 1].a && contacts[i].b == contacts[i - 1].b;
+  };
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (!comesAfterItsLike(i)) join(contacts[i].a, contacts[i].b);
   for (const Row& c : rows) join(c.a, c.b);
 
   // Bodies that nothing touches make no island.
@@ -91,7 +96,8 @@ void Assembler::split(const std::vector<Body>& bodies, const std::vector<Contact
   const auto touch = [&](int i) {
     if (movable(bodies, i)) islandOf_[links_.root(i)] = unnumbered;
   };
-  for (const Contact& c : contacts) touch(c.a), touch(c.b);
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (!comesAfterItsLike(i)) touch(contacts[i].a), touch(contacts[i].b);
   for (const Row& c : rows) touch(c.a), touch(c.b);
 
   // The root of an island is its first body.
@@ -111,10 +117,14 @@ void Assembler::split(const std::vector<Body>& bodies, const std::vector<Contact
     const int body = movable(bodies, a) ? a : movable(bodies, b) ? b : -1;
     return body >= 0 ? &islands_[islandOf_[body]] : nullptr;
   };
-  for (int i = 0; i < static_cast<int>(contacts.size()); ++i)
-    if (Island* island = islandTouching(contacts[i].a, contacts[i].b))
-      (contacts[i].friction > 0 || allTangents ? island->frictional : island->frictionless)
-          .push_back(i);
+  Island* touched = nullptr;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Contact& c = contacts[i];
+    if (!comesAfterItsLike(i)) touched = islandTouching(c.a, c.b);
+    if (touched)
+      (c.friction > 0 || allTangents ? touched->frictional : touched->frictionless)
+          .push_back(static_cast<int>(i));
+  }
   for (int i = 0; i < static_cast<int>(rows.size()); ++i)
     if (Island* island = islandTouching(rows[i].a, rows[i].b)) island->rows.push_back(i);
 }

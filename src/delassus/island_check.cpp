@@ -81,6 +81,23 @@ double trace(const std::vector<Body>& bodies, const Contact& c) {
   return hard + c.compliance + 2 * c.slipCompliance;
 }
 
+/// Whether the reaction r sticks, and far enough inside its cone that the law projects r − ρ w to itself for every ρ up to that of the
+/// mode, 3/trace W_aa: that is not more than `rho`, and from r on all up to a point inside lies inside.
+bool sticksFirmly(const Vec3& r, const Vec3& w, double friction, double rho) {
+  const Vec3 z = r - rho * w;
+  const double radius = friction * z[0];
+  return z[0] > 0 && z[1] * z[1] + z[2] * z[2] < radius * radius;
+}
+
+/// 3/trace W_aa, were the bodies not to turn, nor to slide on each other: no less.
+double largestStep(const std::vector<Body>& bodies, const Contact& c) {
+  const Vec3 squares = c.frame.col(0).cwiseAbs2();
+  const auto share = [&](int body) {
+    return body >= 0 ? squares.dot(bodies[body].inverseMass) : 0;
+  };
+  return 3 / (share(c.a) + share(c.b));
+}
+
 double diagonalShare(const std::vector<Body>& bodies, int body, const Row6& J) {
   if (body < 0) return 0;
   const Vec3 linear = J.head<3>(), angular = J.tail<3>();
@@ -300,15 +317,22 @@ bool IslandCheck::isKept(const std::vector<Body>& bodies, const std::vector<Cont
   int at = 0, state = 0;
   const auto keepsCone = [&](int i) {
     const Contact& c = contacts[i];
-    const double size = trace(moved, c), mean = size / 3;
     const Vec3 reaction = r.segment<3>(at);
-    Vec3 velocity = relativeVelocity(moved, c) + c.compliance * Vec3(reaction[0], 0, 0);
+    Vec3 velocity = relativeVelocity(moved, c);
+    velocity[0] += c.compliance * reaction[0];
     velocity.tail<2>() += c.slipCompliance * reaction.tail<2>();
     u.segment<3>(at) = velocity;
-    solution.activeSet.contacts[at / 3] = modeOf(reaction, velocity, c.friction, mean);
+    Mode& mode = solution.activeSet.contacts[at / 3];
     at += 3;
-    const Vec3 step = correctedVelocity(velocity, c.friction) / size;
-    return residuals.add((reaction - projectOnCone(reaction - step, c.friction)).norm() * size);
+    const Vec3 corrected = correctedVelocity(velocity, c.friction);
+    if (sticksFirmly(reaction, corrected, c.friction, largestStep(moved, c))) {
+      mode = Mode::Stick;
+      return residuals.add(corrected.norm());
+    }
+    const double size = trace(moved, c), mean = size / 3;
+    mode = modeOf(reaction, velocity, c.friction, mean);
+    const Vec3 wished = projectOnCone(reaction - corrected / size, c.friction);
+    return residuals.add((reaction - wished).norm() * size);
   };
   const auto keepsBounds = [&](double velocity, double lower, double upper, double size) {
     u[at] = velocity;
