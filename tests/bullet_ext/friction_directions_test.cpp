@@ -6,11 +6,16 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "BulletCollision/NarrowPhaseCollision/btManifoldPoint.h"
+#include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
+#include "bullet_ext/contact_frame.h"
 #include "tests/support/bullet_world.h"
 #include "tests/support/ground_plane.h"
 
 namespace delassus::test {
 namespace {
+
+using namespace delassus::bullet;
 
 /// Along x and z, the plane of the ground.
 Vector2 slipOf(const btRigidBody& body) {
@@ -32,6 +37,41 @@ btRigidBody& addRunner(BulletWorld& world, double yaw, const Vector2& velocity) 
 void expectEllipse(const Vector2& before, const Vector2& after, const Matrix2& D) {
   const Vector2 expected = before - friction * g * h * D * (D.transpose() * after).normalized();
   EXPECT_NEAR((after - expected).norm(), 0, tolerance(1e-9, 2e-6));
+}
+
+// Points of one manifold share a frame where they may, and only there.
+TEST(ContactFrames, AreThoseOfTheirPointsInAnyOrder) {
+  btContactSolverInfo info;
+  info.m_solverMode |= SOLVER_ENABLE_FRICTION_DIRECTION_CACHING;
+  const btVector3 up(0, 1, 0), askew = btVector3(1, 2, 2).normalized();
+  const auto point = [](const btVector3& normal, int flags) {
+    btManifoldPoint p({0, 0, 0}, {0, 0, 0}, normal, 0);
+    p.m_positionWorldOnA = btVector3(btScalar(0.1), 0, btScalar(0.2));
+    p.m_lateralFrictionDir1 = btVector3(btScalar(0.6), 0, btScalar(0.8));
+    p.m_contactMotion1 = 3;
+    p.m_contactPointFlags = flags;
+    return p;
+  };
+  constexpr int own = BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED,
+                anchored = BT_CONTACT_FLAG_FRICTION_ANCHOR;
+  const std::vector<btManifoldPoint> points{point(up, 0),           point(up, 0), point(up, own),
+                                            point(up, own),         point(up, 0), point(askew, 0),
+                                            point(askew, 0),        point(up, 0), point(up, own),
+                                            point(up, anchored),    point(up, 0), point(askew, own),
+                                            point(-askew, anchored)};
+  Anisotropy slippery;
+  slippery.any = true;
+  slippery.F = Vec3(1, 0.5, 0.25).asDiagonal();
+  for (const Anisotropy& anisotropy : {Anisotropy(), slippery}) {
+    ContactFrames frames(anisotropy, info);
+    for (const btManifoldPoint& p : points) {
+      const ContactFrame expected = contactFrame(p, anisotropy, info), &frame = frames.of(p);
+      EXPECT_EQ(frame.axes, expected.axes);
+      EXPECT_EQ(frame.motion1, expected.motion1);
+      EXPECT_EQ(frame.motion2, expected.motion2);
+      EXPECT_EQ(frame.softness, expected.softness);
+    }
+  }
 }
 
 TEST(Parity, Row20AnisotropicFrictionIsAnEllipse) {

@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "delassus/read_mode.h"
 #include "delassus/residual.h"
 #include "delassus/solver.h"
 #include "tests/support/random_piles.h"
@@ -85,6 +86,40 @@ TEST(IslandCheck, KeepsTheReactionsThatTheSolverFound) {
     EXPECT_LE(seen.residual, Options().tolerance * island.problem.q.cwiseAbs().maxCoeff());
   }
   EXPECT_GT(kept, 90);
+}
+
+// Not even where friction depends on the direction, so that tangents are short and W_aa small.
+TEST(IslandCheck, TellsNoLessThanTheNaturalResidual) {
+  Random random(86);
+  Options loose;
+  loose.tolerance = 0.1;
+  int kept = 0, sticking = 0;
+  for (int k = 0; k < 200; ++k) {
+    SCOPED_TRACE(k);
+    Pile pile = mixedTower(1 + k % 4, random);
+    for (Contact& c : pile.contacts) {
+      c.frame.col(1) *= uniform(random, 0.01, 1);
+      c.frame.col(2) *= uniform(random, 0.01, 1);
+    }
+    const PileIsland island(pile);
+    Solution seen;
+    seen.r = Solver().solve(island.problem).r;
+    seen.r += 1e-3 * seen.r.norm() * normalVector(island.problem.size(), random);
+    std::vector<Body> moved = pile.bodies;
+    if (!IslandCheck(loose).isKept(pile.bodies, pile.contacts, pile.rows, island.island, 1, moved,
+                                   seen))
+      continue;
+    ++kept;
+    NaturalMap map;
+    map.setProblem(island.problem);
+    EXPECT_GE(seen.residual * (1 + 1e-9), map.residual(seen.r, seen.u).max);
+    Solution read = seen;
+    readActiveSet(island.problem, map.diagonal(), seen.r, seen.u, read.activeSet);
+    EXPECT_EQ(seen.activeSet, read.activeSet);
+    for (const Mode mode : seen.activeSet.contacts) sticking += mode == Mode::Stick;
+  }
+  EXPECT_GT(kept, 50);
+  EXPECT_GT(sticking, 100);
 }
 
 TEST(IslandCheck, RefusesWhatDoesNotKeepTheLawAndLeavesTheBodiesAlone) {
