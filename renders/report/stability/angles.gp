@@ -304,8 +304,7 @@ set object 169 rectangle from screen 0.20375, screen 0.343173 to screen 0.239219
 set object 170 rectangle from screen 0.239219, screen 0.343173 to screen 0.274687, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 171 rectangle from screen 0.274688, screen 0.343173 to screen 0.310156, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 172 rectangle from screen 0.310156, screen 0.343173 to screen 0.345625, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 173 rectangle from screen 0.345625, screen 0.343173 to screen 0.381094, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.363359, screen 0.361624 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 173 rectangle from screen 0.345625, screen 0.343173 to screen 0.381094, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 174 rectangle from screen 0.381094, screen 0.343173 to screen 0.416563, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
 set label "!" at screen 0.398828, screen 0.361624 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 175 rectangle from screen 0.416563, screen 0.343173 to screen 0.452031, screen 0.380074 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
@@ -319,8 +318,7 @@ set object 179 rectangle from screen 0.20375, screen 0.306273 to screen 0.239219
 set object 180 rectangle from screen 0.239219, screen 0.306273 to screen 0.274687, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 181 rectangle from screen 0.274688, screen 0.306273 to screen 0.310156, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 182 rectangle from screen 0.310156, screen 0.306273 to screen 0.345625, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 183 rectangle from screen 0.345625, screen 0.306273 to screen 0.381094, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.363359, screen 0.324723 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 183 rectangle from screen 0.345625, screen 0.306273 to screen 0.381094, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 184 rectangle from screen 0.381094, screen 0.306273 to screen 0.416563, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
 set label "!" at screen 0.398828, screen 0.324723 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 185 rectangle from screen 0.416563, screen 0.306273 to screen 0.452031, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1

@@ -87,16 +87,14 @@ set object 44 rectangle from screen 0.191927, screen 0.691517 to screen 0.251042
 set object 45 rectangle from screen 0.251042, screen 0.691517 to screen 0.310156, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 46 rectangle from screen 0.310156, screen 0.691517 to screen 0.369271, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 47 rectangle from screen 0.369271, screen 0.691517 to screen 0.428385, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 48 rectangle from screen 0.428385, screen 0.691517 to screen 0.4875, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.457943, screen 0.70437 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 48 rectangle from screen 0.428385, screen 0.691517 to screen 0.4875, screen 0.717224 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "dantzig:1e-6 float" at screen 0.126562, screen 0.678663 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 49 rectangle from screen 0.132812, screen 0.66581 to screen 0.191927, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 50 rectangle from screen 0.191927, screen 0.66581 to screen 0.251042, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 51 rectangle from screen 0.251042, screen 0.66581 to screen 0.310156, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 52 rectangle from screen 0.310156, screen 0.66581 to screen 0.369271, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 53 rectangle from screen 0.369271, screen 0.66581 to screen 0.428385, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 54 rectangle from screen 0.428385, screen 0.66581 to screen 0.4875, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.457943, screen 0.678663 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 54 rectangle from screen 0.428385, screen 0.66581 to screen 0.4875, screen 0.691517 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "1" at screen 0.16237, screen 0.652956 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "10" at screen 0.221484, screen 0.652956 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "100" at screen 0.280599, screen 0.652956 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)

@@ -41,8 +41,7 @@ set object 12 rectangle from screen 0.310156, screen 0.904 to screen 0.345625, s
 set object 13 rectangle from screen 0.345625, screen 0.904 to screen 0.381094, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 14 rectangle from screen 0.381094, screen 0.904 to screen 0.416563, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 15 rectangle from screen 0.416563, screen 0.904 to screen 0.452031, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 16 rectangle from screen 0.452031, screen 0.904 to screen 0.4875, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.469766, screen 0.912 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 16 rectangle from screen 0.452031, screen 0.904 to screen 0.4875, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.126562, screen 0.896 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 17 rectangle from screen 0.132812, screen 0.888 to screen 0.168281, screen 0.904 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 18 rectangle from screen 0.168281, screen 0.888 to screen 0.20375, screen 0.904 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -191,8 +190,7 @@ set object 92 rectangle from screen 0.810156, screen 0.904 to screen 0.845625, s
 set object 93 rectangle from screen 0.845625, screen 0.904 to screen 0.881094, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 94 rectangle from screen 0.881094, screen 0.904 to screen 0.916563, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 95 rectangle from screen 0.916563, screen 0.904 to screen 0.952031, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 96 rectangle from screen 0.952031, screen 0.904 to screen 0.9875, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.969766, screen 0.912 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 96 rectangle from screen 0.952031, screen 0.904 to screen 0.9875, screen 0.92 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.626563, screen 0.896 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 97 rectangle from screen 0.632812, screen 0.888 to screen 0.668281, screen 0.904 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 98 rectangle from screen 0.668281, screen 0.888 to screen 0.70375, screen 0.904 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -341,8 +339,7 @@ set object 172 rectangle from screen 0.310156, screen 0.7152 to screen 0.345625,
 set object 173 rectangle from screen 0.345625, screen 0.7152 to screen 0.381094, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 174 rectangle from screen 0.381094, screen 0.7152 to screen 0.416563, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 175 rectangle from screen 0.416563, screen 0.7152 to screen 0.452031, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 176 rectangle from screen 0.452031, screen 0.7152 to screen 0.4875, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.469766, screen 0.7232 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 176 rectangle from screen 0.452031, screen 0.7152 to screen 0.4875, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.126562, screen 0.7072 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 177 rectangle from screen 0.132812, screen 0.6992 to screen 0.168281, screen 0.7152 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 178 rectangle from screen 0.168281, screen 0.6992 to screen 0.20375, screen 0.7152 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -500,8 +497,8 @@ set object 253 rectangle from screen 0.845625, screen 0.7152 to screen 0.881094,
 set label "x" at screen 0.863359, screen 0.7232 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 254 rectangle from screen 0.881094, screen 0.7152 to screen 0.916563, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.898828, screen 0.7232 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 255 rectangle from screen 0.916563, screen 0.7152 to screen 0.952031, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.934297, screen 0.7232 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 255 rectangle from screen 0.916563, screen 0.7152 to screen 0.952031, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.934297, screen 0.7232 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 256 rectangle from screen 0.952031, screen 0.7152 to screen 0.9875, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
 set label "!" at screen 0.969766, screen 0.7232 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "delassus float" at screen 0.626563, screen 0.7072 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
@@ -779,8 +776,7 @@ set object 386 rectangle from screen 0.452031, screen 0.4464 to screen 0.4875, s
 set label "x" at screen 0.469766, screen 0.4544 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "dantzig:1e-6 double" at screen 0.126562, screen 0.4384 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set arrow from screen 0.250825, screen 0.4464 to screen 0.250825, screen 0.4304 nohead front lw 2.5 lc rgb '#000000'
-set object 387 rectangle from screen 0.132812, screen 0.4304 to screen 0.168281, screen 0.4464 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.150547, screen 0.4384 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 387 rectangle from screen 0.132812, screen 0.4304 to screen 0.168281, screen 0.4464 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 388 rectangle from screen 0.168281, screen 0.4304 to screen 0.20375, screen 0.4464 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.186016, screen 0.4384 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 389 rectangle from screen 0.20375, screen 0.4304 to screen 0.239219, screen 0.4464 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
@@ -801,8 +797,7 @@ set object 396 rectangle from screen 0.452031, screen 0.4304 to screen 0.4875, s
 set label "x" at screen 0.469766, screen 0.4384 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "dantzig:1e-6 float" at screen 0.126562, screen 0.4224 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set arrow from screen 0.250825, screen 0.4304 to screen 0.250825, screen 0.4144 nohead front lw 2.5 lc rgb '#000000'
-set object 397 rectangle from screen 0.132812, screen 0.4144 to screen 0.168281, screen 0.4304 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.150547, screen 0.4224 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 397 rectangle from screen 0.132812, screen 0.4144 to screen 0.168281, screen 0.4304 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 398 rectangle from screen 0.168281, screen 0.4144 to screen 0.20375, screen 0.4304 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 399 rectangle from screen 0.20375, screen 0.4144 to screen 0.239219, screen 0.4304 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 400 rectangle from screen 0.239219, screen 0.4144 to screen 0.274687, screen 0.4304 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -970,8 +965,7 @@ set object 475 rectangle from screen 0.274688, screen 0.3376 to screen 0.310156,
 set object 476 rectangle from screen 0.310156, screen 0.3376 to screen 0.345625, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 477 rectangle from screen 0.345625, screen 0.3376 to screen 0.381094, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 478 rectangle from screen 0.381094, screen 0.3376 to screen 0.416563, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 479 rectangle from screen 0.416563, screen 0.3376 to screen 0.452031, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.434297, screen 0.3456 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 479 rectangle from screen 0.416563, screen 0.3376 to screen 0.452031, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 480 rectangle from screen 0.452031, screen 0.3376 to screen 0.4875, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.469766, screen 0.3456 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "delassus float" at screen 0.126562, screen 0.3296 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)

@@ -194,8 +194,7 @@ set object 112 rectangle from screen 0.677148, screen 0.594096 to screen 0.72148
 set object 113 rectangle from screen 0.721484, screen 0.594096 to screen 0.76582, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 114 rectangle from screen 0.76582, screen 0.594096 to screen 0.810156, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 115 rectangle from screen 0.810156, screen 0.594096 to screen 0.854492, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 116 rectangle from screen 0.854492, screen 0.594096 to screen 0.898828, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.87666, screen 0.612546 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 116 rectangle from screen 0.854492, screen 0.594096 to screen 0.898828, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 117 rectangle from screen 0.898828, screen 0.594096 to screen 0.943164, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.920996, screen 0.612546 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 118 rectangle from screen 0.943164, screen 0.594096 to screen 0.9875, screen 0.630996 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
@@ -372,8 +371,7 @@ set object 240 rectangle from screen 0.677148, screen 0.158672 to screen 0.72148
 set object 241 rectangle from screen 0.721484, screen 0.158672 to screen 0.76582, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 242 rectangle from screen 0.76582, screen 0.158672 to screen 0.810156, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 243 rectangle from screen 0.810156, screen 0.158672 to screen 0.854492, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 244 rectangle from screen 0.854492, screen 0.158672 to screen 0.898828, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.87666, screen 0.177122 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 244 rectangle from screen 0.854492, screen 0.158672 to screen 0.898828, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 245 rectangle from screen 0.898828, screen 0.158672 to screen 0.943164, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.920996, screen 0.177122 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 246 rectangle from screen 0.943164, screen 0.158672 to screen 0.9875, screen 0.195572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
@@ -402,8 +400,8 @@ set object 260 rectangle from screen 0.854492, screen 0.0848708 to screen 0.8988
 set label "t" at screen 0.87666, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 261 rectangle from screen 0.898828, screen 0.0848708 to screen 0.943164, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.920996, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 262 rectangle from screen 0.943164, screen 0.0848708 to screen 0.9875, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.965332, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 262 rectangle from screen 0.943164, screen 0.0848708 to screen 0.9875, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.965332, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "1" at screen 0.65498, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "4" at screen 0.699316, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "16" at screen 0.743652, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)

@@ -123,11 +123,9 @@ set label "1e5" at screen 0.467795, screen 0.733728 center front noenhanced text
 set label "speed, m/s" at screen 0.310156, screen 0.715976 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "ball of 50 kg into a wall of 24 bricks of 2 kg" at screen 0.509375, screen 0.916174 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
 set label "delassus double" at screen 0.626563, screen 0.891519 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 79 rectangle from screen 0.632812, screen 0.881657 to screen 0.691927, screen 0.901381 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.66237, screen 0.891519 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 79 rectangle from screen 0.632812, screen 0.881657 to screen 0.691927, screen 0.901381 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 80 rectangle from screen 0.691927, screen 0.881657 to screen 0.751042, screen 0.901381 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 81 rectangle from screen 0.751042, screen 0.881657 to screen 0.810156, screen 0.901381 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.780599, screen 0.891519 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 81 rectangle from screen 0.751042, screen 0.881657 to screen 0.810156, screen 0.901381 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 82 rectangle from screen 0.810156, screen 0.881657 to screen 0.869271, screen 0.901381 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 83 rectangle from screen 0.869271, screen 0.881657 to screen 0.928385, screen 0.901381 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 84 rectangle from screen 0.928385, screen 0.881657 to screen 0.9875, screen 0.901381 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -136,7 +134,8 @@ set object 85 rectangle from screen 0.632812, screen 0.861933 to screen 0.691927
 set object 86 rectangle from screen 0.691927, screen 0.861933 to screen 0.751042, screen 0.881657 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 87 rectangle from screen 0.751042, screen 0.861933 to screen 0.810156, screen 0.881657 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 88 rectangle from screen 0.810156, screen 0.861933 to screen 0.869271, screen 0.881657 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 89 rectangle from screen 0.869271, screen 0.861933 to screen 0.928385, screen 0.881657 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 89 rectangle from screen 0.869271, screen 0.861933 to screen 0.928385, screen 0.881657 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.898828, screen 0.871795 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 90 rectangle from screen 0.928385, screen 0.861933 to screen 0.9875, screen 0.881657 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:10 double" at screen 0.626563, screen 0.852071 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 91 rectangle from screen 0.632812, screen 0.842209 to screen 0.691927, screen 0.861933 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -429,8 +428,8 @@ set object 268 rectangle from screen 0.854492, screen 0.510848 to screen 0.89882
 set label "o" at screen 0.87666, screen 0.52071 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 269 rectangle from screen 0.898828, screen 0.510848 to screen 0.943164, screen 0.530572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.920996, screen 0.52071 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 270 rectangle from screen 0.943164, screen 0.510848 to screen 0.9875, screen 0.530572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.965332, screen 0.52071 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 270 rectangle from screen 0.943164, screen 0.510848 to screen 0.9875, screen 0.530572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.965332, screen 0.52071 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "2" at screen 0.65498, screen 0.500986 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "3" at screen 0.699316, screen 0.500986 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "5" at screen 0.743652, screen 0.500986 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
