@@ -68,13 +68,17 @@ Pair pairOf(const Group& group, btPersistentManifold& manifold, int a, int b,
           ContactFrames(anisotropyOf(objectA, objectB), info)};
 }
 
+/// The velocity of the first body's point relative to the second's, before forces.
+Vec3 slipBefore(const Pair& pair, const Contact& c) {
+  return pair.beforeA.head<3>() + pair.beforeA.tail<3>().cross(c.armA) - pair.beforeB.head<3>() -
+         pair.beforeB.tail<3>().cross(c.armB);
+}
+
 /// The velocity with which the bodies leave each other.
 double bounceOf(const Pair& pair, const btManifoldPoint& point, const btContactSolverInfo& info,
                 const Contact& c) {
   if (point.m_combinedRestitution == 0) return 0;
-  const Vec3 approach = pair.beforeA.head<3>() + pair.beforeA.tail<3>().cross(c.armA) -
-                        pair.beforeB.head<3>() - pair.beforeB.tail<3>().cross(c.armB);
-  const double a = c.frame.col(0).dot(approach);
+  const double a = c.frame.col(0).dot(slipBefore(pair, c));
   if (std::abs(a) < info.m_restitutionVelocityThreshold) return 0;
   return std::max(0.0, -a * point.m_combinedRestitution);
 }
@@ -95,6 +99,20 @@ double tangentialResponse(const Group& group, const Contact& c, int column) {
   return share(c.a, c.armA) + share(c.b, c.armB);
 }
 
+/// How far the bodies are apart, m: not at all where the rounding of their places tells as much, and no more moves in a step.
+double distanceOf(const Pair& pair, const btManifoldPoint& point, const btContactSolverInfo& info,
+                  const Contact& c) {
+  constexpr double roundings = 4;
+  const double d = static_cast<double>(point.getDistance()) + info.m_linearSlop;
+  const double places = toCore(point.getPositionWorldOnA()).cwiseAbs().maxCoeff() +
+                        toCore(point.getPositionWorldOnB()).cwiseAbs().maxCoeff();
+  const double rounding = roundings * SIMD_EPSILON * places;
+  const bool touches =
+      std::abs(d) <= rounding &&
+      slipBefore(pair, c).norm() * static_cast<double>(info.m_timeStep) <= rounding;
+  return touches ? 0 : d;
+}
+
 /// Fills the contact, whose numbers may be no numbers, and answers with its push velocity.
 double fillContact(const Group& group, Pair& pair, const btManifoldPoint& point,
                    const btContactSolverInfo& info, Contact& c) {
@@ -107,7 +125,7 @@ double fillContact(const Group& group, Pair& pair, const btManifoldPoint& point,
   c.friction = std::clamp<double>(point.m_combinedFriction, 0, largestFriction);
 
   const double h = info.m_timeStep;
-  const double d = static_cast<double>(point.getDistance()) + info.m_linearSlop;
+  const double d = distanceOf(pair, point, info, c);
   const Softness soft = softnessOf(point, info);
   // The push moves rigid bodies only.
   const bool split = info.m_splitImpulse && d <= info.m_splitImpulsePenetrationThreshold &&
