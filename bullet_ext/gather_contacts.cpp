@@ -49,8 +49,18 @@ struct Pair {
   int a, b;
   Vec3 centreA, centreB;
   Vec6 beforeA, beforeB;  ///< velocities before forces
+  bool stands;            ///< these are zero
+  double rounding;        ///< what a distance of its points may be and mean nothing, m
   ContactFrames frames;
 };
+
+/// Of a distance of points that are where this one is, m; 0 if it is nowhere.
+double roundingAt(const btManifoldPoint& point) {
+  constexpr double roundings = 4;
+  const double places = toCore(point.getPositionWorldOnA()).cwiseAbs().maxCoeff() +
+                        toCore(point.getPositionWorldOnB()).cwiseAbs().maxCoeff();
+  return places <= largestNumber ? roundings * SIMD_EPSILON * places : 0;
+}
 
 Pair pairOf(const Group& group, btPersistentManifold& manifold, int a, int b,
             const btContactSolverInfo& info) {
@@ -58,13 +68,16 @@ Pair pairOf(const Group& group, btPersistentManifold& manifold, int a, int b,
   const auto before = [&](int body) {
     return body >= 0 ? group.bodySources[body].before : Vec6::Zero();
   };
+  const Vec6 beforeA = before(a), beforeB = before(b);
   return {manifold,
           a,
           b,
           toCore(objectA.getWorldTransform().getOrigin()),
           toCore(objectB.getWorldTransform().getOrigin()),
-          before(a),
-          before(b),
+          beforeA,
+          beforeB,
+          beforeA.isZero(0) && beforeB.isZero(0),
+          roundingAt(manifold.getContactPoint(0)),
           ContactFrames(anisotropyOf(objectA, objectB), info)};
 }
 
@@ -102,14 +115,11 @@ double tangentialResponse(const Group& group, const Contact& c, int column) {
 /// How far the bodies are apart, m: not at all where the rounding of their places tells as much, and no more moves in a step.
 double distanceOf(const Pair& pair, const btManifoldPoint& point, const btContactSolverInfo& info,
                   const Contact& c) {
-  constexpr double roundings = 4;
   const double d = static_cast<double>(point.getDistance()) + info.m_linearSlop;
-  const double places = toCore(point.getPositionWorldOnA()).cwiseAbs().maxCoeff() +
-                        toCore(point.getPositionWorldOnB()).cwiseAbs().maxCoeff();
-  const double rounding = roundings * SIMD_EPSILON * places;
-  const bool touches =
-      std::abs(d) <= rounding &&
-      slipBefore(pair, c).norm() * static_cast<double>(info.m_timeStep) <= rounding;
+  const auto moves = [&] {
+    return slipBefore(pair, c).norm() * static_cast<double>(info.m_timeStep) > pair.rounding;
+  };
+  const bool touches = std::abs(d) <= pair.rounding && (pair.stands || !moves());
   return touches ? 0 : d;
 }
 
