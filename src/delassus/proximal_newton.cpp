@@ -7,6 +7,7 @@
 #include "delassus/length.h"
 #include "delassus/options.h"
 #include "delassus/residual.h"
+#include "delassus/wall.h"
 
 namespace delassus {
 
@@ -20,6 +21,8 @@ void ProximalNewton<Motion>::setProblem(const Problem& problem, const NaturalMap
   else
     compliance_.setZero(problem.size());
   G_.reset(problem);
+  fromU_.resize(problem.size());
+  alongU_.resize(problem.size());
   forgetFactor();
 }
 
@@ -178,12 +181,85 @@ const VectorXd& ProximalNewton<Motion>::felt() {
   return felt_;
 }
 
+/// The norm of the error after this share of the step.
+template <class Motion>
+double ProximalNewton<Motion>::tryStep(const Problem& problem, double share) {
+  trialDelta_ = delta_ + share * step_;
+  motion_.relativeVelocity(trialDelta_, trialU_);
+  trialU_ += u_;
+  respond(problem, trialU_, nullptr);
+  trialError_ = trialDelta_ - felt();
+  return trialError_.norm();
+}
+
+/// As much of the step as lets the energy norm `error` of the error fall; near a solution that is all of it. Elsewhere it is halved
+/// until the error falls, which it does as far as some wall of the regions, to rise behind it. Halves alone come ever nearer to that wall
+/// and never through it. So the step goes on from wall to wall as long as the error falls, and ends a hair's breadth behind the last:
+/// the next one knows the region there. False if it does not fall.
+template <class Motion>
+bool ProximalNewton<Motion>::stepAlong(const Problem& problem, double& error) {
+  constexpr int mostHalvings = 10, mostWalls = 4;
+  constexpr double hair = 1e-6;
+  double share = 1, least = tryStep(problem, share);
+  for (int h = 1; !(least <= (1 - 1e-4 * share) * error); ++h) {
+    if (h == mostHalvings) return false;
+    share *= 0.5;
+    least = tryStep(problem, share);
+  }
+  if (share < 1) {
+    const double tooLong = 2 * share;
+    motion_.relativeVelocity(delta_, fromU_);
+    fromU_ += u_;
+    motion_.relativeVelocity(step_, alongU_);
+    double tried = share;
+    for (int k = 0; k < mostWalls; ++k) {
+      const double wall = nextWallAlong(problem, tried);
+      if (!(wall < tooLong)) break;
+      tried = (1 + hair) * wall;
+      const double now = tryStep(problem, tried);
+      if (!(now < least)) break;
+      least = now;
+      share = tried;
+    }
+    if (tried != share) tryStep(problem, share);
+  }
+  error = least;
+  return true;
+}
+
+/// The first wall after this share of the step.
+template <class Motion>
+double ProximalNewton<Motion>::nextWallAlong(const Problem& problem, double after) const {
+  double first = infinity;
+  const int n = problem.contacts();
+  for (int i = 0; i < n; ++i) {
+    const int at = 3 * i;
+    const Vec3 l = l_.segment<3>(at);
+    const Vec3 z = center_.segment<3>(at) - l.cwiseProduct(fromU_.segment<3>(at));
+    const Vec3 d = -l.cwiseProduct(alongU_.segment<3>(at));
+    first = std::min(first, nextWall(z, d, problem.friction[i], after));
+  }
+  const auto z = [this](int at) { return center_[at] - l_[at] * fromU_[at]; };
+  const auto d = [this](int at) { return -l_[at] * alongU_[at]; };
+  for (int i = 0; i < problem.rows(); ++i) {
+    const int at = 3 * n + i;
+    first = std::min(first, nextWall(z(at), d(at), problem.lower[i], problem.upper[i], after));
+  }
+  for (const Disk& disk : problem.disks) {
+    const Vec2 own = disk.of(center_) - l_[disk.first] * disk.of(fromU_);
+    const Vec2 along = -l_[disk.first] * disk.of(alongU_);
+    const Vec3 from(z(disk.governor), own[0], own[1]), way(d(disk.governor), along[0], along[1]);
+    first = std::min(first, nextWall(from, way, disk.radius, after));
+  }
+  return first;
+}
+
 template <class Motion>
 typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
     const Problem& problem, int& budget, Solution& count, const Solution* region) {
   // An inner answer only has to be better than what the outer step corrects anyway; at round-off the line search stalls.
   constexpr double stalled = 1e-2;
-  constexpr int mostSteps = 40, mostHalvings = 10;
+  constexpr int mostSteps = 40;
   delta_.setZero(motion_.size());
   trialU_ = u_;
 
@@ -213,26 +289,10 @@ typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
     motion_.solve(step_);
     if (!step_.allFinite()) return Inner::Failed;
 
-    // Halve the step until the energy norm of the error falls; near a solution the full step is taken.
-    double t = 1;
-    double trialNorm = 0;
-    bool accepted = false;
-    for (int h = 0; h < mostHalvings; ++h, t *= 0.5) {
-      trialDelta_ = delta_ + t * step_;
-      motion_.relativeVelocity(trialDelta_, trialU_);
-      trialU_ += u_;
-      respond(problem, trialU_, nullptr);
-      trialError_ = trialDelta_ - felt();
-      trialNorm = trialError_.norm();
-      if (trialNorm <= (1 - 1e-4 * t) * error) {
-        accepted = true;
-        break;
-      }
-    }
-    if (!accepted) return error <= stalled * size ? Inner::Converged : Inner::Failed;
+    if (!stepAlong(problem, error))
+      return error <= stalled * size ? Inner::Converged : Inner::Failed;
     delta_.swap(trialDelta_);
     error_.swap(trialError_);
-    error = trialNorm;
   }
   return Inner::Failed;
 }

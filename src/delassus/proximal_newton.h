@@ -80,7 +80,7 @@ class ProximalNewton {
   std::size_t bytes() const {
     return motion_.bytes() + G_.bytes() + factored_.bytes() +
            bytesOf(scale_, l_, compliance_, center_, u_, r_, delta_, error_, step_, trialDelta_,
-                   trialError_, trialU_, change_, felt_);
+                   trialError_, trialU_, change_, felt_, fromU_, alongU_);
   }
 
  private:
@@ -96,6 +96,9 @@ class ProximalNewton {
                     bool grows, Stiffness& G) const;
   /// Factors the Newton matrix of G_, unless that very region is factored already.
   bool factorise(Solution& count);
+  double tryStep(const Problem& problem, double share);
+  bool stepAlong(const Problem& problem, double& error);
+  double nextWallAlong(const Problem& problem, double after) const;
   Inner solveProximal(const Problem& problem, int& budget, Solution& count, const Solution* region);
   /// From the reactions center_ with the natural residual `residual`.
   Outcome converge(const Problem& problem, double tolerance, double alpha, int regionBudget,
@@ -126,6 +129,7 @@ class ProximalNewton {
   VectorXd change_;      ///< r − r_k
   VectorXd error_;       ///< δ − J̃ᵀ (r − r_k)
   VectorXd step_, trialDelta_, trialError_, trialU_, felt_;
+  VectorXd fromU_, alongU_;  ///< u where a step begins, and of all of it
   double enough_ =
       0;  ///< share of the step that is inner error small enough: what a large weight leaves is larger anyway
   double fine_ = 0;  ///< inner error that is small enough whatever the size of the step
