@@ -1,32 +1,11 @@
 #include "delassus/block_factor.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 
 #include "delassus/block_product.h"
 #include "delassus/bytes.h"
 
 namespace delassus {
-namespace {
-
-/// A⁻¹ column by column, which for blocks this small is several times as fast as what Eigen does for all columns at once; Gauss and
-/// Jordan's way would be faster still, but loses digits of stiff contacts. `isNegative`: whether det A < 0. False if A is singular or
-/// not finite.
-bool invert(const Mat6& A, Mat6& inverse, bool& isNegative) {
-  const Eigen::PartialPivLU<Mat6> lu(A);
-  isNegative = lu.determinant() < 0;
-  inverse = lu.permutationP() * Mat6::Identity();
-  for (int k = 0; k < 6; ++k) {
-    Vec6 x = inverse.col(k);
-    lu.matrixLU().triangularView<Eigen::UnitLower>().solveInPlace(x);
-    lu.matrixLU().triangularView<Eigen::Upper>().solveInPlace(x);
-    inverse.col(k) = x;
-  }
-  return inverse.allFinite();
-}
-
-}  // namespace
-
 void BlockFactor::analyse(int bodies, const std::vector<Edge>& edges) {
   // Of large islands there are few kinds at a time: room is counted in edges, but for the largest, which is not to drive out all others.
   constexpr std::size_t mostPatterns = 64, mostEdges = 4096;
@@ -58,21 +37,51 @@ void BlockFactor::setIdentity(bool symmetric) {
   if (!symmetric) std::fill(upper_.begin(), upper_.end(), Mat6::Zero());
 }
 
+void BlockFactor::addContact(const ContactRows& c, const Mat3& G, int edge) {
+  Mat36 Ga, Gb;
+  if (c.a >= 0) {
+    Ga.noalias() = G * c.Ja;
+    addProduct(c.Ja, Ga, diagonal_[pattern().place[c.a]]);
+  }
+  if (c.b >= 0) {
+    Gb.noalias() = G * c.Jb;
+    addProduct(c.Jb, Gb, diagonal_[pattern().place[c.b]]);
+  }
+  if (edge < 0) return;
+  const BlockPattern::Target& t = pattern().target[edge];
+  if (t.reversed)
+    addProduct(c.Ja, Gb, lower_[t.at]);
+  else
+    addProduct(c.Jb, Ga, lower_[t.at]);
+  if (symmetric_) return;
+  if (t.reversed)
+    addProduct(Ga, c.Jb, upper_[t.at]);
+  else
+    addProduct(Gb, c.Ja, upper_[t.at]);
+}
+
 void BlockFactor::eliminate(int column) {
   const BlockPattern& p = pattern();
   for (int at = p.begin[column]; at < p.begin[column + 1]; ++at) slot_[p.row[at]] = at;
 
-  // Left-looking: subtract what earlier columns j with a block in this row contribute.
-  for (int k = p.ancestorBegin[column]; k < p.ancestorBegin[column + 1]; ++k) {
-    const auto [j, at] = p.ancestors[k];
-    const Mat6& L = lower_[at];  // L_{column,j}, already times the inverse pivot
-    const Mat6& U = upper_[at];  // U_{j,column} transposed
-    diagonal_[column].noalias() -= L * U.transpose();
-    const int next = at + 1, count = p.begin[j + 1] - next;
-    const int* rows = p.row.data() + next;
-    subtractProducts(lower_.data() + next, rows, count, U, slot_.data(), lower_.data());
-    if (!symmetric_)
-      subtractProducts(upper_.data() + next, rows, count, L, slot_.data(), upper_.data());
+  // Left-looking: subtract what earlier columns j with a block in this row contribute, those with the same rows together.
+  BlockSource lower[mostSources], upper[mostSources];
+  const int end = p.ancestorBegin[column + 1];
+  for (int k = p.ancestorBegin[column]; k < end;) {
+    const int leader = p.leader[p.ancestors[k].column];
+    const int first = p.ancestors[k].at, count = p.begin[p.ancestors[k].column + 1] - first - 1;
+    const int* rows = p.row.data() + first + 1;
+    int columns = 0;
+    for (; k < end && columns < mostSources && p.leader[p.ancestors[k].column] == leader; ++k) {
+      const int at = p.ancestors[k].at;
+      const Mat6& L = lower_[at];  // L_{column,j}, already times the inverse pivot
+      const Mat6& U = upper_[at];  // U_{j,column} transposed
+      subtractProduct(L, U, diagonal_[column]);
+      lower[columns] = {&L + 1, &U};
+      upper[columns++] = {&U + 1, &L};
+    }
+    subtractProducts(lower, columns, rows, count, slot_.data(), lower_.data());
+    if (!symmetric_) subtractProducts(upper, columns, rows, count, slot_.data(), upper_.data());
   }
 }
 
@@ -85,10 +94,9 @@ bool BlockFactor::factorise() {
     bool isNegative;
     if (!invert(diagonal_[column], inverse, isNegative)) return false;
     if (isNegative) isNegative_ = !isNegative_;
-    for (int at = p.begin[column]; at < p.begin[column + 1]; ++at) {
-      if (symmetric_) upper_[at] = lower_[at];
-      lower_[at] = (lower_[at] * inverse).eval();
-    }
+    const int first = p.begin[column], count = p.begin[column + 1] - first;
+    if (symmetric_) std::copy_n(lower_.data() + first, count, upper_.data() + first);
+    multiplyBy(inverse, lower_.data() + first, count);
   }
   return true;
 }

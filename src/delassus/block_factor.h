@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "delassus/block_pattern.h"
+#include "delassus/contact_rows.h"
 #include "delassus/types.h"
 
 namespace delassus {
@@ -43,6 +44,9 @@ class BlockFactor {
     else
       upper_[t.at] += Mat6(ab).transpose();
   }
+
+  /// Adds [Ja Jb]ᵀ G [Ja Jb] of a contact; `edge`: that of its two bodies, less than 0 if they are not coupled.
+  void addContact(const ContactRows& c, const Mat3& G, int edge);
 
   /// False if a pivot block is singular or not finite.
   bool factorise();

@@ -60,6 +60,13 @@ BlockPattern::BlockPattern(int bodyCount, const std::vector<Edge>& edgeList)
                       place[e.a] > place[e.b]});
   }
 
+  leader.resize(bodies);
+  for (int k = 0; k < bodies; ++k) {
+    const auto length = [this](int column) { return begin[column + 1] - begin[column]; };
+    const bool follows = k > 0 && length(k - 1) == length(k) + 1 && row[begin[k - 1]] == k;
+    leader[k] = follows ? leader[k - 1] : k;
+  }
+
   ancestorBegin.assign(bodies + 1, 0);
   for (int r : row) ++ancestorBegin[r + 1];
   for (int k = 0; k < bodies; ++k) ancestorBegin[k + 1] += ancestorBegin[k];
@@ -71,7 +78,7 @@ BlockPattern::BlockPattern(int bodyCount, const std::vector<Edge>& edgeList)
 }
 
 std::size_t BlockPattern::bytes() const {
-  return bytesOf(edges, place, target, begin, row, ancestorBegin, ancestors);
+  return bytesOf(edges, place, target, begin, row, leader, ancestorBegin, ancestors);
 }
 
 }  // namespace delassus

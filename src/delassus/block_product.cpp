@@ -1,5 +1,8 @@
 #include "delassus/block_product.h"
 
+#include <cmath>
+#include <utility>
+
 #include "delassus/wide.h"
 
 namespace delassus {
@@ -18,6 +21,7 @@ DELASSUS_WIDE_INLINE Four& fourAt(double* x) { return *reinterpret_cast<Four*>(x
 struct Spread {
   Four first[3], both[3], second[3];
 
+  Spread() = default;
   DELASSUS_WIDE_INLINE explicit Spread(const double* x) {
     for (int pair = 0; pair < 3; ++pair) {
       const double left = x[2 * pair], right = x[2 * pair + 1];
@@ -40,28 +44,116 @@ DELASSUS_WIDE_INLINE void multiply(const double* A, const Spread& x, Four& begin
   end = middle + __builtin_shufflevector(lower, lower, 2, 3, 2, 3);
 }
 
+/// sum += or −= A Bᵀ for one column a of A and one b of B.
+template <int sign>
+DELASSUS_WIDE_INLINE void addProducts(const double* a, const Spread& b, Four (&sum)[9]) {
+  const Four upper = fourAt(a), lower = fourAt(a + 2);
+  const Four both = __builtin_shufflevector(lower, upper, 2, 3, 4, 5);
+  for (int pair = 0; pair < 3; ++pair) {
+    const Four products[3] = {upper * b.first[pair], both * b.both[pair], lower * b.second[pair]};
+    for (int v = 0; v < 3; ++v)
+      sum[3 * pair + v] =
+          sign > 0 ? sum[3 * pair + v] + products[v] : sum[3 * pair + v] - products[v];
+  }
+}
+
+/// to += or −= A Bᵀ for A of six rows and as many columns as B, which is spread out.
+template <int count, int sign>
+DELASSUS_WIDE_INLINE void addProducts(const double* a, const Spread* b, double* to) {
+  // One by one: the compiler would copy the block to look at the copy.
+  Four sum[9] = {fourAt(to),      fourAt(to + 4),  fourAt(to + 8),
+                 fourAt(to + 12), fourAt(to + 16), fourAt(to + 20),
+                 fourAt(to + 24), fourAt(to + 28), fourAt(to + 32)};
+#pragma GCC unroll 1
+  for (int k = 0; k < count; ++k) addProducts<sign>(a + 6 * k, b[k], sum);
+  for (int v = 0; v < 9; ++v) fourAt(to + 4 * v) = sum[v];
+}
+
 }  // namespace
 
 DELASSUS_WIDE
-void subtractProducts(const Mat6* blocks, const int* row, int count, const Mat6& B,
-                      const int* place, Mat6* to) {
+void addProduct(const Mat36& A, const Mat36& B, Mat6& to) {
   const double* b = B.data();
+  const Spread columns[3] = {Spread(b), Spread(b + 6), Spread(b + 12)};
+  addProducts<3, 1>(A.data(), columns, to.data());
+}
+
+DELASSUS_WIDE
+void multiplyBy(const Mat6& B, Mat6* blocks, int count) {
+  Spread columns[6] = {Spread(&B(0, 0)), Spread(&B(0, 1)), Spread(&B(0, 2)),
+                       Spread(&B(0, 3)), Spread(&B(0, 4)), Spread(&B(0, 5))};
   for (int i = 0; i < count; ++i) {
-    const double* a = blocks[i].data();
-    auto* out = reinterpret_cast<Four*>(to[place[row[i]]].data());
-    Four sum[9];
-    for (int v = 0; v < 9; ++v) sum[v] = out[v];
-    for (int k = 0; k < 6; ++k, a += 6) {
-      const Four upper = fourAt(a), lower = fourAt(a + 2);
-      const Four both = __builtin_shufflevector(lower, upper, 2, 3, 4, 5);
-      for (int pair = 0; pair < 3; ++pair) {
-        const double left = b[6 * k + 2 * pair], right = b[6 * k + 2 * pair + 1];
-        sum[3 * pair] -= upper * Four{left, left, left, left};
-        sum[3 * pair + 1] -= both * Four{left, left, right, right};
-        sum[3 * pair + 2] -= lower * Four{right, right, right, right};
-      }
+    double* a = blocks[i].data();
+    Four begin[6], end[6];
+    for (int k = 0; k < 6; ++k) multiply(a, columns[k], begin[k], end[k]);
+    for (int k = 0; k < 6; ++k) {
+      fourAt(a + 6 * k) = begin[k];
+      a[6 * k + 4] = end[k][0];
+      a[6 * k + 5] = end[k][1];
     }
-    for (int v = 0; v < 9; ++v) out[v] = sum[v];
+  }
+}
+
+DELASSUS_WIDE
+bool invert(const Mat6& A, Mat6& inverse, bool& isNegative) {
+  // Rows of [Aᵀ 1], which are columns of A: what becomes of 1 is A⁻ᵀ by rows, A⁻¹ by columns.
+  constexpr int width = 12;
+  double rows[6][width] = {};
+  double* row[6];
+  for (int i = 0; i < 6; ++i) {
+    row[i] = rows[i];
+    for (int k = 0; k < 6; ++k) rows[i][k] = A(k, i);
+    rows[i][6 + i] = 1;
+  }
+  isNegative = false;
+  for (int i = 0; i < 6; ++i) {
+    int pivot = i;
+    for (int k = i + 1; k < 6; ++k)
+      if (std::abs(row[k][i]) > std::abs(row[pivot][i])) pivot = k;
+    if (pivot != i) std::swap(row[i], row[pivot]), isNegative = !isNegative;
+    if (row[i][i] < 0) isNegative = !isNegative;
+    for (int k = i + 1; k < 6; ++k) {
+      const double factor = row[k][i] / row[i][i];
+      for (int v = 0; v < width; v += 4) fourAt(row[k] + v) -= factor * fourAt(row[i] + v);
+    }
+  }
+  for (int i = 5; i >= 0; --i) {
+    double
+        own[6];  // the left half, of which vectors of four that begin in its middle leave nothing
+    for (int k = i; k < 6; ++k) own[k] = row[i][k];
+    for (int k = i + 1; k < 6; ++k)
+      for (int v = 4; v < width; v += 4) fourAt(row[i] + v) -= own[k] * fourAt(row[k] + v);
+    for (int k = 6; k < width; ++k) row[i][k] /= own[i];
+    for (int k = 0; k < 6; ++k) inverse(k, i) = row[i][6 + k];
+  }
+  return inverse.allFinite();
+}
+
+DELASSUS_WIDE
+void subtractProduct(const Mat6& A, const Mat6& B, Mat6& from) {
+  const double* b = B.data();
+  const Spread columns[6] = {Spread(b),      Spread(b + 6),  Spread(b + 12),
+                             Spread(b + 18), Spread(b + 24), Spread(b + 30)};
+  addProducts<6, -1>(A.data(), columns, from.data());
+}
+
+DELASSUS_WIDE
+void subtractProducts(const BlockSource* sources, int columns, const int* row, int count,
+                      const int* place, Mat6* to) {
+  Spread spread[6 * mostSources];
+  for (int j = 0; j < columns; ++j)
+    for (int k = 0; k < 6; ++k) spread[6 * j + k] = Spread(sources[j].B->data() + 6 * k);
+  for (int i = 0; i < count; ++i) {
+    double* out = to[place[row[i]]].data();
+    Four sum[9] = {fourAt(out),      fourAt(out + 4),  fourAt(out + 8),
+                   fourAt(out + 12), fourAt(out + 16), fourAt(out + 20),
+                   fourAt(out + 24), fourAt(out + 28), fourAt(out + 32)};
+    for (int j = 0; j < columns; ++j) {
+      const double* a = sources[j].blocks[i].data();
+#pragma GCC unroll 1
+      for (int k = 0; k < 6; ++k) addProducts<-1>(a + 6 * k, spread[6 * j + k], sum);
+    }
+    for (int v = 0; v < 9; ++v) fourAt(out + 4 * v) = sum[v];
   }
 }
 

@@ -7,9 +7,28 @@ namespace delassus {
 /// The products of 6x6 blocks that a block factor and its solutions are made of, nearly all of their work. They run as wide as the
 /// processor allows; the bits are those of any other, since nothing is fused and every sum is added in the same order.
 
-/// to[place[row[i]]] −= blocks[i] Bᵀ for i < count: what one column of a factor takes from another.
-void subtractProducts(const Mat6* blocks, const int* row, int count, const Mat6& B,
+/// What a column of a factor takes from another: blocks of a column, and B.
+struct BlockSource {
+  const Mat6* blocks;
+  const Mat6* B;
+};
+constexpr int mostSources = 8;
+
+/// to[place[row[i]]] −= blocks[i] Bᵀ for i < count, of up to mostSources columns that have the same rows, one after the other.
+void subtractProducts(const BlockSource* sources, int columns, const int* row, int count,
                       const int* place, Mat6* to);
+
+/// from −= A Bᵀ.
+void subtractProduct(const Mat6& A, const Mat6& B, Mat6& from);
+
+/// blocks[i] ← blocks[i] B for i < count.
+void multiplyBy(const Mat6& B, Mat6* blocks, int count);
+
+/// to += Aᵀ B.
+void addProduct(const Mat36& A, const Mat36& B, Mat6& to);
+
+/// A⁻¹ by Gauss's elimination with partial pivoting of its columns. `isNegative`: whether det A < 0. False if A is singular or not finite.
+bool invert(const Mat6& A, Mat6& inverse, bool& isNegative);
 
 /// Columns of blocks below the diagonal: those of column j are blocks[begin[j]] up to blocks[begin[j + 1]], in rows row[…].
 struct BlockColumns {

@@ -110,10 +110,7 @@ bool BodyMotion::factorise(const Stiffness& G) {
     const bool coupled = c.a >= 0 && c.b >= 0 && c.a != c.b;
     const int at = coupled ? edge++ : -1;
     if (G.contacts[i](0, 0) == 0) continue;
-    const Mat36 Ga = G.contacts[i] * c.Ja, Gb = G.contacts[i] * c.Jb;
-    if (c.a >= 0) factor_.addDiagonal(c.a, c.Ja.transpose() * Ga);
-    if (c.b >= 0) factor_.addDiagonal(c.b, c.Jb.transpose() * Gb);
-    if (coupled) factor_.addOffDiagonal(at, c.Ja.transpose() * Gb, c.Jb.transpose() * Ga);
+    factor_.addContact(c, G.contacts[i], at);
   }
   for (std::size_t i = 0; i < space_->rows.size(); ++i) {
     const auto& c = space_->rows[i];

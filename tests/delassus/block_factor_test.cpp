@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "delassus/block_product.h"
 #include "tests/support/random_problems.h"
 
 namespace delassus {
@@ -38,9 +39,20 @@ class DenseBeside {
   void addContact(int edge, const Mat3& G, Random& random) {
     const auto [a, b] = edges_[edge];
     const Mat36 Ja = normalMatrix(3, 6, random), Jb = normalMatrix(3, 6, random);
-    addDiagonal(a, Ja.transpose() * G * Ja);
-    addDiagonal(b, Jb.transpose() * G * Jb);
-    addOffDiagonal(edge, Ja.transpose() * G * Jb, Jb.transpose() * G * Ja);
+    factor_.addContact({a, b, Ja, Jb}, G, edge);
+    MatrixXd J = MatrixXd::Zero(3, K_.cols());
+    J.middleCols<6>(6 * a) = Ja;
+    J.middleCols<6>(6 * b) = Jb;
+    K_ += J.transpose() * G * J;
+  }
+  /// The same of a contact with the world, which is either of its two bodies.
+  void addContactWithWorld(int body, bool isFirst, const Mat3& G, Random& random) {
+    const Mat36 J = normalMatrix(3, 6, random);
+    if (isFirst)
+      factor_.addContact({fixedWorld, body, Mat36::Zero(), J}, G, -1);
+    else
+      factor_.addContact({body, fixedWorld, J, Mat36::Zero()}, G, -1);
+    K_.block<6, 6>(6 * body, 6 * body) += J.transpose() * G * J;
   }
 
   /// |K x − b| / (|K| |x|) of the factor's answer.
@@ -85,6 +97,8 @@ TEST(BlockFactor, AgreesWithDenseEliminationOnRandomGraphs) {
     DenseBeside both(factor, bodies, edges);
     for (int e = 0; e < static_cast<int>(edges.size()); ++e)
       both.addContact(e, randomStiffness(random), random);
+    for (int i = 0; i < bodies; i += 3)
+      both.addContactWithWorld(i, k % 2 == 0, randomStiffness(random), random);
 
     ASSERT_TRUE(factor.factorise());
     const VectorXd b = normalVector(6 * bodies, random);
@@ -93,6 +107,25 @@ TEST(BlockFactor, AgreesWithDenseEliminationOnRandomGraphs) {
     const VectorXd truth = both.dense().partialPivLu().solve(b);
     ASSERT_LT((x - truth).norm(), 1e-9 * truth.norm()) << "graph " << k;
     ASSERT_LT(both.backwardError(random), 1e-13) << "graph " << k;
+  }
+}
+
+// All bodies touch each other: every column has the rows of the one before it, and there are more than are taken together.
+TEST(BlockFactor, ManyColumnsWithTheSameRows) {
+  Random random(19);
+  constexpr int bodies = 3 * mostSources;
+  Edges edges;
+  for (int a = 0; a < bodies; ++a)
+    for (int b = 0; b < a; ++b) edges.push_back({a, b});
+  BlockFactor factor;
+  for (const bool symmetric : {false, true}) {
+    DenseBeside both(factor, bodies, edges, symmetric);
+    for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
+      const Mat3 G = randomStiffness(random);
+      both.addContact(e, symmetric ? Mat3(G.transpose() * G) : G, random);
+    }
+    ASSERT_TRUE(factor.factorise());
+    EXPECT_LT(both.backwardError(random), 1e-13);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -12,28 +13,81 @@
 namespace delassus {
 namespace {
 
-// However wide the processor is: one rounding after each product and each sum, k by k.
+// However wide the processor is: one rounding after each product and each sum, column by column and k by k.
 TEST(BlockProduct, HasTheBitsOfPlainLoops) {
   Random random(21);
   const std::vector<int> row = {3, 0, 5, 4}, place = {1, -1, -1, 4, 0, 2};
   for (int round = 0; round < 100; ++round) {
-    std::vector<Mat6> blocks(row.size()), to(5);
-    for (Mat6& block : blocks) block = normalMatrix(6, 6, random);
+    const int columns = 1 + round % mostSources;
+    std::vector<std::vector<Mat6>> blocks(columns, std::vector<Mat6>(row.size()));
+    std::vector<Mat6> B(columns), to(5);
+    for (std::vector<Mat6>& column : blocks)
+      for (Mat6& block : column) block = normalMatrix(6, 6, random);
+    for (Mat6& block : B) block = normalMatrix(6, 6, random);
     for (Mat6& block : to) block = normalMatrix(6, 6, random);
-    const Mat6 B = normalMatrix(6, 6, random);
 
     std::vector<Mat6> expected = to;
     for (std::size_t i = 0; i < row.size(); ++i)
       for (int c = 0; c < 6; ++c)
         for (int r = 0; r < 6; ++r)
-          for (int k = 0; k < 6; ++k) {
-            const double product = blocks[i](r, k) * B(c, k);
-            expected[place[row[i]]](r, c) -= product;
-          }
-    subtractProducts(blocks.data(), row.data(), static_cast<int>(row.size()), B, place.data(),
-                     to.data());
+          for (int j = 0; j < columns; ++j)
+            for (int k = 0; k < 6; ++k) {
+              const double product = blocks[j][i](r, k) * B[j](c, k);
+              expected[place[row[i]]](r, c) -= product;
+            }
+    std::vector<BlockSource> sources;
+    for (int j = 0; j < columns; ++j) sources.push_back({blocks[j].data(), &B[j]});
+    subtractProducts(sources.data(), columns, row.data(), static_cast<int>(row.size()),
+                     place.data(), to.data());
     for (std::size_t i = 0; i < to.size(); ++i) EXPECT_EQ(to[i], expected[i]) << "block " << i;
   }
+}
+
+TEST(BlockProduct, SingleBlocksAgreeWithTheLibrary) {
+  Random random(23);
+  for (int round = 0; round < 100; ++round) {
+    const Mat6 A = normalMatrix(6, 6, random), B = normalMatrix(6, 6, random);
+    const Mat36 J = normalMatrix(3, 6, random), GJ = normalMatrix(3, 6, random);
+    Mat6 less = A, more = A;
+    subtractProduct(A, B, less);
+    EXPECT_LT((less - (A - A * B.transpose())).norm(), 1e-14);
+    addProduct(J, GJ, more);
+    EXPECT_LT((more - (A + J.transpose() * GJ)).norm(), 1e-14);
+
+    Mat6 blocks[3] = {A, B, Mat6::Constant(7)};
+    multiplyBy(B, blocks, 2);
+    EXPECT_LT((blocks[0] - A * B).norm(), 1e-14 * A.norm() * B.norm());
+    EXPECT_LT((blocks[1] - B * B).norm(), 1e-14 * B.norm() * B.norm());
+    EXPECT_EQ(blocks[2], Mat6::Constant(7));
+  }
+}
+
+// Whatever the scales of its rows, and where no pivot is where it should be: what rounding leaves is that of |A⁻¹| |A|.
+TEST(BlockProduct, InvertsWhatIsNotSingular) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  Random random(24);
+  for (int round = 0; round < 1000; ++round) {
+    Mat6 A = normalMatrix(6, 6, random);
+    if (round % 2 == 1)
+      for (int i = 0; i < 6; ++i) A.row(i) *= std::pow(10, uniform(random, -6, 6));
+    if (round % 3 == 1) A.diagonal().setZero();
+    Mat6 inverse;
+    bool isNegative;
+    ASSERT_TRUE(invert(A, inverse, isNegative));
+    EXPECT_EQ(isNegative, A.determinant() < 0) << "round " << round;
+    const double rounding = epsilon * (inverse.cwiseAbs() * A.cwiseAbs()).norm();
+    EXPECT_LT((inverse * A - Mat6::Identity()).norm(), 4 * rounding) << "round " << round;
+  }
+}
+
+TEST(BlockProduct, SingularAndBrokenBlocksHaveNoInverse) {
+  Mat6 inverse;
+  bool isNegative;
+  EXPECT_FALSE(invert(Mat6::Zero(), inverse, isNegative));
+  EXPECT_FALSE(invert(Mat6::Ones(), inverse, isNegative));
+  Mat6 broken = Mat6::Identity();
+  broken(4, 1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(invert(broken, inverse, isNegative));
 }
 
 /// Four columns: one with two blocks below it, one with one, one with none.
