@@ -39,8 +39,9 @@ void Anderson::start(const VectorXd& weights, int memory) {
   weights_ = &weights;
   memory_ = std::min(memory, longest);
   // All memory is taken now, however few steps there will be.
-  changeG_.resize(weights.size() * memory_);
-  changeF_.resize(weights.size() * memory_);
+  for (std::vector<float>* changes : {&changeG_, &changeF_})
+    changes->resize(std::max<std::size_t>(weights.size() * memory_, changes->size()));
+  rough_.resize(std::max<std::size_t>(weights.size(), rough_.size()));
   steps_ = oldest_ = 0;
   begun_ = false;
 }
@@ -49,21 +50,25 @@ void Anderson::next(const VectorXd& g, VectorXd& x) {
   constexpr double growth = 2, regularisation = 1e-8, farthest = 1e3;
   using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, longest, longest>;
   using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, longest, 1>;
+  using SmallVectorf = Eigen::Matrix<float, Eigen::Dynamic, 1, 0, longest, 1>;
   Columns changeG = columns(changeG_), changeF = columns(changeF_);
+  Eigen::Map<Eigen::VectorXf> rough(rough_.data(), g.size());
   x = g - x;  // f
   weighted_ = weights_->cwiseProduct(x);
   const double norm = std::sqrt(x.dot(weighted_));
+  if (!begun_) unit_ = norm > 0 ? norm : 1;
   if (begun_ && norm > growth * last_) {
     steps_ = oldest_ = 0;
   } else if (begun_) {
     const int at = steps_ < memory_ ? steps_++ : oldest_;
     if (steps_ == memory_) oldest_ = (at + 1) % memory_;
-    changeG.col(at) = g - g_;
-    changeF.col(at) = x - f_;
-    f_ = weights_->cwiseProduct(changeF.col(at));
-    const SmallVector products = changeF.leftCols(steps_).transpose() * f_;
-    products_.col(at).head(steps_) = products;
-    products_.row(at).head(steps_) = products.transpose();
+    changeG.col(at) = ((g - g_) / unit_).cast<float>();
+    f_ = (x - f_) / unit_;
+    changeF.col(at) = f_.cast<float>();
+    rough = weights_->cwiseProduct(f_).cast<float>();
+    const SmallVectorf products = changeF.leftCols(steps_).transpose() * rough;
+    products_.col(at).head(steps_) = products.cast<double>();
+    products_.row(at).head(steps_) = products_.col(at).head(steps_).transpose();
   }
   begun_ = true;
   last_ = norm;
@@ -73,16 +78,21 @@ void Anderson::next(const VectorXd& g, VectorXd& x) {
   if (steps_ == 0) return;
 
   Small normal = products_.topLeftCorner(steps_, steps_);
-  normal.diagonal().array() += regularisation * (normal.trace() + norm * norm);
-  SmallVector gamma = changeF.leftCols(steps_).transpose() * weighted_;
-  gamma = normal.ldlt().solve(gamma).eval();
+  const double size = norm / unit_;
+  normal.diagonal().array() += regularisation * (normal.trace() + size * size);
+  rough = (weighted_ / unit_).cast<float>();
+  const SmallVectorf products = changeF.leftCols(steps_).transpose() * rough;
+  const SmallVector gamma = normal.ldlt().solve(products.cast<double>());
   if (!gamma.allFinite()) return;
-  x.noalias() -= changeG.leftCols(steps_) * gamma;
+  rough.noalias() = changeG.leftCols(steps_) * gamma.cast<float>();
+  x -= unit_ * rough.cast<double>();
   // Reactions against demands that nothing can meet grow for ever; they are not to grow by powers.
   const double length = std::sqrt((x - g).dot(weights_->cwiseProduct(x - g)));
   if (length > farthest * norm) x = g + (farthest * norm / length) * (x - g);
 }
 
-std::size_t Anderson::bytes() const { return bytesOf(g_, f_, weighted_, changeG_, changeF_); }
+std::size_t Anderson::bytes() const {
+  return bytesOf(g_, f_, weighted_, changeG_, changeF_, rough_);
+}
 
 }  // namespace delassus

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "delassus/bytes.h"
 #include "delassus/types.h"
 
@@ -47,13 +49,18 @@ class Anderson {
   std::size_t bytes() const;
 
  private:
-  using Columns = Eigen::Map<MatrixXd>;
-  Columns columns(VectorXd& changes) const { return {changes.data(), weights_->size(), memory_}; }
+  using Columns = Eigen::Map<Eigen::MatrixXf>;
+  Columns columns(std::vector<float>& changes) const {
+    return {changes.data(), weights_->size(), memory_};
+  }
 
   const VectorXd* weights_ = nullptr;
-  VectorXd g_, f_;                                    ///< of the last step
-  VectorXd weighted_;                                 ///< scratch
-  VectorXd changeG_, changeF_;                        ///< one after the other
+  VectorXd g_, f_;     ///< of the last step
+  VectorXd weighted_;  ///< scratch
+  // In single precision, for they only tell where to look next: half of what is read of the memory, which is most of the time.
+  std::vector<float> changeG_, changeF_;              ///< one after the other, in units of unit_
+  std::vector<float> rough_;                          ///< scratch
+  double unit_ = 1;                                   ///< ‖f‖ of the first step
   Eigen::Matrix<double, longest, longest> products_;  ///< of the changeF_
   double last_ = 0;                                   ///< ‖f‖ of the last step
   int memory_ = 0;

@@ -79,7 +79,7 @@ TEST(LargeHeap, OfManyIsOutlastedSlow) {
 TEST(LargeHeap, WhatIsNotOutlastedIsHardened) { expectHardened(makeHeap(8).problem); }
 
 TEST(LargeHeap, WhatIsNotOutlastedOfManyIsHardenedSlow) {
-  expectHardened(makeHeapOfMany(660, 23).problem);
+  expectHardened(makeHeapOfMany(660, 33).problem);
 }
 
 }  // namespace
