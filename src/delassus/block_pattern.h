@@ -22,13 +22,12 @@ struct BlockPattern {
   };
 
   int bodies = 0;
-  std::vector<Edge> edges;     ///< repeated and reversed pairs are welcome
-  std::vector<int> place;      ///< body -> place in the elimination order
-  std::vector<Target> target;  ///< edge -> off-diagonal block
-  std::vector<int> begin;      ///< column -> its first off-diagonal block; size bodies + 1
-  std::vector<int> row;        ///< off-diagonal block -> its row
-  std::vector<int>
-      leader;  ///< column -> the first of those before it that have its rows and each other
+  std::vector<Edge> edges;          ///< repeated and reversed pairs are welcome
+  std::vector<int> place;           ///< body -> place in the elimination order
+  std::vector<Target> target;       ///< edge -> off-diagonal block
+  std::vector<int> begin;           ///< column -> its first off-diagonal block; size bodies + 1
+  std::vector<int> row;             ///< off-diagonal block -> its row
+  std::vector<int> leader;          ///< column -> the first of its run: columns of the same rows
   std::vector<int> ancestorBegin;   ///< row -> its first ancestor; size bodies + 1
   std::vector<Ancestor> ancestors;  ///< one an off-diagonal block
 

@@ -44,30 +44,36 @@ DELASSUS_WIDE_INLINE void multiply(const double* A, const Spread& x, Four& begin
   end = middle + __builtin_shufflevector(lower, lower, 2, 3, 2, 3);
 }
 
-/// sum += or −= A Bᵀ for one column a of A and one b of B.
-template <int sign>
-DELASSUS_WIDE_INLINE void addProducts(const double* a, const Spread& b, Four (&sum)[9]) {
-  const Four upper = fourAt(a), lower = fourAt(a + 2);
-  const Four both = __builtin_shufflevector(lower, upper, 2, 3, 4, 5);
-  for (int pair = 0; pair < 3; ++pair) {
-    const Four products[3] = {upper * b.first[pair], both * b.both[pair], lower * b.second[pair]};
-    for (int v = 0; v < 3; ++v)
-      sum[3 * pair + v] =
-          sign > 0 ? sum[3 * pair + v] + products[v] : sum[3 * pair + v] - products[v];
-  }
-}
+/// A block while products are added to it.
+struct Sum {
+  Four part[9];
 
-/// to += or −= A Bᵀ for A of six rows and as many columns as B, which is spread out.
-template <int count, int sign>
-DELASSUS_WIDE_INLINE void addProducts(const double* a, const Spread* b, double* to) {
-  // One by one: the compiler would copy the block to look at the copy.
-  Four sum[9] = {fourAt(to),      fourAt(to + 4),  fourAt(to + 8),
-                 fourAt(to + 12), fourAt(to + 16), fourAt(to + 20),
-                 fourAt(to + 24), fourAt(to + 28), fourAt(to + 32)};
-#pragma GCC unroll 1
-  for (int k = 0; k < count; ++k) addProducts<sign>(a + 6 * k, b[k], sum);
-  for (int v = 0; v < 9; ++v) fourAt(to + 4 * v) = sum[v];
-}
+  // One by one: in a loop the compiler would copy the block first, to look at the copy.
+  DELASSUS_WIDE_INLINE explicit Sum(const double* x)
+      : part{fourAt(x),      fourAt(x + 4),  fourAt(x + 8),  fourAt(x + 12), fourAt(x + 16),
+             fourAt(x + 20), fourAt(x + 24), fourAt(x + 28), fourAt(x + 32)} {}
+  DELASSUS_WIDE_INLINE void store(double* x) const {
+    for (int v = 0; v < 9; ++v) fourAt(x + 4 * v) = part[v];
+  }
+
+  /// Adds A Bᵀ, or takes it away, for A of six rows and `count` columns, and B of as many, which are spread out.
+  template <int count, int sign>
+  DELASSUS_WIDE_INLINE void add(const double* a, const Spread* b) {
+#pragma GCC unroll 1  // sums stay in registers
+    for (int k = 0; k < count; ++k) {
+      const Four upper = fourAt(a + 6 * k), lower = fourAt(a + 6 * k + 2);
+      const Four both = __builtin_shufflevector(lower, upper, 2, 3, 4, 5);
+      for (int pair = 0; pair < 3; ++pair) {
+        const Four products[3] = {upper * b[k].first[pair], both * b[k].both[pair],
+                                  lower * b[k].second[pair]};
+        for (int v = 0; v < 3; ++v) {
+          Four& sum = part[3 * pair + v];
+          sum = sign > 0 ? sum + products[v] : sum - products[v];
+        }
+      }
+    }
+  }
+};
 
 }  // namespace
 
@@ -75,13 +81,15 @@ DELASSUS_WIDE
 void addProduct(const Mat36& A, const Mat36& B, Mat6& to) {
   const double* b = B.data();
   const Spread columns[3] = {Spread(b), Spread(b + 6), Spread(b + 12)};
-  addProducts<3, 1>(A.data(), columns, to.data());
+  Sum sum(to.data());
+  sum.add<3, 1>(A.data(), columns);
+  sum.store(to.data());
 }
 
 DELASSUS_WIDE
 void multiplyBy(const Mat6& B, Mat6* blocks, int count) {
-  Spread columns[6] = {Spread(&B(0, 0)), Spread(&B(0, 1)), Spread(&B(0, 2)),
-                       Spread(&B(0, 3)), Spread(&B(0, 4)), Spread(&B(0, 5))};
+  const Spread columns[6] = {Spread(&B(0, 0)), Spread(&B(0, 1)), Spread(&B(0, 2)),
+                             Spread(&B(0, 3)), Spread(&B(0, 4)), Spread(&B(0, 5))};
   for (int i = 0; i < count; ++i) {
     double* a = blocks[i].data();
     Four begin[6], end[6];
@@ -118,8 +126,8 @@ bool invert(const Mat6& A, Mat6& inverse, bool& isNegative) {
     }
   }
   for (int i = 5; i >= 0; --i) {
-    double
-        own[6];  // the left half, of which vectors of four that begin in its middle leave nothing
+    // Vectors of four that begin in the middle of the left half spoil what is left of it.
+    double own[6];
     for (int k = i; k < 6; ++k) own[k] = row[i][k];
     for (int k = i + 1; k < 6; ++k)
       for (int v = 4; v < width; v += 4) fourAt(row[i] + v) -= own[k] * fourAt(row[k] + v);
@@ -134,7 +142,9 @@ void subtractProduct(const Mat6& A, const Mat6& B, Mat6& from) {
   const double* b = B.data();
   const Spread columns[6] = {Spread(b),      Spread(b + 6),  Spread(b + 12),
                              Spread(b + 18), Spread(b + 24), Spread(b + 30)};
-  addProducts<6, -1>(A.data(), columns, from.data());
+  Sum sum(from.data());
+  sum.add<6, -1>(A.data(), columns);
+  sum.store(from.data());
 }
 
 DELASSUS_WIDE
@@ -144,16 +154,10 @@ void subtractProducts(const BlockSource* sources, int columns, const int* row, i
   for (int j = 0; j < columns; ++j)
     for (int k = 0; k < 6; ++k) spread[6 * j + k] = Spread(sources[j].B->data() + 6 * k);
   for (int i = 0; i < count; ++i) {
-    double* out = to[place[row[i]]].data();
-    Four sum[9] = {fourAt(out),      fourAt(out + 4),  fourAt(out + 8),
-                   fourAt(out + 12), fourAt(out + 16), fourAt(out + 20),
-                   fourAt(out + 24), fourAt(out + 28), fourAt(out + 32)};
-    for (int j = 0; j < columns; ++j) {
-      const double* a = sources[j].blocks[i].data();
-#pragma GCC unroll 1
-      for (int k = 0; k < 6; ++k) addProducts<-1>(a + 6 * k, spread[6 * j + k], sum);
-    }
-    for (int v = 0; v < 9; ++v) fourAt(out + 4 * v) = sum[v];
+    double* at = to[place[row[i]]].data();
+    Sum sum(at);
+    for (int j = 0; j < columns; ++j) sum.add<6, -1>(sources[j].blocks[i].data(), spread + 6 * j);
+    sum.store(at);
   }
 }
 
