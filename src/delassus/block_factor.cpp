@@ -68,20 +68,20 @@ void BlockFactor::eliminate(int column) {
   BlockSource lower[mostSources], upper[mostSources];
   const int end = p.ancestorBegin[column + 1];
   for (int k = p.ancestorBegin[column]; k < end;) {
-    const int leader = p.leader[p.ancestors[k].column];
-    const int first = p.ancestors[k].at, count = p.begin[p.ancestors[k].column + 1] - first - 1;
-    const int* rows = p.row.data() + first + 1;
+    const auto [j, first] = p.ancestors[k];
+    const int count = p.begin[j + 1] - first;
+    const int* rows = p.row.data() + first;  // this one, and those below it
     int columns = 0;
-    for (; k < end && columns < mostSources && p.leader[p.ancestors[k].column] == leader; ++k) {
-      const int at = p.ancestors[k].at;
-      const Mat6& L = lower_[at];  // L_{column,j}, already times the inverse pivot
-      const Mat6& U = upper_[at];  // U_{j,column} transposed
-      subtractProduct(L, U, diagonal_[column]);
-      lower[columns] = {&L + 1, &U};
-      upper[columns++] = {&U + 1, &L};
+    for (; k < end && columns < mostSources && p.leader[p.ancestors[k].column] == p.leader[j];
+         ++k) {
+      const Mat6* L = &lower_[p.ancestors[k].at];  // L_{column,j}, already times the inverse pivot
+      const Mat6* U = &upper_[p.ancestors[k].at];  // U_{j,column} transposed
+      lower[columns] = {L, U};
+      upper[columns++] = {U, L};
     }
-    subtractProducts(lower, columns, rows, count, slot_.data(), lower_.data());
-    if (!symmetric_) subtractProducts(upper, columns, rows, count, slot_.data(), upper_.data());
+    subtractProducts(lower, columns, rows, count, slot_.data(), &diagonal_[column], lower_.data());
+    if (!symmetric_ && count > 1)
+      subtractProducts(upper, columns, rows, count, slot_.data(), nullptr, upper_.data());
   }
 }
 

@@ -138,23 +138,13 @@ bool invert(const Mat6& A, Mat6& inverse, bool& isNegative) {
 }
 
 DELASSUS_WIDE
-void subtractProduct(const Mat6& A, const Mat6& B, Mat6& from) {
-  const double* b = B.data();
-  const Spread columns[6] = {Spread(b),      Spread(b + 6),  Spread(b + 12),
-                             Spread(b + 18), Spread(b + 24), Spread(b + 30)};
-  Sum sum(from.data());
-  sum.add<6, -1>(A.data(), columns);
-  sum.store(from.data());
-}
-
-DELASSUS_WIDE
 void subtractProducts(const BlockSource* sources, int columns, const int* row, int count,
-                      const int* place, Mat6* to) {
+                      const int* place, Mat6* diagonal, Mat6* to) {
   Spread spread[6 * mostSources];
   for (int j = 0; j < columns; ++j)
     for (int k = 0; k < 6; ++k) spread[6 * j + k] = Spread(sources[j].B->data() + 6 * k);
-  for (int i = 0; i < count; ++i) {
-    double* at = to[place[row[i]]].data();
+  for (int i = diagonal ? 0 : 1; i < count; ++i) {
+    double* at = i == 0 ? diagonal->data() : to[place[row[i]]].data();
     Sum sum(at);
     for (int j = 0; j < columns; ++j) sum.add<6, -1>(sources[j].blocks[i].data(), spread + 6 * j);
     sum.store(at);

@@ -7,19 +7,17 @@ namespace delassus {
 /// The products of 6x6 blocks that a block factor and its solutions are made of, nearly all of their work. They run as wide as the
 /// processor allows; the bits are those of any other, since nothing is fused and every sum is added in the same order.
 
-/// What a column of a factor takes from another: blocks of a column, and B.
+/// What a column of a factor takes from another: that one's blocks, and B.
 struct BlockSource {
   const Mat6* blocks;
   const Mat6* B;
 };
 constexpr int mostSources = 8;
 
-/// to[place[row[i]]] −= blocks[i] Bᵀ for i < count, of up to mostSources columns that have the same rows, one after the other.
+/// diagonal −= blocks[0] Bᵀ, unless there is none (null), and to[place[row[i]]] −= blocks[i] Bᵀ for 0 < i < count, of up to mostSources
+/// columns that have the same rows, one after the other.
 void subtractProducts(const BlockSource* sources, int columns, const int* row, int count,
-                      const int* place, Mat6* to);
-
-/// from −= A Bᵀ.
-void subtractProduct(const Mat6& A, const Mat6& B, Mat6& from);
+                      const int* place, Mat6* diagonal, Mat6* to);
 
 /// blocks[i] ← blocks[i] B for i < count.
 void multiplyBy(const Mat6& B, Mat6* blocks, int count);
