@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "delassus/active_set.h"
 #include "delassus/cone.h"
 #include "tests/support/random_problems.h"
 
