@@ -47,7 +47,7 @@ void Anderson::start(const VectorXd& weights, int memory) {
 }
 
 void Anderson::next(const VectorXd& g, VectorXd& x) {
-  constexpr double growth = 2, regularisation = 1e-8, farthest = 1e3;
+  constexpr double growth = 1, regularisation = 1e-8, farthest = 1e3;
   using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, longest, longest>;
   using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, longest, 1>;
   using SmallVectorf = Eigen::Matrix<float, Eigen::Dynamic, 1, 0, longest, 1>;

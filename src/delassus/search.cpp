@@ -220,7 +220,9 @@ Outcome Search::startOut(ProximalNewton<Motion>& newton, const Problem& problem,
   } else if (best.residual > disturbed * demand && isHeap(problem)) {
     settle(problem, options, aim, best);
     newton.setProblem(problem, map_);  // patches were at work here
-    if (isReached()) return finish(newton, problem, options, tolerance, best);
+    if (isReached())
+      return isLargeHeap(problem) ? Outcome::Reached
+                                  : finish(newton, problem, options, tolerance, best);
   } else if (best.residual > disturbed * demand) {
     if (isLargePile(problem))
       sweepWhileItGains(problem, options, aim, best);

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "delassus/coloured_sweeps.h"
 #include "delassus/compliance_path.h"
 #include "delassus/dense_newton.h"
 #include "delassus/farkas.h"
@@ -62,11 +63,12 @@ class Search {
   };
   struct Machines {
     Sweeps sweeps;
+    ColouredSweeps coloured;
     CompliancePath path;
     Engines<BodyMotion> bodies;
     Engines<FactoredMotion> factored;
     std::size_t bytes() const {
-      return sweeps.bytes() + path.bytes() + bodies.bytes() + factored.bytes();
+      return sweeps.bytes() + coloured.bytes() + path.bytes() + bodies.bytes() + factored.bytes();
     }
   };
 
@@ -131,6 +133,7 @@ class Search {
   bool sweepAndLearn(const Problem& problem, const Options& options, double tolerance,
                      Solution& best);
   void settle(const Problem& problem, const Options& options, double tolerance, Solution& best);
+  void setSweeps(const Problem& problem, bool byColour);
   void sweepAll(const Problem& problem, const Options& options, double tolerance, Solution& best);
   void sweepWhileItGains(const Problem& problem, const Options& options, double tolerance,
                          Solution& best);

@@ -63,33 +63,56 @@ void Search::sweepWhileItGains(const Problem& problem, const Options& options, d
 }
 
 /// Sweeps as long as they gain, and where they do not, patches: what settles in this way needs no factor of the whole island.
-/// The residual may rise on the way, since a wall that is met lets others go.
+/// The residual may rise on the way, since a wall that is met lets others go. In large heaps they go by colour, as far as single
+/// precision does.
 void Search::settle(const Problem& problem, const Options& options, double tolerance,
                     Solution& best) {
-  constexpr int burst = 20, patience = 6;
+  constexpr int patience = 6, fewSweeps = 20, manySweeps = 100;
+  constexpr double gain = 0.7, rough = 1e-7;
   // Half as many sweeps where all is remembered; elsewhere the memory is worth more than the time.
   const int memory = isHeap(problem) ? Anderson::longest : 4;
-  constexpr double gain = 0.7;
+  const double roughly = std::max(tolerance, rough * problem.q.cwiseAbs().maxCoeff());
+  bool byColour = isLargeHeap(problem) && machines().coloured.setProblem(problem, map_);
+  double change = roughly;  // of a velocity, that is worth a sweep by colour
   trial_.r = best.r;
   measure(problem, trial_);
   double lowest = infinity;
   for (int failures = 0; failures < patience;) {
-    double before;
-    machines().sweeps.setProblem(problem, map_);  // since patches may have been swept
+    bool gains;
+    setSweeps(problem, byColour);  // since patches may have been swept
     do {
+      const int burst = byColour ? manySweeps : fewSweeps;
       if (best.sweeps + burst > options.sweepBudget) return;
-      before = trial_.residualRms;
-      machines().sweeps.sweepOn(problem, burst, memory, trial_.r);
-      best.sweeps += burst;
+      const double before = trial_.residualRms;
+      int made = burst;
+      if (byColour)
+        made = machines().coloured.sweep(problem, burst, change, trial_.r);
+      else
+        machines().sweeps.sweepOn(problem, burst, memory, trial_.r);
+      best.sweeps += made;
       consider(problem, trial_, best);
       if (best.residual <= tolerance) return;
-    } while (trial_.residualRms < gain * before);
+      if (made < burst) change *= gain * gain;
+      gains = trial_.residualRms < gain * before;
+      if (byColour && best.residual <= roughly) {
+        gains = true;
+        byColour = false;
+        setSweeps(problem, byColour);
+      }
+    } while (gains);
     failures = trial_.residualRms < gain * lowest ? 0 : failures + 1;
     lowest = std::min(lowest, trial_.residualRms);
     // What does not help is tried with more around it.
     if (!mendPatches(problem, options, tolerance, 3.0 / (1 + failures), trial_, best)) return;
     consider(problem, trial_, best);
   }
+}
+
+void Search::setSweeps(const Problem& problem, bool byColour) {
+  if (byColour)
+    machines().coloured.setProblem(problem, map_);
+  else
+    machines().sweeps.setProblem(problem, map_);
 }
 
 /// The patches about the contacts whose residual is `outstanding` times the mean, or so many times more that no patch is as good as

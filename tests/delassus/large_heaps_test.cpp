@@ -12,7 +12,7 @@ namespace {
 using namespace delassus::test;
 
 /// About 400 contacts.
-PileIsland makeHeap(int seed) {
+PileIsland makeHeapOfHundreds(int seed) {
   Random random(seed);
   return PileIsland(makeSphereHeap(200, 4.7, 0.5, 0.1, random));
 }
@@ -60,12 +60,12 @@ void expectHardened(const Problem& problem) {
 TEST(LargeHeap, IsOutlasted) {
   for (const int seed : {1, 5, 10}) {
     SCOPED_TRACE(seed);
-    const PileIsland heap = makeHeap(seed);
+    const PileIsland heap = makeHeapOfHundreds(seed);
     expectOutlasted(heap.problem, sweptReactions(heap.problem));
   }
 }
 
-TEST(LargeHeap, IsOutlastedFromNothing) { expectOutlasted(makeHeap(10).problem, {}); }
+TEST(LargeHeap, IsOutlastedFromNothing) { expectOutlasted(makeHeapOfHundreds(10).problem, {}); }
 
 TEST(LargeHeap, OfManyIsOutlastedSlow) {
   for (const int seed : {4, 6, 9, 10, 14}) {
@@ -76,7 +76,7 @@ TEST(LargeHeap, OfManyIsOutlastedSlow) {
 }
 
 // What is left without the path of compliance is 2e-3 m/s.
-TEST(LargeHeap, WhatIsNotOutlastedIsHardened) { expectHardened(makeHeap(8).problem); }
+TEST(LargeHeap, WhatIsNotOutlastedIsHardened) { expectHardened(makeHeapOfHundreds(8).problem); }
 
 TEST(LargeHeap, WhatIsNotOutlastedOfManyIsHardenedSlow) {
   expectHardened(makeHeapOfMany(660, 33).problem);

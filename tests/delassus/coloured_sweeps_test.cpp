@@ -1,0 +1,213 @@
+/// Sweeps by colour: eight contacts at a time, in single precision.
+#include "delassus/coloured_sweeps.h"
+
+#include <gtest/gtest.h>
+
+#include "delassus/one_contact.h"
+#include "delassus/solver.h"
+#include "tests/support/random_piles.h"
+#include "tests/support/sphere_heaps.h"
+#include "tests/support/turning_piles.h"
+
+namespace delassus {
+namespace {
+
+using namespace delassus::test;
+
+/// About 400 contacts between spheres.
+PileIsland heapOfSpheres(int seed, double friction = 0.5) {
+  Random random(seed);
+  return PileIsland(makeSphereHeap(200, 4.7, friction, 0.1, random));
+}
+
+/// A tower of boxes whose contacts have different friction, some none.
+PileIsland towerOfMixedFriction(int height, Random& random) {
+  Pile pile = makeTower(randomMasses(height, 10, random), 0, 0.3, random);
+  mixFriction(pile, 1, random);
+  return PileIsland(pile);
+}
+
+/// A plate on `count` points, each between it and the world: no two of one colour.
+PileIsland plateOnPoints(int count, Random& random) {
+  Pile pile;
+  pile.bodies.push_back(makeBox(10, 1, normalVector(6, random)));
+  for (int k = 0; k < count; ++k)
+    pile.contacts.push_back(
+        makeRestingPoint(0, fixedWorld, normalVector(3, random), Vec3::Zero(), 0.5));
+  return PileIsland(pile);
+}
+
+struct Swept {
+  VectorXd r;
+  int made;
+};
+
+Swept sweep(const Problem& problem, int most, double aim, VectorXd r, bool narrow = false) {
+  NaturalMap map;
+  map.setProblem(problem);
+  ColouredSweeps sweeps;
+  if (narrow) sweeps.narrow();
+  EXPECT_TRUE(sweeps.setProblem(problem, map));
+  const int made = sweeps.sweep(problem, most, aim, r);
+  return {r, made};
+}
+
+VectorXd zero(const Problem& problem) { return VectorXd::Zero(problem.size()); }
+
+TEST(ColouredSweeps, ReactionsStayInTheirCones) {
+  Random random(71);
+  for (int k = 0; k < 20; ++k) {
+    const PileIsland island = towerOfMixedFriction(1 + k % 6, random);
+    const VectorXd start = randomReactions(island.problem, 3, random);
+    for (const int count : {1, 2, 7, 20}) {
+      const VectorXd r = sweep(island.problem, count, 0, start).r;
+      EXPECT_LE(infeasibility(island.problem, r), 1e-14 * (1 + r.norm())) << count << " sweeps";
+    }
+  }
+}
+
+TEST(ColouredSweeps, OneContactAloneIsSolved) {
+  Random random(72);
+  for (int k = 0; k < 100; ++k) {
+    Pile pile;
+    pile.bodies.push_back(makeBox(uniform(random, 1, 10), 0.5, normalVector(6, random)));
+    pile.contacts.push_back(makeRestingPoint(0, fixedWorld, 0.5 * normalVector(3, random),
+                                             Vec3::Zero(), uniform(random, 0, 1)));
+    const Problem problem = PileIsland(pile).problem;
+    const VectorXd exact =
+        solveOneContact(problem.W.contactBlock(0), problem.q, problem.friction[0]);
+    const VectorXd r = sweep(problem, 100, 0, randomReactions(problem, 1, random)).r;
+    EXPECT_LT((r - exact).norm(), 1e-5 * (1 + exact.norm())) << k;
+  }
+}
+
+// What sweeps have come to is held against the measure in double precision and against the solver.
+TEST(ColouredSweeps, ComeToTheAnswerOfTheSolver) {
+  for (const double friction : {0.0, 0.1, 0.3}) {
+    const PileIsland heap = heapOfSpheres(3, friction);
+    Swept swept{zero(heap.problem), 0};
+    for (int k = 0; k < 20; ++k) swept = sweep(heap.problem, 500, 1e-8, swept.r);
+    EXPECT_LT(naturalResidual(heap.problem, swept.r).max, 1e-6) << friction;
+    const Solution exact = Solver().solve(heap.problem);
+    ASSERT_EQ(exact.status, Status::Solved);
+    EXPECT_LT(motionDistance(heap, swept.r, exact.r), 1e-4) << friction;
+  }
+}
+
+TEST(ColouredSweeps, AreLeftOnceTheirChangesAreSmall) {
+  const PileIsland heap = heapOfSpheres(3, 0.1);
+  int before = 0;
+  for (const double aim : {1e-2, 1e-3, 1e-4}) {
+    const Swept swept = sweep(heap.problem, 5000, aim, zero(heap.problem));
+    EXPECT_GT(swept.made, before);
+    EXPECT_LT(swept.made, 5000);
+    before = swept.made;
+    // One more changes no velocity by much more.
+    const VectorXd next = sweep(heap.problem, 1, 0, swept.r).r;
+    const VectorXd change = heap.problem.W.diagonal().cwiseProduct(next - swept.r);
+    EXPECT_LT(change.cwiseAbs().maxCoeff(), 10 * aim);
+  }
+}
+
+// What is a solution already is left where it is.
+TEST(ColouredSweeps, ASolutionIsAFixedPoint) {
+  const PileIsland heap = heapOfSpheres(5);
+  const Solution exact = Solver().solve(heap.problem);
+  ASSERT_EQ(exact.status, Status::Solved);
+  const Swept swept = sweep(heap.problem, 20, 0, exact.r);
+  EXPECT_LT(naturalResidual(heap.problem, swept.r).max, 1e-6);
+  EXPECT_LT((swept.r - exact.r).norm(), 1e-5 * exact.r.norm());
+}
+
+// The slips of piles with momentum are found sooner than by as many plain sweeps of one each, which begin anew every time.
+TEST(ColouredSweeps, MomentumHurriesThem) {
+  const PileIsland heap = heapOfSpheres(3, 0.1);
+  VectorXd plain = zero(heap.problem);
+  for (int k = 0; k < 200; ++k) plain = sweep(heap.problem, 1, 0, plain).r;
+  const VectorXd hurried = sweep(heap.problem, 200, 0, zero(heap.problem)).r;
+  EXPECT_LT(naturalResidual(heap.problem, hurried).rms,
+            0.1 * naturalResidual(heap.problem, plain).rms);
+}
+
+TEST(ColouredSweeps, TheWidthOfTheProcessorDoesNotChangeABit) {
+  Random random(73);
+  const PileIsland heap = heapOfSpheres(7), plate = plateOnPoints(100, random),
+                   tower = towerOfMixedFriction(5, random);
+  for (const Problem& problem : {heap.problem, plate.problem, tower.problem}) {
+    const VectorXd start = randomReactions(problem, 1, random);
+    EXPECT_EQ(sweep(problem, 50, 0, start, false).r, sweep(problem, 50, 0, start, true).r);
+  }
+}
+
+// More contacts on one body than there are colours.
+TEST(ColouredSweeps, ABodyMayHaveHundredsOfContacts) {
+  Random random(74);
+  const PileIsland plate = plateOnPoints(150, random);
+  const Swept swept = sweep(plate.problem, 20000, 1e-9, zero(plate.problem));
+  const double fallen = naturalResidual(plate.problem, zero(plate.problem)).max;
+  EXPECT_LT(naturalResidual(plate.problem, swept.r).max, 1e-4 * fallen);
+}
+
+TEST(ColouredSweeps, NoneMeansNone) {
+  const PileIsland heap = heapOfSpheres(2);
+  Random random(75);
+  const VectorXd start = randomReactions(heap.problem, 1, random);
+  const Swept swept = sweep(heap.problem, 0, 0, start);
+  EXPECT_EQ(swept.made, 0);
+  EXPECT_LT((swept.r - start).norm(), 1e-14 * start.norm());
+}
+
+// One object for many islands: nothing of the last one shows.
+TEST(ColouredSweeps, HaveNoMemory) {
+  const PileIsland large = heapOfSpheres(2), small = heapOfSpheres(4);
+  NaturalMap largeMap, smallMap;
+  largeMap.setProblem(large.problem);
+  smallMap.setProblem(small.problem);
+  ColouredSweeps used;
+  for (int k = 0; k < 2; ++k) {
+    VectorXd r = zero(large.problem);
+    ASSERT_TRUE(used.setProblem(large.problem, largeMap));
+    used.sweep(large.problem, 20, 0, r);
+    r = zero(small.problem);
+    ASSERT_TRUE(used.setProblem(small.problem, smallMap));
+    used.sweep(small.problem, 20, 0, r);
+    EXPECT_EQ(r, sweep(small.problem, 20, 0, zero(small.problem)).r);
+  }
+}
+
+// A joint, a motor of bounded force, and contacts without friction beside others: rows are swept too.
+TEST(ColouredSweeps, RowsKeepTheirBoundsAndComeToTheAnswer) {
+  Random random(76);
+  Pile pile = makeTower({2, 1, 3}, 0.4, 0.3, random);
+  pile.contacts[0].friction = 0;
+  pile.rows.push_back(makeWeakMotor());
+  Row joint;
+  joint.a = 2;
+  joint.jacobianA << 1, 0, 0, 0, 0.5, 0;
+  joint.compliance = 0.01;
+  pile.rows.push_back(joint);
+  const PileIsland island(pile);
+  ASSERT_GT(island.problem.rows(), 2);
+  Swept swept{zero(island.problem), 0};
+  for (int k = 0; k < 20; ++k) swept = sweep(island.problem, 500, 1e-8, swept.r);
+  EXPECT_LE(infeasibility(island.problem, swept.r), 1e-14 * (1 + swept.r.norm()));
+  EXPECT_LT(naturalResidual(island.problem, swept.r).max, 1e-6);
+}
+
+TEST(ColouredSweeps, AreNotForExplicitEntriesAndTurningFriction) {
+  Random random(77);
+  const auto isTaken = [](const Problem& problem) {
+    NaturalMap map;
+    map.setProblem(problem);
+    return ColouredSweeps().setProblem(problem, map);
+  };
+  const PileIsland heap = heapOfSpheres(3);
+  EXPECT_TRUE(isTaken(heap.problem));
+  EXPECT_FALSE(isTaken(withEntries(heap.problem)));
+  Pile turning = makeHeap(5, 0.5, random);
+  resistTurning(turning, 0.2, random);
+  EXPECT_FALSE(isTaken(PileIsland(turning).problem));
+}
+
+}  // namespace
+}  // namespace delassus
