@@ -242,15 +242,15 @@ DELASSUS_WIDE_INLINE void sweepGroups(Groups& groups, float beta, Velocity* velo
 
 void sweepByFour(std::vector<Group>& contacts, std::vector<RowGroup>& rows, float beta,
                  Velocity* velocities, Change& change) {
-  sweepGroups<Four>(contacts, beta, velocities, change);
-  sweepGroups<Four>(rows, beta, velocities, change);
+  sweepGroups<Lanes4>(contacts, beta, velocities, change);
+  sweepGroups<Lanes4>(rows, beta, velocities, change);
 }
 #ifdef DELASSUS_HAS_EIGHT
 __attribute__((target("avx2"))) void sweepByEight(std::vector<Group>& contacts,
                                                   std::vector<RowGroup>& rows, float beta,
                                                   Velocity* velocities, Change& change) {
-  sweepGroups<Eight>(contacts, beta, velocities, change);
-  sweepGroups<Eight>(rows, beta, velocities, change);
+  sweepGroups<Lanes8>(contacts, beta, velocities, change);
+  sweepGroups<Lanes8>(rows, beta, velocities, change);
 }
 #endif
 

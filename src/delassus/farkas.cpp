@@ -5,11 +5,6 @@
 #include <limits>
 
 namespace delassus {
-namespace {
-
-constexpr double rounding = std::numeric_limits<double>::epsilon();
-
-}  // namespace
 
 void Quarrel::setProblem(const Problem& problem, const NaturalMap& map) {
   const int n = problem.contacts();
@@ -31,13 +26,13 @@ void Quarrel::setProblem(const Problem& problem, const NaturalMap& map) {
 
 double Quarrel::leastMotion(const VectorXd& r) {
   // Squares of what is felt, not r·W r: where large reactions cancel, that is all rounding.
-  constexpr double roundings = 8;
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
   const BodySpace& space = demands_.W.bodySpace();
   space.impulse(r, felt_);
   const double compliant = space.compliance.dot(r.cwiseAbs2());
-  const double noise = roundings * rounding * map_->diagonal().cwiseSqrt().dot(r.cwiseAbs());
-  const double doubt = demands_.roundOff * r.cwiseAbs().sum() +
-                       roundings * rounding * demands_.q.cwiseAbs().dot(r.cwiseAbs());
+  const double noise = rounding * map_->diagonal().cwiseSqrt().dot(r.cwiseAbs());
+  const double doubt =
+      demands_.roundOff * r.cwiseAbs().sum() + rounding * demands_.q.cwiseAbs().dot(r.cwiseAbs());
   const double push = -r.dot(demands_.q) - doubt;
   return push > 0 ? push / (std::sqrt(felt_.squaredNorm() + compliant) + noise) : 0;
 }

@@ -9,8 +9,8 @@ namespace delassus {
 
 /// Numbers in single precision that are worked with at once: four, as all processors can, or eight. Every lane goes its own way: which of
 /// the two it is does not change a bit.
-using Four = float __attribute__((vector_size(16)));
-using Eight = float __attribute__((vector_size(32)));
+using Lanes4 = float __attribute__((vector_size(16)));
+using Lanes8 = float __attribute__((vector_size(32)));
 
 /// By address, never by value: how eight are handed over depends on the processor that the caller was compiled for.
 template <class V>
@@ -35,50 +35,50 @@ DELASSUS_WIDE_INLINE bool any(const Flags& flags) {
 }
 
 /// Rows that become columns; of eight lanes, each half for itself.
-DELASSUS_WIDE_INLINE void transpose(Four& a, Four& b, Four& c, Four& d) {
-  const Four ab = __builtin_shufflevector(a, b, 0, 4, 1, 5);
-  const Four cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
-  const Four AB = __builtin_shufflevector(a, b, 2, 6, 3, 7);
-  const Four CD = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+DELASSUS_WIDE_INLINE void transpose(Lanes4& a, Lanes4& b, Lanes4& c, Lanes4& d) {
+  const Lanes4 ab = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+  const Lanes4 cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+  const Lanes4 AB = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+  const Lanes4 CD = __builtin_shufflevector(c, d, 2, 6, 3, 7);
   a = __builtin_shufflevector(ab, cd, 0, 1, 4, 5);
   b = __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
   c = __builtin_shufflevector(AB, CD, 0, 1, 4, 5);
   d = __builtin_shufflevector(AB, CD, 2, 3, 6, 7);
 }
-DELASSUS_WIDE_INLINE void transpose(Eight& a, Eight& b, Eight& c, Eight& d) {
-  const Eight ab = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
-  const Eight cd = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13);
-  const Eight AB = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
-  const Eight CD = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
+DELASSUS_WIDE_INLINE void transpose(Lanes8& a, Lanes8& b, Lanes8& c, Lanes8& d) {
+  const Lanes8 ab = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+  const Lanes8 cd = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13);
+  const Lanes8 AB = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+  const Lanes8 CD = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
   a = __builtin_shufflevector(ab, cd, 0, 1, 8, 9, 4, 5, 12, 13);
   b = __builtin_shufflevector(ab, cd, 2, 3, 10, 11, 6, 7, 14, 15);
   c = __builtin_shufflevector(AB, CD, 0, 1, 8, 9, 4, 5, 12, 13);
   d = __builtin_shufflevector(AB, CD, 2, 3, 10, 11, 6, 7, 14, 15);
 }
 
-/// Four numbers from `offset` on of each of the given places, to lanes and back: of[k] has number k of all places.
-DELASSUS_WIDE_INLINE void gather(const float* const* places, int offset, Four* of) {
+/// Lanes4 numbers from `offset` on of each of the given places, to lanes and back: of[k] has number k of all places.
+DELASSUS_WIDE_INLINE void gather(const float* const* places, int offset, Lanes4* of) {
   for (int k = 0; k < 4; ++k) load(places[k] + offset, of[k]);
   transpose(of[0], of[1], of[2], of[3]);
 }
-DELASSUS_WIDE_INLINE void gather(const float* const* places, int offset, Eight* of) {
+DELASSUS_WIDE_INLINE void gather(const float* const* places, int offset, Lanes8* of) {
   for (int k = 0; k < 4; ++k) {
-    Four low, high;
+    Lanes4 low, high;
     load(places[k] + offset, low);
     load(places[k + 4] + offset, high);
     of[k] = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
   }
   transpose(of[0], of[1], of[2], of[3]);
 }
-DELASSUS_WIDE_INLINE void scatter(Four* of, float* const* places, int offset) {
+DELASSUS_WIDE_INLINE void scatter(Lanes4* of, float* const* places, int offset) {
   transpose(of[0], of[1], of[2], of[3]);
   for (int k = 0; k < 4; ++k) store(of[k], places[k] + offset);
 }
-DELASSUS_WIDE_INLINE void scatter(Eight* of, float* const* places, int offset) {
+DELASSUS_WIDE_INLINE void scatter(Lanes8* of, float* const* places, int offset) {
   transpose(of[0], of[1], of[2], of[3]);
   for (int k = 0; k < 4; ++k) {
-    const Four low = __builtin_shufflevector(of[k], of[k], 0, 1, 2, 3);
-    const Four high = __builtin_shufflevector(of[k], of[k], 4, 5, 6, 7);
+    const Lanes4 low = __builtin_shufflevector(of[k], of[k], 0, 1, 2, 3);
+    const Lanes4 high = __builtin_shufflevector(of[k], of[k], 4, 5, 6, 7);
     store(low, places[k] + offset);
     store(high, places[k + 4] + offset);
   }
