@@ -23,7 +23,7 @@ struct Change {
 template <class V>
 DELASSUS_WIDE_INLINE void marginOf(const Group& g, int at, const V& friction, const V (&r0)[3],
                                    const V (&d)[3], V& margin, V& length) {
-  constexpr float none = 1e-30f;
+  constexpr float tiny = 1e-30f;
   V length0, margin0;
   load(g.length0 + at, length0);
   load(g.margin0 + at, margin0);
@@ -31,7 +31,7 @@ DELASSUS_WIDE_INLINE void marginOf(const Group& g, int at, const V& friction, co
   squareRoot(t1 * t1 + t2 * t2, length);
   const V sum = length + length0;
   margin = margin0 + friction * d[0] -
-           ((t1 + r0[1]) * d[1] + (t2 + r0[2]) * d[2]) / (sum > none ? sum : V{} + none);
+           ((t1 + r0[1]) * d[1] + (t2 + r0[2]) * d[2]) / (sum > tiny ? sum : V{} + tiny);
 }
 
 /// The sliding reaction of OneContact for the s that is known, brought to the edge of the cone, and then a Newton step of the search
@@ -81,7 +81,8 @@ DELASSUS_WIDE_INLINE void slide(Group& g, int at, const Flags& slides, const V& 
   const V newton =
       s + excess * share /
               ((t1 * m1 + t2 * m2) * along * along + friction * perLength * (w1 * m1 + w2 * m2));
-  const V then = presses & (newton > zero) ? newton : (share < 1 ? 4 * s : 0.25f * s);
+  const V guess = share < 1 ? 4 * s : 0.25f * s;
+  const V then = (presses & (newton > zero)) ? newton : guess;
   s = then > least ? (then < most ? then : zero + most) : zero + least;
   s = slides ? s : known;
   store(s, g.slip + at);
@@ -245,7 +246,7 @@ void sweepByFour(std::vector<Group>& contacts, std::vector<RowGroup>& rows, floa
   sweepGroups<Lanes4>(contacts, beta, velocities, change);
   sweepGroups<Lanes4>(rows, beta, velocities, change);
 }
-#ifdef DELASSUS_HAS_EIGHT
+#ifdef DELASSUS_HAS_AVX2
 __attribute__((target("avx2"))) void sweepByEight(std::vector<Group>& contacts,
                                                   std::vector<RowGroup>& rows, float beta,
                                                   Velocity* velocities, Change& change) {
@@ -256,7 +257,7 @@ __attribute__((target("avx2"))) void sweepByEight(std::vector<Group>& contacts,
 
 /// What the processor can do.
 auto chooseWidth([[maybe_unused]] bool isNarrow) {
-#ifdef DELASSUS_HAS_EIGHT
+#ifdef DELASSUS_HAS_AVX2
   if (!isNarrow && __builtin_cpu_supports("avx2")) return sweepByEight;
 #endif
   return sweepByFour;

@@ -3,8 +3,9 @@
 /// operations in the same order, so the same bits. What chooses runs before a thread sanitizer does, and is instrumented all the same: it
 /// would crash.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
-#define DELASSUS_HAS_EIGHT
 #define DELASSUS_WIDE __attribute__((target_clones("avx2", "default")))
+// And that a function may be made for such a processor alone.
+#define DELASSUS_HAS_AVX2
 #else
 #define DELASSUS_WIDE
 #endif
