@@ -31,16 +31,22 @@ bool Search::sweepAndLearn(const Problem& problem, const Options& options, doubl
 }
 
 /// All sweeps that there are, one after the other, whether or not they gain, as sequential impulses do. Like these they begin from a
-/// little less than the reactions of the last step: where errors remain, all of them would have a pile swing for ever.
+/// little less than the reactions of the last step: where errors remain, all of them would have a pile swing for ever. Many contacts go by
+/// colour.
 void Search::sweepAll(const Problem& problem, const Options& options, double tolerance,
                       Solution& best) {
-  constexpr int burst = 10;
+  constexpr int burst = 10, many = 200;
   constexpr double trusted = 0.8;
   trial_.r = trusted * best.r;
-  machines().sweeps.setProblem(problem, map_);
+  const bool byColour = problem.contacts() > many && options.sweepBudget - best.sweeps >= burst &&
+                        machines().coloured.setProblem(problem, map_);
+  if (!byColour) machines().sweeps.setProblem(problem, map_);
   while (best.sweeps < options.sweepBudget && best.residual > tolerance) {
     const int count = std::min(burst, options.sweepBudget - best.sweeps);
-    machines().sweeps.sweep(problem, count, trial_.r);
+    if (byColour)
+      machines().coloured.sweep(problem, count, 0, trial_.r);
+    else
+      machines().sweeps.sweep(problem, count, trial_.r);
     best.sweeps += count;
     consider(problem, trial_, best);
   }
