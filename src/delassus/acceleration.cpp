@@ -47,7 +47,7 @@ void Anderson::start(const VectorXd& weights, int memory) {
 }
 
 void Anderson::next(const VectorXd& g, VectorXd& x) {
-  constexpr double growth = 1, regularisation = 1e-8, farthest = 1e3;
+  constexpr double regularisation = 1e-8, farthest = 1e3;
   using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, longest, longest>;
   using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, longest, 1>;
   using SmallVectorf = Eigen::Matrix<float, Eigen::Dynamic, 1, 0, longest, 1>;
@@ -57,7 +57,7 @@ void Anderson::next(const VectorXd& g, VectorXd& x) {
   weighted_ = weights_->cwiseProduct(x);
   const double norm = std::sqrt(x.dot(weighted_));
   if (!begun_) unit_ = norm > 0 ? norm : 1;
-  if (begun_ && norm > growth * last_) {
+  if (begun_ && norm > last_) {
     steps_ = oldest_ = 0;
   } else if (begun_) {
     const int at = steps_ < memory_ ? steps_++ : oldest_;

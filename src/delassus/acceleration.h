@@ -38,7 +38,7 @@ class ConjugateGradient {
 ///     x⁺ = g(x) − Σ γ_j Δg_j,    γ = argmin ‖f − Σ γ_j Δf_j‖,    f = g(x) − x
 ///
 /// On a fixed region block Gauss-Seidel is affine, and this is a Krylov method for it. Where the region changes the past tells
-/// wrong: when f doubles, it is forgotten.
+/// wrong: when f grows, it is forgotten. (When it had to double first, heaps of spheres went round for ever.)
 class Anderson {
  public:
   static constexpr int longest = 16;

@@ -12,8 +12,8 @@ namespace delassus {
 ///
 /// Contacts (rows) of one colour have no body in common: in which order they come does not matter, and eight of them are swept at once. In
 /// single precision, but only what the sweeps change: reactions r₀ + Δr and velocities u₀ + C Δr + J̃ Δy, with r₀ and u₀ worked out in
-/// double precision when sweeps begin. Each contact is in units in which W_nn = 1, each row in those of W = 1. What rounding leaves of a residual is then about
-/// 1e-7 of the velocities that the reactions make.
+/// double precision when sweeps begin, and how far r is from the edge of its cone too. Each contact is in units in which W_nn = 1, each
+/// row in those of W = 1. What rounding leaves of a residual is then about 1e-7 of the velocities that remain.
 ///
 /// With g = g(x) swept from x, the next sweep begins from x⁺ = g + β (g − g_before), β as in Nesterov 1983, and β = 0 anew whenever
 /// ‖g(x) − x‖ has grown (O'Donoghue and Candès 2015).

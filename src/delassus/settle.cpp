@@ -80,12 +80,12 @@ void Search::settle(const Problem& problem, const Options& options, double toler
   const double roughly = std::max(tolerance, rough * problem.q.cwiseAbs().maxCoeff());
   bool byColour = isLargeHeap(problem) && machines().coloured.setProblem(problem, map_);
   double change = roughly;  // of a velocity, that is worth a sweep by colour
+  if (!byColour) setSweeps(problem, byColour);
   trial_.r = best.r;
   measure(problem, trial_);
   double lowest = infinity;
   for (int failures = 0; failures < patience;) {
     bool gains;
-    setSweeps(problem, byColour);  // since patches may have been swept
     do {
       const int burst = byColour ? manySweeps : fewSweeps;
       if (best.sweeps + burst > options.sweepBudget) return;
@@ -110,6 +110,7 @@ void Search::settle(const Problem& problem, const Options& options, double toler
     lowest = std::min(lowest, trial_.residualRms);
     // What does not help is tried with more around it.
     if (!mendPatches(problem, options, tolerance, 3.0 / (1 + failures), trial_, best)) return;
+    setSweeps(problem, byColour);  // since patches may have been swept
     consider(problem, trial_, best);
   }
 }
