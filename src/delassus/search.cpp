@@ -156,8 +156,7 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
 ///   - where there is but one region, a walk to it; elsewhere alternating directions.
 /// With them:
 ///   - piles, and what slid nowhere: `hold`, from the last reactions;
-///   - much is disturbed: accelerated sweeps as long as they gain, in heaps with patches;
-///   - large piles: alternating directions, which share the loads anew among contacts that squeeze each other.
+///   - much is disturbed: accelerated sweeps as long as they gain, in heaps with patches.
 /// Where few sweeps are allowed: `hold` if nothing slid, and all sweeps.
 /// Then a walk, in large heaps a short one, in large piles a long one. Where it loses its way, many contacts are at a wall of their region:
 ///   - in large heaps plain sweeps, to outlast what hurried ones run past;
@@ -230,10 +229,7 @@ Outcome Search::startOut(ProximalNewton<Motion>& newton, const Problem& problem,
       sweepAndLearn(problem, options, aim, best);
     if (isReached()) return Outcome::Reached;
   }
-  // Not in small islands, whose regions are cheap: the walk stays nearer to the last reactions where there are several answers.
-  const bool alternates = guess && isLargePile(problem) && !isReached();
-  return alternates && alternate(newton, problem, options, tolerance, best) ? Outcome::Reached
-                                                                            : Outcome::Lost;
+  return Outcome::Lost;
 }
 
 /// Whether it is worth a region to hold all that touches. Not where the last reactions slid somewhere and regions are cheap, or few:

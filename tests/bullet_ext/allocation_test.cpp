@@ -33,6 +33,7 @@ extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_realloc(void* memory, std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
 void __libc_free(void* memory);
 
 void* malloc(std::size_t size) { return delassus::test::taken(__libc_malloc(size)); }
@@ -42,6 +43,9 @@ void* realloc(void* memory, std::size_t size) {
 }
 void* calloc(std::size_t count, std::size_t size) {
   return delassus::test::taken(__libc_calloc(count, size));
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  return delassus::test::taken(__libc_memalign(alignment, size));
 }
 void free(void* memory) {
   delassus::test::givenBack(memory);

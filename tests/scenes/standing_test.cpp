@@ -62,25 +62,28 @@ TEST(Standing, isTheSameToTheLastBit) {
 }
 
 // Nor is it in piles that have been disturbed, once they are at rest again; but Bullet, which takes every pose apart and puts it
-// together again, turns what does not turn by its last digits.
+// together again, turns what does not turn by its last digits: in float one step in ten may be solved, whatever the blow was.
 TEST(Standing, isNotSolvedAgainWhereABlowHasPassed) {
-  OnRegions run(buildPyramid(10));
-  run.world->run(0.2, hz);
-  const btVector3 place = run.body(0).getWorldTransform().getOrigin();
-  run.body(0).applyCentralImpulse({0, 0, btScalar(0.5)});
-  run.world->run(4, hz);
-  EXPECT_GT((run.body(0).getWorldTransform().getOrigin() - place).length(), 1e-3);
-  const std::vector<btScalar> before = stateOf(*run.world);
+  constexpr int blows = 8, steps = 60;
   int solved = 0;
-  for (int i = 0; i < 60; ++i) {
-    run.world->step(1 / hz);
-    solved += run.solver.report().regions > 0;
+  for (int blow = 0; blow < blows; ++blow) {
+    OnRegions run(buildPyramid(10));
+    run.world->run(0.2, hz);
+    const btVector3 place = run.body(0).getWorldTransform().getOrigin();
+    run.body(0).applyCentralImpulse({0, 0, btScalar(0.4 + 0.025 * blow)});
+    run.world->run(4, hz);
+    EXPECT_GT((run.body(0).getWorldTransform().getOrigin() - place).length(), 1e-3) << blow;
+    const std::vector<btScalar> before = stateOf(*run.world);
+    for (int i = 0; i < steps; ++i) {
+      run.world->step(1 / hz);
+      solved += run.solver.report().regions > 0;
+    }
+    if (!doublePrecision) continue;
+    const std::vector<btScalar> after = stateOf(*run.world);
+    for (std::size_t i = 0; i < after.size(); ++i)
+      EXPECT_NEAR(after[i], before[i], 1e-15) << i << " of blow " << blow;
   }
-  const std::vector<btScalar> after = stateOf(*run.world);
-  if (doublePrecision) {
-    for (std::size_t i = 0; i < after.size(); ++i) EXPECT_NEAR(after[i], before[i], 1e-15) << i;
-  }
-  EXPECT_LE(solved, byPrecision(0, 12));
+  EXPECT_LE(solved, byPrecision(0, blows * steps / 10));
 }
 
 /// The largest distance of any body of a stack from its start in ten seconds, on the solver of this name, m.
