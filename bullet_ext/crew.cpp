@@ -41,39 +41,45 @@ void Crew::attend(int hand) {
       if (dismissed_) return;
       seen = calls_;
     }
-    workThrough(hand);
+    takePart(hand);
     const std::lock_guard lock(mutex_);
     if (--busy_ == 0) ended_.notify_one();
   }
 }
 
-void Crew::workThrough(int hand) {
+void Crew::takePart(int hand) {
   try {
-    for (int k = 0; k < hands(); ++k) {
-      Part& part = parts_[(hand + k) % hands()];
-      for (int item = part.next++; item < part.end; item = part.next++) task_(context_, hand, item);
-    }
+    if (job_.together)
+      job_.together(job_.context, hand);
+    else
+      workThrough(hand);
   } catch (...) {
     parts_[hand].error = std::current_exception();
   }
 }
 
-void Crew::run(Task task, const void* context) {
-  task_ = task;
-  context_ = context;
+void Crew::workThrough(int hand) {
+  for (int k = 0; k < count(); ++k) {
+    Part& part = parts_[(hand + k) % count()];
+    for (int item = part.next++; item < part.end; item = part.next++)
+      job_.onItem(job_.context, hand, item);
+  }
+}
+
+void Crew::run() {
   {
     const std::lock_guard lock(mutex_);
     ++calls_;
-    busy_ = hands() - 1;
+    busy_ = count() - 1;
   }
   called_.notify_all();
-  workThrough(0);
+  takePart(0);
   {
     std::unique_lock lock(mutex_);
     ended_.wait(lock, [this] { return busy_ == 0; });
   }
   std::exception_ptr error;
-  for (int hand = hands() - 1; hand >= 0; --hand)
+  for (int hand = count() - 1; hand >= 0; --hand)
     if (std::exception_ptr own = std::exchange(parts_[hand].error, nullptr)) error = own;
   if (error) std::rethrow_exception(error);
 }

@@ -38,7 +38,7 @@ void solvePushes(const Group& group, bool all, Workshop& workshop, Pushes& pushe
   pushes.islands = pushes.assembler.islands();
   workshop.clearCounts();
   const auto weight = [&](int i) { return pushes.assembler.island(i).unknowns(); };
-  workshop.share(pushes.islands, worthwhile, weight, [&](Bench& bench, int i) {
+  workshop.shareSolving(pushes.islands, worthwhile, weight, [&](Bench& bench, int i) {
     const Island& island = pushes.assembler.island(i);
     const Problem& problem = bench.assembler.assemble(pushes.bodies, contacts, noRows, island);
     bench.solver.solve(problem, fromRest, bench.solution);

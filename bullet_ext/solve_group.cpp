@@ -174,7 +174,7 @@ void solveOpenIslands(const Group& group, Workshop& workshop, Answer& answer) {
   constexpr int worthwhile = 100;
   const auto island = [&](int k) -> const Island& { return answer.island(answer.open[k]); };
   answer.matrices += static_cast<int>(answer.open.size());
-  workshop.share(
+  workshop.shareSolving(
       static_cast<int>(answer.open.size()), worthwhile, [&](int k) { return island(k).unknowns(); },
       [&](Bench& bench, int k) {
         solveIsland(group, island(k), bench, answer, answer.islands[answer.open[k]]);

@@ -63,13 +63,13 @@ class Workshop {
     crew_.setHands(std::max(threads, 1));
     clear();
   }
-  int threads() const { return crew_.hands(); }
+  int threads() const { return crew_.count(); }
   const Options& options() const { return forSolver_; }
 
   /// Empty benches.
   void clear() {
     benches_.clear();
-    for (int i = 0; i < crew_.hands(); ++i)
+    for (int i = 0; i < crew_.count(); ++i)
       benches_.push_back(std::make_unique<Bench>(forSolver_, forCheck_));
   }
 
@@ -78,13 +78,29 @@ class Workshop {
   template <class Weight, class Work>
   void share(int count, int worthwhile, const Weight& weight, const Work& work) {
     int total = 0;
-    if (crew_.hands() > 1 && count > 1)
+    if (crew_.count() > 1 && count > 1)
       for (int i = 0; i < count; ++i) total += weight(i);
     if (total > worthwhile) {
       crew_.share(count, weight, [&](int hand, int i) { work(*benches_[hand], i); });
     } else {
       for (int i = 0; i < count; ++i) work(*benches_[0], i);
     }
+  }
+
+  /// The same where a bench's solver is at work. What weighs three times as much as all else would keep one hand busy while the others
+  /// wait: it comes first, with all of them.
+  template <class Weight, class Work>
+  void shareSolving(int count, int worthwhile, const Weight& weight, const Work& work) {
+    const int heaviest = crew_.count() > 1 ? predominant(count, weight) : -1;
+    if (heaviest >= 0) {
+      const Lent lent(benches_[0]->solver, crew_);
+      work(*benches_[0], heaviest);
+    }
+    share(
+        count, worthwhile, [&](int i) { return i == heaviest ? 0 : weight(i); },
+        [&](Bench& bench, int i) {
+          if (i != heaviest) work(bench, i);
+        });
   }
 
   std::size_t bytes() const {
@@ -103,6 +119,26 @@ class Workshop {
   }
 
  private:
+  /// Hands that a solver has for a while.
+  struct Lent {
+    Lent(Solver& to, Hands& hands) : solver(to) { solver.setHands(&hands); }
+    ~Lent() { solver.setHands(nullptr); }
+    Lent(const Lent&) = delete;
+    Lent& operator=(const Lent&) = delete;
+    Solver& solver;
+  };
+
+  template <class Weight>
+  static int predominant(int count, const Weight& weight) {
+    constexpr int times = 3;
+    int total = 0, heaviest = -1, most = 0;
+    for (int i = 0; i < count; ++i) {
+      total += weight(i);
+      if (weight(i) > most) most = weight(heaviest = i);
+    }
+    return most >= times * (total - most) ? heaviest : -1;
+  }
+
   Options forSolver_, forCheck_;
   Crew crew_;
   std::vector<std::unique_ptr<Bench>> benches_;  ///< one a hand

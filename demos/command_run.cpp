@@ -217,7 +217,8 @@ void addRunCommand(CLI::App& app, Action& chosen) {
       ->check(greaterThanZero);
   command
       ->add_option("--threads", arguments->threads,
-                   "delassus: threads that solve islands side by side; the motion is the same")
+                   "delassus: threads that solve islands side by side, and sweep together over one "
+                   "that is large; the motion is the same")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->add_flag(

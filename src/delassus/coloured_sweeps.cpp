@@ -3,269 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "delassus/lanes.h"
+#include "delassus/hands.h"
 
 namespace delassus {
 namespace {
 
-using Group = ColouredSweeps::Group;
-using RowGroup = ColouredSweeps::RowGroup;
-using Velocity = ColouredSweeps::Velocity;
-constexpr int lanes = ColouredSweeps::lanes, none = ColouredSweeps::none;
-
-/// Of one sweep.
-struct Change {
-  float energy[lanes] = {};   ///< ‖g(x) − x‖², in the units of the contacts
-  float largest[lanes] = {};  ///< of a velocity, m/s
-};
-
-/// μ r_n − ‖r_t‖ of the reactions r₀ + d, worked out from that of r₀: what rounding takes from it is a share of d, not of r. And ‖r_t‖.
-template <class V>
-DELASSUS_WIDE_INLINE void marginOf(const Group& g, int at, const V& friction, const V (&r0)[3],
-                                   const V (&d)[3], V& margin, V& length) {
-  constexpr float tiny = 1e-30f;
-  V length0, margin0;
-  load(g.length0 + at, length0);
-  load(g.margin0 + at, margin0);
-  const V t1 = r0[1] + d[1], t2 = r0[2] + d[2];
-  squareRoot(t1 * t1 + t2 * t2, length);
-  const V sum = length + length0;
-  margin = margin0 + friction * d[0] -
-           ((t1 + r0[1]) * d[1] + (t2 + r0[2]) * d[2]) / (sum > tiny ? sum : V{} + tiny);
-}
-
-/// The sliding reaction of OneContact for the s that is known, brought to the edge of the cone, and then a Newton step of the search
-/// for s: the next sweep is as good as a second step. u: the velocity with the reactions r₀ + x; the answer is r₀ + next.
-template <class V, class Flags>
-DELASSUS_WIDE_INLINE void slide(Group& g, int at, const Flags& slides, const V& friction,
-                                const V (&r0)[3], const V (&x)[3], const V (&u)[3], V (&next)[3]) {
-  const V zero = {};
-  V w1, w2, s00, s01, s11, s;
-  load(g.w1 + at, w1), load(g.w2 + at, w2);
-  load(g.s00 + at, s00), load(g.s01 + at, s01), load(g.s11 + at, s11);
-  load(g.slip + at, s);
-  const V known = s;
-  const V r1 = r0[1] + x[1], r2 = r0[2] + x[2];
-  const V v1 = u[1] - w1 * u[0], v2 = u[2] - w2 * u[0];
-  if (any(s <= zero)) {
-    // Where the reaction would have the size that the normal allows if it braked straight against c.
-    const V held = r0[0] + x[0] + w1 * r1 + w2 * r2 - u[0];
-    const V c1 = v1 - (s00 * r1 + s01 * r2), c2 = v2 - (s01 * r1 + s11 * r2);
-    V drift;
-    squareRoot(c1 * c1 + c2 * c2, drift);
-    const V size = drift / (friction * held), e1 = c1 / drift, e2 = c2 / drift;
-    const V straight = size * (1 - friction * (w1 * e1 + w2 * e2)) -
-                       (e1 * (s00 * e1 + s01 * e2) + e2 * (s01 * e1 + s11 * e2));
-    s = s > zero ? s : (straight > zero ? straight : 0.5f * (size + 1));
-  }
-  constexpr float least = 1e-12f, most = 1e12f;
-  s = s < most ? s : zero + most;
-  const V p = s00 + s, q = s11 + s, perDet = 1 / (p * q - s01 * s01);
-  const V b1 = v1 + s * r1, b2 = v2 + s * r2;  // what is not yet −s r_t
-  const V d1 = (s01 * b2 - q * b1) * perDet, d2 = (s01 * b1 - p * b2) * perDet;
-  next[0] = x[0] - u[0] - w1 * d1 - w2 * d2;
-  next[1] = x[1] + d1;
-  next[2] = x[2] + d2;
-  V margin, length;
-  marginOf(g, at, friction, r0, next, margin, length);
-  const V perLength = 1 / (length > least ? length : zero + least);
-  const V excess = margin * perLength, share = 1 + excess;
-  const V t1 = r0[1] + next[1], t2 = r0[2] + next[2];
-  const auto presses = r0[0] + next[0] > zero;
-  next[0] = presses ? next[0] : -r0[0];
-  next[1] = presses ? next[1] + excess * t1 : -r0[1];
-  next[2] = presses ? next[2] + excess * t2 : -r0[2];
-  // Newton on 1/‖r_t‖ − 1/(μ r_n), which is nearly linear in s.
-  const V m1 = (s01 * t2 - q * t1) * perDet, m2 = (s01 * t1 - p * t2) * perDet;
-  const V along = share * perLength;
-  const V newton =
-      s + excess * share /
-              ((t1 * m1 + t2 * m2) * along * along + friction * perLength * (w1 * m1 + w2 * m2));
-  const V guess = share < 1 ? 4 * s : 0.25f * s;
-  const V then = (presses & (newton > zero)) ? newton : guess;
-  s = then > least ? (then < most ? then : zero + most) : zero + least;
-  s = slides ? s : known;
-  store(s, g.slip + at);
-}
-
-/// The contacts of some lanes of a group, from lane `at` on. β: how far their reactions go beyond the last sweep's before this one.
-template <class V>
-DELASSUS_WIDE_INLINE void sweepLanes(Group& g, int at, float beta, Velocity* velocities,
-                                     Change& change) {
-  constexpr int count = sizeof(V) / sizeof(float);
-  const V zero = {};
-  float *a[count], *b[count];
-  for (int k = 0; k < count; ++k) {
-    a[k] = velocities[g.a[at + k]].y;
-    b[k] = velocities[g.b[at + k]].y;
-  }
-  V ya[8], yb[8], x[3], u[3], r0[3];
-  for (int k = 0; k < 8; k += 4) {
-    gather(a, k, ya + k);
-    gather(b, k, yb + k);
-  }
-  for (int k = 0; k < 3; ++k) {
-    V now, before, compliance;
-    load(g.dr[k] + at, now);
-    load(g.drBefore[k] + at, before);
-    store(now, g.drBefore[k] + at);
-    x[k] = now + beta * (now - before);
-    load(g.compliance[k] + at, compliance);
-    load(g.u0[k] + at, u[k]);
-    load(g.r0[k] + at, r0[k]);
-    u[k] += compliance * x[k];
-  }
-  for (int k = 0; k < 3; ++k) {
-    V sum[4], of;
-    load(g.Ja[6 * k] + at, of), sum[0] = of * ya[0];
-    load(g.Ja[6 * k + 1] + at, of), sum[1] = of * ya[1];
-    load(g.Jb[6 * k] + at, of), sum[2] = of * yb[0];
-    load(g.Jb[6 * k + 1] + at, of), sum[3] = of * yb[1];
-    for (int i = 2; i < 6; ++i) {
-      load(g.Ja[6 * k + i] + at, of);
-      sum[i % 2] += of * ya[i];
-      load(g.Jb[6 * k + i] + at, of);
-      sum[2 + i % 2] += of * yb[i];
-    }
-    u[k] += (sum[0] + sum[1]) + (sum[2] + sum[3]);
-  }
-  V w1, w2, s00, s01, s11, perDet, friction;
-  load(g.w1 + at, w1), load(g.w2 + at, w2);
-  load(g.s00 + at, s00), load(g.s01 + at, s01), load(g.s11 + at, s11);
-  load(g.perDet + at, perDet), load(g.friction + at, friction);
-  // What would stop it.
-  const V v1 = u[1] - w1 * u[0], v2 = u[2] - w2 * u[0];
-  const V d1 = (s01 * v2 - s11 * v1) * perDet, d2 = (s01 * v1 - s00 * v2) * perDet;
-  const V stuck[3] = {x[0] - u[0] - w1 * d1 - w2 * d2, x[1] + d1, x[2] + d2};
-  V margin, length;
-  marginOf(g, at, friction, r0, stuck, margin, length);
-  const V push = x[0] - u[0] + w1 * (r0[1] + x[1]) + w2 * (r0[2] + x[2]);
-  const auto opens = r0[0] + push <= zero, rubs = friction > zero;
-  const auto sticks = rubs & ~opens & (r0[0] + stuck[0] > zero) & (margin >= zero);
-  V next[3];
-  for (int k = 0; k < 3; ++k) next[k] = sticks ? stuck[k] : -r0[k];
-  next[0] = opens | rubs ? next[0] : push;
-  const auto slides = rubs & ~sticks & ~opens;
-  if (any(slides)) {
-    V sliding[3];
-    slide(g, at, slides, friction, r0, x, u, sliding);
-    for (int k = 0; k < 3; ++k) next[k] = slides ? sliding[k] : next[k];
-  }
-  V energy, largest, unit;
-  load(change.energy + at, energy);
-  load(change.largest + at, largest);
-  load(g.unit + at, unit);
-  for (int k = 0; k < 3; ++k) {
-    store(next[k], g.dr[k] + at);
-    const V d = next[k] - x[k], speed = unit * (d < zero ? -d : d);
-    energy += d * d;
-    largest = speed > largest ? speed : largest;
-    V of;
-    for (int i = 0; i < 6; ++i) {
-      load(g.Ja[6 * k + i] + at, of);
-      ya[i] += of * d;
-      load(g.Jb[6 * k + i] + at, of);
-      yb[i] += of * d;
-    }
-  }
-  store(energy, change.energy + at);
-  store(largest, change.largest + at);
-  for (int k = 0; k < 8; k += 4) {
-    scatter(ya + k, a, k);
-    scatter(yb + k, b, k);
-  }
-}
-
-template <class V>
-DELASSUS_WIDE_INLINE void sweepLanes(RowGroup& g, int at, float beta, Velocity* velocities,
-                                     Change& change) {
-  constexpr int count = sizeof(V) / sizeof(float);
-  const V zero = {};
-  float *a[count], *b[count];
-  for (int k = 0; k < count; ++k) {
-    a[k] = velocities[g.a[at + k]].y;
-    b[k] = velocities[g.b[at + k]].y;
-  }
-  V ya[8], yb[8], now, before, compliance, u, lower, upper, of;
-  for (int k = 0; k < 8; k += 4) {
-    gather(a, k, ya + k);
-    gather(b, k, yb + k);
-  }
-  load(g.dr + at, now);
-  load(g.drBefore + at, before);
-  store(now, g.drBefore + at);
-  load(g.compliance + at, compliance);
-  load(g.u0 + at, u);
-  load(g.lower + at, lower);
-  load(g.upper + at, upper);
-  const V x = now + beta * (now - before);
-  u += compliance * x;
-  V sum[2] = {};
-  for (int i = 0; i < 6; ++i) {
-    load(g.Ja[i] + at, of);
-    sum[0] += of * ya[i];
-    load(g.Jb[i] + at, of);
-    sum[1] += of * yb[i];
-  }
-  u += sum[0] + sum[1];
-  V next = x - u;
-  next = next < lower ? lower : next;
-  next = next > upper ? upper : next;
-  store(next, g.dr + at);
-  V energy, largest, unit;
-  load(change.energy + at, energy);
-  load(change.largest + at, largest);
-  load(g.unit + at, unit);
-  const V d = next - x, speed = unit * (d < zero ? -d : d);
-  energy += d * d;
-  largest = speed > largest ? speed : largest;
-  store(energy, change.energy + at);
-  store(largest, change.largest + at);
-  for (int i = 0; i < 6; ++i) {
-    load(g.Ja[i] + at, of);
-    ya[i] += of * d;
-    load(g.Jb[i] + at, of);
-    yb[i] += of * d;
-  }
-  for (int k = 0; k < 8; k += 4) {
-    scatter(ya + k, a, k);
-    scatter(yb + k, b, k);
-  }
-}
-
-template <class V, class Groups>
-DELASSUS_WIDE_INLINE void sweepGroups(Groups& groups, float beta, Velocity* velocities,
-                                      Change& change) {
-  constexpr int step = sizeof(V) / sizeof(float);
-  for (auto& group : groups)
-    for (int at = 0; at < lanes; at += step) sweepLanes<V>(group, at, beta, velocities, change);
-}
-
-void sweepByFour(std::vector<Group>& contacts, std::vector<RowGroup>& rows, float beta,
-                 Velocity* velocities, Change& change) {
-  sweepGroups<Lanes4>(contacts, beta, velocities, change);
-  sweepGroups<Lanes4>(rows, beta, velocities, change);
-}
-#ifdef DELASSUS_HAS_AVX2
-__attribute__((target("avx2"))) void sweepByEight(std::vector<Group>& contacts,
-                                                  std::vector<RowGroup>& rows, float beta,
-                                                  Velocity* velocities, Change& change) {
-  sweepGroups<Lanes8>(contacts, beta, velocities, change);
-  sweepGroups<Lanes8>(rows, beta, velocities, change);
-}
-#endif
-
-/// What the processor can do.
-auto chooseWidth([[maybe_unused]] bool isNarrow) {
-#ifdef DELASSUS_HAS_AVX2
-  if (!isNarrow && __builtin_cpu_supports("avx2")) return sweepByEight;
-#endif
-  return sweepByFour;
+constexpr int unplaced = -1;
+constexpr int shares = 8;  ///< of a colour: so many hands may sweep
+/// The k-th of so many parts of `count` things begins here.
+int partBegin(int count, int k, int parts) {
+  return static_cast<int>(static_cast<long long>(count) * k / parts);
 }
 
 /// A lane without a contact: one that stays open.
-void clear(int body, int lane, Group& g) {
-  g.at[lane] = none;
+void clear(int body, int lane, ContactGroup& g) {
+  g.at[lane] = ContactGroup::none;
   g.a[lane] = g.b[lane] = body;
   for (int k = 0; k < 18; ++k) g.Ja[k][lane] = g.Jb[k][lane] = 0;
   for (int k = 0; k < 3; ++k) g.compliance[k][lane] = 0;
@@ -275,11 +27,23 @@ void clear(int body, int lane, Group& g) {
 
 /// And one without a row.
 void clear(int body, int lane, RowGroup& g) {
-  g.at[lane] = none;
+  g.at[lane] = RowGroup::none;
   g.a[lane] = g.b[lane] = body;
   for (int k = 0; k < 6; ++k) g.Ja[k][lane] = g.Jb[k][lane] = 0;
   g.compliance[lane] = 0;
   g.unit[lane] = 1;
+}
+
+/// Empty groups. A body that is not there has its place behind the others, one for each share, since hands write there too.
+template <class Group>
+void clearAll(int bodies, const std::vector<int>& colours, std::vector<Group>& groups) {
+  for (std::size_t k = 1; k < colours.size(); ++k) {
+    const int count = colours[k] - colours[k - 1];
+    for (int share = 0; share < shares; ++share)
+      for (int g = partBegin(count, share, shares); g < partBegin(count, share + 1, shares); ++g)
+        for (int lane = 0; lane < lanes; ++lane)
+          clear(bodies + share, lane, groups[colours[k - 1] + g]);
+  }
 }
 
 template <class Rows, class Lanes>
@@ -289,7 +53,7 @@ void fill(int body, const Rows& J, double perUnit, int lane, int& place, Lanes* 
   for (int k = 0; k < J.size(); ++k) of[k][lane] = static_cast<float>(perUnit * J.data()[k]);
 }
 
-void fill(const Problem& problem, int i, const Mat3& W, int lane, Group& g) {
+void fill(const Problem& problem, int i, const Mat3& W, int lane, ContactGroup& g) {
   const BodySpace& space = problem.W.bodySpace();
   const ContactRows& c = space.contacts[i];
   const double unit = std::sqrt(W(0, 0)), perUnit = 1 / unit, per = 1 / W(0, 0);
@@ -338,17 +102,17 @@ bool ColouredSweeps::setProblem(const Problem& problem, const NaturalMap& map) {
   }
   placeContacts(problem, map);
   placeRows(problem, map);
-  velocities_.resize(problem.W.bodySpace().bodies + 1);
+  velocities_.resize(problem.W.bodySpace().bodies + shares);
   return true;
 }
 
-/// Finds the places of contacts or rows in groups whose bodies are all different, and returns how many groups there are. `of` gives one
-/// with its a and b, or null for what nothing moves and has no place.
+/// Finds the places of contacts or rows in groups whose bodies are all different, and which groups have a colour. `of` gives one with its
+/// a and b, or null for what nothing moves and has no place.
 template <class Of>
-int ColouredSweeps::place(int count, const Problem& problem, const Of& of) {
+void ColouredSweeps::place(int count, const Problem& problem, const Of& of, Colours& begins) {
   constexpr int colours = 64;  // what a body has more of come one by one, at the end
   coloursOf_.assign(problem.W.bodySpace().bodies, 0);
-  placeOf_.assign(count, none);
+  placeOf_.assign(count, unplaced);
   int countOf[colours + 1] = {};
   for (int i = 0; i < count; ++i) {
     const auto* c = of(i);
@@ -364,40 +128,42 @@ int ColouredSweeps::place(int count, const Problem& problem, const Of& of) {
     if (c->b >= 0) coloursOf_[c->b] |= std::uint64_t(1) << colour;
   }
   int next[colours + 1], groups = 0;
-  for (int k = 0; k <= colours; ++k) {
+  begins.assign(1, 0);
+  for (int k = 0; k < colours; ++k) {
     next[k] = lanes * groups;
-    groups += k < colours ? (countOf[k] + lanes - 1) / lanes : countOf[k];
+    groups += (countOf[k] + lanes - 1) / lanes;
+    if (countOf[k] > 0) begins.push_back(groups);
   }
+  next[colours] = lanes * groups;
+  for (int k = 0; k < countOf[colours]; ++k) begins.push_back(++groups);
   for (int& place : placeOf_) {
-    if (place == none) continue;
+    if (place == unplaced) continue;
     const int colour = place;
     place = next[colour];
     next[colour] += colour < colours ? 1 : lanes;
   }
-  return groups;
 }
 
 void ColouredSweeps::placeContacts(const Problem& problem, const NaturalMap& map) {
   const BodySpace& space = problem.W.bodySpace();
-  groups_.resize(place(problem.contacts(), problem, [&](int i) {
-    return map.diagonal()[3 * i] > 0 ? &space.contacts[i] : nullptr;
-  }));
-  for (Group& g : groups_)
-    for (int lane = 0; lane < lanes; ++lane) clear(space.bodies, lane, g);
+  const auto of = [&](int i) { return map.diagonal()[3 * i] > 0 ? &space.contacts[i] : nullptr; };
+  place(problem.contacts(), problem, of, contactColours_);
+  contacts_.resize(contactColours_.back());
+  clearAll(space.bodies, contactColours_, contacts_);
   for (int i = 0; i < problem.contacts(); ++i)
-    if (placeOf_[i] != none)
-      fill(problem, i, map.contactBlock(i), placeOf_[i] % lanes, groups_[placeOf_[i] / lanes]);
+    if (placeOf_[i] != unplaced)
+      fill(problem, i, map.contactBlock(i), placeOf_[i] % lanes, contacts_[placeOf_[i] / lanes]);
 }
 
 void ColouredSweeps::placeRows(const Problem& problem, const NaturalMap& map) {
   const BodySpace& space = problem.W.bodySpace();
   const double* W = map.diagonal().data() + 3 * problem.contacts();
-  rows_.resize(
-      place(problem.rows(), problem, [&](int i) { return W[i] > 0 ? &space.rows[i] : nullptr; }));
-  for (RowGroup& g : rows_)
-    for (int lane = 0; lane < lanes; ++lane) clear(space.bodies, lane, g);
+  const auto of = [&](int i) { return W[i] > 0 ? &space.rows[i] : nullptr; };
+  place(problem.rows(), problem, of, rowColours_);
+  rows_.resize(rowColours_.back());
+  clearAll(space.bodies, rowColours_, rows_);
   for (int i = 0; i < problem.rows(); ++i)
-    if (placeOf_[i] != none)
+    if (placeOf_[i] != unplaced)
       fill(problem, i, W[i], placeOf_[i] % lanes, rows_[placeOf_[i] / lanes]);
 }
 
@@ -406,16 +172,16 @@ void ColouredSweeps::start(const Problem& problem, const VectorXd& r) {
   u_ += problem.q;
   startContacts(problem, r);
   startRows(problem, r);
-  std::fill(velocities_.begin(), velocities_.end(), Velocity{});
+  std::fill(velocities_.begin(), velocities_.end(), SweptVelocity{});
 }
 
 void ColouredSweeps::startContacts(const Problem& problem, const VectorXd& r) {
-  for (Group& g : groups_)
+  for (ContactGroup& g : contacts_)
     for (int lane = 0; lane < lanes; ++lane) {
       const int i = g.at[lane];
       Vec3 r0 = Vec3::Zero(), u0 = Vec3::UnitX();
       double friction = 0;
-      if (i != none) {
+      if (i != ContactGroup::none) {
         r0 = g.unit[lane] * r.segment<3>(3 * i);
         u0 = u_.segment<3>(3 * i) / g.unit[lane];
         friction = problem.friction[i];
@@ -436,7 +202,7 @@ void ColouredSweeps::startRows(const Problem& problem, const VectorXd& r) {
   for (RowGroup& g : rows_)
     for (int lane = 0; lane < lanes; ++lane) {
       const int i = g.at[lane], row = i - 3 * problem.contacts();
-      const bool isThere = i != none;
+      const bool isThere = i != RowGroup::none;
       const double unit = g.unit[lane];
       g.u0[lane] = isThere ? static_cast<float>(u_[i] / unit) : 0;
       g.lower[lane] = isThere ? static_cast<float>(unit * (problem.lower[row] - r[i])) : 0;
@@ -445,35 +211,102 @@ void ColouredSweeps::startRows(const Problem& problem, const VectorXd& r) {
     }
 }
 
-int ColouredSweeps::sweep(const Problem& problem, int most, double aim, VectorXd& r) {
-  start(problem, r);
-  const auto sweepAll = chooseWidth(isNarrow_);
+struct ColouredSweeps::Pass {
+  Pass(int mostSweeps, double aimedChange, bool isNarrow)
+      : most(mostSweeps), aim(aimedChange), sweeps(groupSweeps(isNarrow)) {}
+
+  const int most;
+  const double aim;
+  const GroupSweeps sweeps;
+  SweepChange changes[shares];  ///< of each share of the colours, whoever swept it
   float beta = 0;
   double last = 0, pace = 1;
   int made = 0;
-  while (made < most) {
-    for (Velocity& v : velocities_) v.goOn(beta);
-    Change change;
-    sweepAll(groups_, rows_, beta, velocities_.data(), change);
+
+  /// After a sweep: how far the next goes beyond it. False if it was the last.
+  bool goOn() {
     ++made;
-    double energy = 0;
-    for (const float share : change.energy) energy += share;
-    if (*std::max_element(std::begin(change.largest), std::end(change.largest)) <= aim) break;
+    double energy = 0, largest = 0;
+    for (SweepChange& change : changes) {
+      for (const float share : change.energy) energy += share;
+      for (const float share : change.largest) largest = std::max<double>(largest, share);
+      change = {};
+    }
     if (made == 1 || energy > last) pace = 1;
     const double next = 0.5 * (1 + std::sqrt(1 + 4 * pace * pace));
     beta = static_cast<float>((pace - 1) / next);
     pace = next;
     last = energy;
+    return made < most && largest > aim;
   }
-  for (const Group& g : groups_)
+};
+
+template <class Group>
+void ColouredSweeps::sweepShare(Pass& pass, int colour, int share, const Colours& colours,
+                                std::vector<Group>& groups, SweepGroups<Group> sweep) {
+  const int begin = colours[colour], count = colours[colour + 1] - begin;
+  const int from = partBegin(count, share, shares), to = partBegin(count, share + 1, shares);
+  if (from < to)
+    sweep(&groups[begin + from], to - from, pass.beta, velocities_.data(), pass.changes[share]);
+}
+
+/// A share of one of the rounds of a sweep: the velocities go on, then each colour of the contacts, then of the rows.
+void ColouredSweeps::work(Pass& pass, int round, int share) {
+  const auto contactColours = static_cast<int>(contactColours_.size()) - 1;
+  if (round == 0) {
+    const auto bodies = static_cast<int>(velocities_.size());
+    for (int k = partBegin(bodies, share, shares); k < partBegin(bodies, share + 1, shares); ++k)
+      velocities_[k].goOn(pass.beta);
+  } else if (round <= contactColours) {
+    sweepShare(pass, round - 1, share, contactColours_, contacts_, pass.sweeps.contacts);
+  } else {
+    sweepShare(pass, round - 1 - contactColours, share, rowColours_, rows_, pass.sweeps.rows);
+  }
+}
+
+/// One sweep after the other; `inShares` has all shares of a round done.
+template <class InShares>
+void ColouredSweeps::lead(Pass& pass, const InShares& inShares) {
+  const auto rounds = static_cast<int>(contactColours_.size() + rowColours_.size()) - 1;
+  do
+    for (int round = 0; round < rounds; ++round) inShares(round);
+  while (pass.goOn());
+}
+
+int ColouredSweeps::sweep(const Problem& problem, int most, double aim, VectorXd& r) {
+  constexpr int worthwhile = 1000;  // parts: fewer are swept before others have come
+  if (most <= 0) return 0;
+  start(problem, r);
+  Pass pass(most, aim, isNarrow_);
+  const auto part = [&](int round, int share) { work(pass, round, share); };
+  if (!hands_ || problem.contacts() + problem.rows() < worthwhile) {
+    lead(pass, [&](int round) {
+      for (int share = 0; share < shares; ++share) part(round, share);
+    });
+  } else {
+    Rounds rounds;
+    const auto task = [&](int hand) {
+      if (hand > 0) return rounds.help(part);
+      lead(pass, [&](int round) { rounds.lead(round, shares, part); });
+      rounds.end();
+    };
+    hands_->together(
+        [](const void* context, int hand) { (*static_cast<decltype(&task)>(context))(hand); },
+        &task);
+  }
+  finish(problem, r);
+  return pass.made;
+}
+
+void ColouredSweeps::finish(const Problem& problem, VectorXd& r) const {
+  for (const ContactGroup& g : contacts_)
     for (int lane = 0; lane < lanes; ++lane)
-      for (int k = 0; k < 3 && g.at[lane] != none; ++k)
+      for (int k = 0; k < 3 && g.at[lane] != ContactGroup::none; ++k)
         r[3 * g.at[lane] + k] += double(g.dr[k][lane]) / g.unit[lane];
   for (const RowGroup& g : rows_)
     for (int lane = 0; lane < lanes; ++lane)
-      if (g.at[lane] != none) r[g.at[lane]] += double(g.dr[lane]) / g.unit[lane];
+      if (g.at[lane] != RowGroup::none) r[g.at[lane]] += double(g.dr[lane]) / g.unit[lane];
   makeFeasible(problem, r);
-  return made;
 }
 
 }  // namespace delassus

@@ -17,6 +17,8 @@
 
 namespace delassus {
 
+class Hands;
+
 /// The search for the reactions of one problem after the other: by sweeps, by patches, from region to region. What has been found
 /// so far is `best`; nothing is lost that was better. Storage is used again.
 class Search {
@@ -26,6 +28,8 @@ class Search {
   /// Before all else.
   void setProblem(const Problem& problem) { map_.setProblem(problem); }
   const NaturalMap& map() const { return map_; }
+  /// Who helps from now on; null: none.
+  void setHands(Hands* hands) { hands_ = hands; }
 
   /// Takes `r`, moved into the cones and bounds, as the best answer if its residual is smaller.
   void offer(const Problem& problem, const VectorXd& r, Solution& best);
@@ -133,6 +137,7 @@ class Search {
   bool sweepAndLearn(const Problem& problem, const Options& options, double tolerance,
                      Solution& best);
   void settle(const Problem& problem, const Options& options, double tolerance, Solution& best);
+  bool setColours(const Problem& problem);
   void setSweeps(const Problem& problem, bool byColour);
   void sweepAll(const Problem& problem, const Options& options, double tolerance, Solution& best);
   void sweepWhileItGains(const Problem& problem, const Options& options, double tolerance,
@@ -156,6 +161,7 @@ class Search {
 
   /// With so few sweeps none are to be lost on what may gain nothing: as the user has it, whatever share of them a walk has.
   bool isHurried_ = false;
+  Hands* hands_ = nullptr;
   NaturalMap map_;
   DenseNewton<Eigen::Dynamic> dense_;
   std::unique_ptr<Machines> own_;  ///< none in a search for patches

@@ -39,8 +39,8 @@ void Search::sweepAll(const Problem& problem, const Options& options, double tol
   constexpr double trusted = 0.8;
   trial_.r = trusted * best.r;
   const bool byColour = problem.contacts() > many && options.sweepBudget - best.sweeps >= burst &&
-                        machines().coloured.setProblem(problem, map_);
-  if (!byColour) machines().sweeps.setProblem(problem, map_);
+                        setColours(problem);
+  if (!byColour) setSweeps(problem, byColour);
   while (best.sweeps < options.sweepBudget && best.residual > tolerance) {
     const int count = std::min(burst, options.sweepBudget - best.sweeps);
     if (byColour)
@@ -57,8 +57,8 @@ void Search::sweepWhileItGains(const Problem& problem, const Options& options, d
                                Solution& best) {
   constexpr int fewSweeps = 20, manySweeps = 100;
   constexpr double gain = 0.7;
-  const bool byColour = machines().coloured.setProblem(problem, map_);
-  if (!byColour) machines().sweeps.setProblem(problem, map_);
+  const bool byColour = setColours(problem);
+  if (!byColour) setSweeps(problem, byColour);
   const int burst = byColour ? manySweeps : fewSweeps;
   double before = infinity;
   while (best.residual < gain * before && best.residual > tolerance &&
@@ -76,16 +76,16 @@ void Search::sweepWhileItGains(const Problem& problem, const Options& options, d
 }
 
 /// Sweeps as long as they gain, and where they do not, patches: what settles in this way needs no factor of the whole island.
-/// The residual may rise on the way, since a wall that is met lets others go. In large heaps they go by colour, as far as single
-/// precision does.
+/// The residual may rise on the way, since a wall that is met lets others go. Where there are many parts they go by colour, as far as
+/// single precision does.
 void Search::settle(const Problem& problem, const Options& options, double tolerance,
                     Solution& best) {
-  constexpr int patience = 6, fewSweeps = 20, manySweeps = 100;
+  constexpr int patience = 6, fewSweeps = 20, manySweeps = 100, manyParts = 200;
   constexpr double gain = 0.7, rough = 1e-7;
   // Half as many sweeps where all is remembered; elsewhere the memory is worth more than the time.
   const int memory = isHeap(problem) ? Anderson::longest : 4;
   const double roughly = std::max(tolerance, rough * problem.q.cwiseAbs().maxCoeff());
-  bool byColour = isLargeHeap(problem) && machines().coloured.setProblem(problem, map_);
+  bool byColour = problem.contacts() + problem.rows() > manyParts && setColours(problem);
   double change = roughly;  // of a velocity, that is worth a sweep by colour
   if (!byColour) setSweeps(problem, byColour);
   trial_.r = best.r;
@@ -122,9 +122,15 @@ void Search::settle(const Problem& problem, const Options& options, double toler
   }
 }
 
+/// False where sweeps cannot go by colour.
+bool Search::setColours(const Problem& problem) {
+  machines().coloured.setHands(hands_);
+  return machines().coloured.setProblem(problem, map_);
+}
+
 void Search::setSweeps(const Problem& problem, bool byColour) {
   if (byColour)
-    machines().coloured.setProblem(problem, map_);
+    setColours(problem);
   else
     machines().sweeps.setProblem(problem, map_);
 }

@@ -42,6 +42,8 @@ Solver::~Solver() = default;
 Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
 
+void Solver::setHands(Hands* hands) { search_->setHands(hands); }
+
 std::size_t Solver::bytes() const { return search_->bytes() + bytesOf(formula_, guess_); }
 
 Solution Solver::solve(const Problem& problem, const VectorXd& guess) {

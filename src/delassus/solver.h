@@ -8,6 +8,7 @@
 
 namespace delassus {
 
+class Hands;
 class Search;
 
 /// Walks from region to region until one holds its own answer. Owns its storage; not thread-safe, one per thread.
@@ -26,6 +27,10 @@ class Solver {
   Solution solve(const Problem& problem, const VectorXd& guess = {});
   /// The same into storage that is used again; `guess` may be its reactions.
   void solve(const Problem& problem, const VectorXd& guess, Solution& into);
+
+  /// Lends threads for large problems, until another call or null takes them back: the same answer, bit for bit. They must live until then,
+  /// and be at no other work while this solves.
+  void setHands(Hands* hands);
 
   const Options& options() const { return options_; }
   /// Of the storage.

@@ -17,10 +17,10 @@ const auto alike = [](int) { return 1; };
 // Hands and items by turns, so that some hands find nothing to do.
 TEST(Crew, DoesEveryItemOnceAndNoHandTwoAtATime) {
   Crew crew;
-  EXPECT_EQ(crew.hands(), 1);
+  EXPECT_EQ(crew.count(), 1);
   for (int hands : {1, 4, 2, 3, 1, 2}) {
     crew.setHands(hands);
-    EXPECT_EQ(crew.hands(), hands);
+    EXPECT_EQ(crew.count(), hands);
     for (int count : {0, 1, 2, 3, 5, 200}) {
       std::vector<int> done(count, 0);
       std::vector<std::atomic<int>> busy(hands);
@@ -47,6 +47,31 @@ TEST(Crew, AllHandsWorkAtTheSameTime) {
     if (++begun == hands) all.set_value();
     EXPECT_EQ(allBegun.wait_for(std::chrono::seconds(20)), std::future_status::ready);
   });
+}
+
+// In each round every share is done once, by whoever takes it, and sees what was done in the round before.
+TEST(Crew, AllHandsTakePartInRounds) {
+  constexpr int last = 2000, shares = 5;
+  Crew crew;
+  for (int hands : {1, 2, 4}) {
+    crew.setHands(hands);
+    Rounds rounds;
+    std::vector<int> done(shares, 0);
+    const auto work = [&](int round, int share) {
+      if (done[share] == round) ++done[share];
+    };
+    const auto task = [&](int hand) {
+      if (hand > 0) return rounds.help(work);
+      for (int round = 0; round < last; ++round) {
+        rounds.lead(round, shares, work);
+        EXPECT_EQ(done, std::vector<int>(shares, round + 1));
+      }
+      rounds.end();
+    };
+    crew.together(
+        [](const void* context, int hand) { (*static_cast<decltype(&task)>(context))(hand); },
+        &task);
+  }
 }
 
 // One item is as heavy as all the others: it is the part of one hand, which the other does not wait for.

@@ -145,6 +145,18 @@ void buildField(BulletWorld& world) {
     world.addCube({btScalar(2 * (i % 25)), btScalar(0.5), btScalar(2 * (i / 25))});
 }
 
+/// A block of spheres that touch, shaken: one island of more than a thousand contacts, on which all hands work, beside single ones.
+void buildBlock(BulletWorld& world) {
+  world.addGround();
+  for (int i = 0; i < 486; ++i)
+    world
+        .addSphere(btScalar(0.25),
+                   {btScalar(0.499) * (i % 9), btScalar(0.249) + btScalar(0.499) * (i / 81),
+                    btScalar(0.499) * (i / 9 % 9)})
+        .setLinearVelocity({btScalar(0.1) * (i % 5), btScalar(-0.1) * (i % 7), 0});
+  for (int i = 0; i < 8; ++i) world.addCube({btScalar(3 * i), btScalar(0.5), -5});
+}
+
 TEST(Threads, TheMotionTheReportAndTheEventsAreTheSame) {
   const std::pair<Build, int> worlds[] = {
       {buildStacks, 60}, {buildDolls, 60}, {buildRain, 60}, {buildSunk, 10}, {buildField, 8}};
@@ -156,6 +168,15 @@ TEST(Threads, TheMotionTheReportAndTheEventsAreTheSame) {
   }
   EXPECT_GT(run(buildSunk, 2, always(1)).pushIslands, 10);
   EXPECT_GT(run(buildField, 2, always(1)).mostContacts, 2000);
+}
+
+TEST(Threads, AllOfThemSweepALargeIslandWithTheSameMotion) {
+  Options options;
+  options.newtonBudget = 0;
+  options.sweepBudget = 100;
+  const History serial = run(buildBlock, 4, always(1), options);
+  EXPECT_GT(serial.mostContacts, 1000);
+  for (int threads : {2, 3}) expectSame(run(buildBlock, 4, always(threads), options), serial);
 }
 
 TEST(Threads, MessagesComeInTheOrderOfTheIslands) {

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+#include <vector>
+
+#include "delassus/hands.h"
 #include "delassus/one_contact.h"
 #include "delassus/solver.h"
 #include "tests/support/random_piles.h"
@@ -19,6 +23,25 @@ PileIsland heapOfSpheres(int seed, double friction = 0.5) {
   Random random(seed);
   return PileIsland(makeSphereHeap(200, 4.7, friction, 0.1, random));
 }
+
+/// Threads that are started for each task.
+class HiredHands final : public Hands {
+ public:
+  explicit HiredHands(int count) : count_(count) {}
+  int count() const override { return count_; }
+  void together(void (*work)(const void* context, int hand), const void* context) override {
+    ++tasks;
+    std::vector<std::thread> others;
+    for (int hand = 1; hand < count_; ++hand) others.emplace_back(work, context, hand);
+    work(context, 0);
+    for (std::thread& other : others) other.join();
+  }
+
+  int tasks = 0;
+
+ private:
+  int count_;
+};
 
 /// A tower of boxes whose contacts have different friction, some none.
 PileIsland towerOfMixedFriction(int height, Random& random) {
@@ -136,6 +159,34 @@ TEST(ColouredSweeps, TheWidthOfTheProcessorDoesNotChangeABit) {
   for (const Problem& problem : {heap.problem, plate.problem, tower.problem}) {
     const VectorXd start = randomReactions(problem, 1, random);
     EXPECT_EQ(sweep(problem, 50, 0, start, false).r, sweep(problem, 50, 0, start, true).r);
+  }
+}
+
+TEST(ColouredSweeps, HandsDoNotChangeABit) {
+  Random random(76);
+  // The first has rows too, the second contacts that come one by one.
+  for (const PileIsland& island :
+       {towerOfMixedFriction(300, random), plateOnPoints(1100, random)}) {
+    const Problem& problem = island.problem;
+    ASSERT_GE(problem.contacts() + problem.rows(), 1000);
+    const VectorXd start = randomReactions(problem, 1, random);
+    NaturalMap map;
+    map.setProblem(problem);
+    ColouredSweeps sweeps;
+    ASSERT_TRUE(sweeps.setProblem(problem, map));
+    VectorXd alone = start;
+    sweeps.sweep(problem, 30, 0, alone);
+    for (int count : {1, 2, 9}) {
+      HiredHands hands(count);
+      sweeps.setHands(&hands);
+      VectorXd r = start;
+      EXPECT_EQ(sweeps.sweep(problem, 30, 0, r), 30);
+      EXPECT_EQ(r, alone) << count << " hands";
+      EXPECT_EQ(hands.tasks, 1);
+      sweeps.setHands(nullptr);
+      sweeps.sweep(problem, 1, 0, r);
+      EXPECT_EQ(hands.tasks, 1);
+    }
   }
 }
 
