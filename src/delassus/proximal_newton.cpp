@@ -355,24 +355,30 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
                                          int regionBudget, bool fromRegion, double residual,
                                          Solution& best) {
   constexpr double smallest = 1e-12, largest = 10, hardly = 1e-7, growth = 10;
-  constexpr int mostOuters = 60, mostFailures = 6;
+  // How the weight shrinks: less boldly after a failure, and more so again once two steps in a row were easy.
+  constexpr double boldest = 0.01;
+  constexpr int fewRegions = 6;
+  constexpr int mostOuters = 1000;  // budgets end before, unless steps take no regions
   setTolerance(tolerance);
   r_ = center_;
-  double shrink = 0.01;  // less boldly after each failure
-  int failures = 0;
+  double shrink = boldest;
+  int easySteps = 0;
   for (int outer = 0; outer < mostOuters; ++outer) {
     setWeights(alpha);
+    const int regionsBefore = regionBudget;
     const Solution* region = fromRegion && outer == 0 ? &best : nullptr;
     if (solveProximal(problem, regionBudget, best, region) == Inner::Failed) {
       // Where the budget ends, what is half done may be better than nothing.
       if (regionBudget <= 0) moveTo(measure(problem), best);
       if (best.residual <= tolerance) return Outcome::Reached;
-      if (fromRegion || regionBudget <= 0 || ++failures > mostFailures || alpha >= largest)
-        return Outcome::Lost;
+      if (fromRegion || regionBudget <= 0 || alpha >= largest) return Outcome::Lost;
       shrink = std::sqrt(shrink);
+      easySteps = 0;
       alpha *= growth;
       continue;
     }
+    easySteps = regionsBefore - regionBudget <= fewRegions ? easySteps + 1 : 0;
+    if (easySteps > 1) shrink = std::max(boldest, shrink * std::sqrt(shrink));
     const double now = measure(problem);
     if (now > std::max(0.5 * residual, tolerance) && alpha <= hardly &&
         growsInVain(problem, tolerance, now)) {
