@@ -37,6 +37,31 @@ void sweepContacts(const Problem& problem, const OneContact* blocks, const Vecto
   }
 }
 
+/// And all its rows that are of no disk.
+DELASSUS_WIDE
+void sweepRows(const Problem& problem, const VectorXd& diagonal, VectorXd& y, VectorXd& r) {
+  const BodySpace& space = problem.W.bodySpace();
+  const bool articulated = !space.parts.empty();
+  const int begin = 3 * problem.contacts();
+  for (int at = begin; at < problem.disksBegin(); ++at) {
+    if (!(diagonal[at] > 0)) continue;
+    const int row = at - begin;
+    const BodySpace::ScalarRow& c = space.rows[row];
+    double u = problem.q[at] + space.compliance[at] * r[at];
+    if (c.a >= 0) u += c.Ja.dot(y.segment<6>(6 * c.a));
+    if (c.b >= 0) u += c.Jb.dot(y.segment<6>(6 * c.b));
+    const BodySpace::PartRange parts =
+        articulated ? space.partsOf(at) : BodySpace::PartRange{nullptr, nullptr};
+    for (const BodySpace::Part& p : parts) u += p.J.row(0).dot(y.segment<6>(6 * p.body));
+    const double next = boundedRow(r[at], u, diagonal[at], problem.lower[row], problem.upper[row]);
+    const double dr = next - r[at];
+    if (c.a >= 0) y.segment<6>(6 * c.a) += c.Ja.transpose() * dr;
+    if (c.b >= 0) y.segment<6>(6 * c.b) += c.Jb.transpose() * dr;
+    for (const BodySpace::Part& p : parts) y.segment<6>(6 * p.body) += p.J.row(0).transpose() * dr;
+    r[at] = next;
+  }
+}
+
 }  // namespace
 
 void Sweeps::setProblem(const Problem& problem, const NaturalMap& map) {
@@ -167,7 +192,7 @@ void Sweeps::sweepOnce(const Problem& problem, VectorXd& r) {
 
 void Sweeps::sweepBodies(const Problem& problem, VectorXd& r) {
   sweepContacts(problem, blocks_.data(), *diagonal_, y_, r);
-  for (int at = 3 * problem.contacts(); at < problem.disksBegin(); ++at) sweepRow(problem, at, r);
+  sweepRows(problem, *diagonal_, y_, r);
   for (std::size_t k = 0; k < problem.disks.size(); ++k) sweepDisk(problem, static_cast<int>(k), r);
 }
 
@@ -191,15 +216,6 @@ void Sweeps::react(const Problem& problem, int unknown, double next, VectorXd& r
   for (const BodySpace::Part& p : space.partsOf(unknown))
     y_.segment<6>(6 * p.body) += p.J.row(0).transpose() * dr;
   r[unknown] = next;
-}
-
-void Sweeps::sweepRow(const Problem& problem, int at, VectorXd& r) {
-  if (!((*diagonal_)[at] > 0)) return;
-  const int row = at - 3 * problem.contacts();
-  react(problem, at,
-        boundedRow(r[at], velocityOf(problem, at, r), (*diagonal_)[at], problem.lower[row],
-                   problem.upper[row]),
-        r);
 }
 
 void Sweeps::sweepDisk(const Problem& problem, int k, VectorXd& r) {

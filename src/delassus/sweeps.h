@@ -40,9 +40,8 @@ class Sweeps {
   void follow(Anderson& acceleration, const Problem& problem, const VectorXd& r);
   void sweepOnce(const Problem& problem, VectorXd& r);
   void sweepBodies(const Problem& problem, VectorXd& r);
-  void sweepRow(const Problem& problem, int at, VectorXd& r);
   void sweepDisk(const Problem& problem, int k, VectorXd& r);
-  /// u of a row, and its next reaction.
+  /// u of an unknown of a disk, and its next reaction.
   double velocityOf(const Problem& problem, int unknown, const VectorXd& r) const;
   void react(const Problem& problem, int unknown, double next, VectorXd& r);
   void sweepEntries(const Problem& problem, VectorXd& r);
