@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.272401 0.00118067 0.272401 0.272401
+0.310201 0.0015522 0.310201 0.310201
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-1.40181 0.00349957 1.40181 1.40181
+0.970589 0.00300822 0.970589 0.970589
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.019667 58.5231 0.019667 0.019667
+0.014888 58.5231 0.014888 0.014888
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.066996 52.8113 0.066996 0.066996
+0.050194 52.8113 0.050194 0.050194
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.14383 52.0951 0.14383 0.14383
+0.143178 52.0951 0.143178 0.143178
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.798827 51.863 0.798827 0.798827
+0.943399 51.863 0.943399 0.943399
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.231434 0.0289805 0.231434 0.231434
+0.230732 0.0289805 0.230732 0.230732
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.016251 56.2986 0.016251 0.016251
+0.016191 56.2986 0.016191 0.016191
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.067026 51.9634 0.067026 0.067026
+0.068498 51.9634 0.068498 0.068498
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.310101 53.4827 0.310101 0.310101
+0.216967 53.4827 0.216967 0.216967
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.047459 58.4105 0.047459 0.047459
+0.044864 58.4105 0.044864 0.044864
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.104446 53.9692 0.104446 0.104446
+0.108343 53.9692 0.108343 0.108343
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-28.5392 0.311767 28.5392 28.5392
+18.2469 0.480156 18.2469 18.2469
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.272401 0.00147588 0.272401 0.272401
+0.310201 0.000436305 0.310201 0.310201
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-1.40181 0.00108136 1.40181 1.40181
+0.970589 0.00257369 0.970589 0.970589
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.019667 0.0860226 0.019667 0.019667
+0.014888 0.0860226 0.014888 0.014888
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.066996 0.125669 0.066996 0.066996
+0.050194 0.125669 0.050194 0.050194
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.14383 0.0745132 0.14383 0.14383
+0.143178 0.0745132 0.143178 0.143178
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.798827 0.141876 0.798827 0.798827
+0.943399 0.141876 0.943399 0.943399
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.231434 0.00548533 0.231434 0.231434
+0.230732 0.00548533 0.230732 0.230732
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.016251 0.07651 0.016251 0.016251
+0.016191 0.07651 0.016191 0.016191
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.067026 0.0918368 0.067026 0.067026
+0.068498 0.0918368 0.068498 0.068498
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.310101 0.166559 0.310101 0.310101
+0.216967 0.166559 0.216967 0.216967
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.047459 0.13303 0.047459 0.047459
+0.044864 0.13303 0.044864 0.044864
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.104446 0.0948268 0.104446 0.104446
+0.108343 0.0948268 0.108343 0.108343
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-28.5392 0.00786191 28.5392 28.5392
+18.2469 0.00786191 18.2469 18.2469
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.272401 1.57298e-11 0.272401 0.272401
+0.310201 0.00281819 0.310201 0.310201
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-1.40181 0.0183986 1.40181 1.40181
+0.970589 0.00606302 0.970589 0.970589
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.019667 0.152558 0.019667 0.019667
+0.014888 0.152558 0.014888 0.014888
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.066996 0.180157 0.066996 0.066996
+0.050194 0.180157 0.050194 0.050194
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.14383 0.271838 0.14383 0.14383
+0.143178 0.271838 0.143178 0.143178
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.798827 0.249463 0.798827 0.798827
+0.943399 0.249463 0.943399 0.943399
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.231434 0.0503998 0.231434 0.231434
+0.230732 0.0503998 0.230732 0.230732
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.016251 0.189352 0.016251 0.016251
+0.016191 0.189352 0.016191 0.016191
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.067026 0.172081 0.067026 0.067026
+0.068498 0.172081 0.068498 0.068498
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.310101 0.257695 0.310101 0.310101
+0.216967 0.257695 0.216967 0.216967
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.047459 0.141583 0.047459 0.047459
+0.044864 0.141583 0.044864 0.044864
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.104446 0.156361 0.104446 0.104446
+0.108343 0.156361 0.108343 0.108343
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-28.5392 1e-12 28.5392 28.5392
+18.2469 1e-12 18.2469 18.2469
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.009248:195.622]
+set xrange [0.00870545:114.003]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -223,25 +223,25 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.366603, graph 0.178688 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.531093, graph 0.257336 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.350239, graph 0.410351 left front noenhanced textcolor rgb '#e69f00'
-set label "lemke" at graph 0.833669, graph 0.582305 left front noenhanced textcolor rgb '#999999'
-set label "si:1000" at graph 0.474627, graph 0.952476 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.225814, graph 0.92934 left front noenhanced textcolor rgb '#009e73'
-set label "si:200" at graph 0.302479, graph 0.871334 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.275537, graph 0.952799 to graph 0.302479, graph 0.871334 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.0596272, graph 0.930512 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.379618, graph 0.815047 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.352676, graph 0.954702 to graph 0.379618, graph 0.815047 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.270353, graph 0.757513 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.243411, graph 0.955358 to graph 0.270353, graph 0.757513 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.0835457, graph 0.876951 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0566038, graph 0.958416 to graph 0.0835457, graph 0.876951 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.191152, graph 0.821427 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.16421, graph 0.961082 to graph 0.191152, graph 0.821427 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.102702, graph 0.763376 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0757601, graph 0.961221 to graph 0.102702, graph 0.763376 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.403868, graph 0.198491 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.524193, graph 0.246385 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.372648, graph 0.410351 left front noenhanced textcolor rgb '#e69f00'
+set label "lemke" at graph 0.833669, graph 0.613564 left front noenhanced textcolor rgb '#999999'
+set label "si:1000" at graph 0.521195, graph 0.952476 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.244542, graph 0.92934 left front noenhanced textcolor rgb '#009e73'
+set label "si:200" at graph 0.322314, graph 0.871334 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.295372, graph 0.952799 to graph 0.322314, graph 0.871334 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.0456037, graph 0.930512 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.177566, graph 0.873237 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.339218, graph 0.954702 to graph 0.312276, graph 0.873237 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.292906, graph 0.815702 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.265964, graph 0.955358 to graph 0.292906, graph 0.815702 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.0923959, graph 0.818761 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.065454, graph 0.958416 to graph 0.0923959, graph 0.818761 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.199904, graph 0.763237 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.172962, graph 0.961082 to graph 0.199904, graph 0.763237 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.0835457, graph 0.763376 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0566038, graph 0.961221 to graph 0.0835457, graph 0.763376 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -264,7 +264,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.009248:195.622]
+set xrange [0.00870545:114.003]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -275,23 +275,22 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-3" at graph 0.531093, graph 0.258492 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.133106, graph 0.292263 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.350239, graph 0.434801 left front noenhanced textcolor rgb '#e69f00'
+set label "delassus" at graph 0.403868, graph 0.159947 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.524193, graph 0.352639 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.372648, graph 0.434801 left front noenhanced textcolor rgb '#e69f00'
 set label "lemke" at graph 0.833669, graph 0.473882 left front noenhanced textcolor rgb '#999999'
-set label "si:200" at graph 0.302479, graph 0.718058 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.0835457, graph 0.709292 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.102702, graph 0.815119 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0757601, graph 0.733653 to graph 0.102702, graph 0.815119 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:50" at graph 0.225814, graph 0.775668 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig:1e-6" at graph 0.270353, graph 0.662767 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.243411, graph 0.744233 to graph 0.270353, graph 0.662767 nohead lw 0.6 lc rgb '#555555'
-set label "si:50" at graph 0.225769, graph 0.832996 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.198827, graph 0.774807 to graph 0.225769, graph 0.832996 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.191152, graph 0.885729 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.16421, graph 0.780987 to graph 0.191152, graph 0.885729 nohead lw 0.6 lc rgb '#555555'
-set label "si:1000" at graph 0.474627, graph 0.787977 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.379618, graph 0.840306 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.322314, graph 0.718058 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.0923959, graph 0.709292 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.0835457, graph 0.815119 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0566038, graph 0.733653 to graph 0.0835457, graph 0.815119 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:50" at graph 0.244542, graph 0.775668 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.292906, graph 0.662767 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.265964, graph 0.744233 to graph 0.292906, graph 0.662767 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.0456037, graph 0.763169 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.199904, graph 0.839177 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.172962, graph 0.780987 to graph 0.199904, graph 0.839177 nohead lw 0.6 lc rgb '#555555'
+set label "si:1000" at graph 0.521195, graph 0.787977 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.36616, graph 0.828668 left front noenhanced textcolor rgb '#cc79a7'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -314,7 +313,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.009248:195.622]
+set xrange [0.00870545:114.003]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -326,24 +325,24 @@ unset label
 unset arrow
 unset object
 set label "lemke" at graph 0.833669, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "delassus" at graph 0.366603, graph 0.168979 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.531093, graph 0.866522 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.350239, graph 0.900187 left front noenhanced textcolor rgb '#e69f00'
-set label "dantzig" at graph 0.191152, graph 0.876503 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.16421, graph 0.934693 to graph 0.191152, graph 0.876503 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.102702, graph 0.972101 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.270353, graph 0.809993 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.243411, graph 0.93801 to graph 0.270353, graph 0.809993 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.0147689, graph 0.906296 left front noenhanced textcolor rgb '#009e73'
-set label "si:50" at graph 0.0596272, graph 0.849639 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.198827, graph 0.942742 to graph 0.171885, graph 0.849639 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.0835457, graph 0.793112 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0566038, graph 0.944405 to graph 0.0835457, graph 0.793112 nohead lw 0.6 lc rgb '#009e73'
-set label "si:1000" at graph 0.474627, graph 0.953616 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.379618, graph 0.756856 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.352676, graph 0.9547 to graph 0.379618, graph 0.756856 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:200" at graph 0.113886, graph 0.735365 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.275537, graph 0.956485 to graph 0.248596, graph 0.735365 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.403868, graph 0.803844 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.524193, graph 0.852713 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.372648, graph 0.900187 left front noenhanced textcolor rgb '#e69f00'
+set label "dantzig" at graph 0.199904, graph 0.876503 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.172962, graph 0.934693 to graph 0.199904, graph 0.876503 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.0835457, graph 0.972101 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.292906, graph 0.751803 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.265964, graph 0.93801 to graph 0.292906, graph 0.751803 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.0334967, graph 0.906296 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.0456037, graph 0.849639 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.184804, graph 0.942742 to graph 0.157862, graph 0.849639 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.0923959, graph 0.793112 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.065454, graph 0.944405 to graph 0.0923959, graph 0.793112 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000" at graph 0.521195, graph 0.953616 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.36616, graph 0.698666 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.339218, graph 0.9547 to graph 0.36616, graph 0.698666 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:200" at graph 0.133721, graph 0.735365 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.295372, graph 0.956485 to graph 0.26843, graph 0.735365 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,37 +2,37 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.024295 5.8401e-05 0.024295 0.024295
+0.018976 5.8401e-05 0.018976 0.018976
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.027762 6.17465e-05 0.027762 0.027762
+0.229922 0.000217299 0.229922 0.229922
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.035216 5.11253 0.035216 0.035216
+0.036378 5.11253 0.036378 0.036378
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.126547 4.78169 0.126547 0.126547
+0.14361 4.78169 0.14361 0.14361
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.372809 4.80447 0.372809 0.372809
+0.491612 4.80447 0.491612 0.491612
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-1.7489 5.09893 1.7489 1.7489
+2.39883 5.09893 2.39883 2.39883
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.127289 0.366385 0.127289 0.127289
+0.185518 0.366385 0.185518 0.185518
 EOD
 $line0_7 << EOD
 EOD
@@ -42,62 +42,62 @@ EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.002214 2.61083e+09 0.002214 0.002214
+0.004178 2.61083e+09 0.004178 0.004178
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.497573 5.02576 0.497573 0.497573
+0.727675 5.02576 0.727675 0.727675
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.199604 4.77027 0.199604 0.199604
+0.266981 4.77027 0.266981 0.266981
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.40531 5.32617 0.40531 0.40531
+0.582622 5.32617 0.582622 0.582622
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-304.681 0.0384875 304.681 304.681
+483.671 0.0238991 483.671 483.671
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.024295 1e-05 0.024295 0.024295
+0.018976 1e-05 0.018976 0.018976
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.027762 1e-05 0.027762 0.027762
+0.229922 1e-05 0.229922 0.229922
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.035216 0.121117 0.035216 0.035216
+0.036378 0.121117 0.036378 0.036378
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.126547 0.167842 0.126547 0.126547
+0.14361 0.167842 0.14361 0.14361
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.372809 0.142591 0.372809 0.372809
+0.491612 0.142591 0.491612 0.491612
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-1.7489 0.130371 1.7489 1.7489
+2.39883 0.130371 2.39883 2.39883
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.127289 0.00221929 0.127289 0.127289
+0.185518 0.00221929 0.185518 0.185518
 EOD
 $line1_7 << EOD
 EOD
@@ -107,62 +107,62 @@ EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.002214 1e-05 0.002214 0.002214
+0.004178 1e-05 0.004178 0.004178
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.497573 0.150794 0.497573 0.497573
+0.727675 0.150794 0.727675 0.727675
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.199604 0.198679 0.199604 0.199604
+0.266981 0.198679 0.266981 0.266981
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.40531 0.211083 0.40531 0.40531
+0.582622 0.211083 0.582622 0.582622
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-304.681 0.00357857 304.681 304.681
+483.671 0.00357857 483.671 483.671
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.024295 1e-12 0.024295 0.024295
+0.018976 1e-12 0.018976 0.018976
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.027762 1e-12 0.027762 0.027762
+0.229922 0.000202078 0.229922 0.229922
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.035216 0.206329 0.035216 0.035216
+0.036378 0.206329 0.036378 0.036378
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.126547 0.0960487 0.126547 0.126547
+0.14361 0.0960487 0.14361 0.14361
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.372809 0.878815 0.372809 0.372809
+0.491612 0.878815 0.491612 0.491612
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-1.7489 0.443111 1.7489 1.7489
+2.39883 0.443111 2.39883 2.39883
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.127289 0.00309642 0.127289 0.127289
+0.185518 0.00309642 0.185518 0.185518
 EOD
 $line2_7 << EOD
 EOD
@@ -172,27 +172,27 @@ EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.002214 1e-12 0.002214 0.002214
+0.004178 1e-12 0.004178 0.004178
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.497573 0.311414 0.497573 0.497573
+0.727675 0.311414 0.727675 0.727675
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.199604 0.294591 0.199604 0.199604
+0.266981 0.294591 0.266981 0.266981
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.40531 0.364726 0.40531 0.40531
+0.582622 0.364726 0.582622 0.582622
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-304.681 1e-12 304.681 304.681
+483.671 1e-12 483.671 483.671
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.000906604:6424.62]
+set xrange [0.0017333:9754.52]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,21 +223,20 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.235411, graph 0.0510947 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.243867, graph 0.0992592 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.216926, graph 0.0527075 to graph 0.243867, graph 0.0992592 nohead lw 0.6 lc rgb '#0060a8'
-set label "lemke" at graph 0.833669, graph 0.239021 left front noenhanced textcolor rgb '#999999'
-set label "si2:50" at graph 0.340407, graph 0.304262 left front noenhanced textcolor rgb '#e69f00'
-set label "dantzig" at graph 0.368928, graph 0.355294 left front noenhanced textcolor rgb '#555555'
-set label "si:50" at graph 0.173895, graph 0.355363 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.408534, graph 0.41369 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.238241, graph 0.414994 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:1000" at graph 0.506525, graph 0.461964 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.479583, graph 0.380499 to graph 0.506525, graph 0.461964 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:10" at graph 0.0928033, graph 0.403852 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.0905298, graph 0.463227 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.386891, graph 0.381761 to graph 0.359949, graph 0.463227 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.124559, graph 0.557599 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.180909, graph 0.0510947 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.341402, graph 0.100775 left front noenhanced textcolor rgb '#0060a8'
+set label "lemke" at graph 0.833669, graph 0.225225 left front noenhanced textcolor rgb '#999999'
+set label "si2:50" at graph 0.327596, graph 0.304262 left front noenhanced textcolor rgb '#e69f00'
+set label "dantzig" at graph 0.351016, graph 0.355294 left front noenhanced textcolor rgb '#555555'
+set label "si:50" at graph 0.14498, graph 0.355363 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.390294, graph 0.41369 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.226931, graph 0.403356 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:1000" at graph 0.492271, graph 0.461964 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.465329, graph 0.380499 to graph 0.492271, graph 0.461964 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:10" at graph 0.056637, graph 0.403852 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.0779185, graph 0.451589 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.37428, graph 0.381761 to graph 0.347338, graph 0.451589 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.0843111, graph 0.557599 left front noenhanced textcolor rgb '#009e73'
 set label "nncg:50" at graph 0.0835457, graph 0.961119 left front noenhanced textcolor rgb '#009e73'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -261,7 +260,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.000906604:6424.62]
+set xrange [0.0017333:9754.52]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -272,24 +271,22 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.235411, graph 0.142857 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.243867, graph 0.189409 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.216926, graph 0.142857 to graph 0.243867, graph 0.189409 nohead lw 0.6 lc rgb '#0060a8'
-set label "nncg:50" at graph 0.0835457, graph 0.189409 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0566038, graph 0.142857 to graph 0.0835457, graph 0.189409 nohead lw 0.6 lc rgb '#009e73'
-set label "si2:50" at graph 0.340407, graph 0.478031 left front noenhanced textcolor rgb '#e69f00'
+set label "delassus" at graph 0.180909, graph 0.119581 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.341402, graph 0.177771 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg:50" at graph 0.0835457, graph 0.177771 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.327596, graph 0.478031 left front noenhanced textcolor rgb '#e69f00'
 set label "lemke" at graph 0.833669, graph 0.507673 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.0928033, graph 0.726172 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.506525, graph 0.73074 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.21994, graph 0.701385 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.426835, graph 0.786321 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.399893, graph 0.739769 to graph 0.426835, graph 0.786321 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:50" at graph 0.173895, graph 0.781328 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.368928, graph 0.838345 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.341986, graph 0.756879 to graph 0.368928, graph 0.838345 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.0905298, graph 0.830464 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.386891, graph 0.760636 to graph 0.359949, graph 0.830464 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.124559, graph 0.87818 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.056637, graph 0.726172 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.492271, graph 0.73074 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.201701, graph 0.701385 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.415525, graph 0.786321 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.388583, graph 0.739769 to graph 0.415525, graph 0.786321 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:50" at graph 0.14498, graph 0.781328 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.351016, graph 0.838345 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.324074, graph 0.756879 to graph 0.351016, graph 0.838345 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.0779185, graph 0.830464 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.37428, graph 0.760636 to graph 0.347338, graph 0.830464 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.0843111, graph 0.87818 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -312,7 +309,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.000906604:6424.62]
+set xrange [0.0017333:9754.52]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -323,25 +320,24 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.235411, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.243867, graph 0.11798 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.216926, graph 0.0714286 to graph 0.243867, graph 0.11798 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.180909, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
 set label "nncg:50" at graph 0.0835457, graph 0.11798 left front noenhanced textcolor rgb '#009e73'
 set arrow from graph 0.0566038, graph 0.0714286 to graph 0.0835457, graph 0.11798 nohead lw 0.6 lc rgb '#009e73'
 set label "lemke" at graph 0.833669, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
-set label "si2:50" at graph 0.340407, graph 0.749347 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.340037, graph 0.855892 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.0928033, graph 0.879611 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.157883, graph 0.93721 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.341986, graph 0.890659 to graph 0.315044, graph 0.93721 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:50" at graph 0.426835, graph 0.927295 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.413833, graph 0.80418 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.386891, graph 0.897283 to graph 0.413833, graph 0.80418 nohead lw 0.6 lc rgb '#555555'
-set label "si:1000" at graph 0.506525, graph 0.880046 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.124559, graph 0.827564 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0976169, graph 0.920667 to graph 0.124559, graph 0.827564 nohead lw 0.6 lc rgb '#009e73'
-set label "si:200" at graph 0.408534, graph 0.691805 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.381592, graph 0.924564 to graph 0.408534, graph 0.691805 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.341402, graph 0.66468 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.327596, graph 0.749347 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.311122, graph 0.855892 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.056637, graph 0.879611 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.139971, graph 0.93721 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.324074, graph 0.890659 to graph 0.297132, graph 0.93721 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:50" at graph 0.415525, graph 0.927295 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.401222, graph 0.80418 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.37428, graph 0.897283 to graph 0.401222, graph 0.80418 nohead lw 0.6 lc rgb '#555555'
+set label "si:1000" at graph 0.492271, graph 0.880046 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.0843111, graph 0.827564 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0573691, graph 0.920667 to graph 0.0843111, graph 0.827564 nohead lw 0.6 lc rgb '#009e73'
+set label "si:200" at graph 0.201701, graph 0.691805 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.363352, graph 0.924564 to graph 0.33641, graph 0.691805 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,182 +2,182 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.0107 39.7133 0.0107 0.0107
+0.006202 39.7133 0.006202 0.006202
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.039964 39.7131 0.039964 0.039964
+0.023956 39.7131 0.023956 0.023956
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.012473 37.9149 0.012473 0.012473
+0.009327 37.9149 0.009327 0.009327
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.040987 38.2401 0.040987 0.040987
+0.029395 38.2401 0.029395 0.029395
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.147657 38.6732 0.147657 0.147657
+0.109826 38.6732 0.109826 0.109826
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.689523 38.757 0.689523 0.689523
+0.495509 38.757 0.495509 0.495509
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.048801 39.732 0.048801 0.048801
+0.034856 39.732 0.034856 0.034856
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.013786 36.4352 0.013786 0.013786
+0.009538 36.4352 0.009538 0.009538
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.182913 38.2932 0.182913 0.182913
+0.113853 38.2932 0.113853 0.113853
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.033212 32.8561 0.033212 0.033212
+0.020108 32.8561 0.020108 0.020108
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.030758 37.9822 0.030758 0.030758
+0.030316 37.9822 0.030316 0.030316
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-36.2617 37.5966 36.2617 36.2617
+35.0404 37.5966 35.0404 35.0404
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.0107 7.83551e-12 0.0107 0.0107
+0.006202 9.35574e-12 0.006202 0.006202
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.039964 0.00666647 0.039964 0.039964
+0.023956 0.00666647 0.023956 0.023956
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.012473 0.00500574 0.012473 0.012473
+0.009327 0.00500574 0.009327 0.009327
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.040987 0.00669307 0.040987 0.040987
+0.029395 0.00669307 0.029395 0.029395
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.147657 0.00333333 0.147657 0.147657
+0.109826 0.00333333 0.109826 0.109826
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.689523 0.00333333 0.689523 0.689523
+0.495509 0.00333333 0.495509 0.495509
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.048801 0.00669494 0.048801 0.048801
+0.034856 0.00669494 0.034856 0.034856
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.013786 0.0301487 0.013786 0.013786
+0.009538 0.0301487 0.009538 0.009538
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.182913 0.00669307 0.182913 0.182913
+0.113853 0.00669307 0.113853 0.113853
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.033212 0.022196 0.033212 0.033212
+0.020108 0.022196 0.020108 0.020108
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.030758 0.00333328 0.030758 0.030758
+0.030316 0.00333328 0.030316 0.030316
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-36.2617 0.0424203 36.2617 36.2617
+35.0404 0.0424203 35.0404 35.0404
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.0107 1.6714e-11 0.0107 0.0107
+0.006202 1.52876e-11 0.006202 0.006202
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.039964 4.07415e-07 0.039964 0.039964
+0.023956 3.81901e-07 0.023956 0.023956
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.012473 0.00599616 0.012473 0.012473
+0.009327 0.00599616 0.009327 0.009327
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.040987 0.0019067 0.040987 0.040987
+0.029395 0.0019067 0.029395 0.029395
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.147657 0.000601327 0.147657 0.147657
+0.109826 0.000601327 0.109826 0.109826
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.689523 0.000111512 0.689523 0.689523
+0.495509 0.000111512 0.495509 0.495509
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.048801 0.000496805 0.048801 0.048801
+0.034856 0.000496805 0.034856 0.034856
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.013786 0.0127535 0.013786 0.013786
+0.009538 0.0127535 0.009538 0.009538
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.182913 0.00216536 0.182913 0.182913
+0.113853 0.00216536 0.113853 0.113853
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.033212 0.00360595 0.033212 0.033212
+0.020108 0.00360595 0.020108 0.020108
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.030758 1.40259e-06 0.030758 0.030758
+0.030316 1.40259e-06 0.030316 0.030316
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-36.2617 0.00958296 36.2617 36.2617
+35.0404 0.00958296 35.0404 35.0404
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -197,7 +197,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00579439:294.432]
+set xrange [0.00323151:324.563]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics nomirror (10, 20, 50, 100, 200, 500)
@@ -208,25 +208,26 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig" at graph 0.188075, graph 0.516616 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.106932, graph 0.631349 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0799899, graph 0.561522 to graph 0.106932, graph 0.631349 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.185674, graph 0.516616 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.120917, graph 0.631349 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0939747, graph 0.561522 to graph 0.120917, graph 0.631349 nohead lw 0.6 lc rgb '#009e73'
 set label "lemke" at graph 0.833669, graph 0.575149 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.0976952, graph 0.683552 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0707533, graph 0.57881 to graph 0.0976952, graph 0.683552 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.180991, graph 0.463201 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.154049, graph 0.57958 to graph 0.180991, graph 0.463201 nohead lw 0.6 lc rgb '#555555'
-set label "si:50" at graph 0.0413445, graph 0.535967 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.180545, graph 0.582519 to graph 0.153603, graph 0.535967 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.345523, graph 0.559846 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.325763, graph 0.622323 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.467985, graph 0.611626 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.205154, graph 0.738589 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.178212, graph 0.598933 to graph 0.205154, graph 0.738589 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:10" at graph 0.118974, graph 0.683552 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0920324, graph 0.57881 to graph 0.118974, graph 0.683552 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.221322, graph 0.463201 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.19438, graph 0.57958 to graph 0.221322, graph 0.463201 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.0525009, graph 0.489416 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.191701, graph 0.582519 to graph 0.164759, graph 0.489416 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.336213, graph 0.618035 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.333086, graph 0.564134 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.463906, graph 0.669816 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.436964, graph 0.588351 to graph 0.463906, graph 0.669816 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.200878, graph 0.738589 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.173936, graph 0.598934 to graph 0.200878, graph 0.738589 nohead lw 0.6 lc rgb '#0060a8'
 set label "delassus" at graph 0.0835457, graph 0.785142 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.598936 to graph 0.0835457, graph 0.785142 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.22359, graph 0.680606 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.196648, graph 0.59914 to graph 0.22359, graph 0.680606 nohead lw 0.6 lc rgb '#e69f00'
+set label "si2:50" at graph 0.233438, graph 0.680606 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.206496, graph 0.59914 to graph 0.233438, graph 0.680606 nohead lw 0.6 lc rgb '#e69f00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -248,7 +249,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00579439:294.432]
+set xrange [0.00323151:324.563]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -259,23 +260,23 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0812788 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.180991, graph 0.84244 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.325763, graph 0.923906 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.298821, graph 0.865716 to graph 0.325763, graph 0.923906 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.467985, graph 0.865716 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.0976952, graph 0.916684 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.205154, graph 0.974547 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.178212, graph 0.893081 to graph 0.205154, graph 0.974547 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:50" at graph 0.0413445, graph 0.858325 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.345523, graph 0.788497 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.318581, graph 0.893239 to graph 0.345523, graph 0.788497 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si2:50" at graph 0.0349964, graph 0.800146 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.196648, graph 0.89325 to graph 0.169706, graph 0.800146 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig" at graph 0.188075, graph 0.789277 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.161133, graph 0.94057 to graph 0.188075, graph 0.789277 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.106932, graph 0.73154 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0799899, graph 0.952661 to graph 0.106932, graph 0.73154 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus" at graph 0.0835457, graph 0.0882798 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.221322, graph 0.84244 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.333086, graph 0.90063 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.463906, graph 0.784251 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.436964, graph 0.865716 to graph 0.463906, graph 0.784251 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:10" at graph 0.118974, graph 0.916684 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.200878, graph 0.974547 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.173936, graph 0.893081 to graph 0.200878, graph 0.974547 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:50" at graph 0.0525009, graph 0.858325 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.147619, graph 0.788497 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.309271, graph 0.893239 to graph 0.282329, graph 0.788497 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si2:50" at graph 0.233438, graph 0.730319 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.206496, graph 0.89325 to graph 0.233438, graph 0.730319 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig" at graph 0.185674, graph 0.672898 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.158733, graph 0.94057 to graph 0.185674, graph 0.672898 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.120917, graph 0.615161 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0939747, graph 0.952661 to graph 0.120917, graph 0.615161 nohead lw 0.6 lc rgb '#009e73'
 set label "lemke" at graph 0.833669, graph 0.966143 left front noenhanced textcolor rgb '#999999'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -298,31 +299,31 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00579439:294.432]
+set xrange [0.00323151:324.563]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
 unset mytics
 set format y "10^{%T}"
-set yrange [1e-11:0.1]
+set yrange [1e-12:0.1]
 set ylabel "joints pulled apart, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0232759 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.205154, graph 0.461004 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.180991, graph 0.514693 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.467985, graph 0.704732 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0349964, graph 0.769619 left front noenhanced textcolor rgb '#e69f00'
-set label "si:200" at graph 0.325763, graph 0.777911 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0413445, graph 0.828028 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.345523, graph 0.833553 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.188075, graph 0.86734 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.0976952, graph 0.924339 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0707533, graph 0.877787 to graph 0.0976952, graph 0.924339 nohead lw 0.6 lc rgb '#d55e00'
-set label "lemke" at graph 0.833669, graph 0.89815 left front noenhanced textcolor rgb '#999999'
-set label "nncg:10" at graph 0.106932, graph 0.712718 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0799899, graph 0.910563 to graph 0.106932, graph 0.712718 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus" at graph 0.0835457, graph 0.107667 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.200878, graph 0.50745 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.221322, graph 0.558812 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.463906, graph 0.731575 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0448445, graph 0.790562 left front noenhanced textcolor rgb '#e69f00'
+set label "si:200" at graph 0.333086, graph 0.798101 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0525009, graph 0.843662 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.336213, graph 0.848685 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.185674, graph 0.903734 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.118974, graph 0.958725 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0920324, graph 0.888898 to graph 0.118974, graph 0.958725 nohead lw 0.6 lc rgb '#d55e00'
+set label "lemke" at graph 0.833669, graph 0.907409 left front noenhanced textcolor rgb '#999999'
+set label "nncg:10" at graph 0.120917, graph 0.732487 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0939747, graph 0.918694 to graph 0.120917, graph 0.732487 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,167 +2,167 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.365556 1e-12 0.365556 0.365556
+0.348704 1e-12 0.348704 0.348704
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.189926 1e-12 0.189926 0.189926
+0.289413 1e-12 0.289413 0.289413
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.050946 1e-12 0.050946 0.050946
+0.052508 1e-12 0.052508 0.052508
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.178825 1e-12 0.178825 0.178825
+0.143259 1e-12 0.143259 0.143259
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.505949 1e-12 0.505949 0.505949
+0.659686 1e-12 0.659686 0.659686
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-3.14356 1e-12 3.14356 3.14356
+2.30467 1e-12 2.30467 2.30467
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.210905 1e-12 0.210905 0.210905
+0.200035 1e-12 0.200035 0.200035
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.667472 1e-12 0.667472 0.667472
+0.483447 1e-12 0.483447 0.483447
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.464221 1972.84 0.464221 0.464221
+0.32564 1972.84 0.32564 0.32564
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.731511 1e-12 0.731511 0.731511
+0.660819 1e-12 0.660819 0.660819
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-34.2009 1e-12 34.2009 34.2009
+26.4361 1e-12 26.4361 26.4361
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.365556 0.0122086 0.365556 0.365556
+0.348704 0.011605 0.348704 0.348704
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.189926 0.0144739 0.189926 0.189926
+0.289413 0.0129302 0.289413 0.289413
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.050946 0.0182838 0.050946 0.050946
+0.052508 0.0182838 0.052508 0.052508
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.178825 0.0146517 0.178825 0.178825
+0.143259 0.0146517 0.143259 0.143259
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.505949 0.0156359 0.505949 0.505949
+0.659686 0.0156359 0.659686 0.659686
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-3.14356 0.0193802 3.14356 3.14356
+2.30467 0.0193802 2.30467 2.30467
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.210905 0.0148255 0.210905 0.210905
+0.200035 0.0148255 0.200035 0.200035
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.667472 0.0271712 0.667472 0.667472
+0.483447 0.0271712 0.483447 0.483447
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.464221 0.0669926 0.464221 0.464221
+0.32564 0.0669926 0.32564 0.32564
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.731511 0.0211407 0.731511 0.731511
+0.660819 0.0211407 0.660819 0.660819
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-34.2009 1.45434e-05 34.2009 34.2009
+26.4361 1.45434e-05 26.4361 26.4361
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.365556 0.000218443 0.365556 0.365556
+0.348704 0.000217932 0.348704 0.348704
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.189926 0.000503057 0.189926 0.189926
+0.289413 0.000327311 0.289413 0.289413
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.050946 0.147173 0.050946 0.050946
+0.052508 0.147173 0.052508 0.052508
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.178825 0.0267271 0.178825 0.178825
+0.143259 0.0267271 0.143259 0.143259
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.505949 0.00570616 0.505949 0.505949
+0.659686 0.00570616 0.659686 0.659686
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-3.14356 0.0010972 3.14356 3.14356
+2.30467 0.0010972 2.30467 2.30467
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.210905 0.0267271 0.210905 0.210905
+0.200035 0.0267271 0.200035 0.200035
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.667472 0.0267271 0.667472 0.667472
+0.483447 0.0267271 0.483447 0.483447
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.464221 0.284647 0.464221 0.464221
+0.32564 0.284647 0.32564 0.32564
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.731511 0.000277861 0.731511 0.731511
+0.660819 0.000277861 0.660819 0.660819
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-34.2009 0.000371813 34.2009 34.2009
+26.4361 0.000371813 26.4361 26.4361
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -182,7 +182,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.031174:182.982]
+set xrange [0.032835:131.333]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -193,22 +193,21 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.310643, graph 0.0355477 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.235186, graph 0.0937373 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.0835457, graph 0.0588235 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0621036, graph 0.105375 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.201304, graph 0.0588235 to graph 0.174362, graph 0.105375 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.348098, graph 0.140289 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.321156, graph 0.0588235 to graph 0.348098, graph 0.140289 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.558604, graph 0.0588235 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0586666, graph 0.151927 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.220318, graph 0.0588235 to graph 0.193376, graph 0.151927 nohead lw 0.6 lc rgb '#e69f00'
-set label "pgs:50" at graph 0.380027, graph 0.186841 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.353085, graph 0.0588235 to graph 0.380027, graph 0.186841 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.0672811, graph 0.198479 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.363642, graph 0.0588235 to graph 0.3367, graph 0.198479 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.311814, graph 0.0355477 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.289344, graph 0.0937373 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.0835457, graph 0.0355477 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0384177, graph 0.0937373 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.388682, graph 0.140289 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.36174, graph 0.0588235 to graph 0.388682, graph 0.140289 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.539505, graph 0.0471856 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.24481, graph 0.140289 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.217868, graph 0.0588235 to graph 0.24481, graph 0.140289 nohead lw 0.6 lc rgb '#e69f00'
+set label "pgs:50" at graph 0.351206, graph 0.186841 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.324264, graph 0.0588235 to graph 0.351206, graph 0.186841 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.0655856, graph 0.186841 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.361947, graph 0.0588235 to graph 0.335005, graph 0.186841 nohead lw 0.6 lc rgb '#555555'
 set label "lemke" at graph 0.833669, graph 0.0588235 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.338179, graph 0.958535 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.303564, graph 0.958535 left front noenhanced textcolor rgb '#555555'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -229,7 +228,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.031174:182.982]
+set xrange [0.032835:131.333]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -241,22 +240,22 @@ unset label
 unset arrow
 unset object
 set label "lemke" at graph 0.833669, graph 0.232533 left front noenhanced textcolor rgb '#999999'
-set label "delassus" at graph 0.310643, graph 0.805695 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.235186, graph 0.913582 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.208244, graph 0.832117 to graph 0.235186, graph 0.913582 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:50" at graph 0.0621036, graph 0.82154 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0586666, graph 0.880753 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.220318, graph 0.834202 to graph 0.193376, graph 0.880753 nohead lw 0.6 lc rgb '#e69f00'
-set label "si:200" at graph 0.159505, graph 0.768997 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.321156, graph 0.838824 to graph 0.294214, graph 0.768997 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.311814, graph 0.812929 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.289344, graph 0.764131 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.262402, graph 0.822321 to graph 0.289344, graph 0.764131 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:50" at graph 0.0384177, graph 0.82154 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0562166, graph 0.880753 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.217868, graph 0.834202 to graph 0.190926, graph 0.880753 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:200" at graph 0.200088, graph 0.8621 left front noenhanced textcolor rgb '#d55e00'
 set label "si:10" at graph 0.0835457, graph 0.933879 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.852413 to graph 0.0835457, graph 0.933879 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.558604, graph 0.857472 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.390584, graph 0.969765 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.363642, graph 0.865024 to graph 0.390584, graph 0.969765 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:50" at graph 0.380027, graph 0.863546 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.338179, graph 0.755723 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.311237, graph 0.965205 to graph 0.338179, graph 0.755723 nohead lw 0.6 lc rgb '#555555'
+set label "si:1000" at graph 0.539505, graph 0.857472 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.388889, graph 0.911576 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.361947, graph 0.865024 to graph 0.388889, graph 0.911576 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:50" at graph 0.351206, graph 0.968287 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.324264, graph 0.886822 to graph 0.351206, graph 0.968287 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.0925184, graph 0.767361 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.276622, graph 0.965205 to graph 0.24968, graph 0.767361 nohead lw 0.6 lc rgb '#555555'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -277,7 +276,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.031174:182.982]
+set xrange [0.032835:131.333]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -288,17 +287,18 @@ set ylabel "joints pulled apart, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.310643, graph 0.0848343 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.390584, graph 0.134233 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.311814, graph 0.0845803 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.388889, graph 0.134233 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.289344, graph 0.18693 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.262402, graph 0.12874 to graph 0.289344, graph 0.18693 nohead lw 0.6 lc rgb '#0060a8'
 set label "lemke" at graph 0.833669, graph 0.142581 left front noenhanced textcolor rgb '#999999'
-set label "delassus:1e-3" at graph 0.235186, graph 0.187042 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.558604, graph 0.260072 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.348098, graph 0.439086 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0621036, graph 0.606738 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.24726, graph 0.641652 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.380027, graph 0.5951 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:1000" at graph 0.539505, graph 0.260072 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.388682, graph 0.439086 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0384177, graph 0.606738 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.24481, graph 0.641652 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.351206, graph 0.5951 left front noenhanced textcolor rgb '#cc79a7'
 set label "si:10" at graph 0.0835457, graph 0.791957 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.338179, graph 0.863577 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.303564, graph 0.863577 left front noenhanced textcolor rgb '#555555'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

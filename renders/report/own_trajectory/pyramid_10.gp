@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.160241 1e-12 0.160241 0.160241
+0.075992 1e-12 0.075992 0.075992
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.160581 1.4845e-10 0.160581 0.160581
+0.075421 1e-12 0.075421 0.075421
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.253345 0.00743872 0.253345 0.253345
+0.178465 0.00743872 0.178465 0.178465
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.925154 0.00478727 0.925154 0.925154
+0.68782 0.00478727 0.68782 0.68782
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-3.499 0.0019517 3.499 3.499
+2.84996 0.0019517 2.84996 2.84996
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-13.3494 0.000311285 13.3494 13.3494
+12.6481 0.000311285 12.6481 12.6481
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-1.06654 0.0295384 1.06654 1.06654
+1.06689 0.0295384 1.06689 1.06689
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.253826 0.0259801 0.253826 0.253826
+0.246893 0.0259801 0.246893 0.246893
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-1.34034 0.0140686 1.34034 1.34034
+1.01228 0.0140686 1.01228 1.01228
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-13.1195 0.00467153 13.1195 13.1195
+10.8783 0.00467153 10.8783 10.8783
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-4.96733 0.00743872 4.96733 4.96733
+2.65677 0.00743872 2.65677 2.65677
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-83.6658 1.22696e-05 83.6658 83.6658
+72.1231 1.22696e-05 72.1231 72.1231
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-2018.85 0.00524926 2018.85 2018.85
+1113.45 0.00546619 1113.45 1113.45
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.160241 1e-12 0.160241 0.160241
+0.075992 1e-12 0.075992 0.075992
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.160581 4.15379e-11 0.160581 0.160581
+0.075421 1e-12 0.075421 0.075421
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.253345 0.00193605 0.253345 0.253345
+0.178465 0.00193605 0.178465 0.178465
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.925154 0.000123043 0.925154 0.925154
+0.68782 0.000123043 0.68782 0.68782
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-3.499 1.20872e-05 3.499 3.499
+2.84996 1.20872e-05 2.84996 2.84996
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-13.3494 1.6582e-06 13.3494 13.3494
+12.6481 1.6582e-06 12.6481 12.6481
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-1.06654 0.00349947 1.06654 1.06654
+1.06689 0.00349947 1.06689 1.06689
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.253826 0.0041112 0.253826 0.253826
+0.246893 0.0041112 0.246893 0.246893
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-1.34034 0.00735095 1.34034 1.34034
+1.01228 0.00735095 1.01228 1.01228
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-13.1195 0.000115843 13.1195 13.1195
+10.8783 0.000115843 10.8783 10.8783
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-4.96733 0.00193605 4.96733 4.96733
+2.65677 0.00193605 2.65677 2.65677
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-83.6658 1.85381e-06 83.6658 83.6658
+72.1231 1.85381e-06 72.1231 72.1231
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-2018.85 0.00148448 2018.85 2018.85
+1113.45 0.00193605 1113.45 1113.45
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.160241 1e-12 0.160241 0.160241
+0.075992 1e-12 0.075992 0.075992
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.160581 1e-12 0.160581 0.160581
+0.075421 1e-12 0.075421 0.075421
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.253345 0.000915652 0.253345 0.253345
+0.178465 0.000915652 0.178465 0.178465
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.925154 0.000346473 0.925154 0.925154
+0.68782 0.000346473 0.68782 0.68782
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-3.499 7.95587e-05 3.499 3.499
+2.84996 7.95587e-05 2.84996 2.84996
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-13.3494 1.19033e-05 13.3494 13.3494
+12.6481 1.19033e-05 12.6481 12.6481
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-1.06654 0.00357685 1.06654 1.06654
+1.06689 0.00357685 1.06689 1.06689
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.253826 0.0251522 0.253826 0.253826
+0.246893 0.0251522 0.246893 0.246893
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-1.34034 0.159299 1.34034 1.34034
+1.01228 0.159299 1.01228 1.01228
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-13.1195 0.000334435 13.1195 13.1195
+10.8783 0.000334435 10.8783 10.8783
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-4.96733 0.000915652 4.96733 4.96733
+2.65677 0.000915652 2.65677 2.65677
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-83.6658 1e-12 83.6658 83.6658
+72.1231 1e-12 72.1231 72.1231
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-2018.85 1e-12 2018.85 2018.85
+1113.45 1e-12 1113.45 1113.45
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0785897:22991.8]
+set xrange [0.0365501:13209.3]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -223,24 +223,25 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0837141, graph 0.264298 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.580741, graph 0.674069 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.434921, graph 0.791097 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.328537, graph 0.857534 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.43354, graph 0.912397 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.0567034, graph 0.878369 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.833669, graph 0.893342 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.11994, graph 0.824493 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0929981, graph 0.905958 to graph 0.11994, graph 0.824493 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.356377, graph 0.964148 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.329435, graph 0.905958 to graph 0.356377, graph 0.964148 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.0412542, graph 0.975573 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.225357, graph 0.929021 to graph 0.198415, graph 0.975573 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.120091, graph 0.776651 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0931488, graph 0.95122 to graph 0.120091, graph 0.776651 nohead lw 0.6 lc rgb '#009e73'
-set label "si2:50" at graph 0.234144, graph 0.723107 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.207202, graph 0.955866 to graph 0.234144, graph 0.723107 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus" at graph 0.0841351, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.129885 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566038, graph 0.0833333 to graph 0.0835457, graph 0.129885 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.619815, graph 0.674069 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.483786, graph 0.791097 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.367344, graph 0.857534 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.472008, graph 0.912397 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.0901249, graph 0.878369 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.833669, graph 0.894807 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.150847, graph 0.975786 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.123905, graph 0.905958 to graph 0.150847, graph 0.975786 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.361859, graph 0.964148 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.334917, graph 0.905958 to graph 0.361859, graph 0.964148 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.075417, graph 0.82428 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.25952, graph 0.929021 to graph 0.232578, graph 0.82428 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.176208, graph 0.776651 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.149266, graph 0.95122 to graph 0.176208, graph 0.776651 nohead lw 0.6 lc rgb '#009e73'
+set label "si2:50" at graph 0.290568, graph 0.723107 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.263626, graph 0.955866 to graph 0.290568, graph 0.723107 nohead lw 0.6 lc rgb '#e69f00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -263,7 +264,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0785897:22991.8]
+set xrange [0.0365501:13209.3]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -274,22 +275,23 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0909091 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0837141, graph 0.23804 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.223876, graph 0.656331 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.580741, graph 0.660733 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.328537, graph 0.734757 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.43354, graph 0.823988 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.222845, graph 0.826369 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.833669, graph 0.924689 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.11994, graph 0.935174 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.356377, graph 0.935174 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.234144, graph 0.87708 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.207202, graph 0.958546 to graph 0.234144, graph 0.87708 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.120091, graph 0.778699 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0931488, graph 0.964906 to graph 0.120091, graph 0.778699 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.0412542, graph 0.883621 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.225357, graph 0.987849 to graph 0.198415, graph 0.883621 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus" at graph 0.0841351, graph 0.0909091 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.137461 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566038, graph 0.0909091 to graph 0.0835457, graph 0.137461 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:1000" at graph 0.272741, graph 0.656331 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.619815, graph 0.660733 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.367344, graph 0.734757 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.472008, graph 0.823988 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.256267, graph 0.826369 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.150847, graph 0.935174 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.361859, graph 0.935174 left front noenhanced textcolor rgb '#555555'
+set label "lemke" at graph 0.833669, graph 0.935174 left front noenhanced textcolor rgb '#999999'
+set label "si2:50" at graph 0.290568, graph 0.87708 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.263626, graph 0.958546 to graph 0.290568, graph 0.87708 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.176208, graph 0.778699 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.149266, graph 0.964906 to graph 0.176208, graph 0.778699 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.075417, graph 0.883621 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.25952, graph 0.987849 to graph 0.232578, graph 0.883621 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -312,7 +314,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0785897:22991.8]
+set xrange [0.0365501:13209.3]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -323,21 +325,20 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0837141, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0567722, graph 0.0769231 to graph 0.0837141, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.580741, graph 0.100199 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.833669, graph 0.0536472 left front noenhanced textcolor rgb '#999999'
-set label "si:1000" at graph 0.434921, graph 0.621205 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.328537, graph 0.684668 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.43354, graph 0.732639 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.222845, graph 0.733821 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.11994, graph 0.836115 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0929981, graph 0.766287 to graph 0.11994, graph 0.836115 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.356377, graph 0.789563 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.234144, graph 0.846722 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.120091, graph 0.900243 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.252299, graph 0.95027 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.0841351, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566038, graph 0.0769231 to graph 0.0835457, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.296512, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
+set label "lemke" at graph 0.833669, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
+set label "si:1000" at graph 0.483786, graph 0.621205 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.367344, graph 0.684668 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.472008, graph 0.732639 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.256267, graph 0.733821 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.150847, graph 0.789563 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.361859, graph 0.789563 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.290568, graph 0.846722 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.176208, graph 0.900243 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.286462, graph 0.95027 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

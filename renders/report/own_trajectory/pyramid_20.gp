@@ -2,167 +2,167 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.620634 1e-12 0.620634 0.620634
+0.312014 1e-12 0.312014 0.312014
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.465453 1.34558e-10 0.465453 0.465453
+10.3941 0.00066129 10.3941 10.3941
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.83158 0.0861536 0.83158 0.83158
+0.766417 0.0861536 0.766417 0.766417
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-3.98012 0.00905939 3.98012 3.98012
+2.78084 0.00905939 2.78084 2.78084
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-14.7226 0.00855399 14.7226 14.7226
+10.9929 0.00855399 10.9929 10.9929
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-61.9852 0.000719043 61.9852 61.9852
+55.8286 0.000860643 55.8286 55.8286
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-4.87434 0.132401 4.87434 4.87434
+4.53446 0.132401 4.53446 4.53446
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-1.14192 0.0854176 1.14192 1.14192
+1.09445 0.0854176 1.09445 1.09445
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-4.69405 33.2113 4.69405 4.69405
+4.57974 33.2113 4.57974 4.57974
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-196.03 0.00444147 196.03 196.03
+204.639 0.00438963 204.639 204.639
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-131.915 0.0340875 131.915 131.915
+135.667 0.0340875 135.667 135.667
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.620634 1e-12 0.620634 0.620634
+0.312014 1e-12 0.312014 0.312014
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.465453 4.63736e-11 0.465453 0.465453
+10.3941 5.21459e-06 10.3941 10.3941
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.83158 0.00611616 0.83158 0.83158
+0.766417 0.00611616 0.766417 0.766417
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-3.98012 0.000726752 3.98012 3.98012
+2.78084 0.000726752 2.78084 2.78084
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-14.7226 6.46454e-05 14.7226 14.7226
+10.9929 6.46454e-05 10.9929 10.9929
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-61.9852 4.75653e-06 61.9852 61.9852
+55.8286 4.75653e-06 55.8286 55.8286
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-4.87434 0.0114209 4.87434 4.87434
+4.53446 0.0114209 4.53446 4.53446
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-1.14192 0.0209408 1.14192 1.14192
+1.09445 0.0209408 1.09445 1.09445
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-4.69405 0.456277 4.69405 4.69405
+4.57974 0.456277 4.57974 4.57974
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-196.03 0.000726761 196.03 196.03
+204.639 0.000726761 204.639 204.639
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-131.915 0.00611616 131.915 131.915
+135.667 0.00611616 135.667 135.667
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.620634 1e-12 0.620634 0.620634
+0.312014 1e-12 0.312014 0.312014
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.465453 1e-12 0.465453 0.465453
+10.3941 0.000750769 10.3941 10.3941
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.83158 0.00043191 0.83158 0.83158
+0.766417 0.00043191 0.766417 0.766417
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-3.98012 0.000140512 3.98012 3.98012
+2.78084 0.000140512 2.78084 2.78084
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-14.7226 0.000184248 14.7226 14.7226
+10.9929 0.000184248 10.9929 10.9929
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-61.9852 1e-12 61.9852 61.9852
+55.8286 1e-12 55.8286 55.8286
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-4.87434 0.00375766 4.87434 4.87434
+4.53446 0.00375766 4.53446 4.53446
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-1.14192 0.0556839 1.14192 1.14192
+1.09445 0.0556839 1.09445 1.09445
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-4.69405 0.174073 4.69405 4.69405
+4.57974 0.174073 4.57974 4.57974
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-196.03 1e-12 196.03 196.03
+204.639 1e-12 204.639 204.639
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-131.915 1e-12 131.915 131.915
+135.667 1e-12 135.667 135.667
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -182,7 +182,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.291352:1145.12]
+set xrange [0.188713:1360.52]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -193,17 +193,17 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.11831, graph 0.0666667 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.208594 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.674574, graph 0.657117 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.813687, graph 0.709835 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.500888, graph 0.728811 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.342841, graph 0.730473 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.765828, graph 0.76884 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.19198, graph 0.783799 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.153662, graph 0.830599 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.367329, graph 0.808126 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:50" at graph 0.362775, graph 0.968086 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.0835457, graph 0.0666667 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.132465, graph 0.654693 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.66746, graph 0.662322 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.813687, graph 0.709495 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.484525, graph 0.728811 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.329794, graph 0.730473 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.767415, graph 0.76884 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.22482, graph 0.783799 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.0185704, graph 0.795685 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.384837, graph 0.808126 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:50" at graph 0.385955, graph 0.968086 left front noenhanced textcolor rgb '#009e73'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -224,7 +224,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.291352:1145.12]
+set xrange [0.188713:1360.52]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -235,17 +235,17 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.11831, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.205098 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.674574, graph 0.590561 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.500888, graph 0.677734 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.342841, graph 0.758568 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.66746, graph 0.590561 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.132465, graph 0.593632 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.484525, graph 0.677734 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.329794, graph 0.758568 left front noenhanced textcolor rgb '#d55e00'
 set label "pgs:50" at graph 0.813687, graph 0.758569 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:10" at graph 0.153662, graph 0.829729 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.765828, graph 0.829729 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.367329, graph 0.850592 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.19198, graph 0.882484 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.362775, graph 0.973787 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.184712, graph 0.829729 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.767415, graph 0.829729 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.384837, graph 0.850592 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.013775, graph 0.870846 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.385955, graph 0.973787 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -266,7 +266,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.291352:1145.12]
+set xrange [0.188713:1360.52]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -277,19 +277,18 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.11831, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566038, graph 0.0769231 to graph 0.0835457, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:1000" at graph 0.463529, graph 0.0769231 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.456414, graph 0.0769231 left front noenhanced textcolor rgb '#d55e00'
 set label "pgs:50" at graph 0.813687, graph 0.0769231 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.765828, graph 0.123475 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.738886, graph 0.0769231 to graph 0.765828, graph 0.123475 nohead lw 0.6 lc rgb '#555555'
-set label "si:50" at graph 0.342841, graph 0.70367 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.500888, graph 0.712723 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.153662, graph 0.741184 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.367329, graph 0.813455 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.19198, graph 0.903518 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.362775, graph 0.941595 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.767415, graph 0.123475 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.740473, graph 0.0769231 to graph 0.767415, graph 0.123475 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.329794, graph 0.70367 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.484525, graph 0.712723 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.184712, graph 0.741184 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.47822, graph 0.759654 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.384837, graph 0.813455 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.22482, graph 0.903518 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.385955, graph 0.941595 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,182 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-38.6815 1e-12 38.6815 38.6815
+30.6469 1e-12 30.6469 30.6469
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-39.8931 1e-12 39.8931 39.8931
+15.6607 1e-12 15.6607 15.6607
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-2.60898 1e-12 2.60898 2.60898
+2.26728 1e-12 2.26728 2.26728
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-7.04049 1e-12 7.04049 7.04049
+7.22167 1e-12 7.22167 7.22167
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-22.8435 1e-12 22.8435 22.8435
+21.1992 1e-12 21.1992 21.1992
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-78.1561 1e-12 78.1561 78.1561
+68.2134 1e-12 68.2134 68.2134
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-11.2096 1e-12 11.2096 11.2096
+7.86294 1e-12 7.86294 7.86294
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-4.60339 1e-12 4.60339 4.60339
+2.89379 1e-12 2.89379 2.89379
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-12.7107 1e-12 12.7107 12.7107
+8.68101 1e-12 8.68101 8.68101
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-88.1967 1e-12 88.1967 88.1967
+101.83 1e-12 101.83 101.83
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-22.0787 1e-12 22.0787 22.0787
+18.7582 1e-12 18.7582 18.7582
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-28.9068 1e-12 28.9068 28.9068
+22.1632 1e-12 22.1632 22.1632
+EOD
+$line0_12 << EOD
+EOD
+$marks0_12 << EOD
+4.55616 1e-12 4.55616 4.55616
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-38.6815 0.0903329 38.6815 38.6815
+30.6469 0.0903329 30.6469 30.6469
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-39.8931 0.0903332 39.8931 39.8931
+15.6607 0.0903332 15.6607 15.6607
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-2.60898 0.0596164 2.60898 2.60898
+2.26728 0.0596164 2.26728 2.26728
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-7.04049 0.0785919 7.04049 7.04049
+7.22167 0.0785919 7.22167 7.22167
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-22.8435 0.0821982 22.8435 22.8435
+21.1992 0.0821982 21.1992 21.1992
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-78.1561 0.0821606 78.1561 78.1561
+68.2134 0.0821606 68.2134 68.2134
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-11.2096 0.086607 11.2096 11.2096
+7.86294 0.086607 7.86294 7.86294
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-4.60339 0.0606733 4.60339 4.60339
+2.89379 0.0606733 2.89379 2.89379
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-12.7107 0.080631 12.7107 12.7107
+8.68101 0.080631 8.68101 8.68101
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-88.1967 0.0864095 88.1967 88.1967
+101.83 0.0864095 101.83 101.83
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-22.0787 0.047843 22.0787 22.0787
+18.7582 0.047843 18.7582 18.7582
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-28.9068 0.047836 28.9068 28.9068
+22.1632 0.047836 22.1632 22.1632
+EOD
+$line1_12 << EOD
+EOD
+$marks1_12 << EOD
+4.55616 1e-12 4.55616 4.55616
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-38.6815 1e-12 38.6815 38.6815
+30.6469 1e-12 30.6469 30.6469
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-39.8931 1e-12 39.8931 39.8931
+15.6607 0.0526637 15.6607 15.6607
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-2.60898 0.0127214 2.60898 2.60898
+2.26728 0.0127214 2.26728 2.26728
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-7.04049 0.0203721 7.04049 7.04049
+7.22167 0.0203721 7.22167 7.22167
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-22.8435 0.033564 22.8435 22.8435
+21.1992 0.0325952 21.1992 21.1992
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-78.1561 1e-12 78.1561 78.1561
+68.2134 1e-12 68.2134 68.2134
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-11.2096 0.0139113 11.2096 11.2096
+7.86294 0.0139113 7.86294 7.86294
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-4.60339 0.0145098 4.60339 4.60339
+2.89379 0.0145098 2.89379 2.89379
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-12.7107 0.0845091 12.7107 12.7107
+8.68101 0.0845091 8.68101 8.68101
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-88.1967 1e-12 88.1967 88.1967
+101.83 1e-12 101.83 101.83
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-22.0787 1e-12 22.0787 22.0787
+18.7582 1e-12 18.7582 18.7582
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-28.9068 1e-12 28.9068 28.9068
+22.1632 1e-12 22.1632 22.1632
+EOD
+$line2_12 << EOD
+EOD
+$marks2_12 << EOD
+4.55616 1e-12 4.55616 4.55616
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -197,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.98581:246.619]
+set xrange [1.68813:309.379]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -208,24 +223,25 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.642754, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.303395, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.289426, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.533523, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.788622, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.385881, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.358939, graph 0.5 to graph 0.385881, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.201309, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.174367, graph 0.5 to graph 0.201309, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.411945, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.385003, graph 0.5 to graph 0.411945, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.813687, graph 0.418534 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.786745, graph 0.5 to graph 0.813687, graph 0.418534 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.52646, graph 0.418534 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.499519, graph 0.5 to graph 0.52646, graph 0.418534 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.582344, graph 0.593103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.555402, graph 0.5 to graph 0.582344, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.583254, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.108659, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.0835457, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.305867, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.512524, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.736798, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.322193, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.295251, graph 0.5 to graph 0.322193, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.130367, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.103425, graph 0.5 to graph 0.130367, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.341187, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.314245, graph 0.5 to graph 0.341187, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.813687, graph 0.488362 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.489048, graph 0.418534 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.462106, graph 0.5 to graph 0.489048, graph 0.418534 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.521058, graph 0.593103 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.494116, graph 0.5 to graph 0.521058, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
+set label "lemke" at graph 0.217475, graph 0.593103 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.190533, graph 0.5 to graph 0.217475, graph 0.593103 nohead lw 0.6 lc rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -237,7 +253,8 @@ plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
   $marks0_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
   $marks0_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks0_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
+  $marks0_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks0_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
 set lmargin at screen 0.395
 set rmargin at screen 0.653333
 set tmargin at screen 0.851064
@@ -247,31 +264,34 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.98581:246.619]
+set xrange [1.68813:309.379]
 set xlabel "ms a step" noenhanced
 set logscale y
-set ytics 10 nomirror
-set mytics
-set format y "%g"
-set yrange [0.01:1]
+set ytics 1000 nomirror
+unset mytics
+set format y "10^{%T}"
+set yrange [1e-13:1]
 set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig:1e-6" at graph 0.582344, graph 0.339877 left front noenhanced textcolor rgb '#555555'
-set label "dantzig" at graph 0.315415, graph 0.339909 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.0835457, graph 0.364407 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.201309, graph 0.391499 left front noenhanced textcolor rgb '#009e73'
-set label "si:50" at graph 0.123284, graph 0.447689 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.411945, graph 0.429975 left front noenhanced textcolor rgb '#009e73'
-set label "si:1000" at graph 0.577576, graph 0.445694 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.344929, graph 0.492345 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.813687, graph 0.468281 left front noenhanced textcolor rgb '#cc79a7'
-set label "si2:50" at graph 0.197288, graph 0.50369 left front noenhanced textcolor rgb '#e69f00'
-set label "delassus" at graph 0.642754, graph 0.524475 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.615812, graph 0.477923 to graph 0.642754, graph 0.524475 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.64915, graph 0.396458 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.622208, graph 0.477924 to graph 0.64915, graph 0.396458 nohead lw 0.6 lc rgb '#0060a8'
+set label "lemke" at graph 0.217475, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
+set label "dantzig:1e-6" at graph 0.521058, graph 0.886805 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.278003, graph 0.88681 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.0835457, graph 0.882521 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.130367, graph 0.941298 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.305867, graph 0.949943 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.341187, graph 0.834419 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.314245, graph 0.915885 to graph 0.341187, graph 0.834419 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000" at graph 0.736798, graph 0.951426 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.512524, graph 0.951442 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.813687, graph 0.894921 left front noenhanced textcolor rgb '#cc79a7'
+set label "si2:50" at graph 0.1336, graph 0.82517 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.295251, graph 0.918273 to graph 0.26831, graph 0.82517 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus" at graph 0.583254, graph 0.838215 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.556312, graph 0.91968 to graph 0.583254, graph 0.838215 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.454413, graph 0.780025 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.427471, graph 0.919681 to graph 0.454413, graph 0.780025 nohead lw 0.6 lc rgb '#0060a8'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -283,7 +303,8 @@ plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
   $marks1_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
   $marks1_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks1_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
+  $marks1_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks1_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
 set lmargin at screen 0.728333
 set rmargin at screen 0.986667
 set tmargin at screen 0.851064
@@ -293,7 +314,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.98581:246.619]
+set xrange [1.68813:309.379]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -304,21 +325,21 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.642754, graph 0.100199 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.64915, graph 0.0536472 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.788622, graph 0.158389 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.76168, graph 0.0769231 to graph 0.788622, graph 0.158389 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.625094, graph 0.158389 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.786745, graph 0.0769231 to graph 0.759803, graph 0.158389 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.315415, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.259041, graph 0.123475 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.555402, graph 0.0769231 to graph 0.52846, graph 0.123475 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.583254, graph 0.100199 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.736798, graph 0.0536472 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.813687, graph 0.100199 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.278003, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6" at graph 0.197754, graph 0.123475 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.494116, graph 0.0769231 to graph 0.467174, graph 0.123475 nohead lw 0.6 lc rgb '#555555'
+set label "lemke" at graph 0.0513333, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
 set label "si:10" at graph 0.0835457, graph 0.830919 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.385881, graph 0.857182 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.201309, graph 0.835313 left front noenhanced textcolor rgb '#009e73'
-set label "si:50" at graph 0.123284, graph 0.893202 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.533523, graph 0.886606 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.411945, graph 0.94073 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.322193, graph 0.857182 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.130367, graph 0.893503 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.305867, graph 0.800098 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.278925, graph 0.869926 to graph 0.305867, graph 0.800098 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.512524, graph 0.885627 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.454413, graph 0.936568 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg:50" at graph 0.130142, graph 0.94073 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -330,6 +351,7 @@ plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
   $marks2_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
   $marks2_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
+  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks2_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
 unset multiplot
 }

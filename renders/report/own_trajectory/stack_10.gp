@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.016431 1e-12 0.016431 0.016431
+0.007894 1e-12 0.007894 0.007894
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.016531 1e-12 0.016531 0.016531
+0.011611 1e-12 0.011611 0.011611
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.025928 0.129696 0.025928 0.025928
+0.024596 0.129696 0.024596 0.024596
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.092073 0.0193733 0.092073 0.092073
+0.087113 0.0193733 0.087113 0.087113
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.339185 0.00359186 0.339185 0.339185
+0.324148 0.00359186 0.324148 0.324148
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-1.66715 0.00633756 1.66715 1.66715
+1.23273 0.00633756 1.23273 1.23273
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.135925 0.0098553 0.135925 0.135925
+0.10149 0.0098553 0.10149 0.10149
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.031098 0.024797 0.031098 0.031098
+0.022492 0.024797 0.022492 0.022492
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.124143 0.0468525 0.124143 0.124143
+0.091381 0.0468525 0.091381 0.091381
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.483356 0.0200612 0.483356 0.483356
+0.290274 0.0200612 0.290274 0.290274
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.099596 0.0568945 0.099596 0.099596
+0.063359 0.0568945 0.063359 0.063359
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.194935 1.12406e-05 0.194935 0.194935
+0.120085 1.12406e-05 0.120085 0.120085
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-3.03453 0.0224436 3.03453 3.03453
+2.41738 0.0276988 2.41738 2.41738
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.016431 1e-12 0.016431 0.016431
+0.007894 1e-12 0.007894 0.007894
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.016531 1e-12 0.016531 0.016531
+0.011611 1e-12 0.011611 0.011611
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.025928 0.00380401 0.025928 0.025928
+0.024596 0.00380401 0.024596 0.024596
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.092073 0.000396081 0.092073 0.092073
+0.087113 0.000396081 0.087113 0.087113
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.339185 0.000105005 0.339185 0.339185
+0.324148 0.000105005 0.324148 0.324148
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-1.66715 3.50737e-06 1.66715 1.66715
+1.23273 3.50737e-06 1.23273 1.23273
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.135925 0.000535392 0.135925 0.135925
+0.10149 0.000535392 0.10149 0.10149
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.031098 0.00816299 0.031098 0.031098
+0.022492 0.00816299 0.022492 0.022492
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.124143 0.0105749 0.124143 0.124143
+0.091381 0.0105749 0.091381 0.091381
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.483356 0.000396081 0.483356 0.483356
+0.290274 0.000396081 0.290274 0.290274
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.099596 0.00461789 0.099596 0.099596
+0.063359 0.00461789 0.063359 0.063359
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.194935 2.04375e-06 0.194935 0.194935
+0.120085 2.04375e-06 0.120085 0.120085
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-3.03453 0.00380401 3.03453 3.03453
+2.41738 0.00380401 2.41738 2.41738
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.016431 1e-12 0.016431 0.016431
+0.007894 1e-12 0.007894 0.007894
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.016531 1e-12 0.016531 0.016531
+0.011611 1e-12 0.011611 0.011611
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.025928 0.000805561 0.025928 0.025928
+0.024596 0.000805561 0.024596 0.024596
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.092073 7.23225e-05 0.092073 0.092073
+0.087113 7.23225e-05 0.087113 0.087113
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.339185 0.00110292 0.339185 0.339185
+0.324148 0.00110292 0.324148 0.324148
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-1.66715 0.00063824 1.66715 1.66715
+1.23273 0.00063824 1.23273 1.23273
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.135925 0.000812162 0.135925 0.135925
+0.10149 0.000812162 0.10149 0.10149
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.031098 0.0531082 0.031098 0.031098
+0.022492 0.0531082 0.022492 0.022492
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.124143 0.3559 0.124143 0.124143
+0.091381 0.3559 0.091381 0.091381
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.483356 0.000442484 0.483356 0.483356
+0.290274 0.000442484 0.290274 0.290274
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.099596 0.239757 0.099596 0.099596
+0.063359 0.239757 0.063359 0.063359
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.194935 1e-12 0.194935 0.194935
+0.120085 1e-12 0.120085 0.120085
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-3.03453 1e-12 3.03453 3.03453
+2.41738 1e-12 2.41738 2.41738
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0110826:11.6425]
+set xrange [0.00512509:10.5654]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,23 +223,21 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0844179, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0574759, graph 0.0769231 to graph 0.0844179, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.439084, graph 0.619292 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.518698, graph 0.811948 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.747578, graph 0.830917 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.198664, graph 0.834029 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.165126, graph 0.891522 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.569612, graph 0.869412 left front noenhanced textcolor rgb '#cc79a7'
-set label "lemke" at graph 0.833669, graph 0.884799 left front noenhanced textcolor rgb '#999999'
-set label "nncg:10" at graph 0.175248, graph 0.94632 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.148306, graph 0.876492 to graph 0.175248, graph 0.94632 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.374224, graph 0.897749 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig" at graph 0.342557, graph 0.950788 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.315615, graph 0.904236 to graph 0.342557, graph 0.950788 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.149113, graph 0.78047 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.122171, graph 0.931764 to graph 0.149113, graph 0.78047 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.0835457, graph 0.100199 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.134108, graph 0.0536472 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.440252, graph 0.619292 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.570376, graph 0.811948 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.745419, graph 0.830917 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.418206, graph 0.845667 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.232047, graph 0.868246 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.555912, graph 0.869412 left front noenhanced textcolor rgb '#cc79a7'
+set label "nncg:10" at graph 0.00970801, graph 0.876492 left front noenhanced textcolor rgb '#009e73'
+set label "lemke" at graph 0.833669, graph 0.880189 left front noenhanced textcolor rgb '#999999'
+set label "nncg:50" at graph 0.404457, graph 0.921025 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.145422, graph 0.962426 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.329525, graph 0.904236 to graph 0.302583, graph 0.962426 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.0663295, graph 0.827022 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.205529, graph 0.931764 to graph 0.178588, graph 0.827022 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -262,7 +260,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0110826:11.6425]
+set xrange [0.00512509:10.5654]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -273,20 +271,19 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0844179, graph 0.129885 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0574759, graph 0.0833333 to graph 0.0844179, graph 0.129885 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.439084, graph 0.609202 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.747578, graph 0.628748 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.518698, graph 0.751768 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.165126, graph 0.799815 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.569612, graph 0.799815 left front noenhanced textcolor rgb '#cc79a7'
-set label "si2:50" at graph 0.387257, graph 0.810723 left front noenhanced textcolor rgb '#e69f00'
-set label "si:10" at graph 0.149113, graph 0.881687 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.0835457, graph 0.106609 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.134108, graph 0.0600575 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.440252, graph 0.609202 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.745419, graph 0.628748 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.570376, graph 0.751768 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.232047, graph 0.799815 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.555912, graph 0.799815 left front noenhanced textcolor rgb '#cc79a7'
+set label "si2:50" at graph 0.418206, graph 0.833999 left front noenhanced textcolor rgb '#e69f00'
+set label "si:10" at graph 0.0663295, graph 0.881687 left front noenhanced textcolor rgb '#d55e00'
 set label "lemke" at graph 0.833669, graph 0.881687 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.342557, graph 0.888704 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.175248, graph 0.932597 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.374224, graph 0.941965 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.356467, graph 0.888704 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.00970801, graph 0.932597 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.404457, graph 0.941965 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -309,7 +306,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0110826:11.6425]
+set xrange [0.00512509:10.5654]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -320,20 +317,19 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0844179, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0574759, graph 0.0769231 to graph 0.0844179, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.439084, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.0835457, graph 0.100199 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.134108, graph 0.0536472 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.440252, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
 set label "lemke" at graph 0.833669, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.331268, graph 0.681483 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.569612, graph 0.741992 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:1000" at graph 0.747578, graph 0.75423 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.149113, graph 0.762008 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.387257, graph 0.739004 left front noenhanced textcolor rgb '#e69f00'
-set label "si:200" at graph 0.518698, graph 0.795779 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.175248, graph 0.901936 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig" at graph 0.131512, graph 0.95229 left front noenhanced textcolor rgb '#555555'
-set label "nncg:50" at graph 0.374224, graph 0.965487 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.398189, graph 0.681483 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.555912, graph 0.741992 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:1000" at graph 0.745419, graph 0.75423 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.232471, graph 0.762008 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.418206, graph 0.797194 left front noenhanced textcolor rgb '#e69f00'
+set label "si:200" at graph 0.570376, graph 0.795779 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.220753, graph 0.901936 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.145422, graph 0.95229 left front noenhanced textcolor rgb '#555555'
+set label "nncg:50" at graph 0.404457, graph 0.965487 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

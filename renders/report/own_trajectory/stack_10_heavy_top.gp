@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.011591 1e-12 0.011591 0.011591
+0.007804 1e-12 0.007804 0.007804
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.011541 1.59748e-11 0.011541 0.011541
+0.007724 4.62009e-07 0.007724 0.007724
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.019447 10.3048 0.019447 0.019447
+0.018374 10.3048 0.018374 0.018374
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.050174 30.3781 0.050174 0.050174
+0.047299 30.3781 0.047299 0.047299
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.200677 24.4721 0.200677 0.200677
+0.188343 24.4721 0.188343 0.188343
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.622447 24.2105 0.622447 0.622447
+0.565471 24.2105 0.565471 0.565471
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.048461 26.6817 0.048461 0.048461
+0.06944 26.6817 0.06944 0.06944
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.019096 12.8078 0.019096 0.019096
+0.024556 12.8078 0.024556 0.024556
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.073788 10.2186 0.073788 0.073788
+0.092604 10.2186 0.092604 0.092604
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.136897 50.1919 0.136897 0.136897
+0.198973 50.1919 0.198973 0.198973
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.047228 14.3894 0.047228 0.047228
+0.068147 14.3894 0.068147 0.068147
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.145102 0.00274278 0.145102 0.145102
+0.223649 0.00274278 0.223649 0.223649
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-3.16469 2.38984 3.16469 3.16469
+45.4454 4.72237 45.4454 45.4454
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.011591 1e-12 0.011591 0.011591
+0.007804 1e-12 0.007804 0.007804
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.011541 1.77813e-12 0.011541 0.011541
+0.007724 5.09799e-08 0.007724 0.007724
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.019447 0.830832 0.019447 0.019447
+0.018374 0.830832 0.018374 0.018374
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.050174 0.386392 0.050174 0.050174
+0.047299 0.386392 0.047299 0.047299
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.200677 0.480811 0.200677 0.200677
+0.188343 0.480811 0.188343 0.188343
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.622447 0.401292 0.622447 0.622447
+0.565471 0.401292 0.565471 0.565471
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.048461 0.218392 0.048461 0.048461
+0.06944 0.218392 0.06944 0.06944
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.019096 0.995106 0.019096 0.019096
+0.024556 0.995106 0.024556 0.024556
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.073788 0.344154 0.073788 0.073788
+0.092604 0.344154 0.092604 0.092604
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.136897 0.754963 0.136897 0.136897
+0.198973 0.754963 0.198973 0.198973
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.047228 0.949568 0.047228 0.047228
+0.068147 0.949568 0.068147 0.068147
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.145102 0.000458911 0.145102 0.145102
+0.223649 0.000458911 0.223649 0.223649
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-3.16469 0.407024 3.16469 3.16469
+45.4454 0.407024 45.4454 45.4454
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.011591 1e-12 0.011591 0.011591
+0.007804 1e-12 0.007804 0.007804
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.011541 1e-12 0.011541 0.011541
+0.007724 1e-12 0.007724 0.007724
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.019447 1.36442 0.019447 0.019447
+0.018374 1.36442 0.018374 0.018374
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.050174 0.00772977 0.050174 0.050174
+0.047299 0.00772977 0.047299 0.047299
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.200677 0.00579767 0.200677 0.200677
+0.188343 0.00579767 0.188343 0.188343
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.622447 1.53108 0.622447 0.622447
+0.565471 1.53108 0.565471 0.565471
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.048461 0.866882 0.048461 0.048461
+0.06944 0.866882 0.06944 0.06944
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.019096 0.00143526 0.019096 0.019096
+0.024556 0.00143526 0.024556 0.024556
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.073788 0.00262444 0.073788 0.073788
+0.092604 0.00262444 0.092604 0.092604
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.136897 0.939779 0.136897 0.136897
+0.198973 0.939779 0.198973 0.198973
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.047228 0.0051569 0.047228 0.047228
+0.068147 0.0051569 0.068147 0.068147
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.145102 2.43991e-09 0.145102 0.145102
+0.223649 2.43991e-09 0.223649 0.223649
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-3.16469 1e-12 3.16469 3.16469
+45.4454 1e-12 45.4454 45.4454
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -211,8 +211,8 @@ set title "furthest drift of a body, m" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.00755557:13.4436]
+set format x "10^{%T}"
+set xrange [0.00401224:425.36]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,24 +223,25 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0841233, graph 0.0666667 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.146896 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.421806, graph 0.695879 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.833669, graph 0.891891 left front noenhanced textcolor rgb '#999999'
-set label "nncg:50" at graph 0.331447, graph 0.93396 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.153266, graph 0.910927 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.150833, graph 0.859033 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.123891, graph 0.940498 to graph 0.150833, graph 0.859033 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.0607803, graph 0.967145 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.616384, graph 0.958934 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.465133, graph 0.877779 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.438191, graph 0.959245 to graph 0.465133, graph 0.877779 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.275269, graph 0.810454 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.248327, graph 0.961748 to graph 0.275269, graph 0.810454 nohead lw 0.6 lc rgb '#e69f00'
-set label "si:50" at graph 0.113769, graph 0.802573 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.252969, graph 0.965504 to graph 0.226027, graph 0.802573 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.414028, graph 0.825431 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.387086, graph 0.980042 to graph 0.414028, graph 0.825431 nohead lw 0.6 lc rgb '#cc79a7'
+set label "delassus" at graph 0.0844362, graph 0.0666667 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.44431 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.374415, graph 0.695879 left front noenhanced textcolor rgb '#555555'
+set label "lemke" at graph 0.833669, graph 0.911611 left front noenhanced textcolor rgb '#999999'
+set label "nncg:50" at graph 0.298214, graph 0.93396 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.158438, graph 0.910927 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.183502, graph 0.859033 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.15656, graph 0.940498 to graph 0.183502, graph 0.859033 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.271712, graph 0.804214 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.24477, graph 0.94387 to graph 0.271712, graph 0.804214 nohead lw 0.6 lc rgb '#555555'
+set label "si:1000" at graph 0.454577, graph 0.877468 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.427635, graph 0.958934 to graph 0.454577, graph 0.877468 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.359567, graph 0.749762 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.332625, graph 0.959245 to graph 0.359567, graph 0.749762 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.0847427, graph 0.810454 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.246394, graph 0.961748 to graph 0.219452, graph 0.810454 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:50" at graph 0.0740111, graph 0.965504 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.175718, graph 0.755603 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.33737, graph 0.980042 to graph 0.310428, graph 0.755603 nohead lw 0.6 lc rgb '#cc79a7'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -262,8 +263,8 @@ set title "deepest overlap, m" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.00755557:13.4436]
+set format x "10^{%T}"
+set xrange [0.00401224:425.36]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -274,23 +275,24 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0841233, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.124197 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.421806, graph 0.690123 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.0866756, graph 0.881374 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:50" at graph 0.331447, graph 0.872206 left front noenhanced textcolor rgb '#009e73'
-set label "si:50" at graph 0.279911, graph 0.945625 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.252969, graph 0.899073 to graph 0.279911, graph 0.945625 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.616384, graph 0.900247 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.0844362, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.407671 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.374415, graph 0.690123 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.273336, graph 0.869736 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:50" at graph 0.0871688, graph 0.872206 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.240153, graph 0.957263 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.213211, graph 0.899073 to graph 0.240153, graph 0.957263 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.454577, graph 0.900247 left front noenhanced textcolor rgb '#d55e00'
 set label "lemke" at graph 0.833669, graph 0.900687 left front noenhanced textcolor rgb '#999999'
-set label "si:200" at graph 0.465133, graph 0.929131 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.414028, graph 0.81511 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.387086, graph 0.919852 to graph 0.414028, graph 0.81511 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:10" at graph 0.153266, graph 0.957736 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.0607803, graph 0.833863 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.244884, graph 0.926966 to graph 0.217942, graph 0.833863 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.150833, graph 0.777126 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.123891, graph 0.928419 to graph 0.150833, graph 0.777126 nohead lw 0.6 lc rgb '#009e73'
+set label "si:200" at graph 0.359567, graph 0.952407 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.332625, graph 0.905855 to graph 0.359567, graph 0.952407 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.364311, graph 0.81511 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.33737, graph 0.919852 to graph 0.364311, graph 0.81511 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:10" at graph 0.158438, graph 0.818081 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.131496, graph 0.922822 to graph 0.158438, graph 0.818081 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.0606667, graph 0.96188 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.183502, graph 0.765488 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.15656, graph 0.928419 to graph 0.183502, graph 0.765488 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -312,8 +314,8 @@ set title "noise of ground reaction / weight" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.00755557:13.4436]
+set format x "10^{%T}"
+set xrange [0.00401224:425.36]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -324,20 +326,23 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0841233, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0844362, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.11798 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.0714286 to graph 0.0835457, graph 0.11798 nohead lw 0.6 lc rgb '#0060a8'
 set label "lemke" at graph 0.833669, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
-set label "dantzig:1e-6" at graph 0.421806, graph 0.313384 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.150833, graph 0.713857 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.331447, graph 0.744217 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig" at graph 0.0607803, graph 0.765171 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.465133, graph 0.79208 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.279911, graph 0.801002 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0866756, graph 0.912502 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.414028, graph 0.926645 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:10" at graph 0.153266, graph 0.961487 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.616384, graph 0.941785 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.374415, graph 0.313384 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.183502, graph 0.713857 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.298214, graph 0.802407 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.271272, graph 0.744217 to graph 0.298214, graph 0.802407 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.0606667, graph 0.811722 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.24477, graph 0.765171 to graph 0.217828, graph 0.811722 nohead lw 0.6 lc rgb '#555555'
+set label "si:200" at graph 0.359567, graph 0.745528 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.240153, graph 0.859192 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.213211, graph 0.777726 to graph 0.240153, graph 0.859192 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.0847427, graph 0.912502 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.364311, graph 0.915007 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:10" at graph 0.158438, graph 0.961487 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.454577, graph 0.965061 left front noenhanced textcolor rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

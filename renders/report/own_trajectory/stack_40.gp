@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.062607 1e-12 0.062607 0.062607
+0.030678 1e-12 0.030678 0.030678
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.062507 5.81224e-11 0.062507 0.062507
+0.029585 1.68099e-06 0.029585 0.029585
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.098044 18.5922 0.098044 0.098044
+0.06924 18.5922 0.06924 0.06924
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.398087 1.30886 0.398087 0.398087
+0.284244 1.30886 0.284244 0.284244
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-1.46344 0.403715 1.46344 1.46344
+1.08383 0.403715 1.08383 1.08383
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-5.77518 0.0846173 5.77518 5.77518
+5.27912 0.0846173 5.27912 5.27912
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.59226 1.21312 0.59226 0.59226
+0.42643 1.21312 0.42643 0.42643
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.10153 31.6489 0.10153 0.10153
+0.072706 31.6489 0.072706 0.072706
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.431078 19.2952 0.431078 0.431078
+0.359845 19.2952 0.359845 0.359845
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-1.89677 1.29455 1.89677 1.89677
+1.67341 1.29455 1.67341 1.67341
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.54879 17.1148 0.54879 0.54879
+0.411061 17.1148 0.411061 0.411061
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-6.99176 0.000595176 6.99176 6.99176
+4.93023 0.000595176 4.93023 4.93023
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-101.876 0.22385 101.876 101.876
+71.4424 0.249004 71.4424 71.4424
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.062607 1e-12 0.062607 0.062607
+0.030678 1e-12 0.030678 0.030678
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.062507 2.32336e-12 0.062507 0.062507
+0.029585 6.66324e-08 0.029585 0.029585
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.098044 0.238264 0.098044 0.098044
+0.06924 0.238264 0.06924 0.06924
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.398087 0.00439157 0.398087 0.398087
+0.284244 0.00439157 0.284244 0.284244
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-1.46344 0.000754084 1.46344 1.46344
+1.08383 0.000754084 1.08383 1.08383
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-5.77518 6.80354e-05 5.77518 5.77518
+5.27912 6.80354e-05 5.27912 5.27912
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.59226 0.00428227 0.59226 0.59226
+0.42643 0.00428227 0.42643 0.42643
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.10153 0.45697 0.10153 0.10153
+0.072706 0.45697 0.072706 0.072706
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.431078 0.40108 0.431078 0.431078
+0.359845 0.40108 0.359845 0.359845
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-1.89677 0.00419338 1.89677 1.89677
+1.67341 0.00419338 1.67341 1.67341
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.54879 0.236567 0.54879 0.54879
+0.411061 0.236567 0.411061 0.411061
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-6.99176 1.23906e-05 6.99176 6.99176
+4.93023 1.23906e-05 4.93023 4.93023
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-101.876 0.0130287 101.876 101.876
+71.4424 0.014165 71.4424 71.4424
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.062607 1e-12 0.062607 0.062607
+0.030678 1e-12 0.030678 0.030678
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.062507 1e-12 0.062507 0.062507
+0.029585 1e-12 0.029585 0.029585
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.098044 0.592874 0.098044 0.098044
+0.06924 0.592874 0.06924 0.06924
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.398087 0.00991192 0.398087 0.398087
+0.284244 0.00991192 0.284244 0.284244
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-1.46344 0.00122322 1.46344 1.46344
+1.08383 0.00122322 1.08383 1.08383
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-5.77518 0.00286774 5.77518 5.77518
+5.27912 0.00286774 5.27912 5.27912
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.59226 0.00913393 0.59226 0.59226
+0.42643 0.00913393 0.42643 0.42643
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.10153 1.40158 0.10153 0.10153
+0.072706 1.40158 0.072706 0.072706
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.431078 1.81039 0.431078 0.431078
+0.359845 1.81039 0.359845 0.359845
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-1.89677 0.00914686 1.89677 1.89677
+1.67341 0.00914686 1.67341 1.67341
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.54879 0.646354 0.54879 0.54879
+0.411061 0.646354 0.411061 0.411061
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-6.99176 2.22807e-09 6.99176 6.99176
+4.93023 2.22807e-09 4.93023 4.93023
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-101.876 1e-12 101.876 101.876
+71.4424 1e-12 71.4424 71.4424
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.035772:685.004]
+set xrange [0.0164362:531.584]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,21 +223,21 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0837078, graph 0.0666667 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.18429 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.561964, graph 0.651643 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.542576, graph 0.795164 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.833669, graph 0.82333 left front noenhanced textcolor rgb '#999999'
-set label "si:200" at graph 0.403349, graph 0.840405 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.123011, graph 0.848984 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.429653, graph 0.897417 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.271313, graph 0.897735 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.303874, graph 0.948891 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.129199, graph 0.951289 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.0683431, graph 0.80107 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.252446, graph 0.952363 to graph 0.225504, graph 0.80107 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.132742, graph 0.74557 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.1058, graph 0.966691 to graph 0.132742, graph 0.74557 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus" at graph 0.0870393, graph 0.0666667 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.481704 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.576208, graph 0.651643 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.582793, graph 0.795164 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.833669, graph 0.826414 left front noenhanced textcolor rgb '#999999'
+set label "si:200" at graph 0.430324, graph 0.840405 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.1519, graph 0.848984 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.472153, graph 0.897417 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.301433, graph 0.897735 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.336959, graph 0.948891 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.165431, graph 0.951289 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.113099, graph 0.80107 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.297202, graph 0.952363 to graph 0.27026, graph 0.80107 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.170135, graph 0.74557 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.143193, graph 0.966691 to graph 0.170135, graph 0.74557 nohead lw 0.6 lc rgb '#009e73'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -260,7 +260,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.035772:685.004]
+set xrange [0.0164362:531.584]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -271,21 +271,21 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0837078, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.128362 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.561964, graph 0.622545 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.542576, graph 0.679441 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.403349, graph 0.759802 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.429653, graph 0.81712 left front noenhanced textcolor rgb '#cc79a7'
-set label "si2:50" at graph 0.123011, graph 0.794545 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.271313, graph 0.841939 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.833669, graph 0.854993 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.303874, graph 0.951843 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.129199, graph 0.952081 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.279388, graph 0.899652 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.252446, graph 0.969479 to graph 0.279388, graph 0.899652 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.132742, graph 0.741079 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.1058, graph 0.973837 to graph 0.132742, graph 0.741079 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus" at graph 0.0870393, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.447976 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.576208, graph 0.622545 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.582793, graph 0.679441 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.430324, graph 0.759802 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.472153, graph 0.81712 left front noenhanced textcolor rgb '#cc79a7'
+set label "si2:50" at graph 0.1519, graph 0.794545 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.301433, graph 0.841939 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.833669, graph 0.857786 left front noenhanced textcolor rgb '#999999'
+set label "dantzig" at graph 0.336959, graph 0.951843 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.165431, graph 0.952081 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.324144, graph 0.899652 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.297202, graph 0.969479 to graph 0.324144, graph 0.899652 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.170135, graph 0.741079 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.143193, graph 0.973837 to graph 0.170135, graph 0.741079 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -308,7 +308,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.035772:685.004]
+set xrange [0.0164362:531.584]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -319,21 +319,21 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0837078, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0870393, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.11798 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.0714286 to graph 0.0835457, graph 0.11798 nohead lw 0.6 lc rgb '#0060a8'
 set label "lemke" at graph 0.833669, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
-set label "dantzig:1e-6" at graph 0.561964, graph 0.310566 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.403349, graph 0.720536 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.542576, graph 0.746967 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.123011, graph 0.759628 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.429653, graph 0.794586 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.271313, graph 0.808716 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.129199, graph 0.912354 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.303874, graph 0.915034 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.132742, graph 0.973958 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.279388, graph 0.865518 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.252446, graph 0.946984 to graph 0.279388, graph 0.865518 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.576208, graph 0.310566 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.430324, graph 0.720536 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.582793, graph 0.746967 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.1519, graph 0.759628 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.472153, graph 0.794586 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.301433, graph 0.808716 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.165431, graph 0.912354 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.336959, graph 0.915034 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.170135, graph 0.973958 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.324144, graph 0.865518 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.297202, graph 0.946984 to graph 0.324144, graph 0.865518 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

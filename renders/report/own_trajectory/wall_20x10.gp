@@ -2,167 +2,167 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.467367 1e-12 0.467367 0.467367
+0.315141 1e-12 0.315141 0.315141
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.466084 1.90653e-10 0.466084 0.466084
+9.68134 0.000537199 9.68134 9.68134
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.796955 0.0438397 0.796955 0.796955
+0.763873 0.0438397 0.763873 0.763873
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-3.00565 0.0105485 3.00565 3.00565
+2.76843 0.0105485 2.76843 2.76843
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-10.8757 0.00659824 10.8757 10.8757
+10.371 0.00659824 10.371 10.371
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-53.0077 0.000772108 53.0077 53.0077
+53.1516 0.000737415 53.1516 53.1516
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-4.2757 0.0199257 4.2757 4.2757
+4.32508 0.0199257 4.32508 4.32508
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.99152 0.0231155 0.99152 0.99152
+1.32414 0.0231155 1.32414 1.32414
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-4.0884 0.0149387 4.0884 4.0884
+4.32545 0.0149387 4.32545 4.32545
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-184.483 0.00366047 184.483 184.483
+156.062 0.0037179 156.062 156.062
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-11803.2 3.27933e-06 11803.2 11803.2
+9480.44 3.27933e-06 9480.44 9480.44
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.467367 1e-12 0.467367 0.467367
+0.315141 1e-12 0.315141 0.315141
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.466084 8.27463e-11 0.466084 0.466084
+9.68134 0.000930359 9.68134 9.68134
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.796955 0.00529454 0.796955 0.796955
+0.763873 0.00529454 0.763873 0.763873
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-3.00565 0.000600495 3.00565 3.00565
+2.76843 0.000600495 2.76843 2.76843
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-10.8757 0.00158638 10.8757 10.8757
+10.371 0.00158638 10.371 10.371
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-53.0077 5.61565e-06 53.0077 53.0077
+53.1516 5.61565e-06 53.1516 53.1516
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-4.2757 0.00400995 4.2757 4.2757
+4.32508 0.00400995 4.32508 4.32508
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.99152 0.00505557 0.99152 0.99152
+1.32414 0.00505557 1.32414 1.32414
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-4.0884 0.00532771 4.0884 4.0884
+4.32545 0.00532771 4.32545 4.32545
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-184.483 0.000488319 184.483 184.483
+156.062 0.000488319 156.062 156.062
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-11803.2 1e-12 11803.2 11803.2
+9480.44 1e-12 9480.44 9480.44
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.467367 1e-12 0.467367 0.467367
+0.315141 1e-12 0.315141 0.315141
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.466084 1e-12 0.466084 0.466084
+9.68134 0.000531191 9.68134 9.68134
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.796955 0.00394506 0.796955 0.796955
+0.763873 0.00394506 0.763873 0.763873
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-3.00565 0.000987845 3.00565 3.00565
+2.76843 0.000987845 2.76843 2.76843
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-10.8757 0.000209218 10.8757 10.8757
+10.371 0.000209218 10.371 10.371
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-53.0077 1e-12 53.0077 53.0077
+53.1516 1e-12 53.1516 53.1516
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-4.2757 0.00328214 4.2757 4.2757
+4.32508 0.00328214 4.32508 4.32508
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.99152 0.00685518 0.99152 0.99152
+1.32414 0.00685518 1.32414 1.32414
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-4.0884 0.105036 4.0884 4.0884
+4.32545 0.105036 4.32545 4.32545
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-184.483 1e-12 184.483 184.483
+156.062 1e-12 156.062 156.062
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-11803.2 1e-12 11803.2 11803.2
+9480.44 1e-12 9480.44 9480.44
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -182,7 +182,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.181976:2.99202e+06]
+set xrange [0.121093:2.64009e+06]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -193,20 +193,20 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0837112, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.273354 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0835457, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
 set label "dantzig:1e-6" at graph 0.693796, graph 0.626315 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.368453, graph 0.823973 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.443511, graph 0.880295 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.273125, graph 0.901619 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0295822, graph 0.918599 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.214241, graph 0.954468 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.0283432, graph 0.87179 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.189995, graph 0.941618 to graph 0.163053, graph 0.87179 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.128978, graph 0.818975 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.102036, graph 0.946992 to graph 0.128978, graph 0.818975 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.115831, graph 0.772311 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0888891, graph 0.970156 to graph 0.115831, graph 0.772311 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.286234, graph 0.787569 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.387015, graph 0.845585 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.450759, graph 0.892496 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.290307, graph 0.913257 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0460034, graph 0.918599 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.238554, graph 0.966106 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.0499551, graph 0.87179 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.211607, graph 0.941618 to graph 0.184665, graph 0.87179 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.168499, graph 0.737509 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.141557, graph 0.946992 to graph 0.168499, graph 0.737509 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.135943, graph 0.818863 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.109001, graph 0.970156 to graph 0.135943, graph 0.818863 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -227,7 +227,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.181976:2.99202e+06]
+set xrange [0.121093:2.64009e+06]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -238,20 +238,21 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0837112, graph 0.0909091 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0835457, graph 0.0909091 left front noenhanced textcolor rgb '#0060a8'
 set label "dantzig:1e-6" at graph 0.693796, graph 0.0909091 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.26525 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.368453, graph 0.704491 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.443511, graph 0.880791 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.195724, graph 0.888955 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.273125, graph 0.938948 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0283432, graph 0.940646 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.128978, graph 0.833415 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.102036, graph 0.97307 to graph 0.128978, graph 0.833415 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.115831, graph 0.777049 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0888891, graph 0.974893 to graph 0.115831, graph 0.777049 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:50" at graph 0.00319558, graph 0.893675 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.187299, graph 0.97514 to graph 0.160357, graph 0.893675 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000" at graph 0.387015, graph 0.704491 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.450759, graph 0.880791 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.0460034, graph 0.888955 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.286234, graph 0.929517 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.101713, graph 0.938948 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.238549, graph 0.882456 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.211607, graph 0.963922 to graph 0.238549, graph 0.882456 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.168499, graph 0.833415 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.141557, graph 0.97307 to graph 0.168499, graph 0.833415 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.135943, graph 0.777049 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.109001, graph 0.974893 to graph 0.135943, graph 0.777049 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:50" at graph 0.0275085, graph 0.719106 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.211612, graph 0.97514 to graph 0.18467, graph 0.719106 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -272,7 +273,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.181976:2.99202e+06]
+set xrange [0.121093:2.64009e+06]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -283,21 +284,20 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0837112, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566038, graph 0.0769231 to graph 0.0835457, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:1000" at graph 0.368453, graph 0.0536472 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.443511, graph 0.100199 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.387015, graph 0.100199 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.450759, graph 0.0536472 left front noenhanced textcolor rgb '#cc79a7'
 set label "dantzig:1e-6" at graph 0.693796, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.273125, graph 0.716969 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.195724, graph 0.768822 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.216937, graph 0.820573 left front noenhanced textcolor rgb '#e69f00'
-set label "si:10" at graph 0.115831, graph 0.873271 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0888891, graph 0.815081 to graph 0.115831, graph 0.873271 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.128978, graph 0.949919 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.102036, graph 0.83354 to graph 0.128978, graph 0.949919 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.00319558, graph 0.785063 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.187299, graph 0.924718 to graph 0.160357, graph 0.785063 nohead lw 0.6 lc rgb '#009e73'
+set label "si:200" at graph 0.290307, graph 0.716969 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.286234, graph 0.771372 left front noenhanced textcolor rgb '#0060a8'
+set label "si:50" at graph 0.0460034, graph 0.768822 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.238549, graph 0.820573 left front noenhanced textcolor rgb '#e69f00'
+set label "si:10" at graph 0.135943, graph 0.873271 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.109001, graph 0.815081 to graph 0.135943, graph 0.873271 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.168499, graph 0.949919 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.141557, graph 0.83354 to graph 0.168499, graph 0.949919 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.0275085, graph 0.715236 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.211612, graph 0.924718 to graph 0.18467, graph 0.715236 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

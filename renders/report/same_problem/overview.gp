@@ -1,424 +1,436 @@
 # Draws overview.svg and overview.png: gnuplot overview.gp
 $line0_0 << EOD
-0.000677333 1e-13 0.000657667 0.000728333
+0.000524333 1e-13 0.000521 0.000537667
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.000788 1e-13 0.000788 0.000788
+0.000531 1e-13 0.000531 0.000531
 EOD
 $line0_2 << EOD
-0.00188367 1e-13 0.00183333 0.00202033
+0.00127267 1e-13 0.00126533 0.001306
 EOD
 $marks0_2 << EOD
 EOD
 $line1_0 << EOD
-0.0157863 0.361529 0.0156627 0.0160103
-0.0199543 0.0322159 0.0197567 0.020164
-0.0247033 0.0149425 0.0227393 0.02665
-0.045402 0.0149385 0.043899 0.046928
-0.085651 0.0105702 0.0827853 0.0893173
-0.125171 0.0105635 0.121211 0.136823
+0.0148047 0.361529 0.0143167 0.0156127
+0.014818 0.0322159 0.0143537 0.0148947
+0.0174863 0.0149425 0.017433 0.018167
+0.030193 0.0149385 0.0301267 0.0319097
+0.069707 0.0105702 0.065089 0.0778093
+0.0884223 0.0105635 0.0863787 0.0890133
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.0247033 0.0149425 0.0247033 0.0247033
+0.0174863 0.0149425 0.0174863 0.0174863
 EOD
 $line1_2 << EOD
-0.030233 4.89227e-10 0.0293383 0.0306873
-0.032945 8.54072e-12 0.0319567 0.0346453
+0.0197303 3.64405e-07 0.0195467 0.0222017
+0.019974 1.42476e-09 0.019029 0.0237713
+0.0203147 6.6587e-12 0.020221 0.0220483
 EOD
 $marks1_2 << EOD
 EOD
 $line2_0 << EOD
-0.015847 0.716912 0.0156463 0.0164007
-0.0227123 0.716303 0.0223283 0.0248837
-0.023244 0.605739 0.0226223 0.0240417
-0.0247467 0.579252 0.0240013 0.0248137
-0.0319063 0.339693 0.030524 0.0325377
-0.0527927 0.197973 0.052011 0.053697
-0.082131 0.130868 0.081436 0.0828487
-0.12232 0.125419 0.12079 0.132972
-0.136182 0.0427981 0.131323 0.140256
-0.1582 0.0368787 0.157305 0.161503
-0.184202 0.00061836 0.17946 0.199581
+0.0150983 0.605739 0.0150613 0.015148
+0.019136 0.579252 0.019109 0.019209
+0.0237177 0.339693 0.023654 0.0237877
+0.044383 0.197973 0.0416313 0.0452213
+0.0701447 0.130868 0.0700613 0.0703287
+0.0957493 0.0427981 0.0954693 0.0960867
+0.146739 0.0368787 0.145229 0.15278
+0.15451 0.00061836 0.151073 0.164208
 EOD
 $marks2_0 << EOD
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.0247467 0.579252 0.0247467 0.0247467
+0.019136 0.579252 0.019136 0.019136
 EOD
 $line2_2 << EOD
-0.011949 1e-13 0.011909 0.0120087
+0.00832567 1e-13 0.008279 0.00838233
 EOD
 $marks2_2 << EOD
 EOD
 $line3_0 << EOD
-0.0192027 0.997126 0.0185843 0.0200043
-0.025825 0.997124 0.0243127 0.026593
-0.0310517 0.995724 0.0294353 0.0316993
-0.0337403 0.992397 0.032511 0.036091
-0.0578953 0.990153 0.056653 0.060099
-0.0892343 0.985269 0.0879283 0.0920393
-0.146024 0.976647 0.127823 0.156597
-0.166482 0.972416 0.163199 0.172336
-0.244632 0.950097 0.237589 0.24876
-0.251428 0.130574 0.240761 0.269672
+0.0148983 0.999935 0.0148647 0.0149713
+0.0152517 0.997126 0.0151853 0.0152857
+0.0181137 0.997124 0.0180873 0.0181543
+0.0232703 0.995724 0.0231863 0.0233273
+0.0237107 0.992397 0.023638 0.0241087
+0.0415077 0.990153 0.041398 0.0426067
+0.084168 0.985269 0.0825013 0.0870437
+0.105615 0.976647 0.104934 0.110163
+0.145389 0.130574 0.143299 0.151787
 EOD
 $marks3_0 << EOD
 EOD
 $line3_1 << EOD
 EOD
 $marks3_1 << EOD
-0.0310517 0.995724 0.0310517 0.0310517
+0.0232703 0.995724 0.0232703 0.0232703
 EOD
 $line3_2 << EOD
-0.0133147 1.05216e-11 0.0132043 0.013502
+0.009378 5.86016e-09 0.009341 0.00943433
+0.00962833 1.0534e-11 0.00959133 0.00966467
 EOD
 $marks3_2 << EOD
 EOD
 $line4_0 << EOD
-0.0679403 0.926036 0.066625 0.0693867
-0.076747 0.904292 0.076029 0.0777023
-0.107799 0.894835 0.104914 0.116802
-0.119935 0.822127 0.118903 0.121215
-0.215227 0.801754 0.212615 0.233782
-0.383626 0.750351 0.371503 0.398203
-0.519134 0.671472 0.49248 0.5332
-0.739987 0.626558 0.68958 0.772899
-0.955529 0.465567 0.937281 0.985802
-1.39882 0.447062 1.33957 1.47736
-1.92616 0.278849 1.90461 1.96
-3.5715 0.182198 3.50683 3.65256
-4.68346 0.0703965 4.6283 4.75269
-6.90897 0.0568755 6.8262 7.20062
-7.49682 0.00895085 7.34562 7.59163
+0.056566 0.926036 0.056282 0.0571173
+0.0620897 0.904292 0.061946 0.063152
+0.0877113 0.894835 0.0852763 0.091431
+0.097556 0.822127 0.097212 0.10147
+0.181427 0.801754 0.172166 0.19574
+0.317866 0.750351 0.295204 0.361277
+0.405678 0.671472 0.400033 0.418972
+0.640384 0.626558 0.564335 0.657282
+0.773156 0.465567 0.767142 0.782334
+1.10538 0.447062 1.09568 1.13705
+1.54234 0.278849 1.52092 1.5845
+2.80817 0.182198 2.77291 2.8557
+3.80557 0.0703965 3.78311 3.8712
+5.76184 0.0568755 5.58677 5.79431
+5.80206 0.00895085 5.69637 5.92743
 EOD
 $marks4_0 << EOD
 EOD
 $line4_1 << EOD
 EOD
 $marks4_1 << EOD
-0.107799 0.894835 0.107799 0.107799
+0.0877113 0.894835 0.0877113 0.0877113
 EOD
 $line4_2 << EOD
-0.0567463 5.09721e-12 0.055534 0.061375
+0.0368657 1.51462e-08 0.036522 0.0373963
+0.0372733 3.92716e-12 0.0371127 0.0376507
 EOD
 $marks4_2 << EOD
 EOD
 $line5_0 << EOD
-0.122216 0.44258 0.121401 0.128728
-0.174634 0.245927 0.152152 0.184289
-0.28415 0.0597601 0.270698 0.30409
-0.7449 0.00779958 0.733141 0.783753
-1.22769 0.00165521 1.19037 1.30905
-1.45348 0.00119107 1.38856 1.61988
-2.55595 0.000651464 2.34161 2.58957
-2.98319 0.000531489 2.91278 3.03945
-4.20209 0.000163747 4.08197 4.29127
-7.17126 6.25643e-05 6.79517 7.3814
-10.2617 2.574e-06 10.0382 10.2617
-14.3755 1.97618e-06 14.3755 14.7169
-22.111 2.73005e-09 22.111 22.9585
-30.1689 2.54829e-09 30.1689 31.2214
-48.1098 2.10074e-13 48.1098 48.6557
+0.154841 0.44258 0.153264 0.157793
+0.172757 0.245927 0.169591 0.179958
+0.275433 0.0597601 0.271201 0.29172
+0.879666 0.00779958 0.849476 0.90658
+1.04533 0.00165521 1.03212 1.09576
+1.71431 0.00119107 1.64521 1.75743
+2.10842 0.000651464 1.98254 2.45827
+2.62112 0.000531489 2.57371 2.82902
+4.50263 0.000162197 4.44522 4.53201
+7.21357 6.25643e-05 7.18955 7.32938
+11.1142 2.79536e-06 11.0621 11.3606
+13.8625 1.97618e-06 13.8625 15.1952
+21.9964 2.81392e-09 21.9964 23.5437
+27.0476 2.54829e-09 27.0476 27.4069
+43.1266 2.11222e-13 43.1266 43.1776
 EOD
 $marks5_0 << EOD
 EOD
 $line5_1 << EOD
 EOD
 $marks5_1 << EOD
-0.200776 0.253641 0.200776 0.200776
+0.229223 0.253641 0.229223 0.229223
 EOD
 $line5_2 << EOD
-0.112922 2.10074e-13 0.11215 0.131747
+0.0800467 1.33378e-08 0.0793323 0.0820233
+0.0810953 2.11222e-13 0.080564 0.0832963
 EOD
 $marks5_2 << EOD
 EOD
 $line6_0 << EOD
-0.643282 0.704545 0.598559 0.748781
-0.97556 0.591319 0.813332 2.21664
-0.993977 0.583607 0.959499 2.37955
-1.52395 0.583178 1.41034 2.80557
-1.98266 0.32907 1.51235 2.83658
-5.45032 0.181015 5.22119 5.51912
-6.91124 0.180567 6.86852 6.98333
-7.64781 0.082558 6.14234 7.66045
-9.77876 0.0514512 9.74627 13.5853
-11.5217 0.0129409 11.5167 11.6982
-18.0823 0.00335433 18.0823 24.6585
-43.695 0.00200145 43.695 44.2158
-62.8424 0.000722924 62.8424 70.2163
-84.7211 0.000537575 84.7211 85.7599
-149.852 0.000136952 149.852 153.39
-172.449 8.87081e-05 172.449 179.058
-280.232 5.84848e-06 266.391 283.738
+0.542464 0.704545 0.5279 0.587869
+0.813095 0.591319 0.798675 0.849911
+0.92273 0.583607 0.905277 0.957856
+1.32157 0.32907 1.29581 1.36922
+3.19797 0.181015 3.16722 3.35156
+5.63308 0.180567 5.58581 5.73321
+5.83186 0.082558 5.50015 6.43465
+6.15571 0.0514512 6.11299 6.42532
+12.5975 0.00834562 12.589 12.8327
+28.0636 0.00335433 28.0636 29.8053
+31.9402 0.00200145 31.9402 33.2662
+45.8684 0.000738151 45.8684 47.2297
+66.5521 0.000537575 66.5521 67.7514
+120.759 0.000129243 120.759 125.877
+136.716 8.87081e-05 136.716 138.743
+240.045 5.07895e-06 240.045 281.915
 EOD
 $marks6_0 << EOD
 EOD
 $line6_1 << EOD
 EOD
 $marks6_1 << EOD
-0.993977 0.583607 0.993977 0.993977
+0.92273 0.583607 0.92273 0.92273
 EOD
 $line6_2 << EOD
-0.502121 1.85116e-13 0.476347 0.549878
+0.33444 1.78629e-13 0.325026 0.346503
 EOD
 $marks6_2 << EOD
 EOD
 $line7_0 << EOD
-0.667629 0.636535 0.608474 0.86376
-0.774366 0.545973 0.70932 1.5657
-0.992846 0.454878 0.931968 1.26374
-1.31443 0.45052 1.24035 5.4216
-3.46525 0.245049 1.76677 5.91084
-5.04004 0.107182 2.27576 5.11262
-7.90785 0.0153793 7.71492 9.32772
-15.0646 0.0122348 15.0646 15.1856
-18.7271 0.00297643 18.712 18.7821
-26.2525 0.00273334 26.2525 28.5818
-42.8556 0.000788542 42.8556 74.1614
-61.698 0.000240205 61.698 63.7912
-85.1407 2.32129e-05 85.1407 101.204
-128.598 5.26856e-06 128.598 143.867
-211.237 6.11248e-08 211.237 230.965
-269.567 2.56564e-09 269.567 273.376
-381.486 3.51714e-12 372.573 385.67
+0.56857 0.636535 0.556792 0.590468
+0.669225 0.545973 0.649621 0.694519
+0.892477 0.454878 0.850247 0.991553
+1.08891 0.23761 1.07244 1.11085
+1.9329 0.107182 1.88276 1.95523
+3.44495 0.0562172 3.25155 3.68014
+4.46956 0.0153793 4.39104 4.48919
+6.7115 0.0122348 6.66388 6.81413
+8.5905 0.00297643 8.47773 8.61765
+11.8007 0.00273334 11.7898 11.8078
+18.5788 0.000788542 18.5788 19.0171
+29.1398 0.000240205 29.1398 31.3782
+41.9094 2.32129e-05 41.9094 42.775
+60.5811 5.26856e-06 60.5811 63.2822
+92.9732 6.08211e-08 92.9732 95.1921
+115.973 2.56564e-09 115.973 118.746
+172.382 2.89324e-10 172.382 181.489
 EOD
 $marks7_0 << EOD
 EOD
 $line7_1 << EOD
 EOD
 $marks7_1 << EOD
-0.992846 0.454878 0.992846 0.992846
+0.892477 0.454878 0.892477 0.892477
 EOD
 $line7_2 << EOD
-0.556313 5.11582e-13 0.522236 0.632255
+0.321723 8.50072e-09 0.316974 0.334163
+0.383489 5.11432e-13 0.368007 0.408861
 EOD
 $marks7_2 << EOD
 EOD
 $line8_0 << EOD
-0.0373767 1.33123 0.0372363 0.0390867
-0.0391697 0.774876 0.0376403 0.041992
-0.053931 0.774571 0.0529197 0.0547323
-0.0549367 0.678143 0.054225 0.0578013
-0.0607167 0.611437 0.060196 0.0615353
-0.0883187 0.550102 0.087541 0.0892137
-0.139104 0.548871 0.137431 0.142918
-0.217835 0.449024 0.205345 0.232309
-0.242869 0.426717 0.238888 0.255689
-0.301946 0.325748 0.279147 0.331171
-0.619201 0.174386 0.591018 0.6739
-1.21059 0.0992425 1.15605 1.28169
-2.92286 0.05735 2.86055 3.06119
-5.56897 0.0431319 5.30855 5.87113
-10.2385 0.0156885 9.78612 10.2487
+0.0295153 0.712746 0.0289443 0.0301337
+0.038766 0.709926 0.0386953 0.038843
+0.042266 0.616208 0.041852 0.0482
+0.060363 0.607603 0.060313 0.060607
+0.0612613 0.563436 0.057334 0.0627677
+0.0702783 0.507866 0.0700483 0.0737617
+0.102338 0.481353 0.102225 0.102542
+0.166185 0.376028 0.158721 0.175325
+0.216212 0.344682 0.214435 0.230943
+0.224895 0.292051 0.22391 0.232726
+0.43565 0.280583 0.418839 0.474446
+0.448244 0.164432 0.439434 0.485274
+0.864264 0.092162 0.857939 0.874192
+2.16272 0.0576082 2.13229 2.20299
+4.14628 0.0514132 4.10336 4.37698
+8.51156 0.0370365 8.28244 8.61687
 EOD
 $marks8_0 << EOD
 EOD
 $line8_1 << EOD
 EOD
 $marks8_1 << EOD
-0.0549367 0.678143 0.0549367 0.0549367
+0.042266 0.616208 0.042266 0.042266
 EOD
 $line8_2 << EOD
-0.143693 0.866319 0.139619 0.163133
-0.161663 0.74019 0.15834 0.17955
-0.211116 0.559967 0.204553 0.229187
-0.271793 0.352143 0.267695 0.293607
-0.472419 0.131704 0.453347 0.505926
-0.815669 0.0508662 0.56691 2.111
-1.11537 0.0228018 1.07411 1.40953
-2.87288 2.76408e-07 2.56716 8.10582
-8.38908 5.50846e-08 8.30428 33.3313
-29.434 3.15861e-08 29.3395 63.6894
+0.0956353 1 0.0937427 0.096518
+0.10867 0.820511 0.107989 0.110938
+0.119364 0.688754 0.118155 0.122169
+0.144698 0.551223 0.141719 0.148629
+0.203118 0.463015 0.199391 0.214983
+0.36298 0.0657598 0.324549 0.384037
+0.829439 0.0160825 0.796621 0.949304
+1.18384 0.0010968 1.16043 1.21879
+1.30235 4.97849e-06 1.27266 1.41851
+1.8079 2.14785e-06 1.68227 1.92885
+2.16233 6.58766e-08 2.11525 2.43215
+2.82999 9.04639e-09 2.76066 3.18531
+3.4223 5.27284e-09 3.28078 3.61451
+4.61859 5.16613e-09 4.54373 5.01822
 EOD
 $marks8_2 << EOD
 EOD
 $line9_0 << EOD
-0.0201647 0.28168 0.0195867 0.020512
-0.0321673 0.148776 0.03203 0.034438
-0.0502107 0.0568471 0.0473487 0.05167
-0.107281 0.00976809 0.103367 0.110625
-0.152753 0.00956268 0.149297 0.157332
-0.204861 0.00638199 0.20254 0.215397
-0.303646 0.00618908 0.291103 0.315953
-0.390586 0.00415143 0.371807 0.40717
-0.953598 0.00169026 0.918663 0.993673
-2.94963 0.000460191 1.83288 3.24564
-5.18759 5.0438e-05 4.86168 5.22205
+0.0165543 0.28168 0.0165173 0.0166013
+0.024172 0.148776 0.0235873 0.024997
+0.0434143 0.0568471 0.0428833 0.044106
+0.0886663 0.00976809 0.0871437 0.0950317
+0.130174 0.00956268 0.127346 0.133804
+0.169124 0.00638199 0.167511 0.172433
+0.260024 0.00618908 0.2525 0.270427
+0.340391 0.00415143 0.332654 0.355504
+0.831823 0.00169026 0.819143 0.854268
+1.62189 0.000460191 1.59072 1.6762
+3.25789 5.0438e-05 3.20269 3.31558
 EOD
 $marks9_0 << EOD
 EOD
 $line9_1 << EOD
 EOD
 $marks9_1 << EOD
-0.0321673 0.148776 0.0321673 0.0321673
+0.024172 0.148776 0.024172 0.024172
 EOD
 $line9_2 << EOD
-0.0183413 2.33513e-09 0.018294 0.0184143
-0.0207253 2.0747e-09 0.020475 0.0210597
-0.038071 3.34598e-10 0.0346753 0.0389427
-0.080234 1.1496e-10 0.0793053 0.0866127
+0.014447 2.33517e-09 0.0142103 0.0146043
+0.0357903 2.90378e-10 0.0354733 0.0360873
+0.063269 1.37909e-10 0.0605137 0.0647083
 EOD
 $marks9_2 << EOD
 EOD
 $line10_0 << EOD
-0.063539 0.123134 0.058179 0.064051
-0.097162 0.102756 0.096441 0.104356
-0.100048 0.0326114 0.074589 0.101681
-0.156042 0.0312857 0.152145 0.174768
-0.16523 0.0138302 0.129273 0.172293
-0.26674 0.00669709 0.264095 0.288681
-0.612208 0.00484778 0.592521 0.625723
+0.049703 0.122965 0.049543 0.049774
+0.070352 0.0324326 0.069861 0.075361
+0.098164 0.0311424 0.098084 0.099246
+0.113342 0.0139361 0.113212 0.113923
+0.164959 0.00651607 0.164538 0.173886
+0.364283 0.00411026 0.36292 0.387106
+0.696606 0.00347718 0.68796 0.719409
+1.40958 0.00339097 1.38638 1.4457
 EOD
 $marks10_0 << EOD
 EOD
 $line10_1 << EOD
 EOD
 $marks10_1 << EOD
-0.100048 0.0326114 0.100048 0.100048
+0.070352 0.0324326 0.070352 0.070352
 EOD
 $line10_2 << EOD
-0.097733 0.639387 0.09608 0.127268
-0.110888 0.404422 0.106991 0.127028
-0.140102 0.127899 0.133811 0.157034
-0.177303 0.0178621 0.174297 0.196068
-0.268574 0.00484778 0.248246 0.286056
+0.084318 0.639239 0.083186 0.086512
+0.09084 0.404157 0.090369 0.094557
+0.120796 0.127988 0.119284 0.124163
+0.155 0.0175058 0.152516 0.163086
+0.22427 0.00435376 0.220202 0.242165
+0.25601 0.00413988 0.207729 0.274665
+0.435758 0.00372135 0.425688 0.451036
+0.669094 0.00355366 0.659076 0.689512
+0.904756 0.00329634 0.891331 0.930354
 EOD
 $marks10_2 << EOD
 EOD
 $line11_0 << EOD
-0.00890633 0.579497 0.008633 0.009244
-0.0129073 0.368167 0.012587 0.0134383
-0.0174553 0.250174 0.0172253 0.0177933
-0.0204953 0.0447344 0.020181 0.0208293
-0.0427167 0.0352307 0.042092 0.046267
-0.0535137 0.0063289 0.052281 0.0589873
+0.007554 0.579539 0.007394 0.00859933
+0.010857 0.368124 0.0106263 0.0114353
+0.015282 0.247942 0.014945 0.0164473
+0.0181577 0.0446829 0.0179773 0.0182343
+0.03552 0.0352888 0.0352423 0.0357207
+0.0466007 0.00483164 0.0439823 0.0525253
 EOD
 $marks11_0 << EOD
 EOD
 $line11_1 << EOD
 EOD
 $marks11_1 << EOD
-0.0129073 0.368167 0.0129073 0.0129073
+0.010857 0.368124 0.010857 0.010857
 EOD
 $line11_2 << EOD
-0.0300033 0.95786 0.0297797 0.032912
-0.032761 0.853278 0.0303873 0.035356
-0.0383487 0.598332 0.037387 0.0405793
-0.04794 0.214369 0.0468677 0.0509757
-0.0668657 0.0242129 0.0630213 0.0710897
-0.085968 0.00217671 0.0779797 0.0939123
-0.111095 0.00209629 0.108353 0.121438
-0.117243 0.00209023 0.10844 0.122466
-0.222273 0.00208626 0.214555 0.235351
-0.399232 0.0014039 0.384007 0.424265
+0.0247127 0.957857 0.0240883 0.02511
+0.025889 0.853266 0.0254573 0.0264457
+0.0309243 0.598187 0.030571 0.0318563
+0.0389063 0.214227 0.0386387 0.0399483
+0.054185 0.0242669 0.0535037 0.0551837
+0.064311 0.0024391 0.0633153 0.067383
+0.0898113 0.00237029 0.0890803 0.092567
+0.0962807 0.00236994 0.0958933 0.0979033
+0.169932 0.00236904 0.167708 0.193155
+0.333198 0.00096758 0.326803 0.35226
 EOD
 $marks11_2 << EOD
 EOD
 $line12_0 << EOD
-0.329311 10 0.305866 0.390823
-0.345629 0.634232 0.322929 0.387809
-0.351429 0.583405 0.336921 0.412507
-0.476006 0.505871 0.438459 0.554774
-0.506109 0.471467 0.469521 0.583527
-0.756065 0.422329 0.71994 2.12087
-0.798488 0.361827 0.754826 2.2119
-2.92965 0.186632 1.58023 4.33149
-5.55063 0.0854363 4.20229 5.63062
-9.38172 0.0494224 9.35208 9.73862
-21.6025 0.0470635 21.5862 24.8815
+0.260386 0.634232 0.254731 0.273336
+0.301304 0.583404 0.282693 0.322701
+0.362743 0.50587 0.351709 0.372569
+0.389433 0.470585 0.38067 0.402244
+0.556624 0.422327 0.545967 0.588767
+0.610575 0.35948 0.599278 0.630703
+1.41036 0.189032 1.396 1.44772
+2.35259 0.124729 2.33433 2.40209
 EOD
 $marks12_0 << EOD
 EOD
 $line12_1 << EOD
 EOD
 $marks12_1 << EOD
-0.476006 0.505871 0.476006 0.476006
+0.362743 0.50587 0.362743 0.362743
 EOD
 $line12_2 << EOD
-0.76068 0.954769 0.722852 0.84806
-0.925048 0.926505 0.82124 3.16951
-0.979827 0.766009 0.902061 2.45043
-2.80414 0.520176 1.42004 4.21071
-4.67626 0.144015 2.30999 4.71468
-7.58553 0.0370263 6.37524 7.61326
-10.6725 0.0031041 10.6339 11.5983
-13.1093 0.000352049 13.0952 14.7624
-16.3561 8.31879e-06 16.3453 18.3853
-17.7371 2.64716e-07 17.7304 18.7898
-21.6891 6.55389e-08 21.5671 22.3995
-23.6781 1.53133e-08 23.6605 27.3031
-35.6227 1.48246e-08 35.6121 37.9131
-36.7516 1.25331e-08 36.747 40.4659
+0.607633 0.931015 0.595297 0.633986
+0.659036 0.895098 0.638685 0.693341
+0.79598 0.647831 0.767803 0.828968
+0.969154 0.354926 0.940975 1.00424
+1.38606 0.142548 1.34513 1.43034
+2.69736 0.0296569 2.67297 2.73746
+3.72584 0.0023943 3.69884 3.76352
+4.81402 0.000428599 4.74035 4.84511
+5.76847 2.5505e-05 5.74006 6.50179
+6.34054 4.75554e-06 6.19265 6.55271
+7.16967 3.43907e-07 7.14596 7.26635
+7.91246 2.90679e-08 7.85208 8.12874
+9.71298 1.79538e-08 9.68884 9.86897
+10.4998 1.30407e-08 10.472 10.8905
+11.7581 1.12252e-09 11.2937 12.3227
 EOD
 $marks12_2 << EOD
 EOD
 $line13_0 << EOD
-0.0378343 0.961759 0.0359407 0.0397243
-0.0538843 0.95993 0.0505313 0.0578087
-0.060894 0.955375 0.0588233 0.065466
-0.162588 0.952247 0.159425 0.172711
-0.300821 0.943853 0.294098 0.333982
-0.584783 0.927874 0.531747 0.628706
-0.748123 0.202499 0.72148 0.784658
+0.040182 2.74879 0.0352963 0.040566
+0.051396 1.49165 0.0477193 0.054499
+0.0778957 1.47779 0.0770577 0.079369
+0.0969483 1.32613 0.0914417 0.100709
+0.193422 1.01407 0.190617 0.211567
+0.364257 0.977325 0.355821 0.376683
+0.532135 0.97369 0.523328 0.547296
+1.00778 0.493487 0.996933 1.03771
 EOD
 $marks13_0 << EOD
 EOD
 $line13_1 << EOD
 EOD
 $marks13_1 << EOD
-0.0538843 0.95993 0.0538843 0.0538843
+0.051396 1.49165 0.051396 0.051396
 EOD
 $line13_2 << EOD
-0.117193 0.22092 0.113647 0.13312
-0.131921 0.181936 0.127546 0.145807
-0.136115 0.0763921 0.132375 0.161737
-0.181066 0.0507652 0.176862 0.197076
-0.199023 0.00182446 0.188166 0.220804
-0.200676 0.00103484 0.196251 0.225787
-0.259303 0.000200344 0.250196 0.288748
-0.29551 0.000152835 0.286678 0.319549
+0.093392 0.984039 0.08526 0.106824
+0.0972187 0.972452 0.0950613 0.102813
+0.119511 0.960202 0.116846 0.128478
+0.176888 0.956049 0.170937 0.194691
+0.252186 0.954846 0.247344 0.273717
+0.430818 0.949595 0.421209 0.447546
+2.03744 0.111114 1.96288 2.59599
+3.06935 0.00415803 2.74804 3.13391
+3.27255 4.32648e-05 3.17556 3.56685
 EOD
 $marks13_2 << EOD
 EOD
 $line14_0 << EOD
-0.969687 0.463036 0.927289 1.02506
-1.00451 0.427061 0.980168 1.06199
-1.48416 0.33631 1.45886 1.51394
-2.91187 0.243021 2.87468 3.04792
-7.08962 0.104263 6.92563 7.64421
-10.8539 0.0487098 10.7994 10.8539
-28.1543 0.0453047 28.1543 28.7187
+0.73085 0.440486 0.720771 0.787415
+1.02897 0.427061 0.98184 1.1378
+1.18573 0.369472 1.14334 1.33427
+1.51191 0.33631 1.47742 1.82651
+2.13221 0.319465 2.07655 2.24403
+2.86447 0.243021 2.7686 2.95796
+5.81768 0.104263 5.79652 6.10407
+10.1564 0.0487098 10.1504 10.1564
+19.4403 0.0453047 19.4403 20.6039
 EOD
 $marks14_0 << EOD
 EOD
 $line14_1 << EOD
 EOD
 $marks14_1 << EOD
-6.1218 0.369472 6.1218 6.1218
+1.18573 0.369472 1.18573 1.18573
 EOD
 $line14_2 << EOD
-6.44181 0.568142 2.71218 6.48943
-8.12919 0.405067 7.97224 8.2201
-8.20725 0.296077 8.18225 8.20725
-9.14182 0.180378 8.80312 9.14182
-16.3078 0.0122422 16.3078 16.5624
-22.9926 0.000555606 22.9926 26.0544
-31.5945 1.51381e-05 31.5945 33.1977
-37.2979 2.22837e-07 37.2979 55.5002
-38.1924 2.22823e-07 38.1924 57.6002
-45.8798 1.16897e-11 45.8798 64.6299
-49.4065 1.15752e-11 49.4065 69.1782
-100.275 2.29091e-13 100.275 112.342
+1.70091 0.694845 1.6091 1.7746
+1.92576 0.405067 1.8287 2.01615
+2.10216 0.219827 1.88259 2.27514
+3.06347 0.116021 2.87116 3.14645
+3.95368 0.0208924 3.69724 4.22167
+4.43958 0.0011091 4.0414 4.49362
+4.907 0.000166483 4.66107 4.99602
+6.09361 5.11814e-06 5.8458 6.19804
+7.037 4.93131e-07 6.77848 7.08359
+8.27121 4.94373e-08 7.92729 8.61812
+9.52671 5.83506e-10 8.8513 9.52671
+11.6436 2.87546e-11 11.6436 12.3495
+18.9722 1.35359e-12 18.9722 18.9905
 EOD
 $marks14_2 << EOD
 EOD
@@ -440,7 +452,7 @@ set logscale x
 set xtics nomirror (0.0001, 0.0002, 0.0005, 0.001, 0.002, 0.005)
 set mxtics
 set format x "%g"
-set xrange [0.000617631:0.00315277]
+set xrange [0.000483646:0.00201496]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -452,9 +464,9 @@ unset label
 unset arrow
 unset object
 set label "best of Bullet's" at graph 0.0914038, graph 0.037156 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.184239, graph 0.130046 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.149439, graph 0 to graph 0.184239, graph 0.130046 nohead lw 0.6 lc rgb '#555555'
-set label "delassus" at graph 0.71884, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.100258, graph 0.130046 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0654576, graph 0 to graph 0.100258, graph 0.130046 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.712808, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line0_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line0_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -471,7 +483,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0119849:1.55731]
+set xrange [0.0116715:0.779108]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -482,9 +494,9 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.242562, graph 0.137964 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.166719, graph 0.130242 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.787415 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.183409, graph 0.835329 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.131032, graph 0.835329 left front noenhanced textcolor rgb '#555555'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line1_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line1_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -501,7 +513,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00830363:5.14906]
+set xrange [0.00564462:5.4137]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -514,7 +526,7 @@ unset arrow
 unset object
 set label "delassus" at graph 0.0914038, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.699374 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.204632, graph 0.948789 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.212614, graph 0.948789 left front noenhanced textcolor rgb '#555555'
 plot $line2_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line2_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line2_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -531,7 +543,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0090062:8.99787]
+set xrange [0.00651207:4.09222]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -542,10 +554,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.05216e-11 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.0914038, graph 0.144434 left front noenhanced textcolor rgb '#0060a8'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.0534e-11 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.0954924, graph 0.144471 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.865418 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.214005, graph 0.872705 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.017854, graph 0.891283 left front noenhanced textcolor rgb '#555555'
 plot $line3_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line3_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line3_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -562,7 +574,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0296304:2866]
+set xrange [0.0188065:2745]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -573,10 +585,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 5.09721e-12 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.0914038, graph 0.121952 left front noenhanced textcolor rgb '#0060a8'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 3.92716e-12 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.0923286, graph 0.113863 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.782276 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.147301, graph 0.96228 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.164296, graph 0.96228 left front noenhanced textcolor rgb '#555555'
 plot $line4_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line4_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line4_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -593,7 +605,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0504566:76522.1]
+set xrange [0.0346672:91290.8]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -604,10 +616,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 2.10074e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 2.11222e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
 set label "best of Bullet's" at graph 0.516822, graph 0.037156 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus" at graph 0.0914038, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.13184, graph 0.886016 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.0922842, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.162569, graph 0.886016 left front noenhanced textcolor rgb '#555555'
 plot $line5_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line5_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line5_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -624,7 +636,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.216445:619210]
+set xrange [0.139418:720526]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -635,10 +647,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.85116e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.78629e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
 set label "delassus" at graph 0.0914038, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.516822, graph 0.554789 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.137337, graph 0.949022 left front noenhanced textcolor rgb '#555555'
+set label "best of Bullet's" at graph 0.516822, graph 0.550412 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.157058, graph 0.949022 left front noenhanced textcolor rgb '#555555'
 plot $line6_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line6_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line6_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -655,7 +667,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.233322:1.0832e+06]
+set xrange [0.139436:362459]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -666,10 +678,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 5.11582e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.0914038, graph 0.0506368 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.516822, graph 0.110442 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.129138, graph 0.941291 left front noenhanced textcolor rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 5.11432e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.103293, graph 0.0506277 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.516822, graph 0.247242 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.16048, graph 0.922713 left front noenhanced textcolor rgb '#555555'
 plot $line7_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line7_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line7_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -686,7 +698,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0175715:10859.3]
+set xrange [0.0138912:8417.68]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -697,11 +709,11 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 2.1868e-08 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.591534, graph 0.392821 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.512339, graph 0.799684 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.120287, graph 0.805055 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0854869, graph 0.916523 to graph 0.120287, graph 0.805055 nohead lw 0.6 lc rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.6319e-09 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.470907, graph 0.336655 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.516822, graph 0.826331 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.118372, graph 0.783506 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0835722, graph 0.913552 to graph 0.118372, graph 0.783506 nohead lw 0.6 lc rgb '#555555'
 plot $line8_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line8_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line8_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -718,7 +730,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00865453:5010.6]
+set xrange [0.00702554:2388.24]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -729,10 +741,9 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 2.16596e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.202625, graph 0.21861 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.207362, graph 0.224257 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.621626 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.133743, graph 0.888045 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.131816, graph 0.906623 left front noenhanced textcolor rgb '#555555'
 plot $line9_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line9_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line9_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -749,7 +760,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0470039:9.65648]
+set xrange [0.0318488:82.7693]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -760,11 +771,11 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 0.00484778 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "best of Bullet's" at graph 0.516822, graph 0.763253 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus" at graph 0.060495, graph 0.726097 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.176659, graph 0.952429 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.141859, graph 0.822384 to graph 0.176659, graph 0.952429 nohead lw 0.6 lc rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 0.00329634 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.460432, graph 0.714132 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.516822, graph 0.789322 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.135592, graph 0.710745 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.100792, graph 0.822213 to graph 0.135592, graph 0.710745 nohead lw 0.6 lc rgb '#555555'
 plot $line10_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line10_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line10_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -781,7 +792,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00633519:2.6023]
+set xrange [0.00538102:2.15469]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -792,12 +803,12 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 2.64771e-06 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.723301, graph 0.72481 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.389371, graph 0.882991 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.354571, graph 0.771523 to graph 0.389371, graph 0.882991 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:10" at graph 0.153057, graph 0.786107 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.118257, graph 0.897575 to graph 0.153057, graph 0.786107 nohead lw 0.6 lc rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 6.37221e-05 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.723301, graph 0.713263 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.395038, graph 0.85604 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.360238, graph 0.76315 to graph 0.395038, graph 0.85604 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:10" at graph 0.151935, graph 0.786103 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.117135, graph 0.897571 to graph 0.151935, graph 0.786103 nohead lw 0.6 lc rgb '#555555'
 plot $line11_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line11_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line11_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -813,8 +824,8 @@ set title "ragdolls" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "10^{%T}"
-set xrange [0.187984:3764.25]
+set format x "%g"
+set xrange [0.185094:76.9213]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -825,11 +836,11 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 2.48932e-11 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.567434, graph 0.364147 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.513785, graph 0.833763 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.128601, graph 0.833119 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.093801, graph 0.907431 to graph 0.128601, graph 0.833119 nohead lw 0.6 lc rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.16562e-11 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.723301, graph 0.289299 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.45645, graph 0.863998 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.146387, graph 0.833119 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.111587, graph 0.907431 to graph 0.146387, graph 0.833119 nohead lw 0.6 lc rgb '#555555'
 plot $line12_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line12_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line12_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -846,7 +857,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0254353:28.3174]
+set xrange [0.0259413:59.0693]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -857,11 +868,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 0.000152835 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.384413, graph 0.656016 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.516822, graph 0.87903 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.141813, graph 0.741523 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.107013, graph 0.927303 to graph 0.141813, graph 0.741523 nohead lw 0.6 lc rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 4.32648e-05 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.660556, graph 0.616867 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.508198, graph 0.925241 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.123244, graph 0.885242 left front noenhanced textcolor rgb '#555555'
 plot $line13_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line13_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line13_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -878,7 +888,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.613522:1995.23]
+set xrange [0.472327:1055.83]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -889,9 +899,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.664999, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.507931, graph 0.832582 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.104654, graph 0.93484 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.513661, graph 0.0808205 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.516822, graph 0.832582 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.15415, graph 0.637593 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.11935, graph 0.897684 to graph 0.15415, graph 0.637593 nohead lw 0.6 lc rgb '#555555'
 plot $line14_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line14_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line14_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \

@@ -1,145 +1,145 @@
 # Draws pile.svg and pile.png: gnuplot pile.gp
 $line0_0 << EOD
-2 1.493 2 2
-19 13.0777 19 19
-60 37.2186 60 60
-134 16.0879 134 134
-722 697.956 722 722
+2 1.4925 2 2
+19 12.2087 19 19
+60 50.6991 60 60
+134 14.8063 134 134
+722 142.016 722 722
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-2 1.503 2 2
-19 11.5095 19 19
-60 37.0012 60 60
-134 10.688 134 134
-722 290.831 722 722
+2 1.668 2 2
+19 9.16084 19 19
+60 36.7903 60 60
+134 11.1863 134 134
+722 52.4429 722 722
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-2 0.3055 2 2
-19 0.490421 19 19
-60 0.8025 60 60
-134 0.551851 134 134
-722 0.713512 722 722
-3051 1.08129 3051 3051
-10851 1.74195 10851 10851
-24829 3.91958 24829 24829
+2 0.3855 2 2
+19 0.471421 19 19
+60 0.540517 60 60
+134 0.591037 134 134
+722 0.580453 722 722
+3051 0.916441 3051 3051
+10851 1.30177 10851 10851
+24829 1.61621 24829 24829
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-2 0.3305 2 2
-19 3.50816 19 19
-60 3.31488 60 60
-134 3.46126 134 134
-722 3.79472 722 722
-3051 5.73078 3051 3051
-10851 7.04014 10851 10851
-24829 18.9031 24829 24829
+2 0.3855 2 2
+19 4.15516 19 19
+60 3.463 60 60
+134 3.30022 134 134
+722 3.78159 722 722
+3051 5.01303 3051 3051
+10851 8.26679 10851 10851
+24829 7.7758 24829 24829
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-2 0.3305 2 2
-19 0.592684 19 19
-60 0.61115 60 60
-134 0.638216 134 134
-722 0.841064 722 722
-3051 1.30002 3051 3051
-10851 1.81518 10851 10851
-24829 4.09278 24829 24829
+2 0.3955 2 2
+19 0.678632 19 19
+60 0.780467 60 60
+134 0.613164 134 134
+722 0.756141 722 722
+3051 1.1013 3051 3051
+10851 2.10087 10851 10851
+24829 1.96619 24829 24829
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-2 1.192 2 2
-19 1.74432 19 19
-60 2.5927 60 60
-134 4.05267 134 134
-722 34.5594 722 722
-3051 250.218 3051 3051
+2 1.272 2 2
+19 2.04437 19 19
+60 2.79908 60 60
+134 3.86232 134 134
+722 30.4415 722 722
+3051 176.513 3051 3051
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-2 0.902 2 2
-19 2.15511 19 19
-60 8.51898 60 60
-134 33.8186 134 134
-722 1115.65 722 722
+2 1.042 2 2
+19 2.32489 19 19
+60 8.36302 60 60
+134 31.6412 134 134
+722 1007.61 722 722
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-2 0.8865 2 2
-19 1.82921 19 19
-60 8.1087 60 60
-134 32.5381 134 134
-722 961.453 722 722
+2 1.012 2 2
+19 2.43721 19 19
+60 7.7305 60 60
+134 31.6543 134 134
+722 1004.62 722 722
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-19 23.1228 19 19
-60 199.761 60 60
-134 1117.93 134 134
+19 23.4234 19 19
+60 190.565 60 60
+134 1134.92 134 134
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-722 5.33709 722 722
+722 5.04218 722 722
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-722 5.55418 722 722
+722 4.84557 722 722
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-3051 4.48102 3051 3051
-10851 19.6403 10851 10851
-24829 42.3363 24829 24829
+3051 5.30842 3051 3051
+10851 19.5994 10851 10851
+24829 42.2748 24829 24829
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-3051 4.48102 3051 3051
-10851 19.6403 10851 10851
-24829 42.3363 24829 24829
+3051 5.30842 3051 3051
+10851 19.5994 10851 10851
+24829 42.2748 24829 24829
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-3051 4.57114 3051 3051
-10851 19.8902 10851 10851
-24829 42.5042 24829 24829
+3051 5.38624 3051 3051
+10851 19.8492 10851 10851
+24829 42.4428 24829 24829
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-722 35.4181 722 722
-3051 601.817 3051 3051
+722 35.7294 722 722
+3051 601.62 3051 3051
 EOD
 $marks1_5 << EOD
 EOD
 $line1_6 << EOD
-134 3.11706 134 134
-722 68.7104 722 722
+134 3.04742 134 134
+722 69.5992 722 722
 EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-134 3.12115 134 134
-722 68.7186 722 722
+134 3.04742 134 134
+722 69.5992 722 722
 EOD
 $marks1_7 << EOD
 EOD
 $line1_8 << EOD
-60 4.36224 60 60
-134 21.4057 134 134
+60 4.21888 60 60
+134 20.9019 134 134
 EOD
 $marks1_8 << EOD
 EOD
@@ -172,16 +172,17 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.318648 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.368955 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.322404 to graph 0.836374, graph 0.368955 nohead lw 0.6 lc rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.455307 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:10" at graph 0.667268, graph 0.679664 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.551021, graph 0.727642 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.551021, graph 0.780404 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.551021, graph 0.831499 left front noenhanced textcolor rgb '#555555'
-set label "dantzig" at graph 0.398872, graph 0.844419 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.295399, graph 0.809683 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.836374, graph 0.2417 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.293639 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.378149 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-4" at graph 0.551021, graph 0.485748 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.531598, graph 0.543937 to graph 0.551021, graph 0.485748 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.551021, graph 0.677019 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.531598, graph 0.630467 to graph 0.551021, graph 0.677019 nohead lw 0.6 lc rgb '#0060a8'
+set label "pgs:10" at graph 0.667268, graph 0.626079 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.551021, graph 0.800401 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.398872, graph 0.835573 left front noenhanced textcolor rgb '#555555'
+set label "lemke" at graph 0.295399, graph 0.810993 left front noenhanced textcolor rgb '#999999'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -229,18 +230,17 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.389947, graph 0.242435 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-4" at graph 0.389947, graph 0.306396 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.370524, graph 0.248207 to graph 0.389947, graph 0.306396 nohead lw 0.6 lc rgb '#0060a8'
-set label "lemke" at graph 0.17742, graph 0.44351 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.836374, graph 0.542237 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.553875 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.589362 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.542811 to graph 0.836374, graph 0.589362 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.237798, graph 0.612341 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.156868, graph 0.65891 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.370524, graph 0.612358 to graph 0.3511, graph 0.65891 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:10" at graph 0.571811, graph 0.926488 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.389947, graph 0.21681 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.221612, graph 0.234206 left front noenhanced textcolor rgb '#0060a8'
+set label "lemke" at graph 0.17742, graph 0.440062 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.836374, graph 0.542027 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.553665 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.589153 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.542601 to graph 0.836374, graph 0.589153 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.237798, graph 0.614201 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6" at graph 0.156868, graph 0.660753 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.370524, graph 0.614201 to graph 0.3511, graph 0.660753 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:10" at graph 0.571811, graph 0.926441 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \

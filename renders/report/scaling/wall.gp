@@ -1,80 +1,80 @@
 # Draws wall.svg and wall.png: gnuplot wall.gp
 $line0_0 << EOD
-4 21.553 4 4
-8 24.6 8 8
-44 55.4929 44 44
-240 2099.21 240 240
-992 1136.9 992 992
-4156 1769.48 4156 4156
+4 4.4685 4 4
+8 10.8528 8 8
+44 25.1604 44 44
+240 602.388 240 240
+992 860.673 992 992
+4156 1103.77 4156 4156
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 11.048 4 4
-8 10.64 8 8
-44 20.9329 44 44
-240 28.3945 240 240
-992 33.2563 992 992
-4156 612.006 4156 4156
+4 3.131 4 4
+8 3.5015 8 8
+44 13.248 44 44
+240 18.6728 240 240
+992 26.0241 992 992
+4156 404.242 4156 4156
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.829 4 4
-8 0.66875 8 8
-44 0.590636 44 44
-240 0.682233 240 240
-992 0.713596 992 992
-4156 0.588408 4156 4156
-17032 1.2417 17032 17032
-42644 1.67442 42644 42644
+4 1.35525 4 4
+8 0.64875 8 8
+44 0.415568 44 44
+240 0.453892 240 240
+992 0.482377 992 992
+4156 0.53878 4156 4156
+17032 1.23855 17032 17032
+42644 1.31791 42644 42644
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 5.49525 4 4
-8 4.58362 8 8
-44 4.34793 44 44
-240 4.02392 240 240
-992 4.8433 992 992
-4156 4.09535 4156 4156
-17032 6.0808 17032 17032
-42644 10.4167 42644 42644
+4 4.71625 4 4
+8 2.96063 8 8
+44 3.20398 44 44
+240 3.24542 240 240
+992 3.43269 992 992
+4156 3.81861 4156 4156
+17032 5.0194 17032 17032
+42644 7.35149 42644 42644
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.58375 4 4
-8 0.867875 8 8
-44 0.789 44 44
-240 0.752079 240 240
-992 0.885501 992 992
-4156 1.07184 4156 4156
-17032 1.78519 17032 17032
-42644 1.88854 42644 42644
+4 0.8315 4 4
+8 0.567375 8 8
+44 0.530545 44 44
+240 0.588313 240 240
+992 0.62577 992 992
+4156 0.700522 4156 4156
+17032 1.15368 17032 17032
+42644 1.45358 42644 42644
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 1.94125 4 4
-8 2.35312 8 8
-44 4.83041 44 44
-240 12.4562 240 240
-992 60.1263 992 992
-4156 327.13 4156 4156
+4 2.05375 4 4
+8 1.80475 8 8
+44 4.10268 44 44
+240 8.46642 240 240
+992 46.8104 992 992
+4156 271.18 4156 4156
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 1.98625 4 4
+4 1.68825 4 4
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 1.46275 4 4
-8 1.80838 8 8
-44 5.39832 44 44
-240 249.769 240 240
+4 1.6005 4 4
+8 1.07963 8 8
+44 5.18336 44 44
+240 223.661 240 240
 EOD
 $marks0_7 << EOD
 EOD
@@ -83,44 +83,44 @@ EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-240 2.53542 240 240
-992 4.54246 992 992
-4156 13.8527 4156 4156
+240 2.42483 240 240
+992 4.87424 992 992
+4156 16.7649 4156 4156
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-240 2.30605 240 240
-992 3.82976 992 992
-4156 13.8527 4156 4156
+240 2.06848 240 240
+992 3.80109 992 992
+4156 14.5736 4156 4156
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4156 8.83507 4156 4156
-17032 29.7001 17032 17032
-42644 69.0381 42644 42644
+4156 9.34707 4156 4156
+17032 34.4146 17032 17032
+42644 68.9644 42644 42644
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4156 8.83507 4156 4156
-17032 29.7001 17032 17032
-42644 69.0381 42644 42644
+4156 9.34707 4156 4156
+17032 34.4146 17032 17032
+42644 68.9644 42644 42644
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4156 8.94976 4156 4156
-17032 29.7656 17032 17032
-42644 69.3903 42644 42644
+4156 9.53139 4156 4156
+17032 34.7505 17032 17032
+42644 69.4067 42644 42644
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-240 4.6039 240 240
-992 65.7244 992 992
-4156 1118.63 4156 4156
+240 4.44416 240 240
+992 65.7981 992 992
+4156 1119.22 4156 4156
 EOD
 $marks1_5 << EOD
 EOD
@@ -129,7 +129,7 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-240 8.16333 240 240
+240 8.20019 240 240
 EOD
 $marks1_7 << EOD
 EOD
@@ -166,16 +166,15 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.244773 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.684225, graph 0.278501 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig" at graph 0.076027, graph 0.213055 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.259607 to graph 0.076027, graph 0.213055 nohead lw 0.6 lc rgb '#555555'
-set label "si:100" at graph 0.836374, graph 0.403546 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.411697, graph 0.737697 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.392274, graph 0.679508 to graph 0.411697, graph 0.737697 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:10" at graph 0.645488, graph 0.702944 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.645488, graph 0.757351 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.645488, graph 0.849569 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.223977 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.684225, graph 0.255763 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.076027, graph 0.11747 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.245487 to graph 0.076027, graph 0.11747 nohead lw 0.6 lc rgb '#555555'
+set label "si:100" at graph 0.836374, graph 0.373275 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.411697, graph 0.704832 left front noenhanced textcolor rgb '#555555'
+set label "pgs:10" at graph 0.645488, graph 0.686652 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.645488, graph 0.744604 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.645488, graph 0.808576 left front noenhanced textcolor rgb '#0060a8'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -220,16 +219,16 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig:1e-6" at graph 0.076027, graph 0.0650358 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.227967 to graph 0.076027, graph 0.0650358 nohead lw 0.6 lc rgb '#555555'
-set label "delassus" at graph 0.326274, graph 0.297021 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-4" at graph 0.245344, graph 0.343573 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.475186, graph 0.285383 to graph 0.455763, graph 0.343573 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:10" at graph 0.836374, graph 0.459772 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.47141 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.506876 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.460325 to graph 0.836374, graph 0.506876 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:10" at graph 0.494609, graph 0.762172 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.076027, graph 0.053887 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.228456 to graph 0.076027, graph 0.053887 nohead lw 0.6 lc rgb '#555555'
+set label "delassus:1e-4" at graph 0.245344, graph 0.325805 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.494609, graph 0.375928 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.475186, graph 0.3061 to graph 0.494609, graph 0.375928 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.459656 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.482932 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.506902 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.46035 to graph 0.836374, graph 0.506902 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:10" at graph 0.494609, graph 0.762229 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \

@@ -64,10 +64,10 @@ $marks2_4 << EOD
 EOD
 $line2_5 << EOD
 2.08333 0.000199392 2.08333 2.08333
-4.16667 0.000398784 4.16667 4.16667
-8.33333 0.000797569 8.33333 8.33333
-16.6667 0.0015959 16.6667 16.6667
-33.3333 0.00332664 33.3333 33.3333
+4.16667 0.000398805 4.16667 4.16667
+8.33333 0.000797636 8.33333 8.33333
+16.6667 0.00160057 16.6667 16.6667
+33.3333 0.00361618 33.3333 33.3333
 EOD
 $marks2_5 << EOD
 EOD
@@ -110,7 +110,7 @@ $line3_5 << EOD
 2.08333 1.35256 2.08333 2.08333
 4.16667 1.35908 4.16667 4.16667
 8.33333 1.32169 8.33333 8.33333
-16.6667 0.0768501 16.6667 16.6667
+16.6667 0.0773868 16.6667 16.6667
 33.3333 0.292812 33.3333 33.3333
 EOD
 $marks3_5 << EOD
@@ -192,7 +192,7 @@ set ylabel "error, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.821968, graph 0.504401 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.821968, graph 0.51165 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.821968, graph 0.558774 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.802545, graph 0.512223 to graph 0.821968, graph 0.558774 nohead lw 0.6 lc rgb '#d55e00'
 set label "si:50" at graph 0.821968, graph 0.615958 left front noenhanced textcolor rgb '#d55e00'
