@@ -6,7 +6,7 @@ bool isHeap(const Problem& problem) {
   constexpr int fewContacts = 20, perBody = 3;
   constexpr int manyContacts = 1000, perBodyOfMany = 6;
   const int n = problem.contacts();
-  if (!problem.W.inBodySpace() || n <= fewContacts) return false;
+  if (!problem.W.inBodySpace() || n <= fewContacts || problem.rows() > n) return false;
   return n <= (n > manyContacts ? perBodyOfMany : perBody) * problem.W.bodySpace().bodies;
 }
 

@@ -76,16 +76,16 @@ void Search::sweepWhileItGains(const Problem& problem, const Options& options, d
 }
 
 /// Sweeps as long as they gain, and where they do not, patches: what settles in this way needs no factor of the whole island.
-/// The residual may rise on the way, since a wall that is met lets others go. Where there are many parts they go by colour, as far as
-/// single precision does.
+/// The residual may rise on the way, since a wall that is met lets others go. In large heaps they go by colour, as far as single
+/// precision does.
 void Search::settle(const Problem& problem, const Options& options, double tolerance,
                     Solution& best) {
-  constexpr int patience = 6, fewSweeps = 20, manySweeps = 100, manyParts = 200;
+  constexpr int patience = 6, fewSweeps = 20, manySweeps = 100;
   constexpr double gain = 0.7, rough = 1e-7;
   // Half as many sweeps where all is remembered; elsewhere the memory is worth more than the time.
   const int memory = isHeap(problem) ? Anderson::longest : 4;
   const double roughly = std::max(tolerance, rough * problem.q.cwiseAbs().maxCoeff());
-  bool byColour = problem.contacts() + problem.rows() > manyParts && setColours(problem);
+  bool byColour = isLargeHeap(problem) && setColours(problem);
   double change = roughly;  // of a velocity, that is worth a sweep by colour
   if (!byColour) setSweeps(problem, byColour);
   trial_.r = best.r;
