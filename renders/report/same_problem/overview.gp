@@ -334,38 +334,37 @@ EOD
 $marks11_2 << EOD
 EOD
 $line12_0 << EOD
-0.260386 0.634232 0.254731 0.273336
-0.301304 0.583404 0.282693 0.322701
-0.362743 0.50587 0.351709 0.372569
-0.389433 0.470585 0.38067 0.402244
-0.556624 0.422327 0.545967 0.588767
-0.610575 0.35948 0.599278 0.630703
-1.41036 0.189032 1.396 1.44772
-2.35259 0.124729 2.33433 2.40209
+0.292385 0.634232 0.266553 0.322952
+0.333151 0.583404 0.322321 0.346052
+0.383636 0.470585 0.372228 0.407253
+0.560989 0.422327 0.548583 0.57267
+0.603325 0.35948 0.592668 0.616692
+1.2524 0.189032 1.23736 1.28047
+2.32577 0.124729 2.299 2.36226
 EOD
 $marks12_0 << EOD
 EOD
 $line12_1 << EOD
 EOD
 $marks12_1 << EOD
-0.362743 0.50587 0.362743 0.362743
+0.399543 0.50587 0.399543 0.399543
 EOD
 $line12_2 << EOD
-0.607633 0.931015 0.595297 0.633986
-0.659036 0.895098 0.638685 0.693341
-0.79598 0.647831 0.767803 0.828968
-0.969154 0.354926 0.940975 1.00424
-1.38606 0.142548 1.34513 1.43034
-2.69736 0.0296569 2.67297 2.73746
-3.72584 0.0023943 3.69884 3.76352
-4.81402 0.000428599 4.74035 4.84511
-5.76847 2.5505e-05 5.74006 6.50179
-6.34054 4.75554e-06 6.19265 6.55271
-7.16967 3.43907e-07 7.14596 7.26635
-7.91246 2.90679e-08 7.85208 8.12874
-9.71298 1.79538e-08 9.68884 9.86897
-10.4998 1.30407e-08 10.472 10.8905
-11.7581 1.12252e-09 11.2937 12.3227
+0.732263 0.930942 0.702968 0.771927
+0.762787 0.895042 0.741147 0.858707
+0.860504 0.647771 0.842503 0.895847
+1.03457 0.354889 1.02185 1.08623
+1.55737 0.142549 1.5204 1.60858
+2.6751 0.0296031 2.61581 2.74104
+3.3731 0.00273251 3.30097 3.40206
+4.59096 0.000506657 4.57236 5.04504
+4.98523 0.000375642 4.94945 5.04473
+5.81245 3.79754e-05 5.75997 5.86557
+6.82313 5.15869e-07 6.79512 6.91324
+7.77431 1.84434e-07 7.76072 7.85072
+8.82344 1.30639e-08 8.80828 8.90685
+9.18895 1.30007e-08 9.16247 9.3952
+10.1417 1.361e-09 10.1288 10.2764
 EOD
 $marks12_2 << EOD
 EOD
@@ -825,7 +824,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.185094:76.9213]
+set xrange [0.21281:58.2562]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -836,11 +835,11 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.16562e-11 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.723301, graph 0.289299 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.45645, graph 0.863998 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.146387, graph 0.833119 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.111587, graph 0.907431 to graph 0.146387, graph 0.833119 nohead lw 0.6 lc rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.87768e-11 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.723301, graph 0.295276 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.460908, graph 0.863998 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.147041, graph 0.833119 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.112241, graph 0.907431 to graph 0.147041, graph 0.833119 nohead lw 0.6 lc rgb '#555555'
 plot $line12_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line12_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line12_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
