@@ -158,7 +158,7 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
 ///   - piles, and what slid nowhere: `hold`, from the last reactions;
 ///   - much is disturbed: accelerated sweeps as long as they gain, in heaps with patches.
 /// Where few sweeps are allowed: `hold` if nothing slid, and all sweeps.
-/// Then a walk, in large heaps a short one, in large piles a long one. Where it loses its way, many contacts are at a wall of their region:
+/// Then a walk, in large piles a long one. Where it loses its way, many contacts are at a wall of their region:
 ///   - in large heaps plain sweeps, to outlast what hurried ones run past;
 ///   - a proof that nothing can meet the demands; a second walk, but in large islands, as bold as what the first has left allows;
 ///     an interior point, which comes down between the walls; a longer walk from there; and `wander`.
@@ -177,9 +177,7 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
                             : proximalWeight(problem, best, 1e-2);
   const bool outlasts = isLargeHeap(problem);
   // In large piles what else finds back is dear and seldom helps.
-  const int most = outlasts                                       ? shortWalk
-                   : guess && isLargePile(problem) && !isHurried_ ? pileWalk
-                                                                  : fairWalk;
+  const int most = guess && isLargePile(problem) && !isHurried_ ? pileWalk : fairWalk;
   outcome = newton.walk(problem, tolerance, weight, left(most), best);
   // In small heaps regions cost no more than tens of sweeps: there that is left for the end.
   if (outcome == Outcome::Lost && outlasts)
