@@ -39,8 +39,7 @@ set object 10 rectangle from screen 0.239219, screen 0.845758 to screen 0.274687
 set object 11 rectangle from screen 0.274688, screen 0.845758 to screen 0.310156, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 12 rectangle from screen 0.310156, screen 0.845758 to screen 0.345625, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 13 rectangle from screen 0.345625, screen 0.845758 to screen 0.381094, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 14 rectangle from screen 0.381094, screen 0.845758 to screen 0.416563, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.398828, screen 0.858612 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 14 rectangle from screen 0.381094, screen 0.845758 to screen 0.416563, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 15 rectangle from screen 0.416563, screen 0.845758 to screen 0.452031, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 16 rectangle from screen 0.452031, screen 0.845758 to screen 0.4875, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.126562, screen 0.832905 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)

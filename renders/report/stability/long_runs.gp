@@ -194,12 +194,9 @@ set object 99 rectangle from screen 0.416563, screen 0.542416 to screen 0.4875, 
 set label "delassus float" at screen 0.126562, screen 0.529563 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 100 rectangle from screen 0.132812, screen 0.51671 to screen 0.20375, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 101 rectangle from screen 0.20375, screen 0.51671 to screen 0.274688, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 102 rectangle from screen 0.274688, screen 0.51671 to screen 0.345625, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.310156, screen 0.529563 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 103 rectangle from screen 0.345625, screen 0.51671 to screen 0.416562, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.381094, screen 0.529563 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 104 rectangle from screen 0.416563, screen 0.51671 to screen 0.4875, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.452031, screen 0.529563 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 102 rectangle from screen 0.274688, screen 0.51671 to screen 0.345625, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 103 rectangle from screen 0.345625, screen 0.51671 to screen 0.416562, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 104 rectangle from screen 0.416563, screen 0.51671 to screen 0.4875, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:10 double" at screen 0.126562, screen 0.503856 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 105 rectangle from screen 0.132812, screen 0.491003 to screen 0.20375, screen 0.51671 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.168281, screen 0.503856 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
@@ -387,8 +384,7 @@ set object 195 rectangle from screen 0.132812, screen 0.136247 to screen 0.20375
 set object 196 rectangle from screen 0.20375, screen 0.136247 to screen 0.274688, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 197 rectangle from screen 0.274688, screen 0.136247 to screen 0.345625, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 198 rectangle from screen 0.345625, screen 0.136247 to screen 0.416562, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 199 rectangle from screen 0.416563, screen 0.136247 to screen 0.4875, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.452031, screen 0.1491 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 199 rectangle from screen 0.416563, screen 0.136247 to screen 0.4875, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:1000 float" at screen 0.126562, screen 0.123393 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 200 rectangle from screen 0.132812, screen 0.11054 to screen 0.20375, screen 0.136247 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 201 rectangle from screen 0.20375, screen 0.11054 to screen 0.274688, screen 0.136247 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1

@@ -499,8 +499,8 @@ set object 254 rectangle from screen 0.881094, screen 0.7152 to screen 0.916563,
 set label "x" at screen 0.898828, screen 0.7232 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 255 rectangle from screen 0.916563, screen 0.7152 to screen 0.952031, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.934297, screen 0.7232 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 256 rectangle from screen 0.952031, screen 0.7152 to screen 0.9875, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.969766, screen 0.7232 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 256 rectangle from screen 0.952031, screen 0.7152 to screen 0.9875, screen 0.7312 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.969766, screen 0.7232 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "delassus float" at screen 0.626563, screen 0.7072 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set arrow from screen 0.752558, screen 0.7152 to screen 0.752558, screen 0.6992 nohead front lw 2.5 lc rgb '#000000'
 set object 257 rectangle from screen 0.632812, screen 0.6992 to screen 0.668281, screen 0.7152 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -966,8 +966,7 @@ set object 476 rectangle from screen 0.310156, screen 0.3376 to screen 0.345625,
 set object 477 rectangle from screen 0.345625, screen 0.3376 to screen 0.381094, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 478 rectangle from screen 0.381094, screen 0.3376 to screen 0.416563, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 479 rectangle from screen 0.416563, screen 0.3376 to screen 0.452031, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 480 rectangle from screen 0.452031, screen 0.3376 to screen 0.4875, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.469766, screen 0.3456 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 480 rectangle from screen 0.452031, screen 0.3376 to screen 0.4875, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.126562, screen 0.3296 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 481 rectangle from screen 0.132812, screen 0.3216 to screen 0.168281, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 482 rectangle from screen 0.168281, screen 0.3216 to screen 0.20375, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1

@@ -182,8 +182,7 @@ set object 104 rectangle from screen 0.677148, screen 0.630996 to screen 0.72148
 set object 105 rectangle from screen 0.721484, screen 0.630996 to screen 0.76582, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 106 rectangle from screen 0.76582, screen 0.630996 to screen 0.810156, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 107 rectangle from screen 0.810156, screen 0.630996 to screen 0.854492, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 108 rectangle from screen 0.854492, screen 0.630996 to screen 0.898828, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.87666, screen 0.649446 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 108 rectangle from screen 0.854492, screen 0.630996 to screen 0.898828, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 109 rectangle from screen 0.898828, screen 0.630996 to screen 0.943164, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.920996, screen 0.649446 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 110 rectangle from screen 0.943164, screen 0.630996 to screen 0.9875, screen 0.667897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
@@ -359,8 +358,7 @@ set object 232 rectangle from screen 0.677148, screen 0.195572 to screen 0.72148
 set object 233 rectangle from screen 0.721484, screen 0.195572 to screen 0.76582, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 234 rectangle from screen 0.76582, screen 0.195572 to screen 0.810156, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 235 rectangle from screen 0.810156, screen 0.195572 to screen 0.854492, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 236 rectangle from screen 0.854492, screen 0.195572 to screen 0.898828, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.87666, screen 0.214022 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 236 rectangle from screen 0.854492, screen 0.195572 to screen 0.898828, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 237 rectangle from screen 0.898828, screen 0.195572 to screen 0.943164, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.920996, screen 0.214022 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 238 rectangle from screen 0.943164, screen 0.195572 to screen 0.9875, screen 0.232472 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
@@ -400,8 +398,8 @@ set object 260 rectangle from screen 0.854492, screen 0.0848708 to screen 0.8988
 set label "t" at screen 0.87666, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 261 rectangle from screen 0.898828, screen 0.0848708 to screen 0.943164, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.920996, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 262 rectangle from screen 0.943164, screen 0.0848708 to screen 0.9875, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.965332, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 262 rectangle from screen 0.943164, screen 0.0848708 to screen 0.9875, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.965332, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "1" at screen 0.65498, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "4" at screen 0.699316, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "16" at screen 0.743652, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)

@@ -151,8 +151,7 @@ set label "x" at screen 0.934297, screen 0.749164 center front noenhanced textco
 set object 86 rectangle from screen 0.952031, screen 0.732441 to screen 0.9875, screen 0.765886 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.969766, screen 0.749164 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "μ = 1" at screen 0.626563, screen 0.715719 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 87 rectangle from screen 0.632812, screen 0.698997 to screen 0.668281, screen 0.732441 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.650547, screen 0.715719 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 87 rectangle from screen 0.632812, screen 0.698997 to screen 0.668281, screen 0.732441 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 88 rectangle from screen 0.668281, screen 0.698997 to screen 0.70375, screen 0.732441 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 89 rectangle from screen 0.70375, screen 0.698997 to screen 0.739219, screen 0.732441 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 90 rectangle from screen 0.739219, screen 0.698997 to screen 0.774687, screen 0.732441 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -165,8 +164,7 @@ set label "x" at screen 0.934297, screen 0.715719 center front noenhanced textco
 set object 96 rectangle from screen 0.952031, screen 0.698997 to screen 0.9875, screen 0.732441 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.969766, screen 0.715719 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "μ = 3" at screen 0.626563, screen 0.682274 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 97 rectangle from screen 0.632812, screen 0.665552 to screen 0.668281, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.650547, screen 0.682274 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 97 rectangle from screen 0.632812, screen 0.665552 to screen 0.668281, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 98 rectangle from screen 0.668281, screen 0.665552 to screen 0.70375, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 99 rectangle from screen 0.70375, screen 0.665552 to screen 0.739219, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 100 rectangle from screen 0.739219, screen 0.665552 to screen 0.774687, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
