@@ -43,7 +43,8 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   /// Has islands that do not touch solved side by side by so many threads, the caller's being one of them, and one that is most of a
   /// group swept over by all of them together if it is large (coloured_sweeps.h): it starts the others at once, and they sleep between
   /// steps. Until then, and with 1, no thread is started. The motion, the report (but for its seconds and bytes) and the order of events are
-  /// the same for any number; below 1 is 1. Storage that is kept from step to step is given back. Throws std::system_error where no thread is to be had; the caller is alone then.
+  /// the same for any number; below 1 is 1. Storage that is kept from step to step is given back. Throws std::system_error where no thread
+  /// is to be had; the caller is alone then.
   void setThreads(int threads);
   /// Has rolling and spinning friction of rigid bodies bounded as in Bullet's own solver, for worlds that were tuned with it:
   /// |τ| ≤ κ min(r_n, 1 N·s) at each point in each step, and no spinning friction where there is no rolling friction. What

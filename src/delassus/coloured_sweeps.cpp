@@ -17,7 +17,7 @@ int partBegin(int count, int k, int parts) {
 
 /// A lane without a contact: one that stays open.
 void clear(int body, int lane, ContactGroup& g) {
-  g.at[lane] = ContactGroup::none;
+  g.at[lane] = vacant;
   g.a[lane] = g.b[lane] = body;
   for (int k = 0; k < 18; ++k) g.Ja[k][lane] = g.Jb[k][lane] = 0;
   for (int k = 0; k < 3; ++k) g.compliance[k][lane] = 0;
@@ -27,7 +27,7 @@ void clear(int body, int lane, ContactGroup& g) {
 
 /// And one without a row.
 void clear(int body, int lane, RowGroup& g) {
-  g.at[lane] = RowGroup::none;
+  g.at[lane] = vacant;
   g.a[lane] = g.b[lane] = body;
   for (int k = 0; k < 6; ++k) g.Ja[k][lane] = g.Jb[k][lane] = 0;
   g.compliance[lane] = 0;
@@ -181,7 +181,7 @@ void ColouredSweeps::startContacts(const Problem& problem, const VectorXd& r) {
       const int i = g.at[lane];
       Vec3 r0 = Vec3::Zero(), u0 = Vec3::UnitX();
       double friction = 0;
-      if (i != ContactGroup::none) {
+      if (i != vacant) {
         r0 = g.unit[lane] * r.segment<3>(3 * i);
         u0 = u_.segment<3>(3 * i) / g.unit[lane];
         friction = problem.friction[i];
@@ -202,7 +202,7 @@ void ColouredSweeps::startRows(const Problem& problem, const VectorXd& r) {
   for (RowGroup& g : rows_)
     for (int lane = 0; lane < lanes; ++lane) {
       const int i = g.at[lane], row = i - 3 * problem.contacts();
-      const bool isThere = i != RowGroup::none;
+      const bool isThere = i != vacant;
       const double unit = g.unit[lane];
       g.u0[lane] = isThere ? static_cast<float>(u_[i] / unit) : 0;
       g.lower[lane] = isThere ? static_cast<float>(unit * (problem.lower[row] - r[i])) : 0;
@@ -268,9 +268,9 @@ void ColouredSweeps::work(Pass& pass, int round, int share) {
 template <class InShares>
 void ColouredSweeps::lead(Pass& pass, const InShares& inShares) {
   const auto rounds = static_cast<int>(contactColours_.size() + rowColours_.size()) - 1;
-  do
+  do {
     for (int round = 0; round < rounds; ++round) inShares(round);
-  while (pass.goOn());
+  } while (pass.goOn());
 }
 
 int ColouredSweeps::sweep(const Problem& problem, int most, double aim, VectorXd& r) {
@@ -301,11 +301,11 @@ int ColouredSweeps::sweep(const Problem& problem, int most, double aim, VectorXd
 void ColouredSweeps::finish(const Problem& problem, VectorXd& r) const {
   for (const ContactGroup& g : contacts_)
     for (int lane = 0; lane < lanes; ++lane)
-      for (int k = 0; k < 3 && g.at[lane] != ContactGroup::none; ++k)
+      for (int k = 0; k < 3 && g.at[lane] != vacant; ++k)
         r[3 * g.at[lane] + k] += double(g.dr[k][lane]) / g.unit[lane];
   for (const RowGroup& g : rows_)
     for (int lane = 0; lane < lanes; ++lane)
-      if (g.at[lane] != RowGroup::none) r[g.at[lane]] += double(g.dr[lane]) / g.unit[lane];
+      if (g.at[lane] != vacant) r[g.at[lane]] += double(g.dr[lane]) / g.unit[lane];
   makeFeasible(problem, r);
 }
 

@@ -68,8 +68,8 @@ class Rounds {
 
   template <class IsOver>
   static void wait(const IsOver& isOver) {
-    constexpr int patience =
-        2000;  // what is waited for takes some microseconds, unless it has no processor
+    // What is waited for takes some microseconds, unless it has no processor.
+    constexpr int patience = 2000;
     for (int looks = 0; !isOver(); ++looks)
       if (looks > patience) std::this_thread::yield();
   }

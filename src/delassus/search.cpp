@@ -175,12 +175,11 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
   const double weight = best.residual <= nearly * problem.q.cwiseAbs().maxCoeff()
                             ? knownRegion
                             : proximalWeight(problem, best, 1e-2);
-  const bool outlasts = isLargeHeap(problem);
   // In large piles what else finds back is dear and seldom helps.
   const int most = guess && isLargePile(problem) && !isHurried_ ? pileWalk : fairWalk;
   outcome = newton.walk(problem, tolerance, weight, left(most), best);
   // In small heaps regions cost no more than tens of sweeps: there that is left for the end.
-  if (outcome == Outcome::Lost && outlasts)
+  if (outcome == Outcome::Lost && isLargeHeap(problem))
     outcome = outlast(newton, problem, options, tolerance, guess, best);
   return outcome == Outcome::Lost ? findBack(engines, problem, options, tolerance, guess, best)
                                   : outcome;

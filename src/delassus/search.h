@@ -137,8 +137,7 @@ class Search {
   bool sweepAndLearn(const Problem& problem, const Options& options, double tolerance,
                      Solution& best);
   void settle(const Problem& problem, const Options& options, double tolerance, Solution& best);
-  bool setColours(const Problem& problem);
-  void setSweeps(const Problem& problem, bool byColour);
+  bool setSweeps(const Problem& problem, bool mayGoByColour);
   void sweepAll(const Problem& problem, const Options& options, double tolerance, Solution& best);
   void sweepWhileItGains(const Problem& problem, const Options& options, double tolerance,
                          Solution& best);

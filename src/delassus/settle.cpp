@@ -38,9 +38,8 @@ void Search::sweepAll(const Problem& problem, const Options& options, double tol
   constexpr int burst = 10, many = 200;
   constexpr double trusted = 0.8;
   trial_.r = trusted * best.r;
-  const bool byColour = problem.contacts() > many && options.sweepBudget - best.sweeps >= burst &&
-                        setColours(problem);
-  if (!byColour) setSweeps(problem, byColour);
+  const bool byColour =
+      setSweeps(problem, problem.contacts() > many && options.sweepBudget - best.sweeps >= burst);
   while (best.sweeps < options.sweepBudget && best.residual > tolerance) {
     const int count = std::min(burst, options.sweepBudget - best.sweeps);
     if (byColour)
@@ -57,8 +56,7 @@ void Search::sweepWhileItGains(const Problem& problem, const Options& options, d
                                Solution& best) {
   constexpr int fewSweeps = 20, manySweeps = 100;
   constexpr double gain = 0.7;
-  const bool byColour = setColours(problem);
-  if (!byColour) setSweeps(problem, byColour);
+  const bool byColour = setSweeps(problem, true);
   const int burst = byColour ? manySweeps : fewSweeps;
   double before = infinity;
   while (best.residual < gain * before && best.residual > tolerance &&
@@ -85,9 +83,8 @@ void Search::settle(const Problem& problem, const Options& options, double toler
   // Half as many sweeps where all is remembered; elsewhere the memory is worth more than the time.
   const int memory = isHeap(problem) ? Anderson::longest : 4;
   const double roughly = std::max(tolerance, rough * problem.q.cwiseAbs().maxCoeff());
-  bool byColour = isLargeHeap(problem) && setColours(problem);
+  bool byColour = setSweeps(problem, isLargeHeap(problem));
   double change = roughly;  // of a velocity, that is worth a sweep by colour
-  if (!byColour) setSweeps(problem, byColour);
   trial_.r = best.r;
   measure(problem, trial_);
   double lowest = infinity;
@@ -109,8 +106,7 @@ void Search::settle(const Problem& problem, const Options& options, double toler
       gains = trial_.residualRms < gain * before;
       if (byColour && best.residual <= roughly) {
         gains = true;
-        byColour = false;
-        setSweeps(problem, byColour);
+        byColour = setSweeps(problem, false);
       }
     } while (gains);
     failures = trial_.residualRms < gain * lowest ? 0 : failures + 1;
@@ -122,17 +118,14 @@ void Search::settle(const Problem& problem, const Options& options, double toler
   }
 }
 
-/// False where sweeps cannot go by colour.
-bool Search::setColours(const Problem& problem) {
-  machines().coloured.setHands(hands_);
-  return machines().coloured.setProblem(problem, map_);
-}
-
-void Search::setSweeps(const Problem& problem, bool byColour) {
-  if (byColour)
-    setColours(problem);
-  else
-    machines().sweeps.setProblem(problem, map_);
+/// Makes ready for sweeps by colour, if they may and can go so, or else for others; true: by colour.
+bool Search::setSweeps(const Problem& problem, bool mayGoByColour) {
+  if (mayGoByColour) {
+    machines().coloured.setHands(hands_);
+    if (machines().coloured.setProblem(problem, map_)) return true;
+  }
+  machines().sweeps.setProblem(problem, map_);
+  return false;
 }
 
 /// The patches about the contacts whose residual is `outstanding` times the mean, or so many times more that no patch is as good as

@@ -8,11 +8,11 @@ namespace delassus {
 /// is in units in which W_nn = 1, each row in those of W = 1. Reactions and velocities are r₀ + Δr and u₀ + C Δr + J̃ Δy.
 constexpr int lanes = 8;
 using Lanes = float[lanes];
+constexpr int vacant = -1;  ///< in the place of a contact or row where a group has no more
 
 /// Contacts of one colour, as many as there are lanes or fewer.
 struct ContactGroup {
-  static constexpr int none = -1;
-  int at[lanes];           ///< which; none: no more
+  int at[lanes];           ///< which
   int a[lanes], b[lanes];  ///< their bodies; one that is not there has a place behind the others
   alignas(32) Lanes Ja[18];
   Lanes Jb[18];
@@ -30,7 +30,6 @@ struct ContactGroup {
 
 /// The same of rows.
 struct RowGroup {
-  static constexpr int none = -1;
   int at[lanes];  ///< their unknowns
   int a[lanes], b[lanes];
   alignas(32) Lanes Ja[6];

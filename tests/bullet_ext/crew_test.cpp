@@ -57,9 +57,8 @@ TEST(Crew, AllHandsTakePartInRounds) {
     crew.setHands(hands);
     Rounds rounds;
     std::vector<int> done(shares, 0);
-    const auto work = [&](int round, int share) {
-      if (done[share] == round) ++done[share];
-    };
+    // Who does a share twice, or had not seen what the last did, counts wrong.
+    const auto work = [&](int, int share) { ++done[share]; };
     const auto task = [&](int hand) {
       if (hand > 0) return rounds.help(work);
       for (int round = 0; round < last; ++round) {

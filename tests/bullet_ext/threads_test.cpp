@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -9,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "bullet_ext/workshop.h"
 #include "tests/support/bullet_world.h"
 
 namespace delassus::test {
@@ -177,6 +179,28 @@ TEST(Threads, AllOfThemSweepALargeIslandWithTheSameMotion) {
   const History serial = run(buildBlock, 4, always(1), options);
   EXPECT_GT(serial.mostContacts, 1000);
   for (int threads : {2, 3}) expectSame(run(buildBlock, 4, always(threads), options), serial);
+}
+
+// What weighs more than three times all else comes first, on the caller's bench; then the others, each once.
+TEST(Threads, APredominantIslandComesFirst) {
+  constexpr int islands = 20, heavy = 7;
+  bullet::Workshop workshop({}, {});
+  for (int threads : {1, 3}) {
+    workshop.setThreads(threads);
+    for (int weightOfHeavy : {1, 4 * islands}) {
+      std::atomic<int> turn{0};
+      std::vector<int> turnOf(islands, -1);
+      const auto weight = [&](int i) { return i == heavy ? weightOfHeavy : 1; };
+      workshop.shareSolving(islands, 0, weight, [&](bullet::Bench&, int i) {
+        EXPECT_EQ(turnOf[i], -1) << i;
+        turnOf[i] = turn++;
+      });
+      EXPECT_EQ(turn, islands);
+      if (threads > 1 && weightOfHeavy > 1) {
+        EXPECT_EQ(turnOf[heavy], 0);
+      }
+    }
+  }
 }
 
 TEST(Threads, MessagesComeInTheOrderOfTheIslands) {

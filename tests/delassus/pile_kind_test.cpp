@@ -1,0 +1,43 @@
+/// Which islands are taken for heaps, which for piles.
+#include "delassus/pile_kind.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/random_piles.h"
+#include "tests/support/sphere_heaps.h"
+
+namespace delassus {
+namespace {
+
+using namespace delassus::test;
+
+TEST(PileKind, SpheresAreAHeapUnlessJointsPrevail) {
+  Random random(77);
+  Pile heap = makeSphereHeap(200, 4.7, 0.5, 0.1, random);
+  const PileIsland spheres(heap);
+  EXPECT_TRUE(isHeap(spheres.problem));
+  EXPECT_TRUE(isLargeHeap(spheres.problem));
+  EXPECT_FALSE(isLargePile(spheres.problem));
+  Row joint;
+  const Contact& touching = heap.contacts[spheres.island.frictional[0]];
+  joint.a = std::max(touching.a, touching.b);  // one of them may be the world
+  joint.jacobianA << 1, 0, 0, 0, 0, 0;
+  for (int k = 0; k <= spheres.problem.contacts(); ++k) heap.rows.push_back(joint);
+  const PileIsland jointed(heap);
+  ASSERT_GT(jointed.problem.rows(), jointed.problem.contacts());
+  EXPECT_FALSE(isHeap(jointed.problem));
+  EXPECT_TRUE(isLargePile(jointed.problem));
+}
+
+// Four contacts for each box.
+TEST(PileKind, BoxesAtRestAreAPile) {
+  Random random(78);
+  const PileIsland tower(makeTower(randomMasses(60, 10, random), 0, 0.3, random));
+  EXPECT_FALSE(isHeap(tower.problem));
+  EXPECT_TRUE(isLargePile(tower.problem));
+}
+
+}  // namespace
+}  // namespace delassus
