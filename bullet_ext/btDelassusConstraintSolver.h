@@ -21,14 +21,14 @@ class Extension;
 ///     btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
 ///
 /// Drop-in for btSequentialImpulseConstraintSolver in a world of rigid bodies. One solver a world:
-/// it owns its workspace; reactions are kept in Bullet's contact points, and for joints, points that
+/// it owns its workspace; reactions are kept in Bullet's contact points, and for joints, rolling and spinning friction, points that
 /// narrow phase replaced, and the digits that float has no room for, here for one step. That needs
 /// prepareSolve, which Bullet's world calls; without it (a solver pool) float worlds are solved in every step.
 class btDelassusConstraintSolver : public btConstraintSolver {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();
 
-  /// Throws std::invalid_argument where a tolerance or a share among the options is no number > 0.
+  /// Throws std::invalid_argument where delassus::check(options) does.
   explicit btDelassusConstraintSolver(const delassus::Options& options = {})
       : btDelassusConstraintSolver(options, btDelassusPrecision{}) {}
   ~btDelassusConstraintSolver() override;
@@ -61,7 +61,7 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   /// threads, listeners and what was switched on stay. Throws as setThreads.
   void reset() override;
   /// BT_MLCP_SOLVER: of Bullet's names the nearest. Contacts and joints are one mixed
-  /// complementarity problem, solved by pivoting between regions, not by sequential impulses.
+  /// complementarity problem, solved from region to region, not by sequential impulses.
   /// (BT_MULTIBODY_SOLVER would be cast to a class that this is not.)
   btConstraintSolverType getSolverType() const override { return BT_MLCP_SOLVER; }
 

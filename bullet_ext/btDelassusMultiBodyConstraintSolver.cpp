@@ -68,6 +68,7 @@ void btDelassusMultiBodyConstraintSolver::setGeometricStiffness(bool on) {
 void btDelassusMultiBodyConstraintSolver::reset() {
   parts_->rigid.reset();
   parts_->articulated.release();
+  m_analyticsData = {};
 }
 
 const StepReport& btDelassusMultiBodyConstraintSolver::report() const {

@@ -23,7 +23,7 @@ class btDelassusMultiBodyConstraintSolver : public btMultiBodyConstraintSolver {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();
 
-  /// Throws std::invalid_argument where a tolerance or a share among the options is no number > 0.
+  /// Throws std::invalid_argument where delassus::check(options) does.
   explicit btDelassusMultiBodyConstraintSolver(const delassus::Options& options = {})
       : btDelassusMultiBodyConstraintSolver(options, btDelassusPrecision{}) {}
   ~btDelassusMultiBodyConstraintSolver() override;
@@ -42,7 +42,7 @@ class btDelassusMultiBodyConstraintSolver : public btMultiBodyConstraintSolver {
                            btMultiBodyConstraint** multiBodyConstraints,
                            int multiBodyConstraintCount, const btContactSolverInfo& info,
                            btIDebugDraw* debugDrawer, btDispatcher* dispatcher) override;
-  // These five, and those below, as in btDelassusConstraintSolver.
+  // These four, and those below, as in btDelassusConstraintSolver.
   void setThreads(int threads);
   void setStockRollingFriction(bool on);  ///< of rigid bodies
   void setGeometricStiffness(bool on);    ///< the same

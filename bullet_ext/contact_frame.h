@@ -42,7 +42,7 @@ Anisotropy rollingAnisotropyOf(const btCollisionObject& a, const btCollisionObje
 ///
 /// A friction anchor wants back the drift d between the two points, at the rate frictionERP / h.
 struct ContactFrame {
-  Mat3 axes;
+  Mat3 axes = Mat3::Zero();
   double motion1 = 0, motion2 = 0;  ///< m/s, times the length of the tangent
   double softness = 0;              ///< χ
 };

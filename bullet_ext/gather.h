@@ -35,6 +35,10 @@ constexpr double largestNumber = sizeof(btScalar) == sizeof(double) ? 1e40 : 1e3
 /// its lighter body slips by M times this of what it stops. ODE softens all of its joints alike (its default CFM).
 constexpr double leastSoftness = sizeof(btScalar) == sizeof(double) ? 1e-10 : 1e-8;
 
+/// A push moves a body in vain if that is no more than this share of what it would move if no axis were locked: what leans by less than
+/// 1e-4 rad lies in a locked axis. The exact answer there is an impulse 1e8 times as large as without the lock.
+constexpr double inVain = 1e-8;
+
 /// That of a row with Bullet's `cfm` (a fault of which stays one) and this W_ii.
 inline double complianceOf(double cfm, double response) {
   return (cfm >= 0 && cfm < leastSoftness ? leastSoftness : cfm) * response;
@@ -43,7 +47,7 @@ inline double complianceOf(double cfm, double response) {
 /// What the gathered parts were in Bullet. Pointers are good until the end of the group.
 struct BodySource {
   btRigidBody* rigid;  ///< null for a limb of an articulated body
-  Vec6 before;         ///< velocity at the start of the step, before forces
+  Vec6 before;         ///< velocity at the start of the step, before forces; of a limb, after them
 };
 struct PointSource {
   btPersistentManifold* manifold;
@@ -116,9 +120,10 @@ struct Group {
 /// if it were not there, and the report names it.
 ///
 /// Its free velocity over the step h is that of Bullet's solvers, with gyroscopic terms Δω taken at
-/// the start of the step and locked axes kept still (L, A: linear and angular factor):
+/// the start of the step and locked axes kept still (L, A: linear and angular factor; F and T carry them already; [A ≠ 0] is 1 for
+/// an axis that is not locked, else 0):
 ///
-///     v + h F/m,   ω + A (h I⁻¹ T + Δω),   M⁻¹ = diag(L/m, A I⁻¹ A)
+///     v + h F/m,   ω + [A ≠ 0] (h I⁻¹ T + Δω),   M⁻¹ = diag(L/m, A I⁻¹ A)
 int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo& info,
               StepReport& report);
 
@@ -130,7 +135,7 @@ int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo
 ///        or:  target = e',  push = erp (−d)/h    where the impulse is split
 ///     compliance = cfm/h;  with stiffness k and damping c:  cfm = 1/(h k + c),  erp = h k cfm
 ///
-/// where a is the relative velocity before forces. Of points that move no further in a step than four roundings of their places in
+/// where a is the relative velocity before forces; with a link, whose velocity has them already, after them, as in Bullet. Of points that move no further in a step than four roundings of their places in
 /// Bullet's precision (in float at 10 m: 1e-5 m), a distance d of no more than that is none: they touch. Taken at its word it would
 /// have every pile of boxes that has fallen share its loads anew in every step, at the whim of the last digit.
 /// A contact with its own softness is never split: the spring would be lost to the push.
@@ -150,7 +155,8 @@ bool warmStarts(const btContactSolverInfo& info);
 ///     target = error + (1 − D) J v_f,   compliance = max(χ, leastSoftness) W_ii
 ///
 /// W_ii is that of the masses without linear and angular factors, as in Bullet's solvers.
-/// A disabled joint has no rows; its impulse and feedback are cleared.
+/// A row whose impulse could move nothing, since its bodies are locked along it, takes no part (Bullet's gains no more than a little
+/// a sweep there). A disabled joint has no rows; its impulse and feedback are cleared.
 void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
                   const btContactSolverInfo& info, StepReport& report);
 

@@ -80,7 +80,8 @@ void addForces(const btRigidBody& rigid, const btContactSolverInfo& info, Body& 
   body.velocity.head<3>() += h * inverseMass * toCore(rigid.getTotalForce());
   const Vec3 torque = h * toCore(rigid.getTotalTorque());
   const Vec3 turn = body.inverseInertia * torque + gyroscopicGain(rigid, info);
-  body.velocity.tail<3>() += angularFactor.cwiseProduct(turn);
+  const Vec3 isFree = (angularFactor.array() != 0).cast<double>();
+  body.velocity.tail<3>() += isFree.cwiseProduct(turn);
   if (angularFactor != Vec3::Ones())
     body.inverseInertia =
         angularFactor.asDiagonal() * body.inverseInertia * angularFactor.asDiagonal();

@@ -15,8 +15,7 @@
 namespace delassus::bullet {
 namespace {
 
-// Users write "infinite". The residual of a contact in De Saxcé's form is blind to a closing speed of
-// μ times its tolerance, so that a wider cone than this would let bodies sink and call it solved.
+// Users write "infinite". In this cone only what leaves by less than a thousandth of a radian slides; wider ones cost digits.
 constexpr double largestFriction = 1e3;
 
 /// How hard a contact is: the coefficients that stand for it in Bullet's two descriptions.
@@ -48,7 +47,7 @@ struct Pair {
   btPersistentManifold& manifold;
   int a, b;
   Vec3 centreA, centreB;
-  Vec6 beforeA, beforeB;  ///< velocities before forces
+  Vec6 beforeA, beforeB;  ///< velocities before forces; with links: after
   bool stands;            ///< these are zero
   double rounding;        ///< what a distance of its points may be and mean nothing, m
   ContactFrames frames;
@@ -65,8 +64,11 @@ double roundingAt(const btManifoldPoint& point) {
 Pair pairOf(const Group& group, btPersistentManifold& manifold, int a, int b,
             const btContactSolverInfo& info) {
   const btCollisionObject &objectA = *manifold.getBody0(), &objectB = *manifold.getBody1();
-  const auto before = [&](int body) {
-    return body >= 0 ? group.bodySources[body].before : Vec6::Zero();
+  // Bullet has put forces into the velocities of links already: beside these it takes those of rigid bodies with forces, too.
+  const bool withForces = group.isLimb(a) || group.isLimb(b);
+  const auto before = [&](int body) -> Vec6 {
+    if (body < 0) return Vec6::Zero();
+    return withForces ? group.bodies[body].velocity : group.bodySources[body].before;
   };
   const Vec6 beforeA = before(a), beforeB = before(b);
   return {manifold,
@@ -81,7 +83,7 @@ Pair pairOf(const Group& group, btPersistentManifold& manifold, int a, int b,
           ContactFrames(anisotropyOf(objectA, objectB), info)};
 }
 
-/// The velocity of the first body's point relative to the second's, before forces.
+/// The velocity of the first body's point relative to the second's, as those of the pair.
 Vec3 slipBefore(const Pair& pair, const Contact& c) {
   return pair.beforeA.head<3>() + pair.beforeA.tail<3>().cross(c.armA) - pair.beforeB.head<3>() -
          pair.beforeB.tail<3>().cross(c.armB);
@@ -144,8 +146,10 @@ double fillContact(const Group& group, Pair& pair, const btManifoldPoint& point,
   c.target = {bounceOf(pair, point, info, c) - std::max(d, 0.0) / h + (split ? 0 : recovery),
               frame.motion1, frame.motion2};
   c.compliance = soft.cfm < 0 ? 0 : soft.cfm / h;
+  if (group.isLimb(c.a) || group.isLimb(c.b))  // rigid bodies have that of their point alone
+    c.slipCompliance = std::max<double>(info.m_frictionCFM, 0) / h;
   if (frame.softness > 0)
-    c.slipCompliance =
+    c.slipCompliance +=
         0.5 * frame.softness * (tangentialResponse(group, c, 1) + tangentialResponse(group, c, 2));
   return split ? recovery : 0;
 }
@@ -203,10 +207,41 @@ bool responds(btDispatcher* dispatcher, const btCollisionObject& a, const btColl
                     : a.hasContactResponse() && b.hasContactResponse();
 }
 
+/// Whether a push along the normal may move nothing: the body is locked along some axis, or a link.
+bool isLocked(const Group& group, int body) {
+  return !group.movable(body) || group.isLimb(body) ||
+         group.bodies[body].inverseMass.minCoeff() == 0;
+}
+
+/// Whether it moves neither body: in a plane world what lies behind each other, or a link beside its rail.
+bool pushesNothing(const Group& group, const Contact& c) {
+  const Vec3 n = c.frame.col(0);
+  const auto isDeaf = [&](int index, const Vec3& arm) {
+    if (!group.movable(index)) return true;
+    const Vec3 turn = arm.cross(n);
+    if (const Articulation::Limb* limb = group.articulation.limbOf(index)) {
+      const auto linear = limb->motion.topRows<3>(), angular = limb->motion.bottomRows<3>();
+      return (n.transpose().lazyProduct(linear) + turn.transpose().lazyProduct(angular))
+                 .squaredNorm() <=
+             inVain * (linear.squaredNorm() + arm.squaredNorm() * angular.squaredNorm());
+    }
+    const Body& body = group.bodies[index];
+    return n.dot(body.inverseMass.cwiseProduct(n)) + turn.dot(body.inverseInertia * turn) <=
+           inVain * group.bodySources[index].rigid->getInvMass();
+  };
+  return isDeaf(c.a, c.armA) && isDeaf(c.b, c.armB);
+}
+
+/// What may turn, but keeps its place, collides with nothing that stands, as in Bullet.
+bool canBePushed(const Group& group, int body) {
+  return group.movable(body) && (group.isLimb(body) || group.bodies[body].inverseMass.any());
+}
+
 void gatherManifold(Group& group, Pair pair, const btContactSolverInfo& info, StepReport& report) {
   btPersistentManifold& manifold = pair.manifold;
   const bool brokenBody = pair.a == leftOut || pair.b == leftOut;
-  const bool takesPart = !brokenBody && (group.movable(pair.a) || group.movable(pair.b));
+  const bool takesPart = !brokenBody && (canBePushed(group, pair.a) || canBePushed(group, pair.b));
+  const bool mayPushNothing = takesPart && isLocked(group, pair.a) && isLocked(group, pair.b);
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     const btManifoldPoint& point = manifold.getContactPoint(i);
     const bool tooFar = point.getDistance() > manifold.getContactProcessingThreshold();
@@ -221,6 +256,11 @@ void gatherManifold(Group& group, Pair pair, const btContactSolverInfo& info, St
       report.leaveOut(nameOf(source), faultOfPoint(point, contact, push));
       group.contacts.pop_back();
       group.idle.push_back(source);
+      continue;
+    }
+    if (mayPushNothing && pushesNothing(group, contact)) {
+      group.contacts.pop_back();
+      group.idle.push_back({&manifold, i});
       continue;
     }
     const bool fresh = point.getLifeTime() <= 1;

@@ -43,7 +43,16 @@ Row6 jacobian(const btScalar* linear, const btScalar* angular) {
   return J;
 }
 
-/// J M⁻¹ Jᵀ of one body, its linear and angular factors left out.
+/// J M⁻¹ Jᵀ of one body.
+double responseOf(const Group& group, int body, const Row6& J) {
+  if (!group.movable(body)) return 0;
+  const Body& moved = group.bodies[body];
+  const Vec3 linear = J.head<3>().transpose(), angular = J.tail<3>().transpose();
+  return linear.dot(moved.inverseMass.cwiseProduct(linear)) +
+         angular.dot(moved.inverseInertia * angular);
+}
+
+/// The same, its linear and angular factors left out.
 double unfactoredResponse(const Group& group, int body, const Row6& J) {
   if (!group.movable(body)) return 0;
   const btRigidBody& rigid = *group.bodySources[body].rigid;
@@ -54,6 +63,14 @@ double unfactoredResponse(const Group& group, int body, const Row6& J) {
 
 double relativeVelocity(const Group& group, int body, const Row6& J) {
   return body >= 0 ? J.dot(group.bodies[body].velocity) : 0;
+}
+
+/// Whether an impulse along the row moves nothing: what its bodies are locked along, or have no inertia about, it cannot ask for.
+bool movesNothing(const Group& group, const Row& row) {
+  const auto isDeaf = [&](int body, const Row6& J) {
+    return responseOf(group, body, J) <= inVain * unfactoredResponse(group, body, J);
+  };
+  return isDeaf(row.a, row.jacobianA) && isDeaf(row.b, row.jacobianB);
 }
 
 Row toRow(const Group& group, int a, int b, const InfoRow& info, double damping,
@@ -104,7 +121,8 @@ void gatherRows(Group& group, btTypedConstraint& joint, double lastImpulse, doub
       report.leaveOut("row " + std::to_string(i) + " of " + nameOf(joint), fault);
       continue;
     }
-    if (row.lower == 0 && row.upper == 0) continue;  // a motor or spring that may not push
+    // A motor or spring that may not push, or whatever pushes in vain.
+    if ((row.lower == 0 && row.upper == 0) || movesNothing(group, row)) continue;
     source.lastRow = static_cast<int>(group.rows.size());
     group.rows.push_back(row);
     group.softRows += group.asked[i].cfm > 0;

@@ -76,8 +76,8 @@ bool ObsoleteConstraints::sweep(Group& group, double timeStep, const std::vector
   changed_.assign(group.bodies.size(), 0);
   const std::size_t fixed = bodies_.size() - 1;
   for (std::size_t i = 0; i < group.obsolete.size(); ++i) {
-    if (leftOut_[i]) continue;
     btTypedConstraint& constraint = *group.obsolete[i];
+    if (leftOut_[i] || !constraint.isEnabled()) continue;  // it may disable itself
     const auto indexOf = [&](const btCollisionObject& object) {
       const int* index = group.indexOf.find(&object);
       return index ? *index : fixedWorld;

@@ -224,15 +224,15 @@ TEST(Allocation, APushTakesNoMemory) {
   EXPECT_EQ(pushed, 89);
 }
 
-// Nor does the proof that they are pressed, and the compromise.
+// Nor does the proof that they are pressed, and the compromise, with friction and without.
 TEST(Allocation, PressedBoxesTakeNoMemoryInTurn) {
   Random random(207);
   const PileIsland two(makePressed(2, 0.5, 0, 0.1, 1, random)),
-      three(makePressed(3, 0.5, 0, 0.1, 1, random));
+      three(makePressed(3, 0.5, 0, 0.1, 1, random)), smooth(makePressed(2, 0, 0, 0.1, 1, random));
   Solver solver;
   Solution solution;
   for (int pass = 0; pass < 3; ++pass)
-    for (const PileIsland* island : {&three, &two}) {
+    for (const PileIsland* island : {&three, &smooth, &two}) {
       const long before = allocations;
       solver.solve(island->problem, {}, solution);
       EXPECT_EQ(solution.status, Status::Incompatible);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/support/bullet_world.h"
@@ -77,6 +78,26 @@ TEST(Parity, Row03GyroscopicTermsDoNotLeakIntoLockedAxes) {
   body.setAngularFactor({1, 1, 0});
   world.advance(60);
   EXPECT_EQ(body.getAngularVelocity().z(), 0);
+}
+
+// Bullet's explicit terms, −ω × I ω, are cut to a length.
+TEST(Parity, Row03ExplicitGyroscopicTorqueHasAMaximum) {
+  const btVector3 inertia(1, 2, 3), omega(3, 4, 5);
+  for (const double most : {100.0, 1.0, 0.0}) {
+    const auto gain = [&](BulletWorld& world) {
+      btRigidBody& body = addHandle(world, BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT);
+      body.setAngularVelocity(omega);
+      world.info().m_maxGyroscopicForce = btScalar(most);
+      world.advance();
+      return body.getAngularVelocity() - omega;
+    };
+    DelassusWorld ours;
+    StockWorld stock;
+    const btVector3 gained = gain(ours), torque = inertia * gained / BulletWorld::step;
+    const double whole = omega.cross(inertia * omega).length();
+    EXPECT_NEAR(torque.length(), std::min(whole, most), 1e4 * precision);
+    EXPECT_NEAR((gained - gain(stock)).length(), 0, 100 * precision);
+  }
 }
 
 TEST(Parity, Row04DampingIsAppliedOnce) {

@@ -1,138 +1,16 @@
-/// Joints of every Bullet type against stock run to convergence; motors, springs, feedback,
-/// breaking, user constraints.
-
-#include <gtest/gtest.h>
+/// What joints do and tell: softness, limits, motors, springs, feedback, breaking, user constraints.
 
 #include <BulletDynamics/ConstraintSolver/btFixedConstraint.h>
+#include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 
 #include "tests/support/bullet_world.h"
 
 namespace delassus::test {
 namespace {
-
-using AddJoint = std::function<void(BulletWorld&, btRigidBody&, btRigidBody&)>;
-
-struct JointCase {
-  std::string name;
-  AddJoint add;
-};
-
-btTransform frameAt(const btVector3& position) {
-  // Turned, so that no axis of the joint is one of the world.
-  return btTransform(btQuaternion(btVector3(1, 2, 1).normalized(), btScalar(0.4)), position);
-}
-const btVector3 inA(btScalar(0.6), 0, 0), inB(btScalar(-0.6), 0, 0);
-
-std::vector<JointCase> jointCases() {
-  const btTransform frameA = frameAt(inA), frameB = frameAt(inB);
-  return {
-      {"point2point", [](BulletWorld& w, btRigidBody& a,
-                         btRigidBody& b) { w.addJoint<btPoint2PointConstraint>(a, b, inA, inB); }},
-      {"hinge",
-       [=](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
-         w.addJoint<btHingeConstraint>(a, b, frameA, frameB)
-             .setLimit(btScalar(-0.05), btScalar(0.05));
-       }},
-      {"slider",
-       [=](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
-         auto& slider = w.addJoint<btSliderConstraint>(a, b, frameA, frameB, true);
-         slider.setLowerLinLimit(btScalar(-0.02));
-         slider.setUpperLinLimit(btScalar(0.02));
-         // Bullet drops a locked angle's row in steps where the angle is zero to the last bit.
-         slider.setLowerAngLimit(btScalar(-0.1));
-         slider.setUpperAngLimit(btScalar(0.1));
-       }},
-      {"six_dof",
-       [=](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
-         auto& joint = w.addJoint<btGeneric6DofConstraint>(a, b, frameA, frameB, true);
-         joint.setAngularLowerLimit({btScalar(-0.1), 0, 0});
-         joint.setAngularUpperLimit({btScalar(0.1), 0, 0});
-       }},
-      {"six_dof_spring",
-       [=](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
-         auto& joint = w.addJoint<btGeneric6DofSpringConstraint>(a, b, frameA, frameB, true);
-         joint.setLinearLowerLimit({-1, 0, 0});
-         joint.setLinearUpperLimit({1, 0, 0});
-         joint.enableSpring(0, true);
-         joint.setStiffness(0, 50);
-         joint.setEquilibriumPoint();
-       }},
-      {"six_dof_spring_2",
-       [=](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
-         auto& joint = w.addJoint<btGeneric6DofSpring2Constraint>(a, b, frameA, frameB);
-         joint.setLinearLowerLimit({-1, 0, 0});
-         joint.setLinearUpperLimit({1, 0, 0});
-         joint.enableSpring(0, true);
-         joint.setStiffness(0, 50);
-         joint.setDamping(0, 1);
-         joint.setEquilibriumPoint();
-       }},
-      {"cone_twist",
-       [=](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
-         w.addJoint<btConeTwistConstraint>(a, b, frameA, frameB)
-             .setLimit(btScalar(0.1), btScalar(0.1), btScalar(0.05));
-       }},
-      {"fixed", [=](BulletWorld& w, btRigidBody& a,
-                    btRigidBody& b) { w.addJoint<btFixedConstraint>(a, b, frameA, frameB); }},
-      {"gear",
-       [](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
-         w.addJoint<btPoint2PointConstraint>(b, b.getWorldTransform().getOrigin() * 0);
-         w.addJoint<btGearConstraint>(a, b, btVector3(0, 0, 1), btVector3(0, 0, 1), btScalar(2));
-       }},
-      {"universal",
-       [](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
-         btVector3 anchor(btScalar(0.6), 0, 0), axis1(0, 1, 0), axis2(0, 0, 1);
-         w.addJoint<btUniversalConstraint>(a, b, anchor, axis1, axis2);
-       }},
-      {"hinge_2",
-       [](BulletWorld& w, btRigidBody& a, btRigidBody& b) {
-         btVector3 anchor(btScalar(0.6), 0, 0), axis1(0, 1, 0), axis2(0, 0, 1);
-         w.addJoint<btHinge2Constraint>(a, b, anchor, axis1, axis2);
-       }},
-  };
-}
-
-/// Two boxes: a hangs on the world by a corner, b on a by the joint; both turning.
-struct Pendulum {
-  btRigidBody& a;
-  btRigidBody& b;
-};
-
-Pendulum addPendulum(BulletWorld& world, const AddJoint& add) {
-  btRigidBody& a = world.addBox({0.5, 0.2, 0.2}, {0, 0, 0}, 2);
-  btRigidBody& b = world.addBox({0.5, 0.2, 0.3}, {btScalar(1.2), 0, 0}, 1);
-  a.setIgnoreCollisionCheck(&b, true);
-  b.setIgnoreCollisionCheck(&a, true);
-  world.addJoint<btPoint2PointConstraint>(a, btVector3(btScalar(-0.5), 0, 0));
-  add(world, a, b);
-  a.setAngularVelocity({btScalar(0.2), btScalar(-0.1), btScalar(0.3)});
-  b.setAngularVelocity({btScalar(0.5), btScalar(0.4), btScalar(-0.6)});
-  return {a, b};
-}
-
-TEST(Parity, Row28EveryJointType) {
-  for (const JointCase& joint : jointCases()) {
-    SCOPED_TRACE(joint.name);
-    DelassusWorld ours;
-    StockWorld stock(5000);
-    ours.info().m_numIterations = stock.info().m_numIterations;  // spring joints read it
-    const Pendulum p = addPendulum(ours, joint.add), s = addPendulum(stock, joint.add);
-    for (int i = 0; i < 40; ++i) {
-      ours.advance();
-      stock.advance();
-      ASSERT_EQ(ours.report().solved, ours.report().islands) << i;
-    }
-    for (int k = 0; k < 3; ++k) {
-      EXPECT_NEAR(p.b.getLinearVelocity()[k], s.b.getLinearVelocity()[k], tolerance(1e-6, 2e-2));
-      EXPECT_NEAR(p.b.getAngularVelocity()[k], s.b.getAngularVelocity()[k], tolerance(1e-6, 4e-2));
-      EXPECT_NEAR(p.a.getAngularVelocity()[k], s.a.getAngularVelocity()[k], tolerance(1e-6, 4e-2));
-    }
-  }
-}
 
 TEST(Parity, Row28JointSoftnessIsRelative) {
   // The sag of a loaded point joint: ERP closes what softness gives way, χ W m g h = erp d/h with W
@@ -227,6 +105,31 @@ TEST(Parity, Row30FeedbackIsTheWeight) {
   EXPECT_EQ(feedback.m_appliedForceBodyA.y(), 0) << "cleared when the joint is disabled";
 }
 
+// A beam that sticks out of a wall bears no moment about its own centre; the wall, whose origin is that of the world, bears all.
+TEST(Parity, Row30FeedbackHasTheMomentsAboutTheBodies) {
+  DelassusWorld world;
+  constexpr double mass = 3, torque = 4;
+  const btScalar reach = 2;
+  btRigidBody& beam = world.addBox({1, btScalar(0.1), btScalar(0.1)}, {reach, 0, 0}, mass);
+  btRigidBody& wall = world.addCube({0, 0, 0}, 0);
+  beam.setIgnoreCollisionCheck(&wall, true);
+  auto& joint = world.addJoint<btFixedConstraint>(beam, wall, BulletWorld::at({-1, 0, 0}),
+                                                  BulletWorld::at({reach - 1, 0, 0}));
+  btJointFeedback feedback;
+  joint.setJointFeedback(&feedback);
+  for (int i = 0; i < 60; ++i) {
+    beam.applyTorque({0, 0, torque});
+    world.advance();
+  }
+  const btVector3 force(0, btScalar(mass * g), 0), moment(0, 0, btScalar(-torque));
+  const btVector3 onWall = -btVector3(reach, 0, 0).cross(force) - moment;
+  constexpr double near = tolerance(1e-6, 1e-2);
+  EXPECT_NEAR((feedback.m_appliedForceBodyA - force).length(), 0, near);
+  EXPECT_NEAR((feedback.m_appliedForceBodyB + force).length(), 0, near);
+  EXPECT_NEAR((feedback.m_appliedTorqueBodyA - moment).length(), 0, near);
+  EXPECT_NEAR((feedback.m_appliedTorqueBodyB - onWall).length(), 0, near);
+}
+
 TEST(Parity, Row30BreaksAboveItsThreshold) {
   for (double factor : {0.99, 1.01}) {
     Hanging hanging;
@@ -243,6 +146,51 @@ TEST(Parity, Row30JointThatBearsNothingBreaksAtOnce) {
   hanging.world.advance();
   EXPECT_FALSE(hanging.joint.isEnabled());
   EXPECT_NEAR(hanging.ball.getLinearVelocity().y(), -g * h, 100 * precision);
+}
+
+/// Drives a body along x with an impulse of no more than `strength` a step, and keeps it from falling by its last row.
+class Drive : public btTypedConstraint {
+ public:
+  Drive(btRigidBody& body, btScalar strength)
+      : btTypedConstraint(MAX_CONSTRAINT_TYPE, body), strength_(strength) {}
+  void getInfo1(btConstraintInfo1* info) override {
+    info->m_numConstraintRows = 2;
+    info->nub = 4;
+  }
+  void getInfo2(btConstraintInfo2* info) override {
+    info->m_J1linearAxis[0] = 1;
+    info->m_constraintError[0] = 2;
+    info->m_lowerLimit[0] = -strength_;
+    info->m_upperLimit[0] = strength_;
+    info->m_J1linearAxis[info->rowskip + 1] = 1;
+  }
+  void setParam(int, btScalar, int) override {}
+  btScalar getParam(int, int) const override { return 0; }
+
+ private:
+  btScalar strength_;
+};
+
+// What it can bear bounds each of its rows.
+TEST(Parity, Row30UserConstraintBreaksWhereItsMotorIsTooStrong) {
+  constexpr double mass = 2, threshold = 0.5;
+  for (const double strength : {0.49, 0.51, 10.0}) {
+    SCOPED_TRACE(strength);
+    const auto run = [&](BulletWorld& world) {
+      btRigidBody& body = world.addCube({0, 0, 0}, mass);
+      Drive& drive = world.addJoint<Drive>(body, btScalar(strength));
+      drive.setBreakingImpulseThreshold(btScalar(threshold));
+      world.advance();
+      EXPECT_EQ(drive.isEnabled(), strength < threshold);
+      EXPECT_NEAR(drive.getAppliedImpulse(), mass * g * h, tolerance(1e-7, 1e-6)) << "its last";
+      return body.getLinearVelocity();
+    };
+    DelassusWorld ours;
+    StockWorld stock;
+    const btVector3 velocity = run(ours);
+    EXPECT_NEAR(velocity.x(), std::min(strength, threshold) / mass, tolerance(1e-12, 1e-6));
+    EXPECT_NEAR((velocity - run(stock)).length(), 0, tolerance(1e-7, 1e-6));
+  }
 }
 
 TEST(Parity, Row31DisabledJointIsSkipped) {
@@ -325,6 +273,38 @@ TEST(Joints, AConstraintWithoutRowsLeavesOtherIslandsAlone) {
     return motion;
   };
   EXPECT_EQ(run(true), run(false));
+}
+
+/// Pushes its body once, in solveConstraintObsolete, and takes itself out.
+class Starter : public btTypedConstraint {
+ public:
+  explicit Starter(btRigidBody& body) : btTypedConstraint(MAX_CONSTRAINT_TYPE, body) {}
+  void getInfo1(btConstraintInfo1* info) override { info->m_numConstraintRows = info->nub = 0; }
+  void getInfo2(btConstraintInfo2*) override {}
+  void setParam(int, btScalar, int) override {}
+  btScalar getParam(int, int) const override { return 0; }
+  void solveConstraintObsolete(btSolverBody& body, btSolverBody&, btScalar) override {
+    ++calls;
+    body.internalApplyImpulse(btVector3(1, 0, 0) * body.internalGetInvMass(), {0, 0, 0}, 1);
+    setEnabled(false);
+  }
+  int calls = 0;
+};
+
+TEST(Joints, AConstraintWithoutRowsThatDisablesItselfIsCalledOnce) {
+  const auto run = [](BulletWorld& world) {
+    btRigidBody& body = world.addCube({0, 10, 0});
+    Starter& starter = world.addJoint<Starter>(body);
+    world.addJoint<FallBrake>(body, btScalar(0.1));  // goes on for all sweeps
+    world.advance(3);
+    EXPECT_EQ(starter.calls, 1);
+    return body.getLinearVelocity();
+  };
+  DelassusWorld ours;
+  StockWorld stock(10);
+  const btVector3 velocity = run(ours);
+  EXPECT_NEAR((velocity - btVector3(1, btScalar(-0.1), 0)).length(), 0, 100 * precision);
+  EXPECT_NEAR((velocity - run(stock)).length(), 0, 100 * precision);
 }
 
 /// Looks at its second body, in solveConstraintObsolete.

@@ -191,6 +191,24 @@ struct ArmOnStops {
   btMultiBody* arm;
 };
 
+// What its rail holds cannot be pushed out of the ground, and slides on.
+TEST(MultiBodyContacts, LinksBesideTheirRailAreNotHeldByWhatTheyOverlap) {
+  for (const double depth : {1e-2, 1e-5, 0.0}) {
+    DelassusMultiBodyWorld world;
+    world.addGround();
+    const btVector3 zero(0, 0, 0);
+    btMultiBody& tree = world.addTree(1, 0, zero, true);
+    tree.setupPrismatic(0, 1, btVector3(1, 1, 1), -1, btQuaternion::getIdentity(),
+                        btVector3(1, 0, 0), zero, btVector3(0, btScalar(0.5 - depth), 0), true);
+    world.addCollider(tree, 0, std::make_unique<btSphereShape>(btScalar(0.5)));
+    world.finish(tree);
+    tree.setJointVel(0, 1);
+    world.advance(10);
+    EXPECT_NEAR(tree.getJointVel(0), 1, tolerance(1e-12, 1e-6)) << depth;
+    EXPECT_EQ(world.report().contacts, 0) << depth;
+  }
+}
+
 TEST(MultiBodyContacts, ArmOnTwoStopsKeepsTheContactsOfItsRegion) {
   const Eigen::Matrix2d J = ArmOnStops::jacobian(), inverseMass = ArmOnStops::inverseMass();
   const Eigen::Matrix2d W = J * inverseMass * J.transpose();

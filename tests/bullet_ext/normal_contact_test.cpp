@@ -45,6 +45,29 @@ TEST(Parity, Row08SpeculativeGap) {
   EXPECT_NEAR(velocityAfterOneStep({0.015, 0.5, 0}), -0.5, roundOff) << "does not get there";
 }
 
+// A body may say from which distance on a point is none; what it bore before is gone.
+TEST(Parity, Row08PointsBeyondTheProcessingThresholdAreIdle) {
+  constexpr double threshold = 0.004;
+  for (const double gap : {0.003, 0.005}) {
+    DelassusWorld world;
+    btRigidBody& ball = addTouching(world, {0, 1, 0});
+    ball.setContactProcessingThreshold(btScalar(threshold));
+    world.advance();
+    ASSERT_EQ(world.points().size(), 1u);
+    EXPECT_NEAR(world.points()[0]->m_appliedImpulse, 1, roundOff) << "stopped";
+
+    ball.translate({0, btScalar(gap), 0});
+    ball.setLinearVelocity({0, -1, 0});
+    world.advance();
+    ASSERT_EQ(world.points().size(), 1u);
+    const bool idle = gap > threshold;
+    const double speed = idle ? 1 : gap / h;
+    EXPECT_NEAR(ball.getLinearVelocity().y(), -speed, roundOff);
+    EXPECT_NEAR(world.points()[0]->m_appliedImpulse, 1 - speed, idle ? 0 : roundOff);
+    EXPECT_EQ(world.report().contacts, idle ? 0 : 1);
+  }
+}
+
 /// What gravity leaves of the velocity of a ball, m/s upwards, that is let go, or thrown, `gap` above the ground 50 m from the origin.
 double velocityFarOut(double gap, double approach) {
   DelassusWorld world;
@@ -68,6 +91,18 @@ TEST(Contacts, WhatRoundingTellsOfADistanceIsNoGapAndNoOverlap) {
 TEST(Parity, Row09RestitutionHasAThreshold) {
   EXPECT_NEAR(velocityAfterOneStep({0, 0.19, 0.5}), 0, roundOff);
   EXPECT_NEAR(velocityAfterOneStep({0, 0.21, 0.5}), 0.105, roundOff);
+}
+
+TEST(Parity, Row09RestitutionThresholdIsThatOfTheInfo) {
+  for (const double threshold : {0.0, 1.0})
+    for (const double approach : {0.05, 0.9, 1.1}) {
+      DelassusWorld world;
+      world.info().m_restitutionVelocityThreshold = btScalar(threshold);
+      const btRigidBody& ball = addTouching(world, {0, approach, 0.5});
+      world.advance();
+      EXPECT_NEAR(ball.getLinearVelocity().y(), approach < threshold ? 0 : 0.5 * approach, roundOff)
+          << threshold;
+    }
 }
 
 TEST(Parity, Row09BouncingBallFollowsStock) {
@@ -108,6 +143,53 @@ TEST(Parity, Row11DeepPenetrationIsPushedAndLeavesNoVelocity) {
 TEST(Parity, Row12SplitOffSolvesAllDepthsInVelocity) {
   for (double depth : {0.03, 0.05})
     EXPECT_NEAR(velocityAfterOneStep({-depth}, false), 0.2 * depth / h, roundOff);
+}
+
+TEST(Parity, Row11DepthFromWhichItIsPushedIsThatOfTheInfo) {
+  for (const double threshold : {0.01, 0.1})
+    for (const double depth : {0.009, 0.05, 0.11}) {
+      DelassusWorld world;
+      world.info().m_splitImpulsePenetrationThreshold = btScalar(-threshold);
+      btRigidBody& ball = addTouching(world, {-depth});
+      world.advance();
+      const double recovery = 0.2 * depth;
+      EXPECT_NEAR(ball.getLinearVelocity().y(), depth < threshold ? recovery / h : 0, roundOff);
+      EXPECT_NEAR(ball.getWorldTransform().getOrigin().y(), radius - depth + recovery, roundOff);
+    }
+}
+
+/// What a push does in one step to a cube that leans over and is deep in the ground with an edge.
+struct Pushed {
+  double rise, turn;
+};
+Pushed pushLeaning(BulletWorld& world, double turnErp) {
+  constexpr double lean = 0.1;
+  world->setGravity({0, 0, 0});
+  world.info().m_splitImpulseTurnErp = btScalar(turnErp);
+  world.addGround();
+  const btTransform start(btQuaternion({0, 0, 1}, btScalar(lean)), {0, btScalar(0.46), 0});
+  btRigidBody& cube =
+      world.addBody(std::make_unique<btBoxShape>(btVector3(0.5, 0.5, 0.5)), start, 1);
+  world.advance();
+  EXPECT_NEAR(cube.getAngularVelocity().length(), 0, 1e-6) << "it leaves no velocity";
+  const btTransform& pose = cube.getWorldTransform();
+  const btVector3 side = pose.getBasis().getColumn(0);
+  return {pose.getOrigin().y() - start.getOrigin().y(), std::atan2(side.y(), side.x()) - lean};
+}
+
+TEST(Parity, Row11PushTurnsByItsShare) {
+  DelassusWorld whole;
+  const Pushed all = pushLeaning(whole, 1);
+  EXPECT_GT(std::abs(all.turn), 1e-3);
+  for (const double share : {0.0, 0.1, 0.5}) {
+    DelassusWorld ours;
+    StockWorld stock;
+    const Pushed a = pushLeaning(ours, share), b = pushLeaning(stock, share);
+    EXPECT_NEAR(a.turn, share * all.turn, roundOff) << share;
+    EXPECT_NEAR(a.rise, all.rise, roundOff);
+    EXPECT_NEAR(a.turn, b.turn, tolerance(1e-9, 2e-5));
+    EXPECT_NEAR(a.rise, b.rise, tolerance(1e-9, 2e-5));
+  }
 }
 
 /// The depth at which a ball of 1 kg comes to rest.

@@ -104,5 +104,30 @@ TEST(NotSolved, APressThatClosesOnBoxesSaysSoAndTheyStay) {
   EXPECT_GE(said, 10);
 }
 
+// A box 1 cm deep in the ground cannot rise, and whatever else it can do does not help all its corners. Where it can do nothing
+// along a normal nobody feels a push: somebody must be named all the same.
+TEST(NotSolved, SomebodyIsNamedThoughNobodyCanYield) {
+  int said = 0;
+  for (const btVector3& linear : {btVector3(1, 0, 1), btVector3(1, 0, 0), btVector3(0, 0, 1)})
+    for (const btVector3& angular : {btVector3(0, 0, 0), btVector3(0, 1, 0), btVector3(1, 1, 1)}) {
+      DelassusWorld world;
+      world.addGround();
+      btRigidBody& box = world.addCube({0, btScalar(0.49), 0});
+      box.setLinearFactor(linear);
+      box.setAngularFactor(angular);
+      box.setLinearVelocity(btScalar(0.3) * linear);
+      std::vector<ContactEvent> told;
+      world.delassus().setTroubleListener([&](const ContactEvent& event) {
+        if (event.trouble == Trouble::Incompatible) told.push_back(event);
+      });
+      world.advance();
+      const StepReport& report = world.report();
+      said += report.incompatible;
+      EXPECT_EQ(told.empty(), report.incompatible == 0);
+      EXPECT_EQ(report.messages.empty(), report.incompatible == 0);
+    }
+  EXPECT_GT(said, 0);
+}
+
 }  // namespace
 }  // namespace delassus::test

@@ -124,6 +124,12 @@ class RandomWorld {
     }
   }
 
+  /// Each axis free or locked.
+  btVector3 someLocks() {
+    const int locks = pick(random_, 0, 7);
+    return {btScalar(locks & 1), btScalar(locks >> 1 & 1), btScalar(locks >> 2 & 1)};
+  }
+
   void addBody(double decadesOfMass) {
     const btVector3 place{some(-1.5, 1.5), some(0, 3), some(-1.5, 1.5)};
     const btScalar mass =
@@ -136,8 +142,8 @@ class RandomWorld {
     body.setFriction(chance(random_, 0.2) ? 0 : some(0, 2));
     if (traits_.bounces) body.setRestitution(some(0, 1));
     if (traits_.lockedAxes && chance(random_, 0.5)) {
-      body.setLinearFactor({1, 1, btScalar(pick(random_, 0, 1))});
-      body.setAngularFactor({btScalar(pick(random_, 0, 1)), 1, 1});
+      body.setLinearFactor(someLocks());
+      body.setAngularFactor(someLocks());
     }
     if (chance(random_, 0.1))
       body.setCollisionFlags(body.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);

@@ -5,6 +5,7 @@
 namespace delassus::test {
 
 constexpr double ballRadius = 0.25;
+constexpr double inertiaOfUnit = 0.4 * ballRadius * ballRadius;  ///< of a ball of 1 kg
 
 inline btVector3 vector(double x, double y, double z) {
   return {btScalar(x), btScalar(y), btScalar(z)};
