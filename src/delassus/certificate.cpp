@@ -5,7 +5,6 @@
 #include <cmath>
 
 namespace delassus {
-namespace {}  // namespace
 
 MotionBound motionBound(const Problem& problem, const VectorXd& r, const VectorXd& u,
                         const VectorXd& largestReaction) {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "delassus/cone.h"
+#include "delassus/read_mode.h"
 
 namespace delassus {
 namespace {
@@ -19,20 +20,12 @@ Vec3 reactionIn(Mode mode, const Vec3& z, double mu, Mat3& derivative) {
     derivative.setIdentity();
     return z;
   }
-  const double zt = lengthOf(z[1], z[2]), radius = mu * z[0];
-  if (!(zt > 0)) {  // at the tip of the cone all directions are as good
+  const double zt = lengthOf(z[1], z[2]);
+  if (!(zt > 0)) {  // on the axis of the cone all directions are as good
     derivative << 1, 0, 0, mu, 0, 0, 0, 0, 0;
-    return {z[0], radius, 0};
+    return {z[0], mu * z[0], 0};
   }
-  const double c = z[1] / zt, s = z[2] / zt, turn = radius / zt;
-  derivative << 1, 0, 0,                    //
-      mu * c, turn * s * s, -turn * s * c,  //
-      mu * s, -turn * s * c, turn * c * c;
-  return {z[0], radius * c, radius * s};
-}
-
-RowState stateAt(double z, double lower, double upper) {
-  return z <= lower ? RowState::AtLower : z >= upper ? RowState::AtUpper : RowState::Free;
+  return slidingReaction(z, zt, mu, &derivative);
 }
 
 Mode modeAt(const Vec3& z, double mu) {

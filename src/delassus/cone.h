@@ -15,6 +15,19 @@ inline Vec3 projectOnCone(const Vec3& x, double mu) {
   return {n, scale * x[1], scale * x[2]};
 }
 
+/// What slides: z_t moved along itself to the rim, whether or not it lies beyond it. With t = z_t/‖z_t‖, `zt` = ‖z_t‖ > 0:
+///
+///     r = (z_n, μ z_n t),   dr_t/dz_n = μ t,   dr_t/dz_t = (μ z_n/‖z_t‖) (1 − t tᵀ)
+inline Vec3 slidingReaction(const Vec3& z, double zt, double mu, Mat3* derivative) {
+  const double radius = mu * z[0];
+  const double c = z[1] / zt, s = z[2] / zt, turn = radius / zt;
+  if (derivative)
+    *derivative << 1, 0, 0,                   //
+        mu * c, turn * s * s, -turn * s * c,  //
+        mu * s, -turn * s * c, turn * c * c;
+  return {z[0], radius * c, radius * s};
+}
+
 /// P(z), Coulomb's law as Alart and Curnier (1991) put it: z_n on [0, ∞), then z_t on the disk of radius μ r_n; and if asked
 /// its derivative dr/dz.
 inline Vec3 reactionTo(const Vec3& z, double mu, Mat3* derivative) {
@@ -22,17 +35,12 @@ inline Vec3 reactionTo(const Vec3& z, double mu, Mat3* derivative) {
     if (derivative) derivative->setZero();
     return Vec3::Zero();
   }
-  const double zt = lengthOf(z[1], z[2]), radius = mu * z[0];
-  if (zt <= radius) {
+  const double zt = lengthOf(z[1], z[2]);
+  if (zt <= mu * z[0]) {
     if (derivative) derivative->setIdentity();
     return z;
   }
-  const double c = z[1] / zt, s = z[2] / zt, turn = radius / zt;
-  if (derivative)
-    *derivative << 1, 0, 0,                   //
-        mu * c, turn * s * s, -turn * s * c,  //
-        mu * s, -turn * s * c, turn * c * c;
-  return {z[0], radius * c, radius * s};
+  return slidingReaction(z, zt, mu, derivative);
 }
 
 /// De Saxcé's corrected velocity u + μ‖u_t‖ n: with it Coulomb's law reads K_μ ∋ r ⟂ corrected ∈ K_μ*.

@@ -99,11 +99,23 @@ void eliminateEquations(Sparse& W, const std::vector<Image>& images, VectorXd& q
   W += sum;
 }
 
+bool isSymmetric(const Sparse& W) {
+  constexpr double rounding = 1e-9;
+  const VectorXd scale = W.diagonal().cwiseAbs().cwiseSqrt();
+  const Sparse mirrored = W.transpose(), difference = W - mirrored;
+  for (int i = 0; i < difference.rows(); ++i)
+    for (Sparse::InnerIterator w(difference, i); w; ++w)
+      if (!(std::abs(w.value()) <= rounding * scale[i] * scale[w.col()])) return false;
+  return true;
+}
+
 }  // namespace
 
 Problem contactForm(const Problem& problem) {
   if (!problem.disks.empty())
     throw std::invalid_argument("rolling and spinning friction have no form in contacts alone");
+  if (!problem.W.inBodySpace() && !isSymmetric(problem.W.entries()))
+    throw std::invalid_argument("its W is not symmetric");
   std::vector<double> friction;
   const std::vector<Image> images = imagesOf(problem, friction);
   VectorXd offset(problem.size());

@@ -12,8 +12,10 @@ namespace delassus {
 ///     two bounds:            the first tangent of a contact that is pressed with r_n = 1 by nothing else (W_nn = 1, q_n = −1);
 ///                            μ is half their distance, r_t1 the distance from the middle
 ///
+/// W must be symmetric: W_ce is taken from W_ec.
 /// Unknowns that nothing asks for are uncoupled and have q = 0: they end as zero.
-/// Throws std::invalid_argument for rolling and spinning friction, and for equations that no reactions meet.
+/// Throws std::invalid_argument for rolling and spinning friction, for equations that no reactions meet, and for entries with
+/// |W_ij − W_ji| > 1e-9 √|W_ii W_jj|.
 Problem contactForm(const Problem& problem);
 
 }  // namespace delassus

@@ -12,7 +12,6 @@ namespace delassus {
 ///     |v|_M  ≥  −r·q / √(r·W r)
 ///
 /// with ½|v|²_M the kinetic energy, |v|_M in √J. Reactions that push and move nothing prove that there is no such motion.
-
 class Quarrel {
  public:
   /// The demands alone: no tangents, no motors, no disks. Same unknowns, q = 0 in the place of the others. Refers to W.

@@ -30,6 +30,12 @@ Row6 normalJacobian(const Mat3& frame, const Vec3& arm) {
   return J;
 }
 
+/// Rows with a governor stand behind all others.
+std::vector<int>::const_iterator firstOfDisks(const std::vector<Row>& rows, const Island& island) {
+  return std::partition_point(island.rows.begin(), island.rows.end(),
+                              [&](int i) { return rows[i].governor < 0; });
+}
+
 }  // namespace
 
 int Island::normalOf(int contact) const {
@@ -122,7 +128,7 @@ void Assembler::split(const std::vector<Body>& bodies, const std::vector<Contact
     const Contact& c = contacts[i];
     if (!comesAfterItsLike(i)) touched = islandTouching(c.a, c.b);
     if (touched)
-      (c.friction > 0 || allTangents ? touched->frictional : touched->frictionless)
+      (c.friction == 0 && !allTangents ? touched->frictionless : touched->frictional)
           .push_back(static_cast<int>(i));
   }
   for (int i = 0; i < static_cast<int>(rows.size()); ++i)
@@ -132,9 +138,21 @@ void Assembler::split(const std::vector<Body>& bodies, const std::vector<Contact
 const Problem& Assembler::assemble(const std::vector<Body>& bodies,
                                    const std::vector<Contact>& contacts,
                                    const std::vector<Row>& rows, const Island& island) {
+  BodySpace& space = makeRoom(island);
+  takeRoots(bodies, island);
+  largestTerm_ = 0;
+  writeFrictional(bodies, contacts, island, space);
+  writeFrictionless(bodies, contacts, island, space);
+  writeRows(bodies, rows, island, space);
+  writeDisks(bodies, rows, island, space);
+  problem_.roundOff = 4 * std::numeric_limits<double>::epsilon() * largestTerm_;
+  return problem_;
+}
+
+/// All sizes; contacts, rows and disks are yet to be filled in.
+BodySpace& Assembler::makeRoom(const Island& island) {
   const int n = static_cast<int>(island.frictional.size());
   const int m = static_cast<int>(island.frictionless.size() + island.rows.size());
-
   BodySpace& space = problem_.W.refill(3 * n + m);
   space.bodies = static_cast<int>(island.bodies.size());
   space.contacts.clear();
@@ -147,83 +165,111 @@ const Problem& Assembler::assemble(const std::vector<Body>& bodies,
   problem_.lower.resize(m);
   problem_.upper.resize(m);
   problem_.disks.clear();
+  return space;
+}
 
+void Assembler::takeRoots(const std::vector<Body>& bodies, const Island& island) {
   roots_.clear();
   placeOf_.resize(bodies.size());
   for (int body : island.bodies) {
     placeOf_[body] = static_cast<int>(roots_.size());
     roots_.push_back(rootOf(bodies[body]));
   }
-  const auto local = [&](int body) { return movable(bodies, body) ? placeOf_[body] : fixedWorld; };
-  /// One body's share: its velocity in q, and J B in the place of J (nothing if it is immovable).
-  double largestTerm = 0;
-  const auto takeShare = [&](int body, int place, auto& J, auto& q) {
-    if (body >= 0) {
-      const auto share = (J * bodies[body].velocity).eval();
-      largestTerm = std::max(largestTerm, share.cwiseAbs().maxCoeff());
-      q += share;
-    }
-    if (place < 0) {
-      J.setZero();
-      return;
-    }
-    const RootOfInverseMass& B = roots_[place];
-    J.template leftCols<3>() *= B.linear.asDiagonal();
-    J.template rightCols<3>() = (J.template rightCols<3>() * B.angular).eval();
-  };
+}
 
+int Assembler::placeIn(const std::vector<Body>& bodies, int body) const {
+  return movable(bodies, body) ? placeOf_[body] : fixedWorld;
+}
+
+/// One body's share: its velocity in q, and J B in the place of J (nothing if it is immovable).
+template <class Rows, class Velocity>
+void Assembler::takeShare(const std::vector<Body>& bodies, int body, int place, Rows& J,
+                          Velocity& q) {
+  if (body >= 0) {
+    const auto share = (J * bodies[body].velocity).eval();
+    largestTerm_ = std::max(largestTerm_, share.cwiseAbs().maxCoeff());
+    q += share;
+  }
+  if (place < 0) {
+    J.setZero();
+    return;
+  }
+  const RootOfInverseMass& B = roots_[place];
+  J.template leftCols<3>() *= B.linear.asDiagonal();
+  J.template rightCols<3>() = (J.template rightCols<3>() * B.angular).eval();
+}
+
+void Assembler::writeFrictional(const std::vector<Body>& bodies,
+                                const std::vector<Contact>& contacts, const Island& island,
+                                BodySpace& space) {
   int at = 0;
   for (int i : island.frictional) {
     const Contact& c = contacts[i];
     ContactRows& entry = space.contacts.emplace_back();
-    entry.a = local(c.a);
-    entry.b = local(c.b);
+    entry.a = placeIn(bodies, c.a);
+    entry.b = placeIn(bodies, c.b);
     Vec3 q = Vec3::Zero();
     if (c.a >= 0) entry.Ja = contactJacobian(c.frame, c.armA);
     if (c.b >= 0) entry.Jb = -contactJacobian(c.frame, c.armB);
-    takeShare(c.a, entry.a, entry.Ja, q);
-    takeShare(c.b, entry.b, entry.Jb, q);
+    takeShare(bodies, c.a, entry.a, entry.Ja, q);
+    takeShare(bodies, c.b, entry.b, entry.Jb, q);
     problem_.q.segment<3>(at) = q - c.target;
     space.compliance.segment<3>(at) << c.compliance, c.slipCompliance, c.slipCompliance;
     problem_.friction[at / 3] = c.friction;
     at += 3;
   }
+}
 
-  const auto addRow = [&](int a, int b, const Row6& Ja, const Row6& Jb, double target, double lower,
-                          double upper, double compliance) {
-    BodySpace::ScalarRow& entry =
-        space.rows.emplace_back(BodySpace::ScalarRow{local(a), local(b), Ja, Jb});
-    Eigen::Matrix<double, 1, 1> q(0.0);
-    takeShare(a, entry.a, entry.Ja, q);
-    takeShare(b, entry.b, entry.Jb, q);
-    problem_.q[at] = q[0] - target;
-    space.compliance[at] = compliance;
-    problem_.lower[at - 3 * n] = lower;
-    problem_.upper[at - 3 * n] = upper;
-    ++at;
-  };
+void Assembler::writeFrictionless(const std::vector<Body>& bodies,
+                                  const std::vector<Contact>& contacts, const Island& island,
+                                  BodySpace& space) {
   for (int i : island.frictionless) {
     const Contact& c = contacts[i];
-    addRow(c.a, c.b, normalJacobian(c.frame, c.armA), -normalJacobian(c.frame, c.armB), c.target[0],
-           0, infinity, c.compliance);
+    writeRow(bodies, {c.a, c.b, normalJacobian(c.frame, c.armA), -normalJacobian(c.frame, c.armB)},
+             c.target[0], {0, infinity}, c.compliance, space);
   }
+}
+
+void Assembler::writeRows(const std::vector<Body>& bodies, const std::vector<Row>& rows,
+                          const Island& island, BodySpace& space) {
+  for (auto i = island.rows.begin(), end = firstOfDisks(rows, island); i != end; ++i) {
+    const Row& c = rows[*i];
+    writeRow(bodies, {c.a, c.b, c.jacobianA, c.jacobianB}, c.target, {c.lower, c.upper},
+             c.compliance, space);
+  }
+}
+
+void Assembler::writeDisks(const std::vector<Body>& bodies, const std::vector<Row>& rows,
+                           const Island& island, BodySpace& space) {
+  int at = 3 * problem_.contacts() + static_cast<int>(space.rows.size());
   bool paired = false;  // with the row before
-  for (int i : island.rows) {
-    const Row& c = rows[i];
-    if (c.governor < 0) {
-      addRow(c.a, c.b, c.jacobianA, c.jacobianB, c.target, c.lower, c.upper, c.compliance);
-      continue;
-    }
+  for (auto i = firstOfDisks(rows, island); i != island.rows.end(); ++i, ++at) {
+    const Row& c = rows[*i];
     if (paired)
       ++problem_.disks.back().unknowns;
     else
       problem_.disks.push_back({at, 1, island.normalOf(c.governor), c.upper, c.mostLoad});
     paired = c.paired;
-    addRow(c.a, c.b, c.jacobianA, c.jacobianB, c.target, -infinity, infinity, 0);
+    writeRow(bodies, {c.a, c.b, c.jacobianA, c.jacobianB}, c.target, {-infinity, infinity}, 0,
+             space);
   }
+}
 
-  problem_.roundOff = 4 * std::numeric_limits<double>::epsilon() * largestTerm;
-  return problem_;
+/// The next row, given by its bodies and J; what is kept are their places and J B.
+void Assembler::writeRow(const std::vector<Body>& bodies, const BodySpace::ScalarRow& row,
+                         double target, const Interval& bounds, double compliance,
+                         BodySpace& space) {
+  const int k = static_cast<int>(space.rows.size()), at = 3 * problem_.contacts() + k;
+  BodySpace::ScalarRow& entry = space.rows.emplace_back(row);
+  entry.a = placeIn(bodies, row.a);
+  entry.b = placeIn(bodies, row.b);
+  Eigen::Matrix<double, 1, 1> q(0.0);
+  takeShare(bodies, row.a, entry.a, entry.Ja, q);
+  takeShare(bodies, row.b, entry.b, entry.Jb, q);
+  problem_.q[at] = q[0] - target;
+  space.compliance[at] = compliance;
+  problem_.lower[k] = bounds.lower;
+  problem_.upper[k] = bounds.upper;
 }
 
 std::vector<Island> splitIslands(const std::vector<Body>& bodies,

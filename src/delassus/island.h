@@ -16,7 +16,7 @@ namespace delassus {
 /// Rows with a governor make disks; all others come before them.
 struct Island {
   std::vector<int> bodies;        ///< movable bodies
-  std::vector<int> frictional;    ///< contacts with friction > 0
+  std::vector<int> frictional;    ///< contacts with friction > 0, or one that `unfitParts` names
   std::vector<int> frictionless;  ///< contacts with friction = 0: one unknown each
   std::vector<int> rows;
 
@@ -55,6 +55,24 @@ class Assembler {
 
   void addIsland();
 
+  // `assemble`, step by step.
+  BodySpace& makeRoom(const Island& island);
+  void takeRoots(const std::vector<Body>& bodies, const Island& island);
+  void writeFrictional(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
+                       const Island& island, BodySpace& space);
+  void writeFrictionless(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
+                         const Island& island, BodySpace& space);
+  void writeRows(const std::vector<Body>& bodies, const std::vector<Row>& rows,
+                 const Island& island, BodySpace& space);
+  void writeDisks(const std::vector<Body>& bodies, const std::vector<Row>& rows,
+                  const Island& island, BodySpace& space);
+
+  void writeRow(const std::vector<Body>& bodies, const BodySpace::ScalarRow& row, double target,
+                const Interval& bounds, double compliance, BodySpace& space);
+  int placeIn(const std::vector<Body>& bodies, int body) const;
+  template <class Rows, class Velocity>
+  void takeShare(const std::vector<Body>& bodies, int body, int place, Rows& J, Velocity& q);
+
   std::vector<Island> islands_;  ///< the first count_ are of this step
   int count_ = 0;
   Links links_;
@@ -62,6 +80,7 @@ class Assembler {
   std::vector<int>
       placeOf_;  ///< of each body of the island that is being assembled, among its bodies
   std::vector<RootOfInverseMass> roots_;
+  double largestTerm_ = 0;  ///< of those whose sum is q, m/s
   Problem problem_;
 };
 

@@ -314,9 +314,14 @@ bool IslandCheck::isKept(const std::vector<Body>& bodies, const std::vector<Cont
   makeReady(island, Tier::Kept, solution);
   VectorXd& u = solution.u;
 
+  const auto isWithin = [&](double residual, double friction) {
+    return (friction <= 1 || residual <= share * options_.toleranceFor(friction) * demand) &&
+           residuals.add(residual);
+  };
   int at = 0, state = 0;
   const auto keepsCone = [&](int i) {
     const Contact& c = contacts[i];
+    if (!(c.friction >= 0)) return false;  // the solver names it
     const Vec3 reaction = r.segment<3>(at);
     Vec3 velocity = relativeVelocity(moved, c);
     velocity[0] += c.compliance * reaction[0];
@@ -327,12 +332,12 @@ bool IslandCheck::isKept(const std::vector<Body>& bodies, const std::vector<Cont
     const Vec3 corrected = correctedVelocity(velocity, c.friction);
     if (sticksFirmly(reaction, corrected, c.friction, largestStep(moved, c))) {
       mode = Mode::Stick;
-      return residuals.add(corrected.norm());
+      return isWithin(corrected.norm(), c.friction);
     }
     const double size = trace(moved, c), mean = size / 3;
     mode = modeOf(reaction, velocity, c.friction, mean);
     const Vec3 wished = projectOnCone(reaction - corrected / size, c.friction);
-    return residuals.add((reaction - wished).norm() * size);
+    return isWithin((reaction - wished).norm() * size, c.friction);
   };
   const auto keepsBounds = [&](double velocity, double lower, double upper, double size) {
     u[at] = velocity;

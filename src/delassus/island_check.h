@@ -24,8 +24,8 @@ class IslandCheck {
 
   /// Whether the reactions in `solution.r`, moved into their cones and bounds, keep the law: whether their natural
   /// residual, ‖r − P(r − ρ v)‖/ρ with ρ = 1/trace W_aa for contacts, is within the tolerance. (A shorter ρ makes it
-  /// larger: it bounds the one with ρ = 1/‖W_aa‖.) `share` is how much of the tolerance may be used. If so, `moved` holds the bodies'
-  /// velocities v_f + M⁻¹ Jᵀ r; otherwise `moved` and `solution.r` are as they were, but for that projection.
+  /// larger: it bounds the one with ρ = 1/‖W_aa‖.) `share` is how much of the tolerance may be used. `moved` must come as a copy of `bodies`. If
+  /// the law is kept, it holds the velocities v_f + M⁻¹ Jᵀ r; otherwise `moved` and `solution.r` are as they were, but for that projection.
   ///
   /// Where no body, in an island without joints, is left faster than `share` of 1e-8 of the largest demand (of the tolerance, if that is
   /// less), `moved` is at rest; u and the residual are as they were before. Reactions that are kept do not answer to what moves: the

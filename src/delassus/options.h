@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "delassus/economies.h"
 
 namespace delassus {
@@ -11,25 +13,38 @@ constexpr double keptShare = 1e-1, polishedShare = 1e-4;
 
 struct Options {
   /// Natural residual to reach, relative to the largest |q_i| of the island (m/s, rad/s), but no less than the rounding of q
-  /// (Problem::roundOff); > 0.
+  /// (Problem::roundOff); > 0. Where friction is more than 1 it is toleranceFor(friction).
   double tolerance = 1e-8;
   /// Most regions visited per island. Budgets count work, never time: the same input takes the same work everywhere. Work in a patch of an
   /// island counts by its share of what the island costs. 0 or less is none, as for all budgets.
   int newtonBudget = 1800;
   /// Most block Gauss-Seidel sweeps, and alternations, per island. Who allows fewer than 300 is in a hurry: where nothing slid, and there
-  /// are more than 12 contacts and no heap (pile_kind.h), all is held at once for one region, its up to 40 steps uncounted; if that is
-  /// no answer, all sweeps are made, before the walk, as sequential impulses make theirs. There are no alternations, no second start and
-  /// no path of compliance.
+  /// are more than 12 contacts and no heap (pile_kind.h), all is held at once for one region, its up to 40 steps uncounted; without
+  /// reactions to start from, up to 16 regions of a walk from the forced motion may come next, but in large piles. If that is no answer,
+  /// all sweeps are made, as sequential impulses make theirs, and a walk comes after them. There are no alternations, no second start
+  /// and no path of compliance.
   int sweepBudget = 64000;
   /// Most factorisations along a path of compliance (compliance_path.h), of an island of up to 600 contacts and rows; of larger ones, in
   /// which each costs more, as many fewer. There is no path in islands of more than 200 contacts and rows that are no heaps
-  /// (pile_kind.h), with rolling or spinning friction, or where W is explicit. Its start takes up to 11 000 sweeps that no other budget
-  /// holds.
+  /// (pile_kind.h), with rolling or spinning friction, or where W is explicit. Its start takes up to 11 000 sweeps and 600 regions,
+  /// and its end up to 240 regions, that no other budget holds.
   int pathBudget = 30000;
-  /// A guess whose residual is within this share of the tolerance comes back as it is; > 0. The Bullet solvers take no more than
+  /// A guess whose residual is within this share of the tolerance comes back as it is; > 0, ≤ 1. The Bullet solvers take no more than
   /// polishedShare; before, they keep the last reactions where these are within keptShare.
   double guessShare = 1;
   Economies economies;
+
+  /// A wide cone hides an approach of up to μ times the residual: without reactions, and with ‖u_t‖ = −u_n, that is −u_n/√(1 + μ²).
+  /// With this tolerance nothing approaches by a larger share of the demands than the tolerance, or 1e-5 if that is more:
+  ///
+  ///     min(tolerance, max(tolerance, 1e-5)/μ)
+  double toleranceFor(double friction) const {
+    constexpr double harmless = 1e-5;
+    return friction > 1 ? std::min(tolerance, std::max(tolerance, harmless) / friction) : tolerance;
+  }
 };
+
+/// Throws std::invalid_argument where the tolerance or the guess' share is out of its range.
+void check(const Options& options);
 
 }  // namespace delassus

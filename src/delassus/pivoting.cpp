@@ -13,6 +13,10 @@
 namespace delassus {
 namespace {
 
+/// Natural residual that counts as solved, relative to the largest |q|, both scaled to unit
+/// diagonal of W. Where it lies below the rounding floor ε‖r‖ of the reactions, the floor counts.
+constexpr double pivotTolerance = 1e-10;
+
 /// Largest |W_ij − W_ji|, against a unit diagonal, that still is round-off.
 constexpr double roundOffAsymmetry = 1e-12;
 
@@ -75,8 +79,9 @@ bool unilateral(const VectorXd& lower, const VectorXd& upper) {
   return (lower.array() == 0).all() && (upper.array() == infinity).all();
 }
 
-/// A row that no reaction moves: W_ii = 0. It rests where its own u = q_i puts it.
-PivotResult immovableRow(double q, double lower, double upper, double tolerance) {
+/// A row that no reaction moves: W_ii = 0. It rests where its own u = q_i puts it; a |q| up to
+/// `wanted` counts as 0 where a reaction would have to make it so.
+PivotResult immovableRow(double q, double lower, double upper, double wanted) {
   PivotResult result;
   const bool atLower = q > 0 || lower == upper || (q == 0 && lower >= 0);
   const double bound = atLower ? lower : upper;
@@ -85,7 +90,7 @@ PivotResult immovableRow(double q, double lower, double upper, double tolerance)
   result.r = VectorXd::Constant(1, inBetween ? rest : bound);
   result.u = VectorXd::Constant(1, q);
   result.rows = {inBetween ? RowState::Free : atLower ? RowState::AtLower : RowState::AtUpper};
-  if (inBetween && std::abs(q) > tolerance) {
+  if (inBetween && std::abs(q) > wanted) {
     result.status = Status::Incompatible;
     result.blamed = {0};
   }
@@ -146,8 +151,7 @@ void takeLeastNorm(const BoundedRows& rows, RowAnswer& best) {
 /// Linked rows by pivoting: directly; by proximal steps if W is singular; by Lemke's method if all
 /// else fails.
 PivotResult pivotLinked(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
-                        const VectorXd& upper, const std::vector<RowState>& guess,
-                        const PivotOptions& options) {
+                        const VectorXd& upper, int regionBudget) {
   PivotResult result;
   ScaledRows scaled = scaleRows(W, q, lower, upper);
   BoundedRows& rows = scaled.rows;
@@ -157,21 +161,21 @@ PivotResult pivotLinked(const MatrixXd& W, const VectorXd& q, const VectorXd& lo
 
   const VectorXd rest = VectorXd::Zero(rows.size());
   const double largest = rows.q.cwiseAbs().maxCoeff();
-  const double wanted = options.tolerance * largest;
-  RegionWalk walk(rows, guess.empty() ? rows.firstStates() : guess);
+  const double wanted = pivotTolerance * largest;
+  RegionWalk walk(rows, rows.firstStates());
   RowAnswer best;
   best.r = rows.clamp(rest);
   best.states = statesAt(rows, best.r);
   best.residual = rows.naturalResidual(best.r);
 
   bool unique = false;
-  if (walk.settle(rest, 0, options.regionBudget / 2) == RegionWalk::End::Settled) {
+  if (walk.settle(rest, 0, regionBudget / 2) == RegionWalk::End::Settled) {
     best.offer(rows, walk);
     unique = best.residual <= wanted && !walk.redundantTies();
   }
   for (int k = 0; k < shiftBudget && !unique; ++k) {
     const double goodEnough = (k == 0 ? consistentData : consistentShift) * largest;
-    ProximalAnswer proximal = proximalPoint(rows, walk, goodEnough, options.regionBudget);
+    ProximalAnswer proximal = proximalPoint(rows, walk, goodEnough, regionBudget);
     if (proximal.blamed.empty()) {
       if (proximal.best.residual < std::max(best.residual, wanted)) best = std::move(proximal.best);
       break;
@@ -182,7 +186,7 @@ PivotResult pivotLinked(const MatrixXd& W, const VectorXd& q, const VectorXd& lo
     best.residual = rows.naturalResidual(best.r);
   }
 
-  const auto left = [&] { return options.regionBudget - walk.regions() - result.regions; };
+  const auto left = [&] { return regionBudget - walk.regions() - result.regions; };
   const auto solved = [&] { return best.residual <= std::max(wanted, rows.roundOff(best.r)); };
   if (!solved() && rows.size() <= largestTableau) {
     if (const auto r = lemke(rows, left(), result.regions)) {
@@ -212,13 +216,11 @@ Status graver(Status a, Status b) { return std::max(a, b); }
 }  // namespace
 
 PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
-                  const VectorXd& upper, const std::vector<RowState>& guess,
-                  const PivotOptions& options) {
+                  const VectorXd& upper, int regionBudget) {
   const int n = static_cast<int>(q.size());
   assert(W.rows() == n && W.cols() == n && "pivot: W must be square, of q's size");
   assert(lower.size() == n && upper.size() == n && "pivot: one pair of bounds a row");
   assert((lower.array() <= upper.array()).all() && "pivot: lower must not exceed upper");
-  assert((guess.empty() || static_cast<int>(guess.size()) == n) && "pivot: one state a row");
 
   PivotResult result;
   result.r = VectorXd::Zero(n).cwiseMax(lower).cwiseMin(upper);
@@ -230,18 +232,14 @@ PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
     return result;
   }
 
-  const double tolerance = n > 0 ? options.tolerance * q.cwiseAbs().maxCoeff() : 0;
+  const double wanted = n > 0 ? pivotTolerance * q.cwiseAbs().maxCoeff() : 0;
   for (const std::vector<int>& group : linkedRows(W)) {
-    std::vector<RowState> groupGuess;
-    if (!guess.empty())
-      for (const int i : group) groupGuess.push_back(guess[i]);
     const int first = group.front();
-    PivotOptions left = options;
-    left.regionBudget = std::max(0, left.regionBudget - result.regions);
+    const int left = std::max(0, regionBudget - result.regions);
     const PivotResult part =
         group.size() == 1 && W(first, first) == 0
-            ? immovableRow(q[first], lower[first], upper[first], tolerance)
-            : pivotLinked(W(group, group), q(group), lower(group), upper(group), groupGuess, left);
+            ? immovableRow(q[first], lower[first], upper[first], wanted)
+            : pivotLinked(W(group, group), q(group), lower(group), upper(group), left);
     result.r(group) = part.r;
     result.u(group) = part.u;
     for (size_t k = 0; k < group.size(); ++k) result.rows[group[k]] = part.rows[k];

@@ -8,13 +8,6 @@
 
 namespace delassus {
 
-struct PivotOptions {
-  /// Natural residual that counts as solved, relative to the largest |q|, both scaled to unit
-  /// diagonal of W. Where it lies below the rounding floor ε‖r‖ of the reactions, the floor counts.
-  double tolerance = 1e-10;
-  int regionBudget = 1000;  ///< most regions visited; work, never time
-};
-
 /// Reactions and motion of rows with bounds, and the region they lie in.
 struct PivotResult {
   /// N·s, within the bounds; of least norm Σ W_ii r_i² where it is not unique (of a compromise between more than 400 rows: nearly)
@@ -34,10 +27,9 @@ struct PivotResult {
 ///
 /// Bounds may be infinite: contacts are [0, ∞), joints (−∞, ∞), motors [−m, m]. W = J M⁻¹ Jᵀ is
 /// symmetric positive semi-definite, often singular; a W that is neither is served too, with an
-/// honest status and no promise. `guess` is the region to look at first, or empty. Rows that are
-/// not linked through W are solved on their own.
+/// honest status and no promise. Rows that are not linked through W are solved on their own.
+/// `regionBudget`: most regions visited; work, never time.
 PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
-                  const VectorXd& upper, const std::vector<RowState>& guess = {},
-                  const PivotOptions& options = {});
+                  const VectorXd& upper, int regionBudget = 1000);
 
 }  // namespace delassus

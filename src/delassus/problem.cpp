@@ -37,7 +37,12 @@ bool isFit(const Problem& problem, int part, int first, int unknowns) {
     if (!(problem.friction[part] >= 0 && problem.friction[part] <= largest)) return false;
   } else {
     const double lower = problem.lower[part - contacts], upper = problem.upper[part - contacts];
-    if (!(lower <= upper && lower < infinity && upper > -infinity)) return false;
+    const auto isInRange = [](double bound) {
+      return std::isinf(bound) || std::abs(bound) <= largest;
+    };
+    if (!(lower <= upper && lower < infinity && upper > -infinity) || !isInRange(lower) ||
+        !isInRange(upper))
+      return false;
   }
   return problem.W.inBodySpace() ? inBodySpace(problem.W.bodySpace(), contacts, part, first)
                                  : inEntries(problem.W.entries(), first, unknowns);
@@ -46,7 +51,8 @@ bool isFit(const Problem& problem, int part, int first, int unknowns) {
 /// Whether a law can be stated for a disk, and whether the next unknown that it leaves is `next`.
 bool isFit(const Problem& problem, const Disk& disk, int next) {
   const int contactsEnd = 3 * problem.contacts();
-  return disk.radius > 0 && disk.radius <= largest && disk.mostLoad > 0 && disk.governor >= 0 &&
+  return disk.radius > 0 && disk.radius <= largest && disk.mostLoad > 0 &&
+         (disk.mostLoad <= largest || std::isinf(disk.mostLoad)) && disk.governor >= 0 &&
          disk.governor < problem.disksBegin() &&
          (disk.governor >= contactsEnd || disk.governor % 3 == 0) && disk.first >= contactsEnd &&
          (disk.unknowns == 1 || disk.unknowns == 2) && disk.first + disk.unknowns == next;

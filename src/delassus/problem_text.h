@@ -42,10 +42,12 @@ Problem readProblem(std::istream& in, const std::string& source, ProblemFormat* 
 /// Writes the format that fits: `lcp v1` if the problem has no contacts, `delassus-problem v1` if it has no rows.
 /// A problem with both is not expressible and throws std::invalid_argument. W in body space is written as entries.
 /// Numbers have as many digits as reproduce them exactly: reading back gives the same W, q, friction and bounds, bit for bit.
+/// std::invalid_argument is thrown for a name of two words, numbers that are none, μ < 0, crossed bounds and disks, too;
+/// std::runtime_error where the path cannot be written. Of a stream, look at the state.
 void writeProblem(std::ostream& out, const Problem& problem);
 void writeProblem(const std::string& path, const Problem& problem);
 
-/// Writes `solution v1`.
+/// Writes `solution v1`. Throws as writeProblem.
 void writeSolution(std::ostream& out, const Problem& problem, const Solution& solution);
 void writeSolution(const std::string& path, const Problem& problem, const Solution& solution);
 

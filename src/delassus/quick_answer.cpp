@@ -18,6 +18,7 @@ constexpr double gain = 0.2;  ///< what a sweep that takes away most leaves
 QuickAnswer::QuickAnswer(const Problem& problem, const Options& options)
     : problem_(problem),
       options_(options),
+      tolerance_(options.toleranceFor(problem.friction.maxCoeff())),
       demand_(problem.q.cwiseAbs().maxCoeff()),
       isFull_(problem.W.isFull()),
       contacts_(problem.contacts()) {
@@ -30,7 +31,7 @@ QuickAnswer::QuickAnswer(const Problem& problem, const Options& options)
 bool QuickAnswer::isSmall() const { return problem_.size() <= fewUnknowns; }
 
 double QuickAnswer::toleranceFor(double demand) const {
-  return std::max(options_.tolerance * demand, problem_.roundOff);
+  return std::max(tolerance_ * demand, problem_.roundOff);
 }
 
 bool QuickAnswer::find(Solution& answer) {

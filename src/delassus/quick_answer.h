@@ -64,6 +64,7 @@ class QuickAnswer {
 
   const Problem& problem_;
   const Options& options_;
+  double tolerance_;         ///< relative to the demands
   double demand_;            ///< the largest |q|
   bool isFull_;              ///< all of W is stored
   double felt_ = 0;          ///< what approaches feels of those before it in the first sweep, m/s

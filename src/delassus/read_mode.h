@@ -19,10 +19,12 @@ inline Mode modeOf(const Vec3& r, const Vec3& u, double friction, double weight)
                                                           : Mode::Slide;
 }
 
-/// The same of a row.
-inline RowState stateOf(double r, double u, double lower, double upper, double weight) {
-  const double z = r - (weight > 0 ? u / weight : 0);
+/// The same of a row, from its z.
+inline RowState stateAt(double z, double lower, double upper) {
   return z <= lower ? RowState::AtLower : z >= upper ? RowState::AtUpper : RowState::Free;
+}
+inline RowState stateOf(double r, double u, double lower, double upper, double weight) {
+  return stateAt(r - (weight > 0 ? u / weight : 0), lower, upper);
 }
 
 /// The same of a disk that has this radius now.

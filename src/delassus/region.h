@@ -51,16 +51,18 @@ std::optional<Eigen::Vector2d> twoContacts(const Eigen::Matrix2d& W, const Eigen
 /// most 1e-2.
 std::optional<Eigen::Vector3d> threeContacts(const Eigen::Matrix3d& W, const Eigen::Vector3d& q);
 
+/// Reactions that `releaseRecursion` found.
+struct Recursion {
+  SmallVector r;         ///< of contacts scaled to unit diagonal, √J
+  int regionsTried = 0;  ///< systems whose answer was looked at
+};
+
 /// Any n up to `smallRegionSize`, exact and backward stable whatever the conditioning (algorithms
 /// 3.4). W has unit diagonal.
 ///
 /// Hold one contact as a bilateral one while the others stay unilateral. If its reaction is not
 /// negative this is the motion; if it is negative, that contact is released. Empty if a pivot shows
 /// a dependent contact (3.5).
-struct Recursion {
-  SmallVector r;
-  int regionsTried = 0;
-};
 std::optional<Recursion> releaseRecursion(const SmallMatrix& W, const SmallVector& q);
 
 /// Up to `smallRegionSize` contacts: scales to unit diagonal, then the closed form where it is

@@ -11,15 +11,16 @@ namespace delassus {
 ///
 /// With a governor it is friction that grows with the normal reaction r_n of a contact between the same bodies (disk.h):
 /// |r| ≤ upper r_n, and √(r² + r'²) ≤ upper r_n for two rows that are paired; of r_n no more counts than `mostLoad`.
-/// `lower` and `compliance` are not read.
-/// Such rows stand behind all others.
+/// `upper` is then the κ of disk.h; `lower` and `compliance` are not read. Such rows stand behind all others.
+///
+/// Units are those of rows along an axis; of rows about one they are rad/s, N·m·s and 1/(kg·m²).
 struct Row {
   int a = fixedWorld, b = fixedWorld;
   Row6 jacobianA = Row6::Zero(), jacobianB = Row6::Zero();
-  double target = 0;           ///< wanted velocity, m/s (or rad/s for angular rows)
+  double target = 0;           ///< wanted velocity, m/s
   double lower = -infinity;    ///< N·s
-  double upper = infinity;     ///< N·s
-  double compliance = 0;       ///< added to the diagonal of W
+  double upper = infinity;     ///< N·s; with a governor κ, m
+  double compliance = 0;       ///< added to the diagonal of W, 1/kg
   int governor = -1;           ///< a contact, or none
   double mostLoad = infinity;  ///< N·s
   bool paired = false;  ///< with the next row, which has the same bodies, governor and bounds

@@ -129,10 +129,8 @@ void Search::allow(const Problem& problem, Solution& best) {
 Outcome Search::pivotRows(const Problem& problem, const Options& options, double tolerance,
                           Solution& best) {
   if (isTooLargeToFactor(problem)) return Outcome::Lost;
-  PivotOptions pivoting;
-  pivoting.regionBudget = options.newtonBudget;
   const PivotResult result =
-      pivot(problem.W.dense(), problem.q, problem.lower, problem.upper, {}, pivoting);
+      pivot(problem.W.dense(), problem.q, problem.lower, problem.upper, options.newtonBudget);
   best.regions += result.regions;
   best.factorisations += result.factorisations;
   trial_.r = result.r;

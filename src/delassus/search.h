@@ -42,8 +42,7 @@ class Search {
   Outcome pivotRows(const Problem& problem, const Options& options, double tolerance,
                     Solution& best);
 
-  /// Walks from `guess`, or without one (null) from nothing; if that is lost, with what is left of the budget as if there
-  /// had been none; and if that is lost too, along the path of compliance.
+  /// Walks from `guess`, or without one (null) from nothing, and further as far as the budget goes (walkTwice).
   Outcome walk(const Problem& problem, const Options& options, double tolerance,
                const VectorXd* guess, Solution& best);
 

@@ -93,7 +93,7 @@ bool answerByFormula(const Problem& problem, const Options& options, Solution& a
   const Mat3 W = problem.W.contactBlock(0);
   const Vec3 q = problem.q, r = projectOnCone(solveOneContact(W, q, mu), mu), u = W * r + q;
   const double residual = naturalResidual(contactSize(W), mu, r, u);
-  if (!(residual <= options.tolerance * q.cwiseAbs().maxCoeff())) return false;
+  if (!(residual <= options.toleranceFor(mu) * q.cwiseAbs().maxCoeff())) return false;
   answer.start(problem.q);
   answer.r = r;
   answer.u = u;
@@ -107,6 +107,7 @@ bool answerByFormula(const Problem& problem, const Options& options, Solution& a
 }  // namespace
 
 Solution solve(const Problem& problem, const Options& options) {
+  check(options);  // many answers need no Solver
   if (problem.W.inBodySpace() || !disksAreInside(problem)) return Solver(options).solve(problem);
   Solution solution;
   std::optional<QuickAnswer> quick;

@@ -1,10 +1,6 @@
 #include "delassus/solver.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,13 +26,7 @@ bool solveAlone(const Problem& problem, const NaturalMap& map, VectorXd& r) {
 }  // namespace
 
 Solver::Solver(Options options) : options_(options), search_(std::make_unique<Search>()) {
-  const auto refuse = [](const char* what, double number) {
-    throw std::invalid_argument("delassus::Options: " + std::string(what) +
-                                " must be a number > 0, not " + std::to_string(number));
-  };
-  const auto isUsable = [](double x) { return x > 0 && std::isfinite(x); };
-  if (!isUsable(options.tolerance)) refuse("tolerance", options.tolerance);
-  if (!isUsable(options.guessShare)) refuse("guessShare", options.guessShare);
+  check(options);
 }
 Solver::~Solver() = default;
 Solver::Solver(Solver&&) noexcept = default;
@@ -70,7 +60,8 @@ void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best
 
   search.setProblem(problem);
   const double demand = problem.size() > 0 ? problem.q.cwiseAbs().maxCoeff() : 0;
-  const double tolerance = std::max(options_.tolerance * demand, problem.roundOff);
+  const double widest = problem.contacts() > 0 ? problem.friction.maxCoeff() : 0;
+  const double tolerance = std::max(options_.toleranceFor(widest) * demand, problem.roundOff);
   bool warm =
       guess.size() == problem.size() && problem.size() > 0 && guess.any() && guess.allFinite();
   if (warm) search.offer(problem, guess, best);

@@ -14,7 +14,7 @@ class Search;
 /// Walks from region to region until one holds its own answer. Owns its storage; not thread-safe, one per thread.
 class Solver {
  public:
-  /// Throws std::invalid_argument where a tolerance or a share is no number > 0. (Budgets may be any: less than 0 is none.)
+  /// Throws std::invalid_argument where check(options) does. (Budgets may be any: less than 0 is none.)
   explicit Solver(Options options = {});
   ~Solver();
   Solver(Solver&&) noexcept;

@@ -23,14 +23,13 @@ struct TurningFriction {
 /// Appends the rows, of which there are none where the coefficient is not positive.
 inline void addRows(const TurningFriction& friction, const Contact& contact, int index,
                     std::vector<Row>& rows) {
-  const auto add = [&](const Vec3& axis, double bound, bool paired) {
+  const auto add = [&](const Vec3& axis, double coefficient, bool paired) {
     Row row;
     row.a = contact.a;
     row.b = contact.b;
     row.jacobianA.tail<3>() = axis.transpose();
     row.jacobianB.tail<3>() = -axis.transpose();
-    row.lower = -bound;
-    row.upper = bound;
+    row.upper = coefficient;
     row.governor = index;
     row.mostLoad = friction.mostLoad;
     row.paired = paired;

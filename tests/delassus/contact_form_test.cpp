@@ -76,7 +76,9 @@ TEST(ContactForm, HasTheSameAnswers) {
       const VectorXd image = imageOf(problem, s.r, form.contacts());
       const double demand = problem.q.cwiseAbs().maxCoeff();
       EXPECT_LT(naturalResidual(form, image).max, 1e-6 * demand) << k;
-      EXPECT_LT((form.W * image + form.q - s.u).head(3 * problem.contacts()).norm(), 1e-6 * demand)
+      const VectorXd u = form.W * image + form.q;
+      const int asBefore = 3 * problem.contacts();
+      EXPECT_LT((u.head(asBefore) - s.u.head(asBefore)).norm(), 1e-6 * demand)
           << k << ": the contacts move as before";
       EXPECT_EQ(solve(form).status, Status::Solved) << k;
     }
@@ -102,6 +104,29 @@ TEST(ContactForm, ARowWithTwoBoundsIsFrictionUnderAFixedLoad) {
     EXPECT_NEAR(s.r[1] + 1, std::clamp(-q / 2, -1.0, 3.0), 1e-8);
     EXPECT_NEAR(s.r[2], 0, 1e-9);
   }
+}
+
+// A contact and an equation that feel each other, in units in which the equation is small.
+TEST(ContactForm, RefusesAMatrixThatIsNotSymmetric) {
+  const auto tied = [](double feltByContact, double feltByEquation) {
+    MatrixXd W = MatrixXd::Identity(4, 4);
+    W(0, 3) = feltByContact;
+    W(3, 0) = feltByEquation;
+    const Eigen::Vector4d unit(1, 1, 1, 1e-6);
+    W = (unit.asDiagonal() * W * unit.asDiagonal()).eval();
+    Problem problem;
+    problem.W = DelassusMatrix(DelassusMatrix::Sparse(W.sparseView()));
+    problem.q = VectorXd::Constant(4, -1);
+    problem.friction = VectorXd::Constant(1, 0.5);
+    problem.lower = VectorXd::Constant(1, -infinity);
+    problem.upper = VectorXd::Constant(1, infinity);
+    return problem;
+  };
+  EXPECT_EQ(contactForm(tied(0.5, 0.5)).contacts(), 1);
+  EXPECT_EQ(contactForm(tied(0.5, 0.5 + 1e-12)).contacts(), 1) << "but for rounding";
+  EXPECT_THROW(contactForm(tied(0.5, 0.5 + 1e-8)), std::invalid_argument);
+  EXPECT_THROW(contactForm(tied(0.5, 0)), std::invalid_argument);
+  EXPECT_THROW(contactForm(tied(0, -0.5)), std::invalid_argument);
 }
 
 TEST(ContactForm, NamesWhatHasNone) {

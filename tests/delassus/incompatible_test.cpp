@@ -91,6 +91,22 @@ TEST_P(Incompatible, ASqueezedContactIsNamedWithItsOpponent) {
   EXPECT_NEAR(motionOf(island, solution)[5], 1, 1e-6);
 }
 
+// What no reaction moves cannot be met, and is named all the same, with friction or without.
+TEST(IncompatibleContact, IsNamedWhereItsBodyIsLocked) {
+  for (const double friction : {0.0, 0.5}) {
+    Pile pile;
+    pile.bodies.push_back(makeBox(1, 0.5, Vec6::Zero()));
+    pile.bodies[0].inverseMass[2] = 0;
+    pile.bodies[0].inverseInertia.setZero();
+    pile.contacts = {makeRestingPoint(0, fixedWorld, {0, 0, -0.5}, Vec3::Zero(), friction)};
+    pile.contacts[0].target[0] = 1;
+    const Solution solution = Solver().solve(PileIsland(pile).problem);
+    EXPECT_NE(solution.status, Status::Solved);
+    EXPECT_EQ(solution.blamed, std::vector<int>{0}) << friction;
+    EXPECT_TRUE(solution.r.allFinite());
+  }
+}
+
 // The shortfall s of the compromise is normal to all that reactions can do, W s
 // = 0, if rows of equal units are free.
 TEST_P(Incompatible, TheCompromiseIsLeastSquares) {
@@ -183,8 +199,7 @@ TEST_P(Redundant, ABoundedRowGivesWay) {
   EXPECT_NEAR(solution.r[1], 3, 1e-7);
 }
 
-// With friction squeezed contacts slip out instead (u_n = −μ |u_t| is no
-// demand): never called incompatible.
+// Who meets the stronger of two one-sided demands along one axis meets both.
 TEST_P(Redundant, OneSidedDemandsAreNoQuarrel) {
   Random random(89);
   Row limit = axisRow(0, 2, 1);

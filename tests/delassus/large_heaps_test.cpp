@@ -1,4 +1,4 @@
-/// Heaps of hundreds of contacts and more, whose walk loses its way: what finds back there (find_back.cpp).
+/// Heaps of hundreds of contacts and more, whose walk loses its way: what finds back there (search_find_back.cpp).
 #include <gtest/gtest.h>
 
 #include "delassus/residual.h"

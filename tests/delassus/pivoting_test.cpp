@@ -27,6 +27,27 @@ unsigned persistingSet(const std::vector<RowState>& rows) {
   return set;
 }
 
+/// Contacts in units that give W a unit diagonal, and walks over their regions from any of them: `pivot` has but one start, and small
+/// problems never walk.
+struct Walks {
+  VectorXd inverse;
+  BoundedRows rows;
+
+  Walks(const MatrixXd& W, const VectorXd& q)
+      : inverse(W.diagonal().cwiseSqrt().cwiseInverse()),
+        rows{inverse.asDiagonal() * W * inverse.asDiagonal(), q.cwiseProduct(inverse),
+             VectorXd::Zero(q.size()), VectorXd::Constant(q.size(), infinity), true} {}
+
+  RegionWalk from(const std::vector<RowState>& start, RegionWalk::End& end) const {
+    RegionWalk walk(rows, start);
+    end = walk.settle(VectorXd::Zero(rows.size()), 0, 200);
+    return walk;
+  }
+  VectorXd reactions(const RegionWalk& walk) const {
+    return rows.clamp(walk.r()).cwiseProduct(inverse);
+  }
+};
+
 /// §8, §11: the 2ⁿ regions fill the space and never overlap; the region found is the one of
 /// enumeration.
 ///
@@ -37,19 +58,6 @@ class RegionTheory : public testing::TestWithParam<int> {
  protected:
   static int samples(int n) {
     return n <= 6 ? 31000 : n == 7 ? 9000 : n == 8 ? 4500 : n == 9 ? 1700 : 800;
-  }
-
-  /// The block pivoting itself, from the region of all contacts: small problems do not reach it
-  /// through `pivot`.
-  static VectorXd walkFromAll(const MatrixXd& W, const VectorXd& q, RegionWalk::End& end) {
-    const int n = static_cast<int>(q.size());
-    const VectorXd scale = W.diagonal().cwiseSqrt();
-    const VectorXd inverse = scale.cwiseInverse();
-    const BoundedRows rows{inverse.asDiagonal() * W * inverse.asDiagonal(), q.cwiseProduct(inverse),
-                           VectorXd::Zero(n), VectorXd::Constant(n, infinity), true};
-    RegionWalk walk(rows, std::vector<RowState>(n, RowState::Free));
-    end = walk.settle(VectorXd::Zero(n), 0, 200);
-    return rows.clamp(walk.r()).cwiseProduct(inverse);
   }
 };
 
@@ -74,10 +82,11 @@ TEST_P(RegionTheory, TheRegionIsThatOfEnumeration) {
     if (persistingSet(answer.rows) != truth.persisting) ++otherLabels;
     ASSERT_LT(motionDistance(W, answer.r, truth.r), tolerance) << "sample " << k;
 
+    const Walks walks(W, q);
     RegionWalk::End end;
-    const VectorXd walked = walkFromAll(W, q, end);
+    const RegionWalk walk = walks.from(std::vector<RowState>(n, RowState::Free), end);
     if (end == RegionWalk::End::Settled) {
-      ASSERT_LT(motionDistance(W, walked, truth.r), tolerance) << "sample " << k;
+      ASSERT_LT(motionDistance(W, walks.reactions(walk), truth.r), tolerance) << "sample " << k;
     } else {
       ASSERT_EQ(end, RegionWalk::End::Singular) << "sample " << k;
       ASSERT_GT(condition, 1e8);
@@ -174,27 +183,33 @@ TEST(Pivoting, TheRegionOfTheLastStepIsOneVisit) {
   const MatrixXd W = randomDelassus(n, 1e4, random);
   const VectorXd q = normalVector(n, random);
   const PivotResult cold = pivotContacts(W, q);
-  const PivotResult warm = pivotContacts(W, 1.001 * q, cold.rows);
+  const Walks walks(W, 1.001 * q);
+  RegionWalk::End end;
+  const RegionWalk warm = walks.from(cold.rows, end);
   EXPECT_GT(cold.regions, 1);
-  EXPECT_EQ(warm.regions, 1);
-  EXPECT_EQ(warm.factorisations, 1);
-  EXPECT_EQ(warm.rows, cold.rows);
-  EXPECT_LT((warm.r - 1.001 * cold.r).norm(), 1e-9 * cold.r.norm());
+  EXPECT_EQ(end, RegionWalk::End::Settled);
+  EXPECT_EQ(warm.regions(), 1);
+  EXPECT_EQ(warm.factorisations(), 1);
+  EXPECT_EQ(warm.states(), cold.rows);
+  EXPECT_LT((walks.reactions(warm) - 1.001 * cold.r).norm(), 1e-9 * cold.r.norm());
 }
 
-TEST(Pivoting, AnyGuessLeadsToTheSameMotion) {
+TEST(Pivoting, AnyStartLeadsToTheSameMotion) {
   Random random(23);
   const int n = 40;
   const MatrixXd W = randomDelassus(n, 1e3, random);
   const VectorXd q = normalVector(n, random);
-  const PivotResult cold = pivotContacts(W, q);
+  const PivotResult answer = pivotContacts(W, q);
+  const Walks walks(W, q);
   for (int k = 0; k < 50; ++k) {
-    std::vector<RowState> guess(n);
-    for (RowState& state : guess)
+    std::vector<RowState> start(n);
+    for (RowState& state : start)
       state = static_cast<RowState>(static_cast<int>(uniform(random, 0, 3)));
-    const PivotResult guessed = pivotContacts(W, q, guess);
-    EXPECT_EQ(guessed.rows, cold.rows);
-    EXPECT_LT(motionDistance(W, guessed.r, cold.r), 1e-12);
+    RegionWalk::End end;
+    const RegionWalk walk = walks.from(start, end);
+    EXPECT_EQ(end, RegionWalk::End::Settled);
+    EXPECT_EQ(walk.states(), answer.rows);
+    EXPECT_LT(motionDistance(W, walks.reactions(walk), answer.r), 1e-12);
   }
 }
 
@@ -281,10 +296,8 @@ TEST(Pivoting, ASpentBudgetIsSaid) {
   Random random(27);
   const int n = 60;
   const MatrixXd W = randomDelassus(n, 1e6, random);
-  PivotOptions options;
-  options.regionBudget = 2;
-  const PivotResult answer = pivot(W, normalVector(n, random), VectorXd::Zero(n),
-                                   VectorXd::Constant(n, infinity), {}, options);
+  const PivotResult answer =
+      pivot(W, normalVector(n, random), VectorXd::Zero(n), VectorXd::Constant(n, infinity), 2);
   EXPECT_EQ(answer.status, Status::OutOfBudget);
   EXPECT_TRUE(answer.r.allFinite());
   EXPECT_GE(answer.r.minCoeff(), 0);
@@ -297,9 +310,7 @@ TEST(Pivoting, NoBudgetLeavesWhatTheBoundsAsk) {
   W.bottomRightCorner<2, 2>() = W.topLeftCorner<2, 2>();
   const VectorXd one = VectorXd::Ones(4);
   for (const int budget : {1, 0, -1, std::numeric_limits<int>::min()}) {
-    PivotOptions options;
-    options.regionBudget = budget;
-    const PivotResult answer = pivot(W, -one, -one, one, {}, options);
+    const PivotResult answer = pivot(W, -one, -one, one, budget);
     EXPECT_EQ(answer.status, Status::OutOfBudget) << budget;
     EXPECT_TRUE((answer.r.array().abs() <= 1).all()) << budget;
     EXPECT_EQ(answer.u, VectorXd(W * answer.r - one)) << budget;

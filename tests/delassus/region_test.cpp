@@ -23,7 +23,7 @@ Matrix2d pair(double a, double c, double d) {
   return W;
 }
 
-/// The current idea that §10 warns of: hold the contacts with a positive forced reaction, drop the
+/// The common rule that §10 warns of: hold the contacts with a positive forced reaction, drop the
 /// others.
 VectorXd currentIdea(const MatrixXd& W, const VectorXd& q) {
   const VectorXd forced = -W.llt().solve(q);

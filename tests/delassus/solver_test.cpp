@@ -310,10 +310,32 @@ TEST(Solver, AToleranceThatIsNoNumberIsRefused) {
     Options options;
     options.tolerance = wrong;
     EXPECT_THROW(Solver{options}, std::invalid_argument) << wrong;
+    EXPECT_THROW(solve(Problem(), options), std::invalid_argument) << wrong;
     options = {};
     options.guessShare = wrong;
     EXPECT_THROW(Solver{options}, std::invalid_argument) << wrong;
   }
+  Options beyond;
+  beyond.guessShare = 2;
+  EXPECT_THROW(Solver{beyond}, std::invalid_argument);
+}
+
+// However wide the cone is, what approaches is not let pass because it slides too.
+TEST(Solver, AWideConeHidesNoApproach) {
+  for (const double tolerance : {1e-8, 1e-3, 1e-2})
+    for (const double mu : {0.5, 10.0, 1e3, 1e6, 1e9}) {
+      SCOPED_TRACE(testing::Message() << "tolerance " << tolerance << ", friction " << mu);
+      Pile pile;
+      pile.bodies.push_back(makeBox(1, 0.5, (Vec6() << 1, 0, -1, 0, 0, 0).finished()));
+      for (const double x : {-0.5, 0.5})
+        for (const double y : {-0.5, 0.5})
+          pile.contacts.push_back(makeRestingPoint(0, fixedWorld, {x, y, -0.5}, {x, y, 0}, mu));
+      Options options;
+      options.tolerance = tolerance;
+      const Solution solution = Solver(options).solve(PileIsland(pile).problem);
+      if (solution.status != Status::Solved) continue;
+      for (int i = 0; i < 4; ++i) EXPECT_GE(solution.u[3 * i], -2 * std::max(tolerance, 1e-5));
+    }
 }
 
 // A guess within the tolerance may be made better, and is never made worse.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "delassus/island_check.h"
 #include "delassus/residual.h"
 #include "delassus/solver.h"
 #include "tests/support/box_piles.h"
@@ -143,6 +144,29 @@ TEST(UnfitProblem, InAPartOfAnArticulatedBody) {
   space.parts.push_back({6, 1, Mat36::Constant(notANumber)});
   problem.W = DelassusMatrix(space);
   EXPECT_THAT(unfitParts(problem), ElementsAre(6));
+}
+
+// It must not pass for a contact without friction on its way from the bodies.
+TEST(UnfitProblem, AContactGivenWithAFrictionThatIsNone) {
+  Random random(3);
+  for (const double friction : {notANumber, -0.5}) {
+    SCOPED_TRACE(friction);
+    Pile pile = makeTower({1, 1, 1}, 0.5, 0, random);
+    const VectorXd reactions = solve(PileIsland(pile).problem).r;
+    pile.contacts[2].friction = friction;
+    const Island island = splitIslands(pile.bodies, pile.contacts, pile.rows).at(0);
+    const Problem problem = assemble(pile.bodies, pile.contacts, pile.rows, island);
+    EXPECT_THAT(unfitParts(problem), ElementsAre(6));
+    Solution solution = solve(problem);
+    EXPECT_EQ(solution.status, Status::NonFinite);
+    EXPECT_THAT(solution.blamed, ElementsAre(6));
+
+    // Nor are reactions kept that would do with friction.
+    solution.r = reactions;
+    std::vector<Body> moved = pile.bodies;
+    EXPECT_FALSE(IslandCheck(Options()).isKept(pile.bodies, pile.contacts, pile.rows, island, 1,
+                                               moved, solution));
+  }
 }
 
 TEST(UnfitProblem, InBodySpace) {

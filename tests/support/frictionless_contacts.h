@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "delassus/pivoting.h"
 
 namespace delassus {
 
 /// 0 ≤ r ⊥ W r + q ≥ 0 by pivoting: contacts without friction and nothing else.
-inline PivotResult pivotContacts(const MatrixXd& W, const VectorXd& q,
-                                 const std::vector<RowState>& guess = {}) {
+inline PivotResult pivotContacts(const MatrixXd& W, const VectorXd& q) {
   const auto n = q.size();
-  return pivot(W, q, VectorXd::Zero(n), VectorXd::Constant(n, infinity), guess);
+  return pivot(W, q, VectorXd::Zero(n), VectorXd::Constant(n, infinity));
 }
 
 /// |r − s|_W: the difference of the two motions, √J.

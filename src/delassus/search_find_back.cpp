@@ -169,11 +169,15 @@ bool Search::compromise(Engines<Motion>& engines, const Problem& problem, double
     if (!areIncompatible) return false;
     for (const double compliance : compliances)
       if (newton.yield(problem, tolerance, compliance, regionBudget, best)) break;
-    felt_ = map_.diagonal().cwiseSqrt().cwiseProduct(quarrel_.reactions()).cwiseAbs();
+    map_.meanDiagonal(
+        felt_);  // what moves nothing along its normal may be asked to, and is named then
+    felt_ = felt_.cwiseSqrt().cwiseProduct(quarrel_.reactions()).cwiseAbs();
     const double least = negligible * felt_.maxCoeff();
     best.blamed.clear();
     for (int at = 0; at < problem.size(); ++at)
       if (felt_[at] > least) best.blamed.push_back(at);
+    // Who cannot be moved at all is not felt.
+    if (best.blamed.empty()) best.blamed.push_back(map_.residual(best.r, best.u).worst);
     return true;
   }
   return false;

@@ -40,8 +40,9 @@ bool ProximalNewton<Motion>::growsInVain(const Problem& problem, double toleranc
 /// Takes the part along d = r − center out of the reactions, and names those whose demands it was.
 template <class Motion>
 void ProximalNewton<Motion>::compromise(const Problem& problem, Solution& best) {
-  const VectorXd d = r_ - center_;
-  const VectorXd open = scale_.cwiseProduct(d);
+  VectorXd &d = change_, &open = step_, &shares = trialError_;  // in storage that is free now
+  d = r_ - center_;
+  open = scale_.cwiseProduct(d);
   best.r = center_ - d * (open.dot(center_) / open.dot(d));
   // Where a bound or a disk needs a share of d, the reactions stay as large as they have grown.
   const auto rows = best.r.tail(problem.rows()).array();
@@ -51,10 +52,11 @@ void ProximalNewton<Motion>::compromise(const Problem& problem, Solution& best) 
   if ((rows < problem.lower.array()).any() || (rows > problem.upper.array()).any() ||
       std::any_of(problem.disks.begin(), problem.disks.end(), narrow))
     best.r = r_;
-  best.u = problem.W * best.r + problem.q;
+  problem.W.multiply(best.r, felt_, best.u);
+  best.u += problem.q;
   best.residual = map_->residual(best.r, best.u).max;
   // Compared in √J: the units of a row must not decide whether it is named.
-  const VectorXd shares = scale_.cwiseSqrt().cwiseProduct(d);
+  shares = scale_.cwiseSqrt().cwiseProduct(d);
   const double largest = shares.cwiseAbs().maxCoeff();
   best.blamed.clear();
   for (int i = 0; i < problem.contacts(); ++i)
