@@ -1,9 +1,12 @@
+#include <LinearMath/btScalar.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 
 #include "demos/command.h"
 #include "demos/scenes/solvers.h"
+#include "demos/subject.h"
 
 namespace demos {
 namespace {
@@ -28,6 +31,11 @@ std::string commandFault(const CLI::App& app, int argc, char** argv) {
          "; there are " + existing;
 }
 
+std::string versions() {
+  return "delassus " DELASSUS_VERSION ", Bullet " + std::to_string(btGetVersion()) + " in " +
+         precisionName() + " precision";
+}
+
 }  // namespace
 }  // namespace demos
 
@@ -36,6 +44,7 @@ int main(int argc, char** argv) {
   CLI::App app("Bullet worlds on Delassus' region selection, beside Bullet's own solvers",
                "delassus");
   app.require_subcommand(1);
+  app.set_version_flag("--version", versions());
   Action chosen;
   addScenesCommand(app, chosen);
   addRunCommand(app, chosen);

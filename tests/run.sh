@@ -6,7 +6,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 bash .ci/setup.sh tests
 echo "== build: Release, in build/"
-cmake --preset release -DDELASSUS_TESTS=ON --log-level=WARNING
+cmake --preset release -DDELASSUS_{BULLET,MULTIBODY,DEMOS,RENDER,TESTS}=ON --log-level=WARNING
 cmake --build --preset release --parallel "$(nproc)" -- --quiet
 echo "== tests"
 ctest --preset release --parallel "$(nproc)" --progress "$@"

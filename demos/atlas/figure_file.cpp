@@ -66,8 +66,10 @@ void writeFile(const std::filesystem::path& path, const std::string& bytes) {
 
 void writeFigure(const std::string& folder, const Figure& figure) {
   const std::string png = pngOf(figure), svg = svgOf(figure);
-  std::error_code ignored;
-  std::filesystem::create_directories(folder, ignored);
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed)
+    throw std::runtime_error("cannot make the folder '" + folder + "': " + failed.message());
   const std::filesystem::path base = std::filesystem::path(folder) / figure.name;
   writeFile(base.string() + ".png", png);
   writeFile(base.string() + ".svg", svg);

@@ -19,7 +19,7 @@ constexpr std::array<double, 4> times = {0, 0.2, 0.4, 0.6};  // s
 constexpr double metre = 56;                                 // pixels
 constexpr Color wrong{0.70, 0.20, 0.16};
 
-/// One of the paper's two surprises (§10) as it happens, and as the current idea has it: "contacts
+/// One of the paper's two surprises (§10) as it happens, and as the common rule has it: "contacts
 /// with a negative reaction are lost, the others are kept".
 struct Surprise {
   std::array<Vector2d, 2> normals;
@@ -37,7 +37,7 @@ Surprise simulate(double cosine, double forceAngle) {
   N << surprise.normals[0].transpose(), surprise.normals[1].transpose();
   surprise.forced = delassus::analyseRelease(N * N.transpose(), N * surprise.force).forced;
 
-  // The current idea: what is left of the force when the contacts with positive reaction are held
+  // The common rule: what is left of the force when the contacts with positive reaction are held
   // (here at most one).
   Vector2d acceleration = surprise.force;
   for (std::size_t i = 0; i < 2; ++i)
@@ -116,7 +116,7 @@ void drawRow(Canvas& canvas, const Surprise& surprise, const Words& words, doubl
     corner = {310 + 236.0 * double(frame), top};
     drawFrame(canvas, surprise, frame, corner, start);
   }
-  canvas.text(corner + words.ideaAt, "current idea", {16, wrong, Align::Right, true});
+  canvas.text(corner + words.ideaAt, "common rule", {16, wrong, Align::Right, true});
   canvas.text(corner + words.factAt, "Bullet", {16, ink, Align::Right, true});
 }
 
@@ -126,14 +126,14 @@ void draw(Canvas& canvas, const Surprise& narrow, const Surprise& wide) {
   drawRow(canvas, narrow,
           {"Both would pull,\nyet one is kept",
            "forced reactions:\n" + forcedOf(narrow),
-           "dashed: the current idea,\nboth are lost",
+           "dashed: the common rule,\nboth are lost",
            {220, 206},
            {130, 100}},
           92, {70, 110});
   drawRow(canvas, wide,
           {"One would push,\nyet both are lost",
            "forced reactions:\n" + forcedOf(wide),
-           "dashed: the current idea,\n1 is kept",
+           "dashed: the common rule,\n1 is kept",
            {220, 206},
            {134, 110}},
           382, {70, 150});

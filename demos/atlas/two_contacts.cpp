@@ -109,7 +109,7 @@ void drawMap(Canvas& canvas, const Angle& angle, const Labels& labels, const Poi
   if (labels.noneLeader.norm() > 0)
     canvas.stroke({map.at(labels.none - Vector2d(-10, 32)), map.at(labels.noneLeader)}, {ink, 1.4});
 
-  // What contradicts the current idea (§10).
+  // What contradicts the common rule (§10).
   const Path surprise = map.arc(labels.surpriseFrom, labels.surpriseTo, outerRing - 4);
   canvas.stroke(surprise, {ink, 4});
   canvas.stroke({surprise[surprise.size() / 2], map.at(labels.surpriseLeader)}, {ink, 1.4});

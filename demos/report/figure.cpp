@@ -323,8 +323,7 @@ std::string drawScript(const std::string& script, const std::filesystem::path& f
       callCommand({"env", "--chdir=" + folder.string(), "gnuplot", name + ".gp"});
   if (drawn.status == 0) return "";
   removePictures();
-  if (drawn.status == 127)
-    return "gnuplot is missing: no pictures, only data (apt-get install gnuplot-nox)";
+  if (drawn.status == 127) return noGnuplot;
   return "gnuplot cannot draw " + name + ".gp: " + drawn.text;
 }
 

@@ -36,6 +36,10 @@ struct Figure {
   std::vector<Panel> panels;
 };
 
+/// What is said where gnuplot cannot be found.
+constexpr const char* noGnuplot =
+    "gnuplot is missing: no pictures, only data (apt-get install gnuplot-nox)";
+
 /// Writes `name`.gp into the folder and has gnuplot draw `name`.svg and `name`.png from it. What is wrong, if anything, is
 /// returned as one line; the report is then one without this picture.
 std::string draw(const Figure& figure, const std::filesystem::path& folder,

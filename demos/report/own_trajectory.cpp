@@ -105,7 +105,12 @@ CsvTable measureScene(const SceneDescription& scene, const Plan& plan, const Pro
   return table;
 }
 
-/// Marks with names: `column` against time.
+/// Whether the time limit ended the run: what had not happened yet says nothing for its method.
+bool isCut(const CsvTable& table, int row) {
+  return table.number(row, "steps") < table.number(row, "steps_wanted");
+}
+
+/// Marks with names: `column` against time, of the runs that came to their end.
 Panel panelOf(const CsvTable& table, const std::string& title, const std::string& column) {
   constexpr double least = 1e-12;  // drawn on the border: as good as zero
   Panel panel;
@@ -114,7 +119,7 @@ Panel panelOf(const CsvTable& table, const std::string& title, const std::string
   panel.yLabel = title;
   for (int row = 0; row < table.rows(); ++row) {
     const double value = table.number(row, column);
-    if (!std::isfinite(value)) continue;
+    if (!std::isfinite(value) || isCut(table, row)) continue;
     Curve mark;
     mark.colour = familyColour(table.text(row, "family"));
     mark.marks = {{table.number(row, "ms"), std::max(value, least)}};
@@ -165,11 +170,11 @@ std::string tableOf(const SceneDescription& scene, const CsvTable& table) {
     const auto value = [&](const char* column) {
       return shortNumber(table.number(row, column), 2);
     };
-    const bool cut = table.number(row, "steps") < table.number(row, "steps_wanted");
     page.add({name, shortMs(table.number(row, "ms")), shortMs(table.number(row, "ms_p95")),
               value("drift"), value("overlap"), value("energy_gain"), value("joint_error"),
               shortNumber(table.number(row, "reaction"), 4), value("reaction_noise"),
-              value("fallbacks"), table.text(row, "steps") + (cut ? " (time limit)" : ""),
+              value("fallbacks"),
+              table.text(row, "steps") + (isCut(table, row) ? " (time limit)" : ""),
               stands(scene, table, row)});
   }
   return page.text();
@@ -196,7 +201,7 @@ Words writeOwnTrajectory(const Plan& plan, const std::filesystem::path& report) 
       "gained are the worst of the run. Reaction over weight is the mean of the second half (at "
       "rest: 1), its noise the root\n"
       "mean square of its changes from step to step. A scene that should stand has fallen where a "
-      "body drifts 0.1 m.\n\n" +
+      "body drifts 0.1 m.\nRuns that the time limit ended are in the tables alone.\n\n" +
       words.body + trouble;
   return words;
 }

@@ -1,10 +1,12 @@
 #include "demos/report/part.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <stdexcept>
 
 #include "demos/progress_bar.h"
 #include "demos/report/child.h"
+#include "demos/report/figure.h"
 #include "demos/subject.h"
 
 namespace demos::report {
@@ -64,6 +66,8 @@ void stamp(const fs::path& folder, const std::string& command, bool resume,
 
 int measure(const std::vector<Part>& parts, const fs::path& folder) {
   const InterruptWatch watch;
+  if (callCommand({"gnuplot", "--version"}).status == 127)
+    std::fprintf(stderr, "delassus: %s\n", noGnuplot);
   int total = 0, done = 0;
   for (const Part& part : parts) total += int(part.units.size());
   for (const Part& part : parts)

@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <stdexcept>
 
+#include "demos/command.h"
 #include "demos/report/machine.h"
 #include "demos/report/part.h"
 
@@ -26,7 +26,7 @@ std::vector<Part> partsOf(const Plan& plan, const std::vector<std::string>& name
     const auto found = std::find_if(all.begin(), all.end(),
                                     [&name](const Part& part) { return part.name == name; });
     if (found == all.end())
-      throw std::runtime_error("the report has no part '" + name + "'; there are " + existing);
+      throw BadUsage("the report has no part '" + name + "'; there are " + existing);
     chosen.push_back(*found);
   }
   return chosen;

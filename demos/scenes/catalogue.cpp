@@ -221,8 +221,10 @@ const SceneDescription& findScene(const std::string& name) {
   };
   const SceneDescription& nearest = *std::min_element(scenes.begin(), scenes.end(), byDistance);
   if (nearest.name == name) return nearest;
-  throw UnknownScene("there is no scene '" + name + "'; did you mean '" + nearest.name +
-                     "'? ('delassus scenes' lists all)");
+  const bool isLikely = 3 * editDistance(nearest.name, name) <= int(nearest.name.size());
+  throw UnknownScene("there is no scene '" + name + "'" +
+                     (isLikely ? "; did you mean '" + nearest.name + "'?" : "") +
+                     " ('delassus scenes' lists all)");
 }
 
 }  // namespace demos

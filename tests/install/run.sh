@@ -3,6 +3,7 @@
 # outside the tree: with find_package(delassus), with pkg-config, and once with the precisions mixed, which must not link.
 set -euo pipefail
 build=$(realpath "$1")
+export CMAKE_GENERATOR=Ninja  # a bare Debian has no make
 here=$(dirname "$(realpath "${BASH_SOURCE[0]}")")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -1,5 +1,7 @@
 #include "demos/scenes/bullet_file.h"
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 
@@ -15,7 +17,7 @@ class BulletFile : public testing::Test {
   std::filesystem::path folder_ =
       std::filesystem::temp_directory_path() /
       ("delassus_bullet_file_" + std::string(byPrecision(1, 0) > 0 ? "d" : "f") +
-       testing::UnitTest::GetInstance()->current_test_info()->name());
+       std::to_string(getpid()) + testing::UnitTest::GetInstance()->current_test_info()->name());
   void SetUp() override { std::filesystem::create_directories(folder_); }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 

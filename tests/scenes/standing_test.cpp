@@ -1,6 +1,6 @@
 // What should stand stands, on the ground that carries it.
 #include <algorithm>
-#include <iostream>
+#include <string>
 #include <vector>
 
 #include "demos/scenes/builders.h"
@@ -93,22 +93,13 @@ double driftOfStack(const std::string& solver, int boxes, double topMass) {
   return simulate(*world, named, {10, hz}, [](double) {}).driftMax;
 }
 
-/// Stands for ten seconds on ours; what stock makes of the same stack is printed beside it.
-void expectStandingBesideStock(int boxes, double topMass) {
-  std::string drifts;
-  for (const std::string solver : {"delassus", "si:10", "si:1000"}) {
-    const double drift = driftOfStack(solver, boxes, topMass);
-    if (solver == "delassus") {
-      EXPECT_LT(drift, stackTolerance);
-    }
-    drifts += "  " + solver + " " + std::to_string(1e3 * drift) + " mm";
-  }
-  std::cout << "drift in 10 s of " << boxes << " boxes, the top of " << topMass << " kg:" << drifts
-            << std::endl;
+/// Stands for ten seconds on ours, and falls on ten sweeps of stock.
+void expectStandingUnlikeStock(int boxes, double topMass) {
   expectStanding(buildStack(boxes, topMass), 10, stackTolerance);
+  EXPECT_GT(driftOfStack("si:10", boxes, topMass), 1);
 }
 
-TEST(Stack, ofTenWithAHeavyTopStandsForTenSeconds) { expectStandingBesideStock(10, 1000); }
+TEST(Stack, ofTenWithAHeavyTopStandsForTenSeconds) { expectStandingUnlikeStock(10, 1000); }
 // Impulses of 1e8 N·s on boxes of 1 kg, which hear of differences of 1e-8: a step must keep the digits that reactions lose.
 TEST(Stack, underABillionTimesTheWeightOfABoxIsSolvedInAFewRegions) {
   OnRegions run(buildStack(10, 1e9));
@@ -118,7 +109,7 @@ TEST(Stack, underABillionTimesTheWeightOfABoxIsSolvedInAFewRegions) {
     EXPECT_LE(run.solver.report().residualMax, 1e-6) << i;
   }
 }
-TEST(Stack, ofFortyStandsForTenSeconds) { expectStandingBesideStock(40, 1); }
+TEST(Stack, ofFortyStandsForTenSeconds) { expectStandingUnlikeStock(40, 1); }
 
 /// Joints of an arch may open by what the erp of its contacts leaves: it stands if it comes to rest near where it was.
 void expectResting(const std::string& scene, double seconds, double tolerance) {

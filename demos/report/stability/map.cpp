@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 
+#include "demos/command.h"
 #include "demos/progress_bar.h"
 #include "demos/report/child.h"
 #include "demos/report/part.h"
@@ -48,8 +48,7 @@ std::vector<SweepGroup> chosenGroups(const std::vector<std::string>& names) {
     const auto found = std::find_if(all.begin(), all.end(),
                                     [&](const SweepGroup& group) { return group.name == name; });
     if (found == all.end())
-      throw std::runtime_error("the stability map has no part '" + name + "'; there are " +
-                               existing);
+      throw BadUsage("the stability map has no part '" + name + "'; there are " + existing);
     chosen.push_back(*found);
   }
   return chosen;
