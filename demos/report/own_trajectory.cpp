@@ -105,12 +105,12 @@ CsvTable measureScene(const SceneDescription& scene, const Plan& plan, const Pro
   return table;
 }
 
-/// Whether the time limit ended the run: what had not happened yet says nothing for its method.
+/// Whether the time limit ended the run: its worst may have been yet to come.
 bool isCut(const CsvTable& table, int row) {
   return table.number(row, "steps") < table.number(row, "steps_wanted");
 }
 
-/// Marks with names: `column` against time, of the runs that came to their end.
+/// Marks with names: `column` against time.
 Panel panelOf(const CsvTable& table, const std::string& title, const std::string& column) {
   constexpr double least = 1e-12;  // drawn on the border: as good as zero
   Panel panel;
@@ -119,11 +119,11 @@ Panel panelOf(const CsvTable& table, const std::string& title, const std::string
   panel.yLabel = title;
   for (int row = 0; row < table.rows(); ++row) {
     const double value = table.number(row, column);
-    if (!std::isfinite(value) || isCut(table, row)) continue;
+    if (!std::isfinite(value)) continue;
     Curve mark;
     mark.colour = familyColour(table.text(row, "family"));
     mark.marks = {{table.number(row, "ms"), std::max(value, least)}};
-    mark.markLabels = {table.text(row, "method")};
+    mark.markLabels = {table.text(row, "method") + (isCut(table, row) ? " (cut)" : "")};
     panel.curves.push_back(mark);
   }
   return panel;
@@ -201,7 +201,8 @@ Words writeOwnTrajectory(const Plan& plan, const std::filesystem::path& report) 
       "gained are the worst of the run. Reaction over weight is the mean of the second half (at "
       "rest: 1), its noise the root\n"
       "mean square of its changes from step to step. A scene that should stand has fallen where a "
-      "body drifts 0.1 m.\nRuns that the time limit ended are in the tables alone.\n\n" +
+      "body drifts 0.1 m.\nWhere a plot says cut, the time limit ended the run, whose worst may "
+      "have been yet to come.\n\n" +
       words.body + trouble;
   return words;
 }

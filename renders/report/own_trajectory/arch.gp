@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00870545:114.003]
+set xrange [0.00786065:624.884]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -223,25 +223,25 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.403868, graph 0.198491 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.524193, graph 0.246385 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.372648, graph 0.410351 left front noenhanced textcolor rgb '#e69f00'
-set label "lemke" at graph 0.833669, graph 0.613564 left front noenhanced textcolor rgb '#999999'
-set label "si:1000" at graph 0.521195, graph 0.952476 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.244542, graph 0.92934 left front noenhanced textcolor rgb '#009e73'
-set label "si:200" at graph 0.322314, graph 0.871334 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.295372, graph 0.952799 to graph 0.322314, graph 0.871334 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.0456037, graph 0.930512 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.177566, graph 0.873237 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.339218, graph 0.954702 to graph 0.312276, graph 0.873237 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.292906, graph 0.815702 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.265964, graph 0.955358 to graph 0.292906, graph 0.815702 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.0923959, graph 0.818761 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.065454, graph 0.958416 to graph 0.0923959, graph 0.818761 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.199904, graph 0.763237 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.172962, graph 0.961082 to graph 0.199904, graph 0.763237 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.0835457, graph 0.763376 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0566038, graph 0.961221 to graph 0.0835457, graph 0.763376 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.352671, graph 0.198491 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.453765, graph 0.246385 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.326441, graph 0.410351 left front noenhanced textcolor rgb '#e69f00'
+set label "lemke (cut)" at graph 0.713778, graph 0.613564 left front noenhanced textcolor rgb '#999999'
+set label "si:1000" at graph 0.451246, graph 0.952476 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.21881, graph 0.92934 left front noenhanced textcolor rgb '#009e73'
+set label "si:200" at graph 0.284152, graph 0.871334 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.25721, graph 0.952799 to graph 0.284152, graph 0.871334 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.0251137, graph 0.930512 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.132396, graph 0.873237 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.294048, graph 0.954702 to graph 0.267106, graph 0.873237 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.259445, graph 0.815702 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.232503, graph 0.955358 to graph 0.259445, graph 0.815702 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.0909814, graph 0.818761 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0640394, graph 0.958416 to graph 0.0909814, graph 0.818761 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.181307, graph 0.763237 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.154365, graph 0.961082 to graph 0.181307, graph 0.763237 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.0835457, graph 0.705187 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0566038, graph 0.961221 to graph 0.0835457, graph 0.705187 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -264,7 +264,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00870545:114.003]
+set xrange [0.00786065:624.884]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -275,22 +275,23 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.403868, graph 0.159947 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.524193, graph 0.352639 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.372648, graph 0.434801 left front noenhanced textcolor rgb '#e69f00'
-set label "lemke" at graph 0.833669, graph 0.473882 left front noenhanced textcolor rgb '#999999'
-set label "si:200" at graph 0.322314, graph 0.718058 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.0923959, graph 0.709292 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.352671, graph 0.159947 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.453765, graph 0.352639 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.326441, graph 0.434801 left front noenhanced textcolor rgb '#e69f00'
+set label "lemke (cut)" at graph 0.713778, graph 0.473882 left front noenhanced textcolor rgb '#999999'
+set label "si:200" at graph 0.284152, graph 0.718058 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.0909814, graph 0.709292 left front noenhanced textcolor rgb '#009e73'
 set label "si:10" at graph 0.0835457, graph 0.815119 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.733653 to graph 0.0835457, graph 0.815119 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:50" at graph 0.244542, graph 0.775668 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig:1e-6" at graph 0.292906, graph 0.662767 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.265964, graph 0.744233 to graph 0.292906, graph 0.662767 nohead lw 0.6 lc rgb '#555555'
-set label "si:50" at graph 0.0456037, graph 0.763169 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.199904, graph 0.839177 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.172962, graph 0.780987 to graph 0.199904, graph 0.839177 nohead lw 0.6 lc rgb '#555555'
-set label "si:1000" at graph 0.521195, graph 0.787977 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.36616, graph 0.828668 left front noenhanced textcolor rgb '#cc79a7'
+set label "nncg:50" at graph 0.21881, graph 0.775668 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.259445, graph 0.662767 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.232503, graph 0.744233 to graph 0.259445, graph 0.662767 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.0251137, graph 0.763169 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.181307, graph 0.862453 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.154365, graph 0.780987 to graph 0.181307, graph 0.862453 nohead lw 0.6 lc rgb '#555555'
+set label "si:1000" at graph 0.451246, graph 0.787977 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.32099, graph 0.910133 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.294048, graph 0.805392 to graph 0.32099, graph 0.910133 nohead lw 0.6 lc rgb '#cc79a7'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -313,7 +314,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00870545:114.003]
+set xrange [0.00786065:624.884]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -324,25 +325,25 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke" at graph 0.833669, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "delassus" at graph 0.403868, graph 0.803844 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.524193, graph 0.852713 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.372648, graph 0.900187 left front noenhanced textcolor rgb '#e69f00'
-set label "dantzig" at graph 0.199904, graph 0.876503 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.172962, graph 0.934693 to graph 0.199904, graph 0.876503 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
+set label "delassus" at graph 0.352671, graph 0.803844 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.453765, graph 0.852713 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.326441, graph 0.900187 left front noenhanced textcolor rgb '#e69f00'
+set label "dantzig" at graph 0.181307, graph 0.853228 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.154365, graph 0.934693 to graph 0.181307, graph 0.853228 nohead lw 0.6 lc rgb '#555555'
 set label "si:10" at graph 0.0835457, graph 0.972101 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.292906, graph 0.751803 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.265964, graph 0.93801 to graph 0.292906, graph 0.751803 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.0334967, graph 0.906296 left front noenhanced textcolor rgb '#009e73'
-set label "si:50" at graph 0.0456037, graph 0.849639 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.184804, graph 0.942742 to graph 0.157862, graph 0.849639 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.0923959, graph 0.793112 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.065454, graph 0.944405 to graph 0.0923959, graph 0.793112 nohead lw 0.6 lc rgb '#009e73'
-set label "si:1000" at graph 0.521195, graph 0.953616 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.36616, graph 0.698666 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.339218, graph 0.9547 to graph 0.36616, graph 0.698666 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:200" at graph 0.133721, graph 0.735365 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.295372, graph 0.956485 to graph 0.26843, graph 0.735365 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.259445, graph 0.751803 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.232503, graph 0.93801 to graph 0.259445, graph 0.751803 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.00776492, graph 0.906296 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.0251137, graph 0.849639 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.164314, graph 0.942742 to graph 0.137372, graph 0.849639 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.0909814, graph 0.793112 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0640394, graph 0.944405 to graph 0.0909814, graph 0.793112 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000" at graph 0.451246, graph 0.953616 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.32099, graph 0.698666 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.294048, graph 0.9547 to graph 0.32099, graph 0.698666 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:200" at graph 0.0955586, graph 0.735365 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.25721, graph 0.956485 to graph 0.230268, graph 0.735365 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

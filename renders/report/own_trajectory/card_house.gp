@@ -212,7 +212,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0017333:9754.52]
+set xrange [0.00146618:158729]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,20 +223,20 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.180909, graph 0.0510947 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.341402, graph 0.100775 left front noenhanced textcolor rgb '#0060a8'
-set label "lemke" at graph 0.833669, graph 0.225225 left front noenhanced textcolor rgb '#999999'
-set label "si2:50" at graph 0.327596, graph 0.304262 left front noenhanced textcolor rgb '#e69f00'
-set label "dantzig" at graph 0.351016, graph 0.355294 left front noenhanced textcolor rgb '#555555'
-set label "si:50" at graph 0.14498, graph 0.355363 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.390294, graph 0.41369 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.226931, graph 0.403356 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:1000" at graph 0.492271, graph 0.461964 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.465329, graph 0.380499 to graph 0.492271, graph 0.461964 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:10" at graph 0.056637, graph 0.403852 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.0779185, graph 0.451589 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.37428, graph 0.381761 to graph 0.347338, graph 0.451589 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.0843111, graph 0.557599 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.165348, graph 0.0510947 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.300189, graph 0.100775 left front noenhanced textcolor rgb '#0060a8'
+set label "lemke (cut)" at graph 0.713778, graph 0.225225 left front noenhanced textcolor rgb '#999999'
+set label "si2:50" at graph 0.288589, graph 0.304262 left front noenhanced textcolor rgb '#e69f00'
+set label "dantzig" at graph 0.308266, graph 0.355294 left front noenhanced textcolor rgb '#555555'
+set label "si:50" at graph 0.108607, graph 0.355363 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.341267, graph 0.41369 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.173872, graph 0.414994 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:1000" at graph 0.426945, graph 0.461964 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.400003, graph 0.380499 to graph 0.426945, graph 0.461964 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:10" at graph 0.0343836, graph 0.403852 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.0271448, graph 0.463227 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.323506, graph 0.381761 to graph 0.296564, graph 0.463227 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.0841888, graph 0.557599 left front noenhanced textcolor rgb '#009e73'
 set label "nncg:50" at graph 0.0835457, graph 0.961119 left front noenhanced textcolor rgb '#009e73'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -260,7 +260,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0017333:9754.52]
+set xrange [0.00146618:158729]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -271,22 +271,22 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.180909, graph 0.119581 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.341402, graph 0.177771 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.165348, graph 0.119581 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.300189, graph 0.177771 left front noenhanced textcolor rgb '#0060a8'
 set label "nncg:50" at graph 0.0835457, graph 0.177771 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.327596, graph 0.478031 left front noenhanced textcolor rgb '#e69f00'
-set label "lemke" at graph 0.833669, graph 0.507673 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.056637, graph 0.726172 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.492271, graph 0.73074 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.201701, graph 0.701385 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.415525, graph 0.786321 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.388583, graph 0.739769 to graph 0.415525, graph 0.786321 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:50" at graph 0.14498, graph 0.781328 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.351016, graph 0.838345 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.324074, graph 0.756879 to graph 0.351016, graph 0.838345 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.0779185, graph 0.830464 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.37428, graph 0.760636 to graph 0.347338, graph 0.830464 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.0843111, graph 0.87818 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.288589, graph 0.478031 left front noenhanced textcolor rgb '#e69f00'
+set label "lemke (cut)" at graph 0.713778, graph 0.507673 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.0343836, graph 0.726172 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.426945, graph 0.73074 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.152673, graph 0.701385 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.362465, graph 0.786321 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.335523, graph 0.739769 to graph 0.362465, graph 0.786321 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:50" at graph 0.108607, graph 0.781328 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.308266, graph 0.838345 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.281325, graph 0.756879 to graph 0.308266, graph 0.838345 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.0271448, graph 0.830464 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.323506, graph 0.760636 to graph 0.296564, graph 0.830464 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.0841888, graph 0.87818 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -309,7 +309,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0017333:9754.52]
+set xrange [0.00146618:158729]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -320,24 +320,24 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.180909, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.165348, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
 set label "nncg:50" at graph 0.0835457, graph 0.11798 left front noenhanced textcolor rgb '#009e73'
 set arrow from graph 0.0566038, graph 0.0714286 to graph 0.0835457, graph 0.11798 nohead lw 0.6 lc rgb '#009e73'
-set label "lemke" at graph 0.833669, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
-set label "delassus:1e-3" at graph 0.341402, graph 0.66468 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.327596, graph 0.749347 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.311122, graph 0.855892 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.056637, graph 0.879611 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.139971, graph 0.93721 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.324074, graph 0.890659 to graph 0.297132, graph 0.93721 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:50" at graph 0.415525, graph 0.927295 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.401222, graph 0.80418 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.37428, graph 0.897283 to graph 0.401222, graph 0.80418 nohead lw 0.6 lc rgb '#555555'
-set label "si:1000" at graph 0.492271, graph 0.880046 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.0843111, graph 0.827564 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0573691, graph 0.920667 to graph 0.0843111, graph 0.827564 nohead lw 0.6 lc rgb '#009e73'
-set label "si:200" at graph 0.201701, graph 0.691805 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.363352, graph 0.924564 to graph 0.33641, graph 0.691805 nohead lw 0.6 lc rgb '#d55e00'
+set label "lemke (cut)" at graph 0.713778, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
+set label "delassus:1e-3" at graph 0.300189, graph 0.66468 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.288589, graph 0.749347 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.274749, graph 0.855892 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.0343836, graph 0.879611 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.0972213, graph 0.93721 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.281325, graph 0.890659 to graph 0.254383, graph 0.93721 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:50" at graph 0.362465, graph 0.927295 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.350448, graph 0.80418 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.323506, graph 0.897283 to graph 0.350448, graph 0.80418 nohead lw 0.6 lc rgb '#555555'
+set label "si:1000" at graph 0.426945, graph 0.880046 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.0841888, graph 0.827564 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0572468, graph 0.920667 to graph 0.0841888, graph 0.827564 nohead lw 0.6 lc rgb '#009e73'
+set label "si:200" at graph 0.152673, graph 0.773271 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.314325, graph 0.924564 to graph 0.287383, graph 0.773271 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

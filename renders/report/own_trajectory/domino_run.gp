@@ -212,7 +212,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0298948:50258.4]
+set xrange [0.0256188:658400]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -223,22 +223,23 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.139101, graph 0.106609 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0836089, graph 0.0600575 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.265298, graph 0.153161 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.238356, graph 0.0833333 to graph 0.265298, graph 0.153161 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.402642, graph 0.0833333 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.379373, graph 0.0367816 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.352431, graph 0.0833333 to graph 0.379373, graph 0.0367816 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.207072, graph 0.814874 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.0213901, graph 0.827527 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.00582523, graph 0.874221 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.272697, graph 0.862583 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.330584, graph 0.909179 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.116091, graph 0.92666 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.0835457, graph 0.770066 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0566038, graph 0.921359 to graph 0.0835457, graph 0.770066 nohead lw 0.6 lc rgb '#d55e00'
-set label "lemke" at graph 0.833669, graph 0.921359 left front noenhanced textcolor rgb '#999999'
+set label "delassus" at graph 0.130222, graph 0.106609 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835988, graph 0.0600575 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.236249, graph 0.153161 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.209307, graph 0.0833333 to graph 0.236249, graph 0.153161 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.351641, graph 0.106609 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.332091, graph 0.199713 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.305149, graph 0.0833333 to graph 0.332091, graph 0.199713 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.187329, graph 0.814874 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.0011817, graph 0.827527 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.157835, graph 0.885859 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.242466, graph 0.944049 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.215524, graph 0.850945 to graph 0.242466, graph 0.944049 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.2911, graph 0.885903 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.110889, graph 0.763729 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0839474, graph 0.915022 to graph 0.110889, graph 0.763729 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.0835457, graph 0.944635 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke (cut)" at graph 0.713778, graph 0.921359 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -261,7 +262,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0298948:50258.4]
+set xrange [0.0256188:658400]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -272,28 +273,29 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke" at graph 0.833669, graph 0.0869528 left front noenhanced textcolor rgb '#999999'
+set label "lemke (cut)" at graph 0.713778, graph 0.0869528 left front noenhanced textcolor rgb '#999999'
 set label "si:10" at graph 0.0835457, graph 0.787651 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.402642, graph 0.803816 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.330584, graph 0.852254 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.303642, graph 0.805702 to graph 0.330584, graph 0.852254 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.0560698, graph 0.85299 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.352431, graph 0.806438 to graph 0.325489, graph 0.85299 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.207072, graph 0.776278 left front noenhanced textcolor rgb '#009e73'
-set label "pgs:50" at graph 0.272697, graph 0.906212 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.245756, graph 0.813109 to graph 0.272697, graph 0.906212 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si2:50" at graph 0.0213901, graph 0.734392 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.183042, graph 0.815857 to graph 0.1561, graph 0.734392 nohead lw 0.6 lc rgb '#e69f00'
-set label "delassus:1e-3" at graph 0.0836089, graph 0.955557 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.056667, graph 0.815902 to graph 0.0836089, graph 0.955557 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.139101, graph 0.676408 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.112159, graph 0.816064 to graph 0.139101, graph 0.676408 nohead lw 0.6 lc rgb '#0060a8'
-set label "nncg:10" at graph 0.116091, graph 0.618433 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0891491, graph 0.816278 to graph 0.116091, graph 0.618433 nohead lw 0.6 lc rgb '#009e73'
-set label "si:200" at graph 0.265298, graph 0.724543 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.238356, graph 0.817647 to graph 0.265298, graph 0.724543 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.00582523, graph 0.899561 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.145025, graph 0.818096 to graph 0.118083, graph 0.899561 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.351641, graph 0.803816 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.2911, graph 0.852254 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.264158, graph 0.805702 to graph 0.2911, graph 0.852254 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.00878817, graph 0.85299 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.305149, graph 0.806438 to graph 0.278208, graph 0.85299 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.187329, graph 0.729726 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.160387, graph 0.811191 to graph 0.187329, graph 0.729726 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.242466, graph 0.906212 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.215524, graph 0.813109 to graph 0.242466, graph 0.906212 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si2:50" at graph 0.0011817, graph 0.734392 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.162833, graph 0.815857 to graph 0.135891, graph 0.734392 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus:1e-3" at graph 0.0835988, graph 0.955557 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566569, graph 0.815902 to graph 0.0835988, graph 0.955557 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.130222, graph 0.676408 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.10328, graph 0.816064 to graph 0.130222, graph 0.676408 nohead lw 0.6 lc rgb '#0060a8'
+set label "nncg:10" at graph 0.110889, graph 0.618433 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0839474, graph 0.816278 to graph 0.110889, graph 0.618433 nohead lw 0.6 lc rgb '#009e73'
+set label "si:200" at graph 0.236249, graph 0.561612 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.209307, graph 0.817647 to graph 0.236249, graph 0.561612 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.157835, graph 0.503872 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.130893, graph 0.818096 to graph 0.157835, graph 0.503872 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -316,7 +318,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0298948:50258.4]
+set xrange [0.0256188:658400]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -327,25 +329,25 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke" at graph 0.833669, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.330584, graph 0.905851 left front noenhanced textcolor rgb '#555555'
-set label "nncg:50" at graph 0.207072, graph 0.964205 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.0213901, graph 0.90654 left front noenhanced textcolor rgb '#e69f00'
-set label "delassus:1e-3" at graph 0.0836089, graph 0.848354 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.056667, graph 0.92982 to graph 0.0836089, graph 0.848354 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.139101, graph 0.79026 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.112159, graph 0.929915 to graph 0.139101, graph 0.79026 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.379373, graph 0.964896 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.0835457, graph 0.965382 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.272697, graph 0.734504 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.245756, graph 0.932349 to graph 0.272697, graph 0.734504 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:1000" at graph 0.402642, graph 0.852855 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.3757, graph 0.93432 to graph 0.402642, graph 0.852855 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.171967, graph 0.899656 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.0767043, graph 0.737373 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.238356, graph 0.935218 to graph 0.211414, graph 0.737373 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.116091, graph 0.681514 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0891491, graph 0.937549 to graph 0.116091, graph 0.681514 nohead lw 0.6 lc rgb '#009e73'
+set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
+set label "dantzig" at graph 0.2911, graph 0.905851 left front noenhanced textcolor rgb '#555555'
+set label "nncg:50" at graph 0.187329, graph 0.964205 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.0011817, graph 0.90654 left front noenhanced textcolor rgb '#e69f00'
+set label "delassus:1e-3" at graph 0.0835988, graph 0.848354 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566569, graph 0.92982 to graph 0.0835988, graph 0.848354 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.130222, graph 0.79026 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.10328, graph 0.929915 to graph 0.130222, graph 0.79026 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.332091, graph 0.790327 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.305149, graph 0.929982 to graph 0.332091, graph 0.790327 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.0835457, graph 0.732623 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0566038, graph 0.930468 to graph 0.0835457, graph 0.732623 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.242466, graph 0.734504 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.215524, graph 0.932349 to graph 0.242466, graph 0.734504 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:1000" at graph 0.351641, graph 0.957596 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.157835, graph 0.899656 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.0476552, graph 0.970132 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.110889, graph 0.681514 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0839474, graph 0.937549 to graph 0.110889, graph 0.681514 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

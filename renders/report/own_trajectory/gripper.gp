@@ -197,7 +197,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00323151:324.563]
+set xrange [0.0028546:2564.28]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics nomirror (10, 20, 50, 100, 200, 500)
@@ -208,26 +208,26 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig" at graph 0.185674, graph 0.516616 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.120917, graph 0.631349 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0939747, graph 0.561522 to graph 0.120917, graph 0.631349 nohead lw 0.6 lc rgb '#009e73'
-set label "lemke" at graph 0.833669, graph 0.575149 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.118974, graph 0.683552 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0920324, graph 0.57881 to graph 0.118974, graph 0.683552 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.221322, graph 0.463201 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.19438, graph 0.57958 to graph 0.221322, graph 0.463201 nohead lw 0.6 lc rgb '#555555'
-set label "si:50" at graph 0.0525009, graph 0.489416 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.191701, graph 0.582519 to graph 0.164759, graph 0.489416 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.336213, graph 0.618035 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.333086, graph 0.564134 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.463906, graph 0.669816 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.436964, graph 0.588351 to graph 0.463906, graph 0.669816 nohead lw 0.6 lc rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.200878, graph 0.738589 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.173936, graph 0.598934 to graph 0.200878, graph 0.738589 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig" at graph 0.169351, graph 0.516616 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.114944, graph 0.631349 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0880018, graph 0.561522 to graph 0.114944, graph 0.631349 nohead lw 0.6 lc rgb '#009e73'
+set label "lemke (cut)" at graph 0.713778, graph 0.575149 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.113312, graph 0.683552 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0863699, graph 0.57881 to graph 0.113312, graph 0.683552 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.199301, graph 0.463201 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.172359, graph 0.57958 to graph 0.199301, graph 0.463201 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.0309086, graph 0.489416 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.170109, graph 0.582519 to graph 0.143167, graph 0.489416 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.295829, graph 0.618035 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.293202, graph 0.564134 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.403113, graph 0.669816 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.376171, graph 0.588351 to graph 0.403113, graph 0.669816 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.182125, graph 0.738589 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.155183, graph 0.598934 to graph 0.182125, graph 0.738589 nohead lw 0.6 lc rgb '#0060a8'
 set label "delassus" at graph 0.0835457, graph 0.785142 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.598936 to graph 0.0835457, graph 0.785142 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.233438, graph 0.680606 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.206496, graph 0.59914 to graph 0.233438, graph 0.680606 nohead lw 0.6 lc rgb '#e69f00'
+set label "si2:50" at graph 0.0208875, graph 0.436209 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.182539, graph 0.59914 to graph 0.155597, graph 0.436209 nohead lw 0.6 lc rgb '#e69f00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -249,7 +249,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00323151:324.563]
+set xrange [0.0028546:2564.28]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -261,23 +261,23 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0882798 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.221322, graph 0.84244 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.333086, graph 0.90063 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.463906, graph 0.784251 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.436964, graph 0.865716 to graph 0.463906, graph 0.784251 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:10" at graph 0.118974, graph 0.916684 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.200878, graph 0.974547 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.173936, graph 0.893081 to graph 0.200878, graph 0.974547 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:50" at graph 0.0525009, graph 0.858325 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.147619, graph 0.788497 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.309271, graph 0.893239 to graph 0.282329, graph 0.788497 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si2:50" at graph 0.233438, graph 0.730319 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.206496, graph 0.89325 to graph 0.233438, graph 0.730319 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig" at graph 0.185674, graph 0.672898 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.158733, graph 0.94057 to graph 0.185674, graph 0.672898 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.120917, graph 0.615161 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0939747, graph 0.952661 to graph 0.120917, graph 0.615161 nohead lw 0.6 lc rgb '#009e73'
-set label "lemke" at graph 0.833669, graph 0.966143 left front noenhanced textcolor rgb '#999999'
+set label "dantzig:1e-6" at graph 0.199301, graph 0.84244 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.293202, graph 0.90063 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.403113, graph 0.784251 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.376171, graph 0.865716 to graph 0.403113, graph 0.784251 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:10" at graph 0.113312, graph 0.916684 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.182125, graph 0.974547 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.155183, graph 0.893081 to graph 0.182125, graph 0.974547 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:50" at graph 0.0309086, graph 0.858325 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.107236, graph 0.788497 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.268887, graph 0.893239 to graph 0.241945, graph 0.788497 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si2:50" at graph 0.209481, graph 0.730319 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.182539, graph 0.89325 to graph 0.209481, graph 0.730319 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig" at graph 0.169351, graph 0.672898 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.142409, graph 0.94057 to graph 0.169351, graph 0.672898 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.114944, graph 0.615161 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0880018, graph 0.952661 to graph 0.114944, graph 0.615161 nohead lw 0.6 lc rgb '#009e73'
+set label "lemke (cut)" at graph 0.713778, graph 0.966143 left front noenhanced textcolor rgb '#999999'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -299,7 +299,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00323151:324.563]
+set xrange [0.0028546:2564.28]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -311,19 +311,19 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.107667 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.200878, graph 0.50745 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.221322, graph 0.558812 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.463906, graph 0.731575 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0448445, graph 0.790562 left front noenhanced textcolor rgb '#e69f00'
-set label "si:200" at graph 0.333086, graph 0.798101 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0525009, graph 0.843662 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.336213, graph 0.848685 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.185674, graph 0.903734 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.118974, graph 0.958725 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0920324, graph 0.888898 to graph 0.118974, graph 0.958725 nohead lw 0.6 lc rgb '#d55e00'
-set label "lemke" at graph 0.833669, graph 0.907409 left front noenhanced textcolor rgb '#999999'
-set label "nncg:10" at graph 0.120917, graph 0.732487 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0939747, graph 0.918694 to graph 0.120917, graph 0.732487 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus:1e-3" at graph 0.182125, graph 0.50745 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.199301, graph 0.558812 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.403113, graph 0.731575 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0208875, graph 0.790562 left front noenhanced textcolor rgb '#e69f00'
+set label "si:200" at graph 0.293202, graph 0.798101 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0309086, graph 0.843662 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.295829, graph 0.848685 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.169351, graph 0.903734 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.113312, graph 0.958725 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0863699, graph 0.888898 to graph 0.113312, graph 0.958725 nohead lw 0.6 lc rgb '#d55e00'
+set label "lemke (cut)" at graph 0.713778, graph 0.907409 left front noenhanced textcolor rgb '#999999'
+set label "nncg:10" at graph 0.114944, graph 0.732487 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0880018, graph 0.918694 to graph 0.114944, graph 0.732487 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -181,8 +181,8 @@ set title "energy gained, J" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.032835:131.333]
+set format x "10^{%T}"
+set xrange [0.0300296:581.854]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -193,21 +193,21 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.311814, graph 0.0355477 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.289344, graph 0.0937373 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.27533, graph 0.0355477 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.256451, graph 0.0937373 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.0355477 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0384177, graph 0.0937373 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.388682, graph 0.140289 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.36174, graph 0.0588235 to graph 0.388682, graph 0.140289 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.539505, graph 0.0471856 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.24481, graph 0.140289 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.217868, graph 0.0588235 to graph 0.24481, graph 0.140289 nohead lw 0.6 lc rgb '#e69f00'
-set label "pgs:50" at graph 0.351206, graph 0.186841 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.324264, graph 0.0588235 to graph 0.351206, graph 0.186841 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.0655856, graph 0.186841 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.361947, graph 0.0588235 to graph 0.335005, graph 0.186841 nohead lw 0.6 lc rgb '#555555'
-set label "lemke" at graph 0.833669, graph 0.0588235 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.303564, graph 0.958535 left front noenhanced textcolor rgb '#555555'
+set label "si:50" at graph 0.0190762, graph 0.0937373 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.339912, graph 0.140289 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.31297, graph 0.0588235 to graph 0.339912, graph 0.140289 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.46663, graph 0.0471856 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.030442, graph 0.140289 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.192094, graph 0.0588235 to graph 0.165152, graph 0.140289 nohead lw 0.6 lc rgb '#e69f00'
+set label "pgs:50" at graph 0.308427, graph 0.186841 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.281485, graph 0.0588235 to graph 0.308427, graph 0.186841 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.016783, graph 0.186841 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.313144, graph 0.0588235 to graph 0.286202, graph 0.186841 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.713778, graph 0.0588235 left front noenhanced textcolor rgb '#999999'
+set label "dantzig" at graph 0.268398, graph 0.958535 left front noenhanced textcolor rgb '#555555'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -227,8 +227,8 @@ set title "deepest overlap, m" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.032835:131.333]
+set format x "10^{%T}"
+set xrange [0.0300296:581.854]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -239,23 +239,24 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke" at graph 0.833669, graph 0.232533 left front noenhanced textcolor rgb '#999999'
-set label "delassus" at graph 0.311814, graph 0.812929 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.289344, graph 0.764131 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.262402, graph 0.822321 to graph 0.289344, graph 0.764131 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:50" at graph 0.0384177, graph 0.82154 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0562166, graph 0.880753 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.217868, graph 0.834202 to graph 0.190926, graph 0.880753 nohead lw 0.6 lc rgb '#e69f00'
-set label "si:200" at graph 0.200088, graph 0.8621 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke (cut)" at graph 0.713778, graph 0.232533 left front noenhanced textcolor rgb '#999999'
+set label "delassus" at graph 0.27533, graph 0.812929 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.256451, graph 0.764131 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.22951, graph 0.822321 to graph 0.256451, graph 0.764131 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:50" at graph 0.0190762, graph 0.82154 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.030442, graph 0.880753 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.192094, graph 0.834202 to graph 0.165152, graph 0.880753 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:200" at graph 0.339912, graph 0.885376 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.31297, graph 0.838824 to graph 0.339912, graph 0.885376 nohead lw 0.6 lc rgb '#d55e00'
 set label "si:10" at graph 0.0835457, graph 0.933879 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.852413 to graph 0.0835457, graph 0.933879 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.539505, graph 0.857472 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.388889, graph 0.911576 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.361947, graph 0.865024 to graph 0.388889, graph 0.911576 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:50" at graph 0.351206, graph 0.968287 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.324264, graph 0.886822 to graph 0.351206, graph 0.968287 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.0925184, graph 0.767361 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.276622, graph 0.965205 to graph 0.24968, graph 0.767361 nohead lw 0.6 lc rgb '#555555'
+set label "si:1000" at graph 0.46663, graph 0.834196 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.340086, graph 0.934851 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.313144, graph 0.865024 to graph 0.340086, graph 0.934851 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:50" at graph 0.119833, graph 0.770442 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.281485, graph 0.886822 to graph 0.254543, graph 0.770442 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.0573532, graph 0.720809 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.241456, graph 0.965205 to graph 0.214515, graph 0.720809 nohead lw 0.6 lc rgb '#555555'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -275,8 +276,8 @@ set title "joints pulled apart, m" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.032835:131.333]
+set format x "10^{%T}"
+set xrange [0.0300296:581.854]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -287,18 +288,18 @@ set ylabel "joints pulled apart, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.311814, graph 0.0845803 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.388889, graph 0.134233 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.289344, graph 0.18693 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.262402, graph 0.12874 to graph 0.289344, graph 0.18693 nohead lw 0.6 lc rgb '#0060a8'
-set label "lemke" at graph 0.833669, graph 0.142581 left front noenhanced textcolor rgb '#999999'
-set label "si:1000" at graph 0.539505, graph 0.260072 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.388682, graph 0.439086 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0384177, graph 0.606738 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.24481, graph 0.641652 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.351206, graph 0.5951 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus" at graph 0.27533, graph 0.0845803 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.340086, graph 0.134233 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.256451, graph 0.18693 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.22951, graph 0.12874 to graph 0.256451, graph 0.18693 nohead lw 0.6 lc rgb '#0060a8'
+set label "lemke (cut)" at graph 0.713778, graph 0.142581 left front noenhanced textcolor rgb '#999999'
+set label "si:1000" at graph 0.46663, graph 0.260072 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.339912, graph 0.439086 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0190762, graph 0.606738 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.219036, graph 0.641652 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.308427, graph 0.5951 left front noenhanced textcolor rgb '#cc79a7'
 set label "si:10" at graph 0.0835457, graph 0.791957 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.303564, graph 0.863577 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.268398, graph 0.863577 left front noenhanced textcolor rgb '#555555'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

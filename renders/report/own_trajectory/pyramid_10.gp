@@ -209,10 +209,10 @@ set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "furthest drift of a body, m" noenhanced
 set logscale x
-set xtics 10 nomirror
-set mxtics
+set xtics 100 nomirror
+unset mxtics
 set format x "10^{%T}"
-set xrange [0.0365501:13209.3]
+set xrange [0.031845:131324]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -223,25 +223,25 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0841351, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0840409, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.129885 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.0833333 to graph 0.0835457, graph 0.129885 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.619815, graph 0.674069 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.483786, graph 0.791097 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.367344, graph 0.857534 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.472008, graph 0.912397 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.0901249, graph 0.878369 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.833669, graph 0.894807 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.150847, graph 0.975786 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.123905, graph 0.905958 to graph 0.150847, graph 0.975786 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.361859, graph 0.964148 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.334917, graph 0.905958 to graph 0.361859, graph 0.964148 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.075417, graph 0.82428 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.25952, graph 0.929021 to graph 0.232578, graph 0.82428 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.176208, graph 0.776651 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.149266, graph 0.95122 to graph 0.176208, graph 0.776651 nohead lw 0.6 lc rgb '#009e73'
-set label "si2:50" at graph 0.290568, graph 0.723107 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.263626, graph 0.955866 to graph 0.290568, graph 0.723107 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig:1e-6 (cut)" at graph 0.534104, graph 0.674069 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.419816, graph 0.791097 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.321985, graph 0.857534 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.409921, graph 0.912397 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.0625192, graph 0.878369 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke (cut)" at graph 0.713778, graph 0.894807 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.14009, graph 0.824493 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.113149, graph 0.905958 to graph 0.14009, graph 0.824493 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.317377, graph 0.964148 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.290435, graph 0.905958 to graph 0.317377, graph 0.964148 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.0429851, graph 0.975573 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.227088, graph 0.929021 to graph 0.200146, graph 0.975573 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.161398, graph 0.776651 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.134456, graph 0.95122 to graph 0.161398, graph 0.776651 nohead lw 0.6 lc rgb '#009e73'
+set label "si2:50" at graph 0.25748, graph 0.723107 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.230538, graph 0.955866 to graph 0.25748, graph 0.723107 nohead lw 0.6 lc rgb '#e69f00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -261,10 +261,10 @@ set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "deepest overlap, m" noenhanced
 set logscale x
-set xtics 10 nomirror
-set mxtics
+set xtics 100 nomirror
+unset mxtics
 set format x "10^{%T}"
-set xrange [0.0365501:13209.3]
+set xrange [0.031845:131324]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -275,23 +275,23 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0841351, graph 0.0909091 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0840409, graph 0.0909091 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.137461 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.0909091 to graph 0.0835457, graph 0.137461 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:1000" at graph 0.272741, graph 0.656331 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.619815, graph 0.660733 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.367344, graph 0.734757 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.472008, graph 0.823988 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.256267, graph 0.826369 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.150847, graph 0.935174 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.361859, graph 0.935174 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.833669, graph 0.935174 left front noenhanced textcolor rgb '#999999'
-set label "si2:50" at graph 0.290568, graph 0.87708 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.263626, graph 0.958546 to graph 0.290568, graph 0.87708 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.176208, graph 0.778699 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.149266, graph 0.964906 to graph 0.176208, graph 0.778699 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.075417, graph 0.883621 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.25952, graph 0.987849 to graph 0.232578, graph 0.883621 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000" at graph 0.208771, graph 0.656331 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6 (cut)" at graph 0.534104, graph 0.660733 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.321985, graph 0.734757 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.409921, graph 0.823988 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.228661, graph 0.826369 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.14009, graph 0.935174 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.317377, graph 0.935174 left front noenhanced textcolor rgb '#555555'
+set label "lemke (cut)" at graph 0.713778, graph 0.935174 left front noenhanced textcolor rgb '#999999'
+set label "si2:50" at graph 0.25748, graph 0.87708 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.230538, graph 0.958546 to graph 0.25748, graph 0.87708 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.161398, graph 0.778699 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.134456, graph 0.964906 to graph 0.161398, graph 0.778699 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.0429851, graph 0.883621 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.227088, graph 0.987849 to graph 0.200146, graph 0.883621 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -311,10 +311,10 @@ set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "noise of ground reaction / weight" noenhanced
 set logscale x
-set xtics 10 nomirror
-set mxtics
+set xtics 100 nomirror
+unset mxtics
 set format x "10^{%T}"
-set xrange [0.0365501:13209.3]
+set xrange [0.031845:131324]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -325,20 +325,21 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0841351, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0840409, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.0769231 to graph 0.0835457, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.296512, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.833669, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "si:1000" at graph 0.483786, graph 0.621205 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.367344, graph 0.684668 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.472008, graph 0.732639 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.256267, graph 0.733821 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.150847, graph 0.789563 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.361859, graph 0.789563 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.290568, graph 0.846722 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.176208, graph 0.900243 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.286462, graph 0.95027 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig:1e-6 (cut)" at graph 0.534104, graph 0.100199 left front noenhanced textcolor rgb '#555555'
+set label "lemke (cut)" at graph 0.713778, graph 0.0536472 left front noenhanced textcolor rgb '#999999'
+set label "si:1000" at graph 0.419816, graph 0.621205 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.321985, graph 0.684668 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.409921, graph 0.732639 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.228661, graph 0.733821 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.14009, graph 0.836115 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.113149, graph 0.766287 to graph 0.14009, graph 0.836115 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.317377, graph 0.789563 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.25748, graph 0.846722 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.161398, graph 0.900243 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.25403, graph 0.95027 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

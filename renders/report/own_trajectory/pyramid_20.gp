@@ -181,8 +181,8 @@ set title "furthest drift of a body, m" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.188713:1360.52]
+set format x "10^{%T}"
+set xrange [0.170962:7058.85]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -194,16 +194,16 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0666667 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.132465, graph 0.654693 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.66746, graph 0.662322 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.813687, graph 0.709495 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.484525, graph 0.728811 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.329794, graph 0.730473 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.767415, graph 0.76884 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.22482, graph 0.783799 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.0185704, graph 0.795685 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.384837, graph 0.808126 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:50" at graph 0.385955, graph 0.968086 left front noenhanced textcolor rgb '#009e73'
+set label "delassus:1e-3" at graph 0.0676585, graph 0.654693 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000 (cut)" at graph 0.571579, graph 0.662322 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.693796, graph 0.709495 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.418683, graph 0.728811 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.123218, graph 0.730473 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig (cut)" at graph 0.655122, graph 0.76884 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.201623, graph 0.783799 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.00195862, graph 0.795685 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.335364, graph 0.831402 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:50" at graph 0.336299, graph 0.968086 left front noenhanced textcolor rgb '#009e73'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -223,8 +223,8 @@ set title "deepest overlap, m" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.188713:1360.52]
+set format x "10^{%T}"
+set xrange [0.170962:7058.85]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -236,16 +236,16 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.66746, graph 0.590561 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.132465, graph 0.593632 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.484525, graph 0.677734 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.329794, graph 0.758568 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.813687, graph 0.758569 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:10" at graph 0.184712, graph 0.829729 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.767415, graph 0.829729 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.384837, graph 0.850592 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.013775, graph 0.870846 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.385955, graph 0.973787 left front noenhanced textcolor rgb '#009e73'
+set label "si:1000 (cut)" at graph 0.571579, graph 0.590561 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.0676585, graph 0.593632 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.418683, graph 0.677734 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.28936, graph 0.758568 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.693796, graph 0.758569 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:10" at graph 0.168101, graph 0.829729 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig (cut)" at graph 0.655122, graph 0.829729 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.335364, graph 0.850592 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.201623, graph 0.905759 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.336299, graph 0.973787 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -265,8 +265,8 @@ set title "noise of ground reaction / weight" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.188713:1360.52]
+set format x "10^{%T}"
+set xrange [0.170962:7058.85]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -278,17 +278,16 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.456414, graph 0.0769231 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.813687, graph 0.0769231 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.767415, graph 0.123475 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.740473, graph 0.0769231 to graph 0.767415, graph 0.123475 nohead lw 0.6 lc rgb '#555555'
-set label "si:50" at graph 0.329794, graph 0.70367 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.484525, graph 0.712723 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.184712, graph 0.741184 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.47822, graph 0.759654 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.384837, graph 0.813455 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.22482, graph 0.903518 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.385955, graph 0.941595 left front noenhanced textcolor rgb '#009e73'
+set label "si:1000 (cut)" at graph 0.571579, graph 0.100199 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.693796, graph 0.0536472 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.309367, graph 0.0536472 left front noenhanced textcolor rgb '#555555'
+set label "si:50" at graph 0.123218, graph 0.70367 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.418683, graph 0.712723 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.00195862, graph 0.741184 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.413413, graph 0.759654 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.335364, graph 0.813455 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.201623, graph 0.903518 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.336299, graph 0.953233 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

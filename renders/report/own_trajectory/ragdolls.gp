@@ -182,7 +182,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.241972:5036.45]
+set xrange [0.217403:29999.9]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -193,21 +193,23 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.368992, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.290725, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.323369, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.257612, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0274866, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.321995, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.295053, graph 0.5 to graph 0.321995, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.484736, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.457794, graph 0.5 to graph 0.484736, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.232675, graph 0.476724 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.382458, graph 0.593103 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.355516, graph 0.5 to graph 0.382458, graph 0.593103 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.574988, graph 0.488362 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.566321, graph 0.593103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.539379, graph 0.5 to graph 0.566321, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
-set label "lemke" at graph 0.833669, graph 0.5 left front noenhanced textcolor rgb '#999999'
+set label "si:50" at graph 0.00989221, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.283884, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.256942, graph 0.5 to graph 0.283884, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.420615, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.393673, graph 0.5 to graph 0.420615, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.0202467, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.181898, graph 0.5 to graph 0.154956, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
+set label "pgs:50" at graph 0.334683, graph 0.593103 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.307741, graph 0.5 to graph 0.334683, graph 0.593103 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.496441, graph 0.593103 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.469499, graph 0.5 to graph 0.496441, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.489159, graph 0.371983 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.462217, graph 0.5 to graph 0.489159, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.713778, graph 0.5 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -228,7 +230,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.241972:5036.45]
+set xrange [0.217403:29999.9]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -239,20 +241,23 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke" at graph 0.833669, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.193629, graph 0.886546 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.484736, graph 0.887705 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.0835457, graph 0.934868 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.382458, graph 0.935901 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.321995, graph 0.878714 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.566321, graph 0.938334 left front noenhanced textcolor rgb '#555555'
-set label "dantzig" at graph 0.574988, graph 0.836103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.548046, graph 0.917569 to graph 0.574988, graph 0.836103 nohead lw 0.6 lc rgb '#555555'
-set label "delassus" at graph 0.368992, graph 0.830032 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.34205, graph 0.923135 to graph 0.368992, graph 0.830032 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.290725, graph 0.771897 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.263783, graph 0.92319 to graph 0.290725, graph 0.771897 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.232675, graph 0.946579 left front noenhanced textcolor rgb '#e69f00'
+set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
+set label "si:50" at graph 0.176034, graph 0.886546 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.420615, graph 0.887705 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.0835457, graph 0.958144 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0566038, graph 0.911592 to graph 0.0835457, graph 0.958144 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.334683, graph 0.947539 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.283884, graph 0.832162 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.256942, graph 0.913628 to graph 0.283884, graph 0.832162 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig:1e-6 (cut)" at graph 0.489159, graph 0.938334 left front noenhanced textcolor rgb '#555555'
+set label "dantzig (cut)" at graph 0.496441, graph 0.836103 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.469499, graph 0.917569 to graph 0.496441, graph 0.836103 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.0898725, graph 0.830032 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.296427, graph 0.923135 to graph 0.269485, graph 0.830032 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.257612, graph 0.771897 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.23067, graph 0.92319 to graph 0.257612, graph 0.771897 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.0202467, graph 0.876752 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.181898, graph 0.923304 to graph 0.154956, graph 0.876752 nohead lw 0.6 lc rgb '#e69f00'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -273,7 +278,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.241972:5036.45]
+set xrange [0.217403:29999.9]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -284,22 +289,22 @@ set ylabel "joints pulled apart, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke" at graph 0.833669, graph 0.0833333 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.0274866, graph 0.958821 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.382458, graph 0.939358 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.133402, graph 0.90625 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.295053, graph 0.96444 to graph 0.268111, graph 0.90625 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.484736, graph 0.883447 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.457794, graph 0.964912 to graph 0.484736, graph 0.883447 nohead lw 0.6 lc rgb '#d55e00'
-set label "delassus" at graph 0.135495, graph 0.849458 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.34205, graph 0.965837 to graph 0.315108, graph 0.849458 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.290725, graph 0.79146 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.263783, graph 0.966029 to graph 0.290725, graph 0.79146 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.0440819, graph 0.79335 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.205733, graph 0.967919 to graph 0.178792, graph 0.79335 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig:1e-6" at graph 0.566321, graph 0.969332 left front noenhanced textcolor rgb '#555555'
-set label "dantzig" at graph 0.574988, graph 0.742071 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.548046, graph 0.974829 to graph 0.574988, graph 0.742071 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.713778, graph 0.0833333 left front noenhanced textcolor rgb '#999999'
+set label "si:50" at graph 0.00989221, graph 0.958821 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.334683, graph 0.939358 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.0952907, graph 0.90625 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.256942, graph 0.96444 to graph 0.23, graph 0.90625 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.420615, graph 0.883447 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.393673, graph 0.964912 to graph 0.420615, graph 0.883447 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.0898725, graph 0.849458 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.296427, graph 0.965837 to graph 0.269485, graph 0.849458 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.257612, graph 0.79146 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.23067, graph 0.966029 to graph 0.257612, graph 0.79146 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.0202467, graph 0.79335 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.181898, graph 0.967919 to graph 0.154956, graph 0.79335 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig:1e-6 (cut)" at graph 0.489159, graph 0.969332 left front noenhanced textcolor rgb '#555555'
+set label "dantzig (cut)" at graph 0.496441, graph 0.742071 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.469499, graph 0.974829 to graph 0.496441, graph 0.742071 nohead lw 0.6 lc rgb '#555555'
 set label "si:10" at graph 0.0835457, graph 0.743966 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.984829 to graph 0.0835457, graph 0.743966 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \

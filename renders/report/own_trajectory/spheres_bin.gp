@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.68813:309.379]
+set xrange [1.59309:812.708]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -223,25 +223,27 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.583254, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.108659, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.0835457, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.305867, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.512524, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.736798, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.322193, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.295251, graph 0.5 to graph 0.322193, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.130367, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.103425, graph 0.5 to graph 0.130367, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.341187, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.314245, graph 0.5 to graph 0.341187, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.813687, graph 0.488362 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.489048, graph 0.418534 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.462106, graph 0.5 to graph 0.489048, graph 0.418534 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.521058, graph 0.593103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.494116, graph 0.5 to graph 0.521058, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
-set label "lemke" at graph 0.217475, graph 0.593103 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.190533, graph 0.5 to graph 0.217475, graph 0.593103 nohead lw 0.6 lc rgb '#999999'
+set label "delassus (cut)" at graph 0.5012, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3 (cut)" at graph 0.393516, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.269361, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200 (cut)" at graph 0.118782, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000 (cut)" at graph 0.629532, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.60259, graph 0.5 to graph 0.629532, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.283007, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.256065, graph 0.5 to graph 0.283007, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.122679, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0957371, graph 0.5 to graph 0.122679, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.298882, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.27194, graph 0.5 to graph 0.298882, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50 (cut)" at graph 0.693796, graph 0.593103 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.666854, graph 0.5 to graph 0.693796, graph 0.593103 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.422463, graph 0.371983 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.395521, graph 0.5 to graph 0.422463, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.449217, graph 0.639655 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.422275, graph 0.5 to graph 0.449217, graph 0.639655 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.195484, graph 0.639655 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.168542, graph 0.5 to graph 0.195484, graph 0.639655 nohead lw 0.6 lc rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -264,7 +266,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.68813:309.379]
+set xrange [1.59309:812.708]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -275,23 +277,26 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke" at graph 0.217475, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "dantzig:1e-6" at graph 0.521058, graph 0.886805 left front noenhanced textcolor rgb '#555555'
-set label "dantzig" at graph 0.278003, graph 0.88681 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.0835457, graph 0.882521 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.130367, graph 0.941298 left front noenhanced textcolor rgb '#009e73'
-set label "si:50" at graph 0.305867, graph 0.949943 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.341187, graph 0.834419 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.314245, graph 0.915885 to graph 0.341187, graph 0.834419 nohead lw 0.6 lc rgb '#009e73'
-set label "si:1000" at graph 0.736798, graph 0.951426 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.512524, graph 0.951442 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.813687, graph 0.894921 left front noenhanced textcolor rgb '#cc79a7'
-set label "si2:50" at graph 0.1336, graph 0.82517 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.295251, graph 0.918273 to graph 0.26831, graph 0.82517 nohead lw 0.6 lc rgb '#e69f00'
-set label "delassus" at graph 0.583254, graph 0.838215 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.556312, graph 0.91968 to graph 0.583254, graph 0.838215 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.454413, graph 0.780025 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.427471, graph 0.919681 to graph 0.454413, graph 0.780025 nohead lw 0.6 lc rgb '#0060a8'
+set label "lemke (cut)" at graph 0.195484, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
+set label "dantzig:1e-6 (cut)" at graph 0.449217, graph 0.886805 left front noenhanced textcolor rgb '#555555'
+set label "dantzig (cut)" at graph 0.0767085, graph 0.875172 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.0835457, graph 0.940711 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.122679, graph 0.824919 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0957371, graph 0.906384 to graph 0.122679, graph 0.824919 nohead lw 0.6 lc rgb '#009e73'
+set label "si:50" at graph 0.269361, graph 0.949943 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.298882, graph 0.822781 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.27194, graph 0.915885 to graph 0.298882, graph 0.822781 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000 (cut)" at graph 0.629532, graph 0.951426 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200 (cut)" at graph 0.442085, graph 0.765235 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.415143, graph 0.916528 to graph 0.442085, graph 0.765235 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.693796, graph 0.836732 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.666854, graph 0.918197 to graph 0.693796, graph 0.836732 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si2:50" at graph 0.283007, graph 0.76698 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.256065, graph 0.918273 to graph 0.283007, graph 0.76698 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus (cut)" at graph 0.5012, graph 0.710198 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.474258, graph 0.91968 to graph 0.5012, graph 0.710198 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus:1e-3 (cut)" at graph 0.393516, graph 0.652008 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.366574, graph 0.919681 to graph 0.393516, graph 0.652008 nohead lw 0.6 lc rgb '#0060a8'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -314,7 +319,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.68813:309.379]
+set xrange [1.59309:812.708]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -325,21 +330,22 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.583254, graph 0.100199 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.736798, graph 0.0536472 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.813687, graph 0.100199 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.278003, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.197754, graph 0.123475 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.494116, graph 0.0769231 to graph 0.467174, graph 0.123475 nohead lw 0.6 lc rgb '#555555'
-set label "lemke" at graph 0.0513333, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
+set label "delassus (cut)" at graph 0.5012, graph 0.100199 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000 (cut)" at graph 0.629532, graph 0.0536472 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.693796, graph 0.158389 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.666854, graph 0.0769231 to graph 0.693796, graph 0.158389 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.0767085, graph 0.100199 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.449217, graph 0.20494 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.422275, graph 0.0769231 to graph 0.449217, graph 0.20494 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.195484, graph 0.0536472 left front noenhanced textcolor rgb '#999999'
 set label "si:10" at graph 0.0835457, graph 0.830919 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.322193, graph 0.857182 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.130367, graph 0.893503 left front noenhanced textcolor rgb '#009e73'
-set label "si:50" at graph 0.305867, graph 0.800098 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.278925, graph 0.869926 to graph 0.305867, graph 0.800098 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.512524, graph 0.885627 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.454413, graph 0.936568 left front noenhanced textcolor rgb '#0060a8'
-set label "nncg:50" at graph 0.130142, graph 0.94073 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.283007, graph 0.857182 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.122679, graph 0.893503 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.269361, graph 0.800098 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.24242, graph 0.869926 to graph 0.269361, graph 0.800098 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200 (cut)" at graph 0.442085, graph 0.885627 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3 (cut)" at graph 0.393516, graph 0.936568 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg:50" at graph 0.0878368, graph 0.94073 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00512509:10.5654]
+set xrange [0.00472079:41.5593]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -224,20 +224,23 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.100199 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.134108, graph 0.0536472 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.440252, graph 0.619292 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.570376, graph 0.811948 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.745419, graph 0.830917 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.418206, graph 0.845667 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.232047, graph 0.868246 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.555912, graph 0.869412 left front noenhanced textcolor rgb '#cc79a7'
-set label "nncg:10" at graph 0.00970801, graph 0.876492 left front noenhanced textcolor rgb '#009e73'
-set label "lemke" at graph 0.833669, graph 0.880189 left front noenhanced textcolor rgb '#999999'
-set label "nncg:50" at graph 0.404457, graph 0.921025 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig" at graph 0.145422, graph 0.962426 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.329525, graph 0.904236 to graph 0.302583, graph 0.962426 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.0663295, graph 0.827022 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.205529, graph 0.931764 to graph 0.178588, graph 0.827022 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.126027, graph 0.0536472 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.38324, graph 0.619292 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.303973, graph 0.811948 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.639633, graph 0.830917 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.364718, graph 0.903857 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.337776, graph 0.845667 to graph 0.364718, graph 0.903857 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:50" at graph 0.181758, graph 0.844971 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.480415, graph 0.799585 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.453473, graph 0.869412 to graph 0.480415, graph 0.799585 nohead lw 0.6 lc rgb '#cc79a7'
+set label "nncg:10" at graph 0.198824, graph 0.934682 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.171882, graph 0.876492 to graph 0.198824, graph 0.934682 nohead lw 0.6 lc rgb '#009e73'
+set label "lemke (cut)" at graph 0.713778, graph 0.880189 left front noenhanced textcolor rgb '#999999'
+set label "nncg:50" at graph 0.142121, graph 0.793007 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.326224, graph 0.897749 to graph 0.299282, graph 0.793007 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.312846, graph 0.764581 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.285904, graph 0.904236 to graph 0.312846, graph 0.764581 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.0425269, graph 0.931764 left front noenhanced textcolor rgb '#d55e00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -260,7 +263,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00512509:10.5654]
+set xrange [0.00472079:41.5593]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -272,18 +275,21 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.106609 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.134108, graph 0.0600575 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.440252, graph 0.609202 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.745419, graph 0.628748 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.570376, graph 0.751768 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.232047, graph 0.799815 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.555912, graph 0.799815 left front noenhanced textcolor rgb '#cc79a7'
-set label "si2:50" at graph 0.418206, graph 0.833999 left front noenhanced textcolor rgb '#e69f00'
-set label "si:10" at graph 0.0663295, graph 0.881687 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.833669, graph 0.881687 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.356467, graph 0.888704 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.00970801, graph 0.932597 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.404457, graph 0.941965 left front noenhanced textcolor rgb '#009e73'
+set label "delassus:1e-3" at graph 0.126027, graph 0.0600575 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.0599372, graph 0.609202 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.639633, graph 0.628748 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.492567, graph 0.751768 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.181758, graph 0.799815 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.480415, graph 0.799815 left front noenhanced textcolor rgb '#cc79a7'
+set label "si2:50" at graph 0.364718, graph 0.857274 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.337776, graph 0.810723 to graph 0.364718, graph 0.857274 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:10" at graph 0.0425269, graph 0.881687 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke (cut)" at graph 0.713778, graph 0.881687 left front noenhanced textcolor rgb '#999999'
+set label "dantzig" at graph 0.101801, graph 0.935255 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.285904, graph 0.888704 to graph 0.258962, graph 0.935255 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.198824, graph 0.862769 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.171882, graph 0.909321 to graph 0.198824, graph 0.862769 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.353166, graph 0.91869 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -306,7 +312,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00512509:10.5654]
+set xrange [0.00472079:41.5593]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -318,18 +324,19 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.100199 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.134108, graph 0.0536472 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.440252, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.833669, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.398189, graph 0.681483 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.555912, graph 0.741992 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:1000" at graph 0.745419, graph 0.75423 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.232471, graph 0.762008 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.418206, graph 0.797194 left front noenhanced textcolor rgb '#e69f00'
-set label "si:200" at graph 0.570376, graph 0.795779 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.220753, graph 0.901936 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig" at graph 0.145422, graph 0.95229 left front noenhanced textcolor rgb '#555555'
-set label "nncg:50" at graph 0.404457, graph 0.965487 left front noenhanced textcolor rgb '#009e73'
+set label "delassus:1e-3" at graph 0.126027, graph 0.0536472 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.38324, graph 0.100199 left front noenhanced textcolor rgb '#555555'
+set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
+set label "si:50" at graph 0.3479, graph 0.681483 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.480415, graph 0.730354 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:1000" at graph 0.639633, graph 0.75423 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.208669, graph 0.762008 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.364718, graph 0.797194 left front noenhanced textcolor rgb '#e69f00'
+set label "si:200" at graph 0.492567, graph 0.853969 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.465625, graph 0.772503 to graph 0.492567, graph 0.853969 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.198824, graph 0.901936 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.101801, graph 0.95229 left front noenhanced textcolor rgb '#555555'
+set label "nncg:50" at graph 0.353166, graph 0.965487 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

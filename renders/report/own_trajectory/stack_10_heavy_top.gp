@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00401224:425.36]
+set xrange [0.00354221:3393.41]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,25 +223,25 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0844362, graph 0.0666667 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0842939, graph 0.0666667 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.44431 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.374415, graph 0.695879 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.833669, graph 0.911611 left front noenhanced textcolor rgb '#999999'
-set label "nncg:50" at graph 0.298214, graph 0.93396 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.158438, graph 0.910927 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.183502, graph 0.859033 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.15656, graph 0.940498 to graph 0.183502, graph 0.859033 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.271712, graph 0.804214 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.24477, graph 0.94387 to graph 0.271712, graph 0.804214 nohead lw 0.6 lc rgb '#555555'
-set label "si:1000" at graph 0.454577, graph 0.877468 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.427635, graph 0.958934 to graph 0.454577, graph 0.877468 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.359567, graph 0.749762 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.332625, graph 0.959245 to graph 0.359567, graph 0.749762 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.0847427, graph 0.810454 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.246394, graph 0.961748 to graph 0.219452, graph 0.810454 nohead lw 0.6 lc rgb '#e69f00'
-set label "si:50" at graph 0.0740111, graph 0.965504 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.175718, graph 0.755603 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.33737, graph 0.980042 to graph 0.310428, graph 0.755603 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.327926, graph 0.695879 left front noenhanced textcolor rgb '#555555'
+set label "lemke (cut)" at graph 0.713778, graph 0.911611 left front noenhanced textcolor rgb '#999999'
+set label "nncg:50" at graph 0.263904, graph 0.93396 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.146468, graph 0.899289 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.167526, graph 0.847395 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.140584, graph 0.940498 to graph 0.167526, graph 0.847395 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.0305924, graph 0.967145 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.395275, graph 0.877468 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.368333, graph 0.958934 to graph 0.395275, graph 0.877468 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.315451, graph 0.796314 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.288509, graph 0.959245 to graph 0.315451, graph 0.796314 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.0544087, graph 0.798817 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.21606, graph 0.961748 to graph 0.189118, graph 0.798817 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:50" at graph 0.0489808, graph 0.849125 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.188181, graph 0.965504 to graph 0.161239, graph 0.849125 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.319437, graph 0.743966 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.292495, graph 0.980042 to graph 0.319437, graph 0.743966 nohead lw 0.6 lc rgb '#cc79a7'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -264,7 +264,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00401224:425.36]
+set xrange [0.00354221:3393.41]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -275,24 +275,24 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0844362, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0842939, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.407671 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.374415, graph 0.690123 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.273336, graph 0.869736 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:50" at graph 0.0871688, graph 0.872206 left front noenhanced textcolor rgb '#009e73'
-set label "si:50" at graph 0.240153, graph 0.957263 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.213211, graph 0.899073 to graph 0.240153, graph 0.957263 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.454577, graph 0.900247 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.833669, graph 0.900687 left front noenhanced textcolor rgb '#999999'
-set label "si:200" at graph 0.359567, graph 0.952407 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.332625, graph 0.905855 to graph 0.359567, graph 0.952407 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.364311, graph 0.81511 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.33737, graph 0.919852 to graph 0.364311, graph 0.81511 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:10" at graph 0.158438, graph 0.818081 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.131496, graph 0.922822 to graph 0.158438, graph 0.818081 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.0606667, graph 0.96188 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.183502, graph 0.765488 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.15656, graph 0.928419 to graph 0.183502, graph 0.765488 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.327926, graph 0.690123 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.243002, graph 0.869736 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:50" at graph 0.0528587, graph 0.872206 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.215123, graph 0.957263 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.188181, graph 0.899073 to graph 0.215123, graph 0.957263 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.395275, graph 0.900247 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke (cut)" at graph 0.713778, graph 0.900687 left front noenhanced textcolor rgb '#999999'
+set label "si:200" at graph 0.315451, graph 0.812752 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.288509, graph 0.905855 to graph 0.315451, graph 0.812752 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.130844, graph 0.81511 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.292495, graph 0.919852 to graph 0.265553, graph 0.81511 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:10" at graph 0.146468, graph 0.759891 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.119526, graph 0.922822 to graph 0.146468, graph 0.759891 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.0305924, graph 0.96188 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.167526, graph 0.660747 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.140584, graph 0.928419 to graph 0.167526, graph 0.660747 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -315,7 +315,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00401224:425.36]
+set xrange [0.00354221:3393.41]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -326,23 +326,23 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0844362, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0842939, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.11798 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.0714286 to graph 0.0835457, graph 0.11798 nohead lw 0.6 lc rgb '#0060a8'
-set label "lemke" at graph 0.833669, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
-set label "dantzig:1e-6" at graph 0.374415, graph 0.313384 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.183502, graph 0.713857 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.298214, graph 0.802407 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.271272, graph 0.744217 to graph 0.298214, graph 0.802407 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.0606667, graph 0.811722 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.24477, graph 0.765171 to graph 0.217828, graph 0.811722 nohead lw 0.6 lc rgb '#555555'
-set label "si:200" at graph 0.359567, graph 0.745528 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.240153, graph 0.859192 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.213211, graph 0.777726 to graph 0.240153, graph 0.859192 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.0847427, graph 0.912502 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.364311, graph 0.915007 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:10" at graph 0.158438, graph 0.961487 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.454577, graph 0.965061 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke (cut)" at graph 0.713778, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
+set label "dantzig:1e-6" at graph 0.327926, graph 0.313384 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.167526, graph 0.713857 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.263904, graph 0.802407 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.236962, graph 0.744217 to graph 0.263904, graph 0.802407 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.0305924, graph 0.765171 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.126857, graph 0.815356 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.288509, graph 0.768804 to graph 0.261567, graph 0.815356 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.0489808, graph 0.696261 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.188181, graph 0.777726 to graph 0.161239, graph 0.696261 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.0544087, graph 0.912502 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.319437, graph 0.915007 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:10" at graph 0.146468, graph 0.961487 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.395275, graph 0.965061 left front noenhanced textcolor rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

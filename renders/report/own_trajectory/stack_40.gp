@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0164362:531.584]
+set xrange [0.0146974:3427.04]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,21 +223,22 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0870393, graph 0.0666667 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.086481, graph 0.0666667 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.481704 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.576208, graph 0.651643 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.582793, graph 0.795164 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.833669, graph 0.826414 left front noenhanced textcolor rgb '#999999'
-set label "si:200" at graph 0.430324, graph 0.840405 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.1519, graph 0.848984 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.472153, graph 0.897417 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.301433, graph 0.897735 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.336959, graph 0.948891 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.165431, graph 0.951289 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.113099, graph 0.80107 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.297202, graph 0.952363 to graph 0.27026, graph 0.80107 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.170135, graph 0.74557 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.143193, graph 0.966691 to graph 0.170135, graph 0.74557 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.497467, graph 0.651643 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.502999, graph 0.795164 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke (cut)" at graph 0.713778, graph 0.826414 left front noenhanced textcolor rgb '#999999'
+set label "si:200" at graph 0.186305, graph 0.840405 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.299426, graph 0.907174 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.410043, graph 0.850865 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.100466, graph 0.897735 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.296456, graph 0.960529 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.152344, graph 0.788358 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.125402, graph 0.951289 to graph 0.152344, graph 0.788358 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:50" at graph 0.28569, graph 0.789432 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.258748, graph 0.952363 to graph 0.28569, graph 0.789432 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.156296, graph 0.733932 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.129354, graph 0.966691 to graph 0.156296, graph 0.733932 nohead lw 0.6 lc rgb '#009e73'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -260,7 +261,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0164362:531.584]
+set xrange [0.0146974:3427.04]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -271,21 +272,21 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0870393, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.086481, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.447976 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.576208, graph 0.622545 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.582793, graph 0.679441 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.430324, graph 0.759802 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.472153, graph 0.81712 left front noenhanced textcolor rgb '#cc79a7'
-set label "si2:50" at graph 0.1519, graph 0.794545 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.301433, graph 0.841939 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.833669, graph 0.857786 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.336959, graph 0.951843 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.165431, graph 0.952081 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.324144, graph 0.899652 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.297202, graph 0.969479 to graph 0.324144, graph 0.899652 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.170135, graph 0.741079 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.143193, graph 0.973837 to graph 0.170135, graph 0.741079 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.497467, graph 0.622545 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.502999, graph 0.679441 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.374899, graph 0.759802 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.410043, graph 0.81712 left front noenhanced textcolor rgb '#cc79a7'
+set label "si2:50" at graph 0.110832, graph 0.794545 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.266608, graph 0.841939 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke (cut)" at graph 0.713778, graph 0.857786 left front noenhanced textcolor rgb '#999999'
+set label "dantzig" at graph 0.296456, graph 0.951843 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.152344, graph 0.940443 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.28569, graph 0.899652 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.258748, graph 0.969479 to graph 0.28569, graph 0.899652 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.156296, graph 0.741079 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.129354, graph 0.973837 to graph 0.156296, graph 0.741079 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -308,7 +309,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0164362:531.584]
+set xrange [0.0146974:3427.04]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -319,21 +320,21 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0870393, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.086481, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.11798 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.0714286 to graph 0.0835457, graph 0.11798 nohead lw 0.6 lc rgb '#0060a8'
-set label "lemke" at graph 0.833669, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
-set label "dantzig:1e-6" at graph 0.576208, graph 0.310566 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.430324, graph 0.720536 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.582793, graph 0.746967 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.1519, graph 0.759628 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.472153, graph 0.794586 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.301433, graph 0.808716 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.165431, graph 0.912354 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.336959, graph 0.915034 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.170135, graph 0.973958 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.324144, graph 0.865518 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.297202, graph 0.946984 to graph 0.324144, graph 0.865518 nohead lw 0.6 lc rgb '#009e73'
+set label "lemke (cut)" at graph 0.713778, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
+set label "dantzig:1e-6" at graph 0.497467, graph 0.310566 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.374899, graph 0.720536 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.502999, graph 0.770243 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.110832, graph 0.759628 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.410043, graph 0.817862 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.266608, graph 0.808716 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.152344, graph 0.912354 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.296456, graph 0.915034 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.156296, graph 0.973958 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.28569, graph 0.865518 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.258748, graph 0.946984 to graph 0.28569, graph 0.865518 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

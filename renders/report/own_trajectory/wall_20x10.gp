@@ -182,7 +182,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.121093:2.64009e+06]
+set xrange [0.0958423:1.30106e+08]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -194,19 +194,21 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.693796, graph 0.626315 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.286234, graph 0.787569 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.387015, graph 0.845585 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.450759, graph 0.892496 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.290307, graph 0.913257 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0460034, graph 0.918599 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.238554, graph 0.966106 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.0499551, graph 0.87179 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.211607, graph 0.941618 to graph 0.184665, graph 0.87179 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.168499, graph 0.737509 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.141557, graph 0.946992 to graph 0.168499, graph 0.737509 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.135943, graph 0.818863 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.109001, graph 0.970156 to graph 0.135943, graph 0.818863 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.626315 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.246414, graph 0.787569 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000 (cut)" at graph 0.327395, graph 0.845585 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.378615, graph 0.892496 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.0610927, graph 0.889981 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.18688, graph 0.965151 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.159938, graph 0.918599 to graph 0.18688, graph 0.965151 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:50" at graph 0.208101, graph 0.733348 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.181159, graph 0.931193 to graph 0.208101, graph 0.733348 nohead lw 0.6 lc rgb '#009e73'
+set label "si2:50" at graph 0.0195029, graph 0.836876 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.181154, graph 0.941618 to graph 0.154213, graph 0.836876 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.151809, graph 0.67932 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.124867, graph 0.946992 to graph 0.151809, graph 0.67932 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.125649, graph 0.783949 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0987068, graph 0.970156 to graph 0.125649, graph 0.783949 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -227,7 +229,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.121093:2.64009e+06]
+set xrange [0.0958423:1.30106e+08]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -239,20 +241,20 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0909091 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.693796, graph 0.0909091 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.387015, graph 0.704491 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.450759, graph 0.880791 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.0460034, graph 0.888955 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.286234, graph 0.929517 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.101713, graph 0.938948 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.238549, graph 0.882456 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.211607, graph 0.963922 to graph 0.238549, graph 0.882456 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.168499, graph 0.833415 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.141557, graph 0.97307 to graph 0.168499, graph 0.833415 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.135943, graph 0.777049 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.109001, graph 0.974893 to graph 0.135943, graph 0.777049 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:50" at graph 0.0275085, graph 0.719106 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.211612, graph 0.97514 to graph 0.18467, graph 0.719106 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.0909091 left front noenhanced textcolor rgb '#555555'
+set label "si:1000 (cut)" at graph 0.327395, graph 0.704491 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.378615, graph 0.880791 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.0207385, graph 0.888955 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.246414, graph 0.929517 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.0610927, graph 0.938948 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.208096, graph 0.882456 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.181154, graph 0.963922 to graph 0.208096, graph 0.882456 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.151809, graph 0.833415 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.124867, graph 0.97307 to graph 0.151809, graph 0.833415 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.125649, graph 0.777049 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0987068, graph 0.974893 to graph 0.125649, graph 0.777049 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:50" at graph 0.208101, graph 0.649278 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.181159, graph 0.97514 to graph 0.208101, graph 0.649278 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -273,7 +275,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.121093:2.64009e+06]
+set xrange [0.0958423:1.30106e+08]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -285,19 +287,20 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.387015, graph 0.100199 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.450759, graph 0.0536472 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.693796, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.290307, graph 0.716969 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.286234, graph 0.771372 left front noenhanced textcolor rgb '#0060a8'
-set label "si:50" at graph 0.0460034, graph 0.768822 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.238549, graph 0.820573 left front noenhanced textcolor rgb '#e69f00'
-set label "si:10" at graph 0.135943, graph 0.873271 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.109001, graph 0.815081 to graph 0.135943, graph 0.873271 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.168499, graph 0.949919 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.141557, graph 0.83354 to graph 0.168499, graph 0.949919 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.0275085, graph 0.715236 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.211612, graph 0.924718 to graph 0.18467, graph 0.715236 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000 (cut)" at graph 0.327395, graph 0.100199 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.378615, graph 0.0536472 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.158389 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.546963, graph 0.0769231 to graph 0.573905, graph 0.158389 nohead lw 0.6 lc rgb '#555555'
+set label "si:200" at graph 0.249686, graph 0.716969 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.246414, graph 0.771372 left front noenhanced textcolor rgb '#0060a8'
+set label "si:50" at graph 0.0207385, graph 0.768822 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.208096, graph 0.820573 left front noenhanced textcolor rgb '#e69f00'
+set label "si:10" at graph 0.125649, graph 0.873271 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0987068, graph 0.815081 to graph 0.125649, graph 0.873271 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.151809, graph 0.949919 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.124867, graph 0.83354 to graph 0.151809, graph 0.949919 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.208101, graph 0.668684 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.181159, graph 0.924718 to graph 0.208101, graph 0.668684 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
