@@ -71,6 +71,13 @@ TEST(Alternating, LetsBodiesSlide) {
     Solution best;
     alternate<BodyMotion>(problem, 1e-12, 3000, best);
     EXPECT_LT(best.residual, 1e-2 * problem.q.cwiseAbs().maxCoeff()) << k;
+    double most = 0, friction = 0;
+    for (int i = 0; i < problem.contacts(); ++i) {
+      most += problem.friction[i] * best.r[3 * i];
+      friction += best.r.segment<2>(3 * i + 1).norm();
+    }
+    EXPECT_GT(most, 0) << k;
+    EXPECT_NEAR(friction, most, 0.02 * most) << k;
   }
 }
 

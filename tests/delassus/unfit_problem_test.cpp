@@ -47,6 +47,7 @@ const std::vector<Unfit>& unfit() {
       {"endless friction", [](Problem& p) { p.friction[0] = infinity; }, 0},
       {"bound", [](Problem& p) { p.upper[0] = notANumber; }, 6},
       {"crossed bounds", [](Problem& p) { p.upper[0] = -1; }, 6},
+      {"large bound", [](Problem& p) { p.lower[0] = -1e200; }, 6},
       {"bounds at infinity", [](Problem& p) { p.lower[0] = infinity; }, 6},
       {"W",
        [](Problem& p) {
