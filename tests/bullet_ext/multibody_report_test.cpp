@@ -105,26 +105,6 @@ TEST(MultiBodyReport, AnalyticsTellOfTheLastGroup) {
   EXPECT_EQ(last.m_remainingLeastSquaresResidual, -1);
 }
 
-// A link that slides along the ground lies 1 cm deep in it: no push moves it, so that nobody feels one.
-TEST(MultiBodyReport, WhoCannotYieldIsNamed) {
-  DelassusMultiBodyWorld world;
-  world.addGround();
-  const btScalar radius = btScalar(0.5);
-  const btVector3 zero(0, 0, 0), lower(0, radius - btScalar(0.01), 0);
-  btMultiBody& tree = world.addTree(1, 0, zero, true);
-  tree.setupPrismatic(0, 1, {1, 1, 1}, -1, btQuaternion::getIdentity(), {1, 0, 0}, zero, lower,
-                      true);
-  world.addCollider(tree, 0, std::make_unique<btSphereShape>(radius));
-  world.finish(tree);
-  int told = 0;
-  dynamic_cast<btDelassusMultiBodyConstraintSolver&>(world.solver())
-      .setTroubleListener([&](const ContactEvent&) { ++told; });
-  world.advance();
-  const StepReport& report = world.report();
-  EXPECT_EQ(report.messages.empty(), report.incompatible == 0);
-  EXPECT_EQ(told == 0, report.incompatible == 0);
-}
-
 TEST(MultiBodyReport, ResetForgetsTheAnalytics) {
   DelassusMultiBodyWorld world;
   addChains(world, 2);
