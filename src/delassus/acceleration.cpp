@@ -35,9 +35,10 @@ void ConjugateGradient::nextImage(const VectorXd& imageOfG, VectorXd& image) {
   goOn(beta_, imageOfG, imageOfDirection_, image);
 }
 
-void Anderson::start(const VectorXd& weights, int memory) {
+void Anderson::start(const VectorXd& weights, int memory, double growth) {
   weights_ = &weights;
   memory_ = std::min(memory, longest);
+  growth_ = growth;
   // All memory is taken now, however few steps there will be.
   for (std::vector<float>* changes : {&changeG_, &changeF_})
     changes->resize(std::max<std::size_t>(weights.size() * memory_, changes->size()));
@@ -57,7 +58,7 @@ void Anderson::next(const VectorXd& g, VectorXd& x) {
   weighted_ = weights_->cwiseProduct(x);
   const double norm = std::sqrt(x.dot(weighted_));
   if (!begun_) unit_ = norm > 0 ? norm : 1;
-  if (begun_ && norm > last_) {
+  if (begun_ && norm > growth_ * last_) {
     steps_ = oldest_ = 0;
   } else if (begun_) {
     const int at = steps_ < memory_ ? steps_++ : oldest_;

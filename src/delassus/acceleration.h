@@ -38,13 +38,14 @@ class ConjugateGradient {
 ///     x⁺ = g(x) − Σ γ_j Δg_j,    γ = argmin ‖f − Σ γ_j Δf_j‖,    f = g(x) − x
 ///
 /// On a fixed region block Gauss-Seidel is affine, and this is a Krylov method for it. Where the region changes the past tells
-/// wrong: when f grows, it is forgotten. (When it had to double first, heaps of spheres went round for ever.)
+/// wrong: when f grows to more than `growth` times its length, it is forgotten. (With 2 heaps of spheres go round for ever; with 1 a few
+/// contacts forget too much, and need regions where their sweeps would have come to the answer.)
 class Anderson {
  public:
   static constexpr int longest = 16;
 
   /// `memory`: steps that are remembered, at most `longest`.
-  void start(const VectorXd& weights, int memory);
+  void start(const VectorXd& weights, int memory, double growth = 1);
   void next(const VectorXd& g, VectorXd& x);
   std::size_t bytes() const;
 
@@ -60,6 +61,7 @@ class Anderson {
   // In single precision, for they only tell where to look next: half of what is read of the memory, which is most of the time.
   std::vector<float> changeG_, changeF_;              ///< one after the other, in units of unit_
   std::vector<float> rough_;                          ///< scratch
+  double growth_ = 1;                                 ///< of f, beyond which all is forgotten
   double unit_ = 1;                                   ///< ‖f‖ of the first step
   Eigen::Matrix<double, longest, longest> products_;  ///< of the changeF_
   double last_ = 0;                                   ///< ‖f‖ of the last step

@@ -157,7 +157,8 @@ void Sweeps::sweepPlainly(const Problem& problem, int count, VectorXd& r) {
 }
 
 void Sweeps::sweepOn(const Problem& problem, int count, int memory, VectorXd& r) {
-  if (!learnt_ || swept_ != r) anderson_.start(*diagonal_, memory);
+  const double growth = problem.W.inBodySpace() ? 1 : 2;  // explicit W is that of few contacts
+  if (!learnt_ || swept_ != r) anderson_.start(*diagonal_, memory, growth);
   learnt_ = true;
   hurry(anderson_, problem, count, r);
 }
