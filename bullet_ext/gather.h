@@ -135,10 +135,12 @@ int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo
 ///        or:  target = e',  push = erp (−d)/h    where the impulse is split
 ///     compliance = cfm/h;  with stiffness k and damping c:  cfm = 1/(h k + c),  erp = h k cfm
 ///
-/// where a is the relative velocity before forces; with a link, whose velocity has them already, after them, as in Bullet. Of points that move no further in a step than four roundings of their places in
-/// Bullet's precision (in float at 10 m: 1e-5 m), a distance d of no more than that is none: they touch. Taken at its word it would
-/// have every pile of boxes that has fallen share its loads anew in every step, at the whim of the last digit.
-/// A contact with its own softness is never split: the spring would be lost to the push.
+/// where a is the relative velocity before forces; with a link, whose velocity has them already, after them, as in Bullet. Of points
+/// that move no further in a step than four roundings of their places in Bullet's precision (in float at 10 m: 1e-5 m), a distance d of
+/// no more than that is none: they touch (but those of links, whose forces move them further). Taken at its word it would have every pile
+/// of boxes that has fallen share its loads anew in every step, at the whim of the last digit.
+/// A contact with its own softness is never split: the spring would be lost to the push. One whose push moves neither body (inVain), or
+/// that of what keeps its place with what stands, is idle.
 /// Friction: see contact_frame.h.
 void gatherBodies(Group& group, btCollisionObject** bodies, int count,
                   const btContactSolverInfo& info, StepReport& report);

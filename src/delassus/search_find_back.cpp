@@ -169,8 +169,8 @@ bool Search::compromise(Engines<Motion>& engines, const Problem& problem, double
     if (!areIncompatible) return false;
     for (const double compliance : compliances)
       if (newton.yield(problem, tolerance, compliance, regionBudget, best)) break;
-    map_.meanDiagonal(
-        felt_);  // what moves nothing along its normal may be asked to, and is named then
+    // In the mean over its directions: what moves nothing along its normal may be asked to, and is named then.
+    map_.meanDiagonal(felt_);
     felt_ = felt_.cwiseSqrt().cwiseProduct(quarrel_.reactions()).cwiseAbs();
     const double least = negligible * felt_.maxCoeff();
     best.blamed.clear();
