@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "delassus/flush_to_zero.h"
 #include "delassus/hands.h"
 
 namespace delassus {
@@ -280,12 +281,14 @@ int ColouredSweeps::sweep(const Problem& problem, int most, double aim, VectorXd
   Pass pass(most, aim, isNarrow_);
   const auto part = [&](int round, int share) { work(pass, round, share); };
   if (!hands_ || problem.contacts() + problem.rows() < worthwhile) {
+    const FlushToZero quick;
     lead(pass, [&](int round) {
       for (int share = 0; share < shares; ++share) part(round, share);
     });
   } else {
     Rounds rounds;
     const auto task = [&](int hand) {
+      const FlushToZero quick;
       if (hand > 0) return rounds.help(part);
       lead(pass, [&](int round) { rounds.lead(round, shares, part); });
       rounds.end();
