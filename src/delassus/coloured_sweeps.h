@@ -15,8 +15,8 @@ class Hands;
 ///
 /// Contacts (rows) of one colour have no body in common: in which order they come does not matter, and eight of them are swept at once, by
 /// several hands if there are. In single precision, but only what the sweeps change (swept_groups.h): r₀ and u₀ are worked out in double
-/// precision when sweeps begin, and how far r is from the edge of its cone too. What rounding leaves of a residual is then about 1e-7 of
-/// the velocities that remain.
+/// precision when sweeps begin, and so are all differences of them that an answer makes small. Rounding then takes about 1e-7 of what
+/// the sweeps change, and sweeps that begin where others have ended go on as far as double precision does.
 ///
 /// With g = g(x) swept from x, the next sweep begins from x⁺ = g + β (g − g_before), β as in Nesterov 1983, and β = 0 anew whenever
 /// ‖g(x) − x‖ has grown (O'Donoghue and Candès 2015).

@@ -74,24 +74,22 @@ void Search::sweepWhileItGains(const Problem& problem, const Options& options, d
 }
 
 /// Sweeps as long as they gain, and where they do not, patches: what settles in this way needs no factor of the whole island.
-/// The residual may rise on the way, since a wall that is met lets others go. In large heaps they go by colour, as far as single
-/// precision does.
+/// The residual may rise on the way, since a wall that is met lets others go. In large heaps they go by colour.
 void Search::settle(const Problem& problem, const Options& options, double tolerance,
                     Solution& best) {
   constexpr int patience = 6, fewSweeps = 20, manySweeps = 100;
-  constexpr double gain = 0.7, rough = 1e-7;
+  constexpr double gain = 0.7;
   // Half as many sweeps where all is remembered; elsewhere the memory is worth more than the time.
   const int memory = isHeap(problem) ? Anderson::longest : 4;
-  const double roughly = std::max(tolerance, rough * problem.q.cwiseAbs().maxCoeff());
-  bool byColour = setSweeps(problem, isLargeHeap(problem));
-  double change = roughly;  // of a velocity, that is worth a sweep by colour
+  const bool byColour = setSweeps(problem, isLargeHeap(problem));
+  const int burst = byColour ? manySweeps : fewSweeps;
+  double change = tolerance;  // of a velocity, that is worth a sweep by colour
   trial_.r = best.r;
   measure(problem, trial_);
   double lowest = infinity;
   for (int failures = 0; failures < patience;) {
     bool gains;
     do {
-      const int burst = byColour ? manySweeps : fewSweeps;
       if (best.sweeps + burst > options.sweepBudget) return;
       const double before = trial_.residualRms;
       int made = burst;
@@ -104,10 +102,6 @@ void Search::settle(const Problem& problem, const Options& options, double toler
       if (best.residual <= tolerance) return;
       if (made < burst) change *= gain * gain;
       gains = trial_.residualRms < gain * before;
-      if (byColour && best.residual <= roughly) {
-        gains = true;
-        byColour = setSweeps(problem, false);
-      }
     } while (gains);
     failures = trial_.residualRms < gain * lowest ? 0 : failures + 1;
     lowest = std::min(lowest, trial_.residualRms);

@@ -51,13 +51,16 @@ DELASSUS_WIDE_INLINE void marginOf(const ContactGroup& g, int at, const V& frict
 /// for s: the next sweep is as good as a second step. u: the velocity with the reactions r₀ + x; the answer is r₀ + next.
 template <class V, class Flags>
 DELASSUS_WIDE_INLINE void slide(ContactGroup& g, int at, const Flags& slides, const V& friction,
-                                const V (&r0)[3], const V (&x)[3], const V (&u)[3], V (&next)[3]) {
+                                const V (&r0)[3], const V (&x)[3], const V (&u)[3],
+                                const V (&du)[3], V (&next)[3]) {
   const V zero = {};
-  V w1, w2, s00, s01, s11, s;
+  V w1, w2, s00, s01, s11, s0, ds, b1, b2;
   load(g.w1 + at, w1), load(g.w2 + at, w2);
   load(g.s00 + at, s00), load(g.s01 + at, s01), load(g.s11 + at, s11);
-  load(g.slip + at, s);
-  const V known = s;
+  load(g.slip0 + at, s0), load(g.dslip + at, ds);
+  load(g.unslowed0[0] + at, b1), load(g.unslowed0[1] + at, b2);
+  const V known = ds;
+  V s = s0 + ds;
   const V r1 = r0[1] + x[1], r2 = r0[2] + x[2];
   const V v1 = u[1] - w1 * u[0], v2 = u[2] - w2 * u[0];
   if (any(s <= zero)) {
@@ -69,12 +72,16 @@ DELASSUS_WIDE_INLINE void slide(ContactGroup& g, int at, const Flags& slides, co
     const V size = drift / (friction * held), e1 = c1 / drift, e2 = c2 / drift;
     const V straight = size * (1 - friction * (w1 * e1 + w2 * e2)) -
                        (e1 * (s00 * e1 + s01 * e2) + e2 * (s01 * e1 + s11 * e2));
-    s = s > zero ? s : (straight > zero ? straight : 0.5f * (size + 1));
+    ds = s > zero ? ds : (straight > zero ? straight : 0.5f * (size + 1)) - s0;
   }
   constexpr float least = 1e-12f, most = 1e12f;
-  s = s < most ? s : zero + most;
+  ds = ds < most ? ds : zero + most;
+  s = s0 + ds;
   const V p = s00 + s, q = s11 + s, perDet = 1 / (p * q - s01 * s01);
-  const V b1 = v1 + s * r1, b2 = v2 + s * r2;  // what is not yet −s r_t
+  // What sliding makes zero; from what it was for s₀, where that is near: of v + s r_t the digits that count would cancel.
+  const auto isNear = (ds < zero ? -ds : ds) < 0.5f * s0;
+  b1 = isNear ? b1 + (du[1] - w1 * du[0] + s0 * x[1] + ds * r1) : v1 + s * r1;
+  b2 = isNear ? b2 + (du[2] - w2 * du[0] + s0 * x[2] + ds * r2) : v2 + s * r2;
   const V d1 = (s01 * b2 - q * b1) * perDet, d2 = (s01 * b1 - p * b2) * perDet;
   next[0] = x[0] - u[0] - w1 * d1 - w2 * d2;
   next[1] = x[1] + d1;
@@ -91,14 +98,14 @@ DELASSUS_WIDE_INLINE void slide(ContactGroup& g, int at, const Flags& slides, co
   // Newton on 1/‖r_t‖ − 1/(μ r_n), which is nearly linear in s.
   const V m1 = (s01 * t2 - q * t1) * perDet, m2 = (s01 * t1 - p * t2) * perDet;
   const V along = share * perLength;
-  const V newton =
-      s + excess * share /
-              ((t1 * m1 + t2 * m2) * along * along + friction * perLength * (w1 * m1 + w2 * m2));
-  const V guess = share < 1 ? 4 * s : 0.25f * s;
-  const V then = (presses & (newton > zero)) ? newton : guess;
-  s = then > least ? (then < most ? then : zero + most) : zero + least;
-  s = slides ? s : known;
-  store(s, g.slip + at);
+  const V correction =
+      excess * share /
+      ((t1 * m1 + t2 * m2) * along * along + friction * perLength * (w1 * m1 + w2 * m2));
+  const V guess = share < 1 ? 3 * s : -0.75f * s;
+  ds += presses & (s + correction > zero) ? correction : guess;
+  ds = s0 + ds > least ? (ds < most ? ds : zero + most) : least - s0;
+  ds = slides ? ds : known;
+  store(ds, g.dslip + at);
 }
 
 /// The contacts of some lanes of a group, from lane `at` on. β: how far their reactions go beyond the last sweep's before this one.
@@ -107,7 +114,7 @@ DELASSUS_WIDE_INLINE void sweepLanes(ContactGroup& g, int at, float beta, SweptV
                                      SweepChange& change) {
   const V zero = {};
   const BodyLanes<V> bodies(g.a + at, g.b + at, velocities);
-  V ya[8], yb[8], x[3], u[3], r0[3];
+  V ya[8], yb[8], x[3], u[3], du[3], r0[3];
   bodies.gatherTo(ya, yb);
   for (int k = 0; k < 3; ++k) {
     V now, before, compliance;
@@ -118,7 +125,7 @@ DELASSUS_WIDE_INLINE void sweepLanes(ContactGroup& g, int at, float beta, SweptV
     load(g.compliance[k] + at, compliance);
     load(g.u0[k] + at, u[k]);
     load(g.r0[k] + at, r0[k]);
-    u[k] += compliance * x[k];
+    du[k] = compliance * x[k];
   }
   for (int k = 0; k < 3; ++k) {
     V sum[4], of;
@@ -132,7 +139,8 @@ DELASSUS_WIDE_INLINE void sweepLanes(ContactGroup& g, int at, float beta, SweptV
       load(g.Jb[6 * k + i] + at, of);
       sum[2 + i % 2] += of * yb[i];
     }
-    u[k] += (sum[0] + sum[1]) + (sum[2] + sum[3]);
+    du[k] += (sum[0] + sum[1]) + (sum[2] + sum[3]);
+    u[k] += du[k];
   }
   V w1, w2, s00, s01, s11, perDet, friction;
   load(g.w1 + at, w1), load(g.w2 + at, w2);
@@ -153,7 +161,7 @@ DELASSUS_WIDE_INLINE void sweepLanes(ContactGroup& g, int at, float beta, SweptV
   const auto slides = rubs & ~sticks & ~opens;
   if (any(slides)) {
     V sliding[3];
-    slide(g, at, slides, friction, r0, x, u, sliding);
+    slide(g, at, slides, friction, r0, x, u, du, sliding);
     for (int k = 0; k < 3; ++k) next[k] = slides ? sliding[k] : next[k];
   }
   V energy, largest, unit;

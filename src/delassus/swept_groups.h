@@ -25,7 +25,8 @@ struct ContactGroup {
   Lanes u0[3], r0[3];
   Lanes length0, margin0;    ///< ‖r_t‖ and μ r_n − ‖r_t‖ of r₀
   Lanes dr[3], drBefore[3];  ///< after the last sweep, and the one before
-  Lanes slip;                ///< s of OneContact as far as it is known, 0: not at all
+  Lanes slip0, dslip;  ///< s = s₀ + Δs of OneContact as far as it is known, ≤ 0: not at all
+  Lanes unslowed0[2];  ///< v + s₀ r_t of r₀, v = u_t − W_tn u_n: what sliding makes zero
 };
 
 /// The same of rows.
