@@ -218,11 +218,15 @@ void ColouredSweeps::startRows(const Problem& problem, const VectorXd& r) {
 }
 
 struct ColouredSweeps::Pass {
-  Pass(int mostSweeps, double aimedChange, bool isNarrow)
-      : most(mostSweeps), aim(aimedChange), sweeps(groupSweeps(isNarrow)) {}
+  Pass(int mostSweeps, double aimedChange, bool withMomentum, bool isNarrow)
+      : most(mostSweeps),
+        aim(aimedChange),
+        hasMomentum(withMomentum),
+        sweeps(groupSweeps(isNarrow)) {}
 
   const int most;
   const double aim;
+  const bool hasMomentum;
   const GroupSweeps sweeps;
   SweepChange changes[shares];  ///< of each share of the colours, whoever swept it
   float beta = 0;
@@ -238,7 +242,7 @@ struct ColouredSweeps::Pass {
       for (const float share : change.largest) largest = std::max<double>(largest, share);
       change = {};
     }
-    if (made == 1 || energy > last) pace = 1;
+    if (!hasMomentum || made == 1 || energy > last) pace = 1;
     const double next = 0.5 * (1 + std::sqrt(1 + 4 * pace * pace));
     beta = static_cast<float>((pace - 1) / next);
     pace = next;
@@ -280,10 +284,19 @@ void ColouredSweeps::lead(Pass& pass, const InShares& inShares) {
 }
 
 int ColouredSweeps::sweep(const Problem& problem, int most, double aim, VectorXd& r) {
+  return most > 0 ? sweepAs(Pass(most, aim, true, isNarrow_), problem, r) : 0;
+}
+
+void ColouredSweeps::sweepPlainly(const Problem& problem, int count, VectorXd& r) {
+  // What has changed by then is large for single precision, if each sweep adds little.
+  constexpr int fromOneStart = 100;
+  for (int left = count; left > 0; left -= fromOneStart)
+    sweepAs(Pass(std::min(left, fromOneStart), 0, false, isNarrow_), problem, r);
+}
+
+int ColouredSweeps::sweepAs(Pass pass, const Problem& problem, VectorXd& r) {
   constexpr int worthwhile = 1000;  // parts: fewer are swept before others have come
-  if (most <= 0) return 0;
   start(problem, r);
-  Pass pass(most, aim, isNarrow_);
   const auto part = [&](int round, int share) { work(pass, round, share); };
   if (!hands_ || problem.contacts() + problem.rows() < worthwhile) {
     const FlushToZero quick;

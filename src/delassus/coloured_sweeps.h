@@ -30,6 +30,9 @@ class ColouredSweeps {
   /// reactions end in their cones.
   int sweep(const Problem& problem, int most, double aim, VectorXd& r);
 
+  /// As many sweeps with nothing in between.
+  void sweepPlainly(const Problem& problem, int count, VectorXd& r);
+
   /// From now on by half a group at a time, as where processors cannot do more: the same bits.
   void narrow() { isNarrow_ = true; }
   /// Who helps with large problems from now on; null: none. The same bits.
@@ -59,6 +62,7 @@ class ColouredSweeps {
                   std::vector<Group>& groups, SweepGroups<Group> sweep);
   template <class InShares>
   void lead(Pass& pass, const InShares& inShares);
+  int sweepAs(Pass pass, const Problem& problem, VectorXd& r);
   void finish(const Problem& problem, VectorXd& r) const;
 
   bool isNarrow_ = false;

@@ -141,8 +141,10 @@ Outcome Search::outlast(ProximalNewton<Motion>& newton, const Problem& problem,
     const int sweepsLeft = std::min(manySweeps, options.sweepBudget - apart_.sweeps);
     const int regionsLeft = std::min(regions, options.newtonBudget - apart_.regions);
     if (sweepsLeft <= 0 || regionsLeft <= 0) break;
-    machines().sweeps.setProblem(problem, map_);
-    machines().sweeps.sweepPlainly(problem, sweepsLeft, wandering_.r);
+    if (setSweeps(problem, true))
+      machines().coloured.sweepPlainly(problem, sweepsLeft, wandering_.r);
+    else
+      machines().sweeps.sweepPlainly(problem, sweepsLeft, wandering_.r);
     apart_.sweeps += sweepsLeft;
     consider(problem, wandering_, apart_);
     const double before = apart_.residual;

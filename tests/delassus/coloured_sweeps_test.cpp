@@ -168,6 +168,21 @@ TEST(ColouredSweeps, MomentumHurriesThem) {
             0.1 * naturalResidual(heap.problem, plain).rms);
 }
 
+// However many there are, each begins where the last has ended.
+TEST(ColouredSweeps, PlainOnesHaveNoMomentum) {
+  const PileIsland heap = heapOfSpheres(3, 0.1);
+  NaturalMap map;
+  map.setProblem(heap.problem);
+  ColouredSweeps sweeps;
+  ASSERT_TRUE(sweeps.setProblem(heap.problem, map));
+  for (const int count : {0, 1, 100, 230}) {
+    VectorXd plain = zero(heap.problem), single = plain;
+    sweeps.sweepPlainly(heap.problem, count, plain);
+    for (int k = 0; k < count; ++k) sweeps.sweep(heap.problem, 1, 0, single);
+    EXPECT_LT((plain - single).norm(), 1e-5 * single.norm() + 1e-300) << count;
+  }
+}
+
 TEST(ColouredSweeps, TheWidthOfTheProcessorDoesNotChangeABit) {
   Random random(73);
   const PileIsland heap = heapOfSpheres(7), plate = plateOnPoints(100, random),
