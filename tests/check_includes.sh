@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 standard='<[a-z_0-9]+>'
-core="$standard|<Eigen/[A-Za-z]+>|\"delassus/[a-z_]+\.h\""
+core="$standard|<xmmintrin\.h>|<Eigen/[A-Za-z]+>|\"delassus/[a-z_]+\.h\""
 bullet='[<"](bt[A-Za-z0-9]+|(LinearMath|BulletCollision|BulletDynamics)/[A-Za-z0-9/]+)\.h[>"]'
 door="$core|$bullet|\"bullet_ext/[A-Za-z_]+\.h\""
 scenes="$door|<[A-Za-z/]*btBulletWorldImporter\.h>|\"demos/scenes/[a-z0-9_]+\.h\""
