@@ -6,6 +6,7 @@
 #include <thread>
 #include <vector>
 
+#include "delassus/flush_to_zero.h"
 #include "delassus/hands.h"
 #include "delassus/one_contact.h"
 #include "delassus/solver.h"
@@ -219,6 +220,23 @@ TEST(ColouredSweeps, HandsDoNotChangeABit) {
       EXPECT_EQ(hands.tasks, 1);
     }
   }
+}
+
+// Who calls keeps the numbers below the smallest normal one, which the sweeps take for zero.
+TEST(ColouredSweeps, LeaveTheProcessorAsItWas) {
+  const PileIsland heap = heapOfSpheres(3);
+  volatile float small = 1e-38f;
+  const auto isKept = [&] { return small * 0.1f > 0; };
+  ASSERT_TRUE(isKept());
+  sweep(heap.problem, 3, 0, zero(heap.problem));
+  EXPECT_TRUE(isKept());
+  {
+    const FlushToZero quick;
+#ifdef __SSE__
+    EXPECT_FALSE(isKept());
+#endif
+  }
+  EXPECT_TRUE(isKept());
 }
 
 // More contacts on one body than there are colours.
