@@ -284,17 +284,22 @@ void ColouredSweeps::lead(Pass& pass, const InShares& inShares) {
 }
 
 int ColouredSweeps::sweep(const Problem& problem, int most, double aim, VectorXd& r) {
-  return most > 0 ? sweepAs(Pass(most, aim, true, isNarrow_), problem, r) : 0;
+  if (most <= 0) return 0;
+  Pass pass(most, aim, true, isNarrow_);
+  sweepAs(pass, problem, r);
+  return pass.made;
 }
 
 void ColouredSweeps::sweepPlainly(const Problem& problem, int count, VectorXd& r) {
   // What has changed by then is large for single precision, if each sweep adds little.
   constexpr int fromOneStart = 100;
-  for (int left = count; left > 0; left -= fromOneStart)
-    sweepAs(Pass(std::min(left, fromOneStart), 0, false, isNarrow_), problem, r);
+  for (int left = count; left > 0; left -= fromOneStart) {
+    Pass pass(std::min(left, fromOneStart), 0, false, isNarrow_);
+    sweepAs(pass, problem, r);
+  }
 }
 
-int ColouredSweeps::sweepAs(Pass pass, const Problem& problem, VectorXd& r) {
+void ColouredSweeps::sweepAs(Pass& pass, const Problem& problem, VectorXd& r) {
   constexpr int worthwhile = 1000;  // parts: fewer are swept before others have come
   start(problem, r);
   const auto part = [&](int round, int share) { work(pass, round, share); };
@@ -316,7 +321,6 @@ int ColouredSweeps::sweepAs(Pass pass, const Problem& problem, VectorXd& r) {
         &task);
   }
   finish(problem, r);
-  return pass.made;
 }
 
 void ColouredSweeps::finish(const Problem& problem, VectorXd& r) const {

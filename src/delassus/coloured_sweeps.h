@@ -62,7 +62,7 @@ class ColouredSweeps {
                   std::vector<Group>& groups, SweepGroups<Group> sweep);
   template <class InShares>
   void lead(Pass& pass, const InShares& inShares);
-  int sweepAs(Pass pass, const Problem& problem, VectorXd& r);
+  void sweepAs(Pass& pass, const Problem& problem, VectorXd& r);
   void finish(const Problem& problem, VectorXd& r) const;
 
   bool isNarrow_ = false;
