@@ -10,8 +10,7 @@ namespace delassus {
 namespace {
 
 constexpr int unplaced = -1;
-constexpr double mostSlip = 1e12;  // s of a reaction that hardly slows
-constexpr int shares = 8;          ///< of a colour: so many hands may sweep
+constexpr int shares = 8;  ///< of a colour: so many hands may sweep
 /// The k-th of so many parts of `count` things begins here.
 int partBegin(int count, int k, int parts) {
   return static_cast<int>(static_cast<long long>(count) * k / parts);
@@ -197,7 +196,7 @@ void ColouredSweeps::startContacts(const Problem& problem, const VectorXd& r) {
       g.length0[lane] = static_cast<float>(braked);
       g.margin0[lane] = static_cast<float>(friction * r0[0] - braked);
       const double slip = braked > 0 ? u0.tail<2>().norm() / braked : 0;
-      const float s = g.slip0[lane] = static_cast<float>(std::min(slip, mostSlip));
+      const float s = g.slip0[lane] = static_cast<float>(std::min<double>(slip, mostSlip));
       g.dslip[lane] = 0;
       g.unslowed0[0][lane] = static_cast<float>(u0[1] - g.w1[lane] * u0[0] + s * r0[1]);
       g.unslowed0[1][lane] = static_cast<float>(u0[2] - g.w2[lane] * u0[0] + s * r0[2]);

@@ -74,8 +74,8 @@ DELASSUS_WIDE_INLINE void slide(ContactGroup& g, int at, const Flags& slides, co
                        (e1 * (s00 * e1 + s01 * e2) + e2 * (s01 * e1 + s11 * e2));
     ds = s > zero ? ds : (straight > zero ? straight : 0.5f * (size + 1)) - s0;
   }
-  constexpr float least = 1e-12f, most = 1e12f;
-  ds = ds < most ? ds : zero + most;
+  constexpr float least = 1e-12f;
+  ds = ds < mostSlip ? ds : zero + mostSlip;
   s = s0 + ds;
   const V p = s00 + s, q = s11 + s, perDet = 1 / (p * q - s01 * s01);
   // What sliding makes zero; from what it was for s₀, where that is near: of v + s r_t the digits that count would cancel.
@@ -103,7 +103,7 @@ DELASSUS_WIDE_INLINE void slide(ContactGroup& g, int at, const Flags& slides, co
       ((t1 * m1 + t2 * m2) * along * along + friction * perLength * (w1 * m1 + w2 * m2));
   const V guess = share < 1 ? 3 * s : -0.75f * s;
   ds += presses & (s + correction > zero) ? correction : guess;
-  ds = s0 + ds > least ? (ds < most ? ds : zero + most) : least - s0;
+  ds = s0 + ds > least ? (ds < mostSlip ? ds : zero + mostSlip) : least - s0;
   ds = slides ? ds : known;
   store(ds, g.dslip + at);
 }

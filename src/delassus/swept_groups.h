@@ -8,7 +8,8 @@ namespace delassus {
 /// is in units in which W_nn = 1, each row in those of W = 1. Reactions and velocities are r₀ + Δr and u₀ + C Δr + J̃ Δy.
 constexpr int lanes = 8;
 using Lanes = float[lanes];
-constexpr int vacant = -1;  ///< in the place of a contact or row where a group has no more
+constexpr float mostSlip = 1e12f;  ///< s of OneContact for a reaction that hardly slows
+constexpr int vacant = -1;         ///< in the place of a contact or row where a group has no more
 
 /// Contacts of one colour, as many as there are lanes or fewer.
 struct ContactGroup {
