@@ -25,7 +25,8 @@ DELASSUS_WIDE
 void addImpulses(const std::vector<ContactRows>& contacts, const VectorXd& r, VectorXd& y) {
   int at = 0;
   for (const ContactRows& c : contacts) {
-    c.addImpulse(r.segment<3>(at), y);
+    const Vec3 push = r.segment<3>(at);
+    if (push[0] != 0 || push[1] != 0 || push[2] != 0) c.addImpulse(push, y);
     at += 3;
   }
 }

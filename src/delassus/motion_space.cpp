@@ -6,6 +6,8 @@
 namespace delassus {
 namespace {
 
+constexpr int none = -1;
+
 /// J with J Jᵀ = W for a symmetric positive semi-definite W: Cholesky with diagonal pivoting, stopped at the rank.
 MatrixXd pivotedCholesky(const MatrixXd& W) {
   const int n = static_cast<int>(W.rows());
@@ -81,16 +83,46 @@ Eigen::RowVector3d Stiffness::ofNormal(const Disk& disk) const {
 void BodyMotion::setProblem(const Problem& problem) {
   space_ = &problem.W.bodySpace();
   disks_ = &problem.disks;
-  isAnalysed_ = false;
+  hasRoom_ = false;
 }
 
-void BodyMotion::analyse() {
-  isAnalysed_ = true;
+void BodyMotion::findPairs() {
+  pairs_.clear();
+  pairOf_.clear();
+  for (const ContactRows& c : space_->contacts) {
+    const bool coupled = c.a >= 0 && c.b >= 0 && c.a != c.b;
+    const BlockFactor::Edge pair{c.a, c.b};
+    // Most contacts come after another of the same two bodies.
+    if (coupled && (pairs_.empty() || !(pairs_.back() == pair))) pairs_.push_back(pair);
+    pairOf_.push_back(coupled ? static_cast<int>(pairs_.size()) - 1 : none);
+  }
+  edgeOf_.assign(pairs_.size(), none);
+}
+
+bool BodyMotion::hasRoomFor(const Stiffness& G) const {
+  for (std::size_t i = 0; i < pairOf_.size(); ++i)
+    if (pairOf_[i] != none && edgeOf_[pairOf_[i]] == none && G.contacts[i](0, 0) != 0) return false;
+  return true;
+}
+
+void BodyMotion::makeRoomFor(const Stiffness& G) {
+  // Few pairs have room at once: one order serves for all regions, and none takes memory anew.
+  constexpr std::size_t fewPairs = 20;
+  if (!hasRoom_) findPairs();
+  hasRoom_ = true;
+  const bool areFew = pairs_.size() <= fewPairs;
+  for (std::size_t i = 0; i < pairOf_.size(); ++i)
+    if (pairOf_[i] != none && (areFew || G.contacts[i](0, 0) != 0)) edgeOf_[pairOf_[i]] = 0;
   edges_.clear();
   const auto couple = [&](int a, int b) {
     if (a >= 0 && b >= 0 && a != b) edges_.push_back({a, b});
   };
-  for (const auto& c : space_->contacts) couple(c.a, c.b);
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    if (edgeOf_[k] == none) continue;
+    edgeOf_[k] = static_cast<int>(edges_.size());
+    edges_.push_back(pairs_[k]);
+  }
+  firstOfRows_ = static_cast<int>(edges_.size());
   for (const auto& c : space_->rows) couple(c.a, c.b);
   forPairsWithParts(*space_, [&](int, int a, const auto&, int b, const auto&) { couple(a, b); });
   for (const Disk& disk : *disks_) {
@@ -102,16 +134,14 @@ void BodyMotion::analyse() {
 }
 
 bool BodyMotion::factorise(const Stiffness& G) {
-  if (!isAnalysed_) analyse();
+  if (!hasRoom_ || !hasRoomFor(G)) makeRoomFor(G);
   factor_.setIdentity(G.isSymmetric());
-  int edge = 0;
   for (std::size_t i = 0; i < space_->contacts.size(); ++i) {
-    const auto& c = space_->contacts[i];
-    const bool coupled = c.a >= 0 && c.b >= 0 && c.a != c.b;
-    const int at = coupled ? edge++ : -1;
     if (G.contacts[i](0, 0) == 0) continue;
-    factor_.addContact(c, G.contacts[i], at);
+    const int pair = pairOf_[i];
+    factor_.addContact(space_->contacts[i], G.contacts[i], pair == none ? none : edgeOf_[pair]);
   }
+  int edge = firstOfRows_;
   for (std::size_t i = 0; i < space_->rows.size(); ++i) {
     const auto& c = space_->rows[i];
     const bool coupled = c.a >= 0 && c.b >= 0 && c.a != c.b;

@@ -44,6 +44,9 @@ struct Stiffness {
 /// Each offers its size, impulse (y = J̃ᵀ r), relativeVelocity (u = J̃ y), and the Newton matrix K = I + J̃ᵀ G J̃ of a region.
 
 /// Bodies of a world: six columns a body, K is sparse in 6x6 blocks over the body graph.
+///
+/// Contacts that are open in a region add nothing to K, and in rubble most are: bodies that touch have blocks in its factor once one of their
+/// contacts has been held or slid since the problem was set, and keep them. That is often a fifth of the work for all who touch.
 class BodyMotion {
  public:
   /// Keeps pointers to the problem, which must outlive the use and stay as it is.
@@ -56,7 +59,9 @@ class BodyMotion {
   void solve(VectorXd& y) const { factor_.solve(y); }
   /// Of K.
   bool isDeterminantNegative() const { return factor_.isDeterminantNegative(); }
-  std::size_t bytes() const { return factor_.bytes() + bytesOf(shares_, edges_); }
+  std::size_t bytes() const {
+    return factor_.bytes() + bytesOf(shares_, pairs_, pairOf_, edgeOf_, edges_);
+  }
 
  private:
   /// What a disk and its governor do to one body.
@@ -66,18 +71,25 @@ class BodyMotion {
     Mat36 governor;  ///< its first row alone if the governor is a row
   };
 
-  /// Finds which bodies are coupled and in which order they are eliminated: for the first factor, since many problems need none.
-  void analyse();
+  void findPairs();
+  /// Whether the factor has blocks for all that G couples.
+  bool hasRoomFor(const Stiffness& G) const;
+  /// Finds in which order bodies are eliminated that G couples, or that were coupled before.
+  void makeRoomFor(const Stiffness& G);
   int addParts(const Stiffness& G, int firstEdge);
   void addDisks(const Stiffness& G, int firstEdge);
   void findShares(const Disk& disk);
 
   const BodySpace* space_ = nullptr;
   const std::vector<Disk>* disks_ = nullptr;
-  std::vector<DiskShare> shares_;  ///< of one disk
-  std::vector<BlockFactor::Edge> edges_;
+  std::vector<DiskShare> shares_;         ///< of one disk
+  std::vector<BlockFactor::Edge> pairs_;  ///< of moving bodies that touch
+  std::vector<int> pairOf_;               ///< contact -> pair, or `none`
+  std::vector<int> edgeOf_;               ///< pair -> edge of the factor, or `none`
+  std::vector<BlockFactor::Edge> edges_;  ///< of pairs, then of rows, parts and disks
+  int firstOfRows_ = 0;                   ///< among the edges
   BlockFactor factor_;
-  bool isAnalysed_ = false;
+  bool hasRoom_ = false;  ///< for anything yet: many problems need no factor
 };
 
 /// Explicit W: J̃ is its pivoted Cholesky factor, as many columns as W has rank. The asymmetry and the slightly negative

@@ -1,0 +1,106 @@
+/// The Newton matrix of one region after the other, in the space of bodies.
+#include "delassus/motion_space.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/random_piles.h"
+#include "tests/support/turning_piles.h"
+
+namespace delassus {
+namespace {
+
+using namespace delassus::test;
+
+/// Balls thrown together, some of whose contacts resist turning, with a motor.
+PileIsland heap(Random& random) {
+  Pile pile = makeHeap(20, 0.5, random);
+  resistTurning(pile, 0.1, random);
+  pile.rows.insert(pile.rows.begin(), makeWeakMotor());  // those of disks come last
+  return PileIsland(pile);
+}
+
+/// A region in which about this share of the contacts is not open, with derivatives that are not symmetric.
+Stiffness randomRegion(const Problem& problem, double share, Random& random) {
+  Stiffness G;
+  G.reset(problem);
+  for (Mat3& contact : G.contacts)
+    if (uniform(random, 0, 1) < share) {
+      contact = randomDelassus(3, 10, random);
+      contact(1, 2) += 0.3;
+    }
+  for (int i = 0; i < problem.disksBegin() - 3 * problem.contacts(); ++i)
+    G.rows[i] = uniform(random, 0, 1);
+  for (Stiffness::OfDisk& disk : G.disks) {
+    disk.own = uniform(random, 0, 1) * Mat2::Identity();
+    disk.governor.col(0) = Vec2(uniform(random, 0, 1), 0);
+  }
+  return G;
+}
+
+/// J̃ᵀ G J̃ x
+VectorXd stiffnessTimes(const Stiffness& G, const Problem& problem, const VectorXd& x) {
+  VectorXd u, sum;
+  problem.W.bodySpace().relativeVelocity(x, u);
+  VectorXd r = VectorXd::Zero(problem.size());
+  for (int i = 0; i < problem.contacts(); ++i)
+    r.segment<3>(3 * i) = G.contacts[i] * u.segment<3>(3 * i);
+  r.tail(problem.rows()) = G.rows.cwiseProduct(u.tail(problem.rows()));
+  for (std::size_t k = 0; k < problem.disks.size(); ++k) {
+    const Disk& disk = problem.disks[k];
+    disk.put(G.disks[k].own * disk.of(u) + G.disks[k].governor.col(0) * u[disk.governor], r);
+  }
+  problem.W.bodySpace().impulse(r, sum);
+  return sum;
+}
+
+TEST(BodyMotion, FactorsOneRegionAfterTheOtherWhateverContactsItHolds) {
+  Random random(171);
+  for (int k = 0; k < 20; ++k) {
+    const PileIsland island = heap(random);
+    const Problem& problem = island.problem;
+    BodyMotion motion;
+    motion.setProblem(problem);
+    for (const double share : {0.1, 0.1, 0.9, 0.5, 0.0, 1.0}) {
+      const Stiffness G = randomRegion(problem, share, random);
+      ASSERT_TRUE(motion.factorise(G));
+      const VectorXd y = normalVector(motion.size(), random);
+      VectorXd x = y;
+      motion.solve(x);
+      EXPECT_LE((x + stiffnessTimes(G, problem, x) - y).norm(), 1e-10 * y.norm());
+    }
+  }
+}
+
+TEST(BodyMotion, HasNoMemoryOfRegionsOfAnotherProblem) {
+  Random random(172);
+  const PileIsland one = heap(random), other = heap(random);
+  const Stiffness all = randomRegion(one.problem, 1, random);
+  const Stiffness few = randomRegion(other.problem, 0.2, random);
+  BodyMotion used, fresh;
+  used.setProblem(one.problem);
+  ASSERT_TRUE(used.factorise(all));
+  for (BodyMotion* motion : {&used, &fresh}) {
+    motion->setProblem(other.problem);
+    ASSERT_TRUE(motion->factorise(few));
+  }
+  const VectorXd y = normalVector(fresh.size(), random);
+  VectorXd a = y, b = y;
+  used.solve(a);
+  fresh.solve(b);
+  EXPECT_EQ(a, b);
+}
+
+TEST(BodyMotion, WhatIsOpenTakesNoRoom) {
+  Random random(173);
+  const PileIsland island(makeHeap(60, 0.5, random));
+  const auto bytes = [&](double share) {
+    BodyMotion motion;
+    motion.setProblem(island.problem);
+    EXPECT_TRUE(motion.factorise(randomRegion(island.problem, share, random)));
+    return motion.bytes();
+  };
+  EXPECT_LT(2 * bytes(0.03), bytes(1));
+}
+
+}  // namespace
+}  // namespace delassus
