@@ -28,10 +28,15 @@ class AddressTable {
 
   /// Gives an index to an object, in the place of the one that it may have.
   void insert(const void* object, int index) {
-    if (2 * (count_ + 1) > slots_.size()) grow();
+    makeRoom(count_ + 1);
     Slot& slot = slots_[place(object)];
     count_ += slot.generation != generation_;
     slot = {object, generation_, index};
+  }
+
+  /// Takes the memory that so many objects need.
+  void makeRoom(std::size_t objects) {
+    while (2 * objects > slots_.size()) grow();
   }
 
   std::size_t bytes() const { return slots_.capacity() * sizeof(Slot); }

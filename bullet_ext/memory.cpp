@@ -128,7 +128,7 @@ void Memory::keepWrench(Group& group, int begin, int end, const Owner& owner) co
     missing.tail<3>() += (p.arm / length).cross(p.impulse);
   }
   Mat6 sum = Mat6::Zero();
-  std::array<Mat63, MANIFOLD_CACHE_SIZE> wrenches;
+  std::array<Mat63, MANIFOLD_CACHE_SIZE> wrenches, answers;  // S⁻¹ J_iᵀ
   for (int i = begin; i < end; ++i) {
     Mat63& g = wrenches[i - begin];
     g = wrenchPerReaction(i);
@@ -138,22 +138,21 @@ void Memory::keepWrench(Group& group, int begin, int end, const Owner& owner) co
   // Two points cannot make every wrench.
   constexpr double negligible = 1e-10;
   sum.diagonal().array() += negligible * sum.trace();
-  const Mat6 inverse = sum.ldlt().solve(Mat6::Identity());
-  const auto add = [&](int i, const Vec6& share) {
-    const Mat63& g = wrenches[i - begin];
+  const Eigen::LDLT<Mat6> factor = sum.ldlt();
+  Vec6 share = factor.solve(missing), left = share;  // S⁻¹ of what is missing
+  for (int i = begin; i < end; ++i) answers[i - begin] = factor.solve(wrenches[i - begin]);
+  const auto add = [&](int i, const Vec6& wanted) {
     Vec3& r = group.guess[i];
-    const Vec3 before = r;
-    const Vec3 wanted = r + g.transpose() * share;
-    r = projectOnCone(wanted, group.contacts[i].friction);
-    missing -= g * (r - before);
-    return r == wanted;
+    const Vec3 before = r, inside = r + wrenches[i - begin].transpose() * wanted;
+    r = projectOnCone(inside, group.contacts[i].friction);
+    left -= answers[i - begin] * (r - before);
+    return r == inside;
   };
-  const Vec6 share = inverse * missing;
   bool inCones = true;
   for (int i = begin; i < end; ++i) inCones = add(i, share) && inCones;
-  constexpr int rounds = 20;
+  constexpr int rounds = 4;  // more change nothing that a step would tell
   for (int k = 0; k < rounds && !inCones; ++k)
-    for (int i = begin; i < end; ++i) add(i, inverse * missing);
+    for (int i = begin; i < end; ++i) add(i, left);
 }
 
 /// A point that is alone, as those of spheres are: it takes over the force, and its moment follows.
@@ -312,6 +311,8 @@ void Memory::keep(const Group& group, const Answer& answer) {
     owner.begin = first;
     owner.end = first + end - begin;
   }
+  // Room for all, though few are, for the same reason as in Owners::add.
+  now_.restless.reserve(now_.restless.size() + answer.islands.size());
   for (const IslandResult& island : answer.islands)
     if (island.restless >= 0 && group.bodySources[island.restless].rigid)
       now_.restless.push_back(group.bodySources[island.restless].rigid);

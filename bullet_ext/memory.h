@@ -48,7 +48,11 @@ class Memory {
   class Owners {
    public:
     void clear();
-    Owner& add(const Owner& owner) { return list_.emplace_back(owner); }
+    /// Makes room to find it, too, so that no later step is the first to take memory for that.
+    Owner& add(const Owner& owner) {
+      indexOf_.makeRoom(list_.size() + 1);
+      return list_.emplace_back(owner);
+    }
     Owner& last() { return list_.back(); }
     /// The one that is the same as `wanted`, or null.
     const Owner* find(const Owner& wanted);
