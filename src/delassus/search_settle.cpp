@@ -35,11 +35,11 @@ bool Search::sweepAndLearn(const Problem& problem, const Options& options, doubl
 /// colour.
 void Search::sweepAll(const Problem& problem, const Options& options, double tolerance,
                       Solution& best) {
-  constexpr int burst = 10, many = 200;
+  constexpr int burst = 10, many = 50, worthColours = 3;
   constexpr double trusted = 0.8;
   trial_.r = trusted * best.r;
-  const bool byColour =
-      setSweeps(problem, problem.contacts() > many && options.sweepBudget - best.sweeps >= burst);
+  const bool byColour = setSweeps(
+      problem, problem.contacts() > many && options.sweepBudget - best.sweeps >= worthColours);
   while (best.sweeps < options.sweepBudget && best.residual > tolerance) {
     const int count = std::min(burst, options.sweepBudget - best.sweeps);
     if (byColour)
