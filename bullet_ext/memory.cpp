@@ -139,20 +139,29 @@ void Memory::keepWrench(Group& group, int begin, int end, const Owner& owner) co
   constexpr double negligible = 1e-10;
   sum.diagonal().array() += negligible * sum.trace();
   const Eigen::LDLT<Mat6> factor = sum.ldlt();
-  Vec6 share = factor.solve(missing), left = share;  // S⁻¹ of what is missing
+  const Vec6 share = factor.solve(missing);
+  Vec6 left = share;  // S⁻¹ of what is missing
   for (int i = begin; i < end; ++i) answers[i - begin] = factor.solve(wrenches[i - begin]);
+  // How far the guess moves, squared.
   const auto add = [&](int i, const Vec6& wanted) {
     Vec3& r = group.guess[i];
-    const Vec3 before = r, inside = r + wrenches[i - begin].transpose() * wanted;
-    r = projectOnCone(inside, group.contacts[i].friction);
-    left -= answers[i - begin] * (r - before);
-    return r == inside;
+    const Vec3 before = r;
+    r = projectOnCone(r + wrenches[i - begin].transpose() * wanted, group.contacts[i].friction);
+    const Vec3 change = r - before;
+    left -= answers[i - begin] * change;
+    return change.squaredNorm();
   };
-  bool inCones = true;
-  for (int i = begin; i < end; ++i) inCones = add(i, share) && inCones;
-  constexpr int rounds = 4;  // more change nothing that a step would tell
-  for (int k = 0; k < rounds && !inCones; ++k)
-    for (int i = begin; i < end; ++i) add(i, left);
+  for (int i = begin; i < end; ++i) add(i, share);
+  constexpr int mostRounds = 20;
+  constexpr double still = 1e-8;  // (1e-4)²
+  double moved = 1, size = 0;
+  for (int k = 0; k < mostRounds && moved > still * size; ++k) {
+    moved = size = 0;
+    for (int i = begin; i < end; ++i) {
+      moved += add(i, left);
+      size += group.guess[i].squaredNorm();
+    }
+  }
 }
 
 /// A point that is alone, as those of spheres are: it takes over the force, and its moment follows.
