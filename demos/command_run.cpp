@@ -146,11 +146,27 @@ void printLawErrors(const Law& law, const std::vector<RunSummary>& runs) {
   std::printf("\n");
 }
 
+/// Tells which of the options change nothing, since none of the solvers is ours.
+void tellWhatIsIdle(const RunArguments& arguments, const std::vector<NamedSolver>& solvers) {
+  if (std::any_of(solvers.begin(), solvers.end(),
+                  [](const NamedSolver& solver) { return solver.delassus() != nullptr; }))
+    return;
+  const auto tell = [](bool given, const char* option) {
+    if (given)
+      std::fprintf(stderr, "%s is for delassus alone, and changes nothing: add it to --solver\n",
+                   option);
+  };
+  tell(arguments.threads > 1, "--threads");
+  tell(arguments.geometricStiffness, "--geometric-stiffness");
+  tell(arguments.explain, "--explain");
+}
+
 int runSubject(const RunArguments& arguments) {
   // A wrong name is told before the first solver has run for minutes.
   std::vector<NamedSolver> solvers;
   for (const std::string& name : splitNames(arguments.solvers)) solvers.emplace_back(name);
   if (solvers.empty()) solvers.emplace_back(arguments.solvers);
+  tellWhatIsIdle(arguments, solvers);
 
   std::vector<RunSummary> runs;
   std::optional<Law> law;

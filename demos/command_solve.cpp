@@ -119,6 +119,12 @@ void addSolveCommand(CLI::App& app, Action& chosen) {
       ->add_option("--solution", arguments->solutionFile,
                    "writes reactions and velocities (solution v1)")
       ->type_name("FILE");
+  command->footer(
+      "rel: |F| / |q|, F = r - P(r - v) with P the projection on the cones or bounds and v the\n"
+      "velocities u = W r + q (of contacts, those that De Saxce corrects: u + mu |u_t| n);\n"
+      "vel: |(F_i(s_i) / s_i)_i| / |q|, the same in velocities, with steps s_i = 3 / trace(W_ii).\n"
+      "Exit status: 0 both are within the tolerance, 3 they are not, 1 the file cannot be read,\n"
+      "2 bad usage.");
   command->callback(
       [&chosen, arguments] { chosen = [arguments] { return solveFile(*arguments); }; });
 }

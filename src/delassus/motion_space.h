@@ -45,8 +45,8 @@ struct Stiffness {
 
 /// Bodies of a world: six columns a body, K is sparse in 6x6 blocks over the body graph.
 ///
-/// Contacts that are open in a region add nothing to K, and in rubble most are: bodies that touch have blocks in its factor once one of their
-/// contacts has been held or slid since the problem was set, and keep them. That is often a fifth of the work for all who touch.
+/// Contacts that are open in a region add nothing to K, and in rubble most are: two bodies have blocks in the factor once a contact of theirs
+/// has been held or has slid since the problem was set. There a factor takes a fifth of the work of one for all that touches.
 class BodyMotion {
  public:
   /// Keeps pointers to the problem, which must outlive the use and stay as it is.
@@ -71,6 +71,7 @@ class BodyMotion {
     Mat36 governor;  ///< its first row alone if the governor is a row
   };
 
+  /// Numbers the pairs of bodies that touch.
   void findPairs();
   /// Whether the factor has blocks for all that G couples.
   bool hasRoomFor(const Stiffness& G) const;

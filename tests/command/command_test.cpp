@@ -138,6 +138,17 @@ TEST_F(Command, blamesACrashOnTheFile) {
   EXPECT_EQ(lines(crash.err), 1) << crash.err;
 }
 
+TEST_F(Command, tellsWhichOptionsChangeNothing) {
+  const std::string options =
+      "run one_box --seconds 0.1 --threads 2 --geometric-stiffness --explain --solver ";
+  const Outcome stock = call(options + "si:10,dantzig");
+  EXPECT_EQ(stock.status, 0);
+  EXPECT_EQ(lines(stock.err), 3) << stock.err;
+  for (const char* option : {"--threads", "--geometric-stiffness", "--explain"})
+    EXPECT_NE(stock.err.find(option), std::string::npos) << option;
+  EXPECT_EQ(call(options + "si:10,delassus").err, "");
+}
+
 TEST_F(Command, explainsWhatAStepIsMadeOf) {
   const Outcome words = call("run one_box --solver delassus,si:10 --seconds 0.5 --explain");
   ASSERT_EQ(words.status, 0) << words.err;
