@@ -130,8 +130,7 @@ set object 82 rectangle from screen 0.810156, screen 0.881657 to screen 0.869271
 set object 83 rectangle from screen 0.869271, screen 0.881657 to screen 0.928385, screen 0.901381 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 84 rectangle from screen 0.928385, screen 0.881657 to screen 0.9875, screen 0.901381 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.626563, screen 0.871795 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 85 rectangle from screen 0.632812, screen 0.861933 to screen 0.691927, screen 0.881657 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.66237, screen 0.871795 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 85 rectangle from screen 0.632812, screen 0.861933 to screen 0.691927, screen 0.881657 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 86 rectangle from screen 0.691927, screen 0.861933 to screen 0.751042, screen 0.881657 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 87 rectangle from screen 0.751042, screen 0.861933 to screen 0.810156, screen 0.881657 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 88 rectangle from screen 0.810156, screen 0.861933 to screen 0.869271, screen 0.881657 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -348,8 +347,7 @@ set object 210 rectangle from screen 0.76582, screen 0.648915 to screen 0.810156
 set object 211 rectangle from screen 0.810156, screen 0.648915 to screen 0.854492, screen 0.668639 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 212 rectangle from screen 0.854492, screen 0.648915 to screen 0.898828, screen 0.668639 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 213 rectangle from screen 0.898828, screen 0.648915 to screen 0.943164, screen 0.668639 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 214 rectangle from screen 0.943164, screen 0.648915 to screen 0.9875, screen 0.668639 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
-set label "o" at screen 0.965332, screen 0.658777 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 214 rectangle from screen 0.943164, screen 0.648915 to screen 0.9875, screen 0.668639 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.626563, screen 0.639053 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 215 rectangle from screen 0.632812, screen 0.629191 to screen 0.677148, screen 0.648915 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 216 rectangle from screen 0.677148, screen 0.629191 to screen 0.721484, screen 0.648915 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
