@@ -10,8 +10,8 @@
 
 namespace delassus {
 
-/// Sparse LU factor of a matrix of 6x6 blocks whose pattern is the body graph: one block row a body, an off-diagonal
-/// block for each pair of bodies that share a contact or row.
+/// Sparse LU factor of a matrix of 6x6 blocks: one block row a body, an off-diagonal block for each pair of bodies that are
+/// coupled, by contacts or rows that press (BodyMotion) or by all that they share.
 ///
 /// The pattern is symmetric, the values need not be. Blocks are eliminated in minimum-degree order without pivoting
 /// between blocks (with partial pivoting inside the diagonal blocks): the matrices are identity plus a compression.

@@ -5,6 +5,8 @@
 
 #include "delassus/flush_to_zero.h"
 #include "delassus/hands.h"
+#include "delassus/lanes.h"
+#include "delassus/length.h"
 
 namespace delassus {
 namespace {
@@ -16,75 +18,112 @@ int partBegin(int count, int k, int parts) {
   return static_cast<int>(static_cast<long long>(count) * k / parts);
 }
 
-/// A lane without a contact: one that stays open.
-void clear(int body, int lane, ContactGroup& g) {
-  g.at[lane] = vacant;
-  g.a[lane] = g.b[lane] = body;
-  for (int k = 0; k < 18; ++k) g.Ja[k][lane] = g.Jb[k][lane] = 0;
-  for (int k = 0; k < 3; ++k) g.compliance[k][lane] = 0;
-  g.w1[lane] = g.w2[lane] = g.s01[lane] = g.friction[lane] = 0;
-  g.s00[lane] = g.s11[lane] = g.perDet[lane] = g.unit[lane] = 1;
-}
-
-/// And one without a row.
-void clear(int body, int lane, RowGroup& g) {
-  g.at[lane] = vacant;
-  g.a[lane] = g.b[lane] = body;
-  for (int k = 0; k < 6; ++k) g.Ja[k][lane] = g.Jb[k][lane] = 0;
-  g.compliance[lane] = 0;
-  g.unit[lane] = 1;
-}
-
-/// Empty groups. A body that is not there has its place behind the others, one for each share, since hands write there too.
+/// Empties the groups of some colours. A body that is not there has its place behind the others, one for each share, since hands
+/// write there too.
 template <class Group>
-void clearAll(int bodies, const std::vector<int>& colours, std::vector<Group>& groups) {
+void clear(int bodies, const std::vector<int>& colours, std::vector<Group>& groups) {
   for (std::size_t k = 1; k < colours.size(); ++k) {
-    const int count = colours[k] - colours[k - 1];
+    const int begin = colours[k - 1], count = colours[k] - begin;
     for (int share = 0; share < shares; ++share)
-      for (int g = partBegin(count, share, shares); g < partBegin(count, share + 1, shares); ++g)
-        for (int lane = 0; lane < lanes; ++lane)
-          clear(bodies + share, lane, groups[colours[k - 1] + g]);
+      for (int g = partBegin(count, share, shares); g < partBegin(count, share + 1, shares); ++g) {
+        Group& group = groups[begin + g];
+        std::fill_n(group.at, lanes, vacant);
+        std::fill_n(group.a, lanes, bodies + share);
+        std::fill_n(group.b, lanes, bodies + share);
+      }
   }
 }
 
-template <class Rows, class Lanes>
-void fill(int body, const Rows& J, double perUnit, int lane, int& place, Lanes* of) {
-  if (body < 0) return;
-  place = body;
-  for (int k = 0; k < J.size(); ++k) of[k][lane] = static_cast<float>(perUnit * J.data()[k]);
+/// J̃ of the contacts or rows of a group, `count` numbers a body, in their units. What has no body there moves none.
+template <int count>
+class JacobiansOfLanes {
+ public:
+  /// And takes down which bodies they are.
+  template <class Part, class Group>
+  void put(const Part& part, double perUnit, int lane, Group& g) {
+    put(part.a, part.Ja, perUnit, a_[lane], g.a[lane]);
+    put(part.b, part.Jb, perUnit, b_[lane], g.b[lane]);
+  }
+  template <class Group>
+  void turnOver(Group& g) const {
+    turnOver(a_, g.Ja);
+    turnOver(b_, g.Jb);
+  }
+
+ private:
+  static constexpr int padded = (count + 3) / 4 * 4;  ///< they are turned over four at a time
+  using Jacobians = float[lanes][padded];
+
+  template <class Rows>
+  static void put(int body, const Rows& J, double perUnit, float* to, int& place) {
+    if (body < 0) return;
+    place = body;
+    for (int k = 0; k < count; ++k) to[k] = static_cast<float>(perUnit * J.data()[k]);
+  }
+  static void turnOver(const Jacobians& from, Lanes* to) {
+    const float* rows[lanes];
+    for (int lane = 0; lane < lanes; ++lane) rows[lane] = from[lane];
+    for (int k = 0; k < count; k += 4) {
+      Lanes4 low[4], high[4];
+      gather(rows, k, low);
+      gather(rows + 4, k, high);
+      for (int i = 0; i < 4 && k + i < count; ++i) {
+        store(low[i], to[k + i]);
+        store(high[i], to[k + i] + 4);
+      }
+    }
+  }
+
+  Jacobians a_ = {}, b_ = {};
+};
+
+void fill(const Problem& problem, const NaturalMap& map, ContactGroup& g) {
+  const BodySpace& space = problem.W.bodySpace();
+  JacobiansOfLanes<18> jacobians;
+  for (int lane = 0; lane < lanes; ++lane) {
+    const int i = g.at[lane];
+    if (i == vacant) {  // a contact that stays open
+      for (int k = 0; k < 3; ++k) g.compliance[k][lane] = 0;
+      g.w1[lane] = g.w2[lane] = g.s01[lane] = g.friction[lane] = 0;
+      g.s00[lane] = g.s11[lane] = g.perDet[lane] = g.unit[lane] = 1;
+      continue;
+    }
+    const Mat3& W = map.contactBlock(i);
+    const double per = 1 / W(0, 0), unit = std::sqrt(W(0, 0));
+    jacobians.put(space.contacts[i], unit * per, lane, g);
+    g.unit[lane] = static_cast<float>(unit);
+    for (int k = 0; k < 3; ++k)
+      g.compliance[k][lane] = static_cast<float>(per * space.compliance[3 * i + k]);
+    const double w1 = W(1, 0) * per, w2 = W(2, 0) * per;
+    const double s00 = W(1, 1) * per - w1 * w1, s01 = W(1, 2) * per - w1 * w2,
+                 s11 = W(2, 2) * per - w2 * w2;
+    g.w1[lane] = static_cast<float>(w1);
+    g.w2[lane] = static_cast<float>(w2);
+    g.s00[lane] = static_cast<float>(s00);
+    g.s01[lane] = static_cast<float>(s01);
+    g.s11[lane] = static_cast<float>(s11);
+    g.perDet[lane] = static_cast<float>(1 / (s00 * s11 - s01 * s01));
+    g.friction[lane] = static_cast<float>(problem.friction[i]);
+  }
+  jacobians.turnOver(g);
 }
 
-void fill(const Problem& problem, int i, const Mat3& W, int lane, ContactGroup& g) {
+void fill(const Problem& problem, const NaturalMap& map, RowGroup& g) {
   const BodySpace& space = problem.W.bodySpace();
-  const ContactRows& c = space.contacts[i];
-  const double unit = std::sqrt(W(0, 0)), perUnit = 1 / unit, per = 1 / W(0, 0);
-  g.at[lane] = i;
-  fill(c.a, c.Ja, perUnit, lane, g.a[lane], g.Ja);
-  fill(c.b, c.Jb, perUnit, lane, g.b[lane], g.Jb);
-  g.unit[lane] = static_cast<float>(unit);
-  for (int k = 0; k < 3; ++k)
-    g.compliance[k][lane] = static_cast<float>(per * space.compliance[3 * i + k]);
-  const double w1 = W(1, 0) * per, w2 = W(2, 0) * per;
-  const double s00 = W(1, 1) * per - w1 * w1, s01 = W(1, 2) * per - w1 * w2,
-               s11 = W(2, 2) * per - w2 * w2;
-  g.w1[lane] = static_cast<float>(w1);
-  g.w2[lane] = static_cast<float>(w2);
-  g.s00[lane] = static_cast<float>(s00);
-  g.s01[lane] = static_cast<float>(s01);
-  g.s11[lane] = static_cast<float>(s11);
-  g.perDet[lane] = static_cast<float>(1 / (s00 * s11 - s01 * s01));
-  g.friction[lane] = static_cast<float>(problem.friction[i]);
-}
-
-void fill(const Problem& problem, int row, double W, int lane, RowGroup& g) {
-  const BodySpace& space = problem.W.bodySpace();
-  const BodySpace::ScalarRow& c = space.rows[row];
-  const double unit = std::sqrt(W), perUnit = 1 / unit;
-  g.at[lane] = 3 * problem.contacts() + row;
-  fill(c.a, c.Ja, perUnit, lane, g.a[lane], g.Ja);
-  fill(c.b, c.Jb, perUnit, lane, g.b[lane], g.Jb);
-  g.unit[lane] = static_cast<float>(unit);
-  g.compliance[lane] = static_cast<float>(space.compliance[g.at[lane]] / W);
+  JacobiansOfLanes<6> jacobians;
+  for (int lane = 0; lane < lanes; ++lane) {
+    const int at = g.at[lane];
+    if (at == vacant) {
+      g.compliance[lane] = 0;
+      g.unit[lane] = 1;
+      continue;
+    }
+    const double W = map.diagonal()[at], unit = std::sqrt(W);
+    jacobians.put(space.rows[at - 3 * problem.contacts()], 1 / unit, lane, g);
+    g.unit[lane] = static_cast<float>(unit);
+    g.compliance[lane] = static_cast<float>(space.compliance[at] / W);
+  }
+  jacobians.turnOver(g);
 }
 
 }  // namespace
@@ -149,45 +188,42 @@ void ColouredSweeps::placeContacts(const Problem& problem, const NaturalMap& map
   const BodySpace& space = problem.W.bodySpace();
   const auto of = [&](int i) { return map.diagonal()[3 * i] > 0 ? &space.contacts[i] : nullptr; };
   place(problem.contacts(), problem, of, contactColours_);
-  contacts_.resize(contactColours_.back());
-  clearAll(space.bodies, contactColours_, contacts_);
-  for (int i = 0; i < problem.contacts(); ++i)
-    if (placeOf_[i] != unplaced)
-      fill(problem, i, map.contactBlock(i), placeOf_[i] % lanes, contacts_[placeOf_[i] / lanes]);
+  putInPlace(0, contactColours_, problem, map, contacts_);
 }
 
 void ColouredSweeps::placeRows(const Problem& problem, const NaturalMap& map) {
   const BodySpace& space = problem.W.bodySpace();
-  const double* W = map.diagonal().data() + 3 * problem.contacts();
-  const auto of = [&](int i) { return W[i] > 0 ? &space.rows[i] : nullptr; };
+  const int begin = 3 * problem.contacts();
+  const auto of = [&](int i) { return map.diagonal()[begin + i] > 0 ? &space.rows[i] : nullptr; };
   place(problem.rows(), problem, of, rowColours_);
-  rows_.resize(rowColours_.back());
-  clearAll(space.bodies, rowColours_, rows_);
-  for (int i = 0; i < problem.rows(); ++i)
-    if (placeOf_[i] != unplaced)
-      fill(problem, i, W[i], placeOf_[i] % lanes, rows_[placeOf_[i] / lanes]);
+  putInPlace(begin, rowColours_, problem, map, rows_);
 }
 
-void ColouredSweeps::start(const Problem& problem, const VectorXd& r) {
-  problem.W.multiply(r, y_, u_);
-  u_ += problem.q;
-  startContacts(problem, r);
-  startRows(problem, r);
-  std::fill(velocities_.begin(), velocities_.end(), SweptVelocity{});
+/// Has those that `place` has found a place for in their groups; the first is called `begin`.
+template <class Group>
+void ColouredSweeps::putInPlace(int begin, const Colours& colours, const Problem& problem,
+                                const NaturalMap& map, std::vector<Group>& groups) {
+  groups.resize(colours.back());
+  clear(problem.W.bodySpace().bodies, colours, groups);
+  for (std::size_t i = 0; i < placeOf_.size(); ++i)
+    if (const int place = placeOf_[i]; place != unplaced)
+      groups[place / lanes].at[place % lanes] = begin + static_cast<int>(i);
+  for (Group& g : groups) fill(problem, map, g);
 }
 
-void ColouredSweeps::startContacts(const Problem& problem, const VectorXd& r) {
+void ColouredSweeps::startContacts(const Problem& problem, const VectorXd& r, const VectorXd& u) {
   for (ContactGroup& g : contacts_)
     for (int lane = 0; lane < lanes; ++lane) {
       const int i = g.at[lane];
       Vec3 r0 = Vec3::Zero(), u0 = Vec3::UnitX();
       double friction = 0;
       if (i != vacant) {
-        r0 = g.unit[lane] * r.segment<3>(3 * i);
-        u0 = u_.segment<3>(3 * i) / g.unit[lane];
+        const double unit = g.unit[lane], perUnit = 1 / unit;
+        r0 = unit * r.segment<3>(3 * i);
+        u0 = perUnit * u.segment<3>(3 * i);
         friction = problem.friction[i];
       }
-      const double braked = r0.tail<2>().norm();
+      const double braked = lengthOf(r0[1], r0[2]);
       for (int k = 0; k < 3; ++k) {
         g.r0[k][lane] = static_cast<float>(r0[k]);
         g.u0[k][lane] = static_cast<float>(u0[k]);
@@ -195,7 +231,7 @@ void ColouredSweeps::startContacts(const Problem& problem, const VectorXd& r) {
       }
       g.length0[lane] = static_cast<float>(braked);
       g.margin0[lane] = static_cast<float>(friction * r0[0] - braked);
-      const double slip = braked > 0 ? u0.tail<2>().norm() / braked : 0;
+      const double slip = braked > 0 ? lengthOf(u0[1], u0[2]) / braked : 0;
       const float s = g.slip0[lane] = static_cast<float>(std::min<double>(slip, mostSlip));
       g.dslip[lane] = 0;
       g.unslowed0[0][lane] = static_cast<float>(u0[1] - g.w1[lane] * u0[0] + s * r0[1]);
@@ -203,13 +239,13 @@ void ColouredSweeps::startContacts(const Problem& problem, const VectorXd& r) {
     }
 }
 
-void ColouredSweeps::startRows(const Problem& problem, const VectorXd& r) {
+void ColouredSweeps::startRows(const Problem& problem, const VectorXd& r, const VectorXd& u) {
   for (RowGroup& g : rows_)
     for (int lane = 0; lane < lanes; ++lane) {
       const int i = g.at[lane], row = i - 3 * problem.contacts();
       const bool isThere = i != vacant;
       const double unit = g.unit[lane];
-      g.u0[lane] = isThere ? static_cast<float>(u_[i] / unit) : 0;
+      g.u0[lane] = isThere ? static_cast<float>(u[i] / unit) : 0;
       g.lower[lane] = isThere ? static_cast<float>(unit * (problem.lower[row] - r[i])) : 0;
       g.upper[lane] = isThere ? static_cast<float>(unit * (problem.upper[row] - r[i])) : 0;
       g.dr[lane] = g.drBefore[lane] = 0;
@@ -282,10 +318,11 @@ void ColouredSweeps::lead(Pass& pass, const InShares& inShares) {
   } while (pass.goOn());
 }
 
-int ColouredSweeps::sweep(const Problem& problem, int most, double aim, VectorXd& r) {
+int ColouredSweeps::sweep(const Problem& problem, int most, double aim, const VectorXd& u,
+                          VectorXd& r) {
   if (most <= 0) return 0;
   Pass pass(most, aim, true, isNarrow_);
-  sweepAs(pass, problem, r);
+  sweepAs(pass, problem, u, r);
   return pass.made;
 }
 
@@ -294,13 +331,17 @@ void ColouredSweeps::sweepPlainly(const Problem& problem, int count, VectorXd& r
   constexpr int fromOneStart = 100;
   for (int left = count; left > 0; left -= fromOneStart) {
     Pass pass(std::min(left, fromOneStart), 0, false, isNarrow_);
-    sweepAs(pass, problem, r);
+    problem.W.multiply(r, y_, u_);
+    u_ += problem.q;
+    sweepAs(pass, problem, u_, r);
   }
 }
 
-void ColouredSweeps::sweepAs(Pass& pass, const Problem& problem, VectorXd& r) {
+void ColouredSweeps::sweepAs(Pass& pass, const Problem& problem, const VectorXd& u, VectorXd& r) {
   constexpr int worthwhile = 1000;  // parts: fewer are swept before others have come
-  start(problem, r);
+  startContacts(problem, r, u);
+  startRows(problem, r, u);
+  std::fill(velocities_.begin(), velocities_.end(), SweptVelocity{});
   const auto part = [&](int round, int share) { work(pass, round, share); };
   if (!hands_ || problem.contacts() + problem.rows() < worthwhile) {
     const FlushToZero quick;

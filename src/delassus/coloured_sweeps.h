@@ -26,9 +26,9 @@ class ColouredSweeps {
   /// directions.
   bool setProblem(const Problem& problem, const NaturalMap& map);
 
-  /// Sweeps till none changes the velocity of its contact by more than `aim`, m/s, and at most `most` times. Returns how often. The
-  /// reactions end in their cones.
-  int sweep(const Problem& problem, int most, double aim, VectorXd& r);
+  /// Sweeps from r, u = W r + q, till none changes the velocity of its contact by more than `aim`, m/s, and at most `most` times. Returns
+  /// how often. The reactions end in their cones.
+  int sweep(const Problem& problem, int most, double aim, const VectorXd& u, VectorXd& r);
 
   /// As many sweeps with nothing in between.
   void sweepPlainly(const Problem& problem, int count, VectorXd& r);
@@ -53,16 +53,18 @@ class ColouredSweeps {
   void place(int count, const Problem& problem, const Of& of, Colours& colours);
   void placeContacts(const Problem& problem, const NaturalMap& map);
   void placeRows(const Problem& problem, const NaturalMap& map);
-  void start(const Problem& problem, const VectorXd& r);
-  void startContacts(const Problem& problem, const VectorXd& r);
-  void startRows(const Problem& problem, const VectorXd& r);
+  template <class Group>
+  void putInPlace(int begin, const Colours& colours, const Problem& problem, const NaturalMap& map,
+                  std::vector<Group>& groups);
+  void startContacts(const Problem& problem, const VectorXd& r, const VectorXd& u);
+  void startRows(const Problem& problem, const VectorXd& r, const VectorXd& u);
   void work(Pass& pass, int round, int share);
   template <class Group>
   void sweepShare(Pass& pass, int colour, int share, const Colours& colours,
                   std::vector<Group>& groups, SweepGroups<Group> sweep);
   template <class InShares>
   void lead(Pass& pass, const InShares& inShares);
-  void sweepAs(Pass& pass, const Problem& problem, VectorXd& r);
+  void sweepAs(Pass& pass, const Problem& problem, const VectorXd& u, VectorXd& r);
   void finish(const Problem& problem, VectorXd& r) const;
 
   bool isNarrow_ = false;

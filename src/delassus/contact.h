@@ -12,7 +12,10 @@ namespace delassus {
 struct Contact {
   int a = fixedWorld, b = fixedWorld;
   Vec3 armA = Vec3::Zero(), armB = Vec3::Zero();  ///< from each centre of mass to its point, m
-  Mat3 frame = Mat3::Identity();  ///< columns n, t1, t2; n points from body b to body a
+  /// Columns n, t1, t2, right-handed; n points from body b to body a. Where friction differs by direction, t1 and t2 are stretched by how
+  /// strong it is along them, and need not be at right angles: then u_t, r_t, target_t and slipCompliance are in these units, and in them the
+  /// cone is round.
+  Mat3 frame = Mat3::Identity();
   double friction = 0;  ///< Coulomb's μ ≥ 0; 0 leaves the tangential rows out altogether
   Vec3 target =
       Vec3::Zero();       ///< wanted relative velocity in the frame, m/s (restitution, gap, belt)

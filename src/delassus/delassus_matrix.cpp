@@ -148,30 +148,34 @@ Mat2 DelassusMatrix::pairBlock(int first) const {
 }
 
 VectorXd DelassusMatrix::diagonal() const {
+  std::vector<Mat3> blocks;
+  if (inBodySpace_)
+    for (std::size_t i = 0; i < bodySpace().contacts.size(); ++i)
+      blocks.push_back(contactBlock(static_cast<int>(3 * i)));
   VectorXd d;
-  diagonal(d);
+  diagonal(blocks, d);
   return d;
 }
 
-void DelassusMatrix::diagonal(VectorXd& d) const {
+void DelassusMatrix::diagonal(const std::vector<Mat3>& contactBlocks, VectorXd& d) const {
   if (!inBodySpace_) {
     d = entries_.diagonal();
     return;
   }
   d = bodySpace().compliance;
   int at = 0;
-  for (const ContactRows& c : bodySpace().contacts) {
-    if (c.a >= 0) d.segment<3>(at) += c.Ja.rowwise().squaredNorm();
-    if (c.b >= 0) d.segment<3>(at) += c.Jb.rowwise().squaredNorm();
+  for (const Mat3& block : contactBlocks) {
+    d.segment<3>(at) = block.diagonal();
     at += 3;
   }
+  const int rowsBegin = at;
   for (const BodySpace::ScalarRow& c : bodySpace().rows) {
     if (c.a >= 0) d[at] += c.Ja.squaredNorm();
     if (c.b >= 0) d[at] += c.Jb.squaredNorm();
     ++at;
   }
   for (const BodySpace::Part& p : bodySpace().parts)
-    d.segment(p.at, p.J.rows()) += p.J.rowwise().squaredNorm();
+    if (p.at >= rowsBegin) d.segment(p.at, p.J.rows()) += p.J.rowwise().squaredNorm();
 }
 
 MatrixXd DelassusMatrix::dense() const {

@@ -13,7 +13,8 @@ namespace delassus {
 ///
 /// The generalised velocity y that goes with it has M = I: ½ yᵀy is the kinetic energy that the reactions
 /// add, y = J̃ᵀ r, and a locked axis is a zero column. Body blocks have six columns; an articulated body
-/// has as many blocks as its freedoms fill.
+/// has as many blocks as its freedoms fill. J̃ is in 1/√kg, y in √J. For n contacts and m rows: n entries in `contacts`,
+/// m in `rows`, 3n + m in `compliance`.
 struct BodySpace {
   struct ScalarRow {
     int a, b;
@@ -91,7 +92,8 @@ class DelassusMatrix {
   /// The 2x2 diagonal block of the two rows whose unknowns start at `first`.
   Mat2 pairBlock(int first) const;
   VectorXd diagonal() const;
-  void diagonal(VectorXd& d) const;
+  /// The same where contactBlock of each contact is known.
+  void diagonal(const std::vector<Mat3>& contactBlocks, VectorXd& d) const;
   MatrixXd dense() const;
   /// As entries, whatever the storage. Of a factored matrix both triangles sum the same products in the same order: exactly
   /// symmetric.

@@ -285,7 +285,8 @@ bool InteriorPoint<Motion>::solve(Motion& motion, const Problem& problem, const 
     const double length = std::min(1.0, toBoundary * longestStep());
     advance(problem, length);
 
-    const double now = map.residual(r_, u_).max;
+    const VelocityResidual measured = map.residual(r_, u_);
+    const double now = measured.max;
     if (!std::isfinite(now)) return false;
     const bool halved = now < 0.5 * mark;
     idle = halved ? 0 : idle + 1;
@@ -294,6 +295,7 @@ bool InteriorPoint<Motion>::solve(Motion& motion, const Problem& problem, const 
       best.r = r_;
       best.u = u_;
       best.residual = now;
+      best.residualRms = measured.rms;
     }
     if (now <= std::max(tolerance, map.roundOff(r_))) return true;
     if (idle > mostIdle) return false;

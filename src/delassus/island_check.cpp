@@ -186,6 +186,7 @@ void makeReady(const Island& island, Tier tier, Solution& solution) {
   solution.activeSet.disks.clear();
   solution.status = Status::Solved;
   solution.tier = tier;
+  solution.startResidual = infinity;  // nobody asks for that of what is kept
   solution.regions = solution.factorisations = solution.sweeps = solution.patches = 0;
   solution.blamed.clear();
 }
@@ -339,7 +340,9 @@ bool IslandCheck::isKept(const std::vector<Body>& bodies, const std::vector<Cont
     const Vec3 wished = projectOnCone(reaction - corrected / size, c.friction);
     return isWithin((reaction - wished).norm() * size, c.friction);
   };
-  const auto keepsBounds = [&](double velocity, double lower, double upper, double size) {
+  const auto keepsBounds = [&](double velocity, double lower, double upper, double ownSize) {
+    constexpr double immovable = 1e100;  // what nothing moves keeps its bounds in any unit
+    const double size = ownSize > 0 ? ownSize : immovable;
     u[at] = velocity;
     solution.activeSet.rows[state++] = stateOf(r[at], velocity, lower, upper, size);
     return residuals.add(size * rowResidual(r[at++], velocity, lower, upper, 1 / size));
@@ -358,12 +361,13 @@ bool IslandCheck::isKept(const std::vector<Body>& bodies, const std::vector<Cont
     solution.activeSet.rows[state++] = RowState::Free;
     ++at;
     pairSize = c.paired ? size : 0;
-    if (c.paired) return true;
+    if (c.paired) return residuals.add(0);  // both rows count, as in NaturalMap
     const Disk disk = diskAt(rows, island, at - 1 - rowsBegin, rowsBegin);
     const Vec2 reaction = disk.of(r), velocity = disk.of(u);
     const double radius = disk.radiusAt(r);
     solution.activeSet.disks.push_back(
         diskModeOf(reaction, velocity, radius, size / disk.unknowns));
+    if (!(size > 0)) return residuals.add(velocity.norm());  // nothing moves it
     const Vec2 wished = projectOnDisk(reaction - velocity / size, radius);
     return residuals.add((reaction - wished).norm() * size);
   };

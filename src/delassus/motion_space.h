@@ -46,7 +46,8 @@ struct Stiffness {
 /// Bodies of a world: six columns a body, K is sparse in 6x6 blocks over the body graph.
 ///
 /// Contacts that are open in a region add nothing to K, and in rubble most are: two bodies have blocks in the factor once a contact of theirs
-/// has been held or has slid since the problem was set. There a factor takes a fifth of the work of one for all that touches.
+/// has been held or has slid since the problem was set; where no more than twenty pairs touch, all have at once. In rubble a factor takes a
+/// fifth of the work of one for all that touches.
 class BodyMotion {
  public:
   /// Keeps pointers to the problem, which must outlive the use and stay as it is.

@@ -16,7 +16,8 @@ struct Options {
   /// (Problem::roundOff); > 0. Where friction is more than 1 it is toleranceFor(friction).
   double tolerance = 1e-8;
   /// Most regions visited per island. Budgets count work, never time: the same input takes the same work everywhere. Work in a patch of an
-  /// island counts by its share of what the island costs. 0 or less is none, as for all budgets.
+  /// island counts by its share of what the island costs. 0 or less is none, as for all budgets; what has a formula (one contact, one row)
+  /// takes its region all the same.
   int newtonBudget = 1800;
   /// Most block Gauss-Seidel sweeps, and alternations, per island. Who allows fewer than 300 is in a hurry: where nothing slid, and there
   /// are more than 12 contacts and no heap (pile_kind.h), all is held at once for one region, its up to 40 steps uncounted; without
@@ -26,8 +27,8 @@ struct Options {
   int sweepBudget = 64000;
   /// Most factorisations along a path of compliance (compliance_path.h), of an island of up to 600 contacts and rows; of larger ones, in
   /// which each costs more, as many fewer. There is no path in islands of more than 200 contacts and rows that are no heaps
-  /// (pile_kind.h), with rolling or spinning friction, or where W is explicit. Its start takes up to 11 000 sweeps and 600 regions,
-  /// and its end up to 240 regions, that no other budget holds.
+  /// (pile_kind.h), with rolling or spinning friction, or where W is explicit. It is looked at between strides, of which one may make a
+  /// hundred. A path's start takes up to 10 000 sweeps and 600 regions, and its end up to 240 regions, that no other budget holds.
   int pathBudget = 30000;
   /// A guess whose residual is within this share of the tolerance comes back as it is; > 0, ≤ 1. The Bullet solvers take no more than
   /// polishedShare; before, they keep the last reactions where these are within keptShare.

@@ -232,10 +232,11 @@ PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
     return result;
   }
 
+  const int budget = std::max(0, regionBudget);
   const double wanted = n > 0 ? pivotTolerance * q.cwiseAbs().maxCoeff() : 0;
   for (const std::vector<int>& group : linkedRows(W)) {
     const int first = group.front();
-    const int left = std::max(0, regionBudget - result.regions);
+    const int left = std::max(0, budget - result.regions);
     const PivotResult part =
         group.size() == 1 && W(first, first) == 0
             ? immovableRow(q[first], lower[first], upper[first], wanted)

@@ -28,7 +28,8 @@ struct PivotResult {
 /// Bounds may be infinite: contacts are [0, ∞), joints (−∞, ∞), motors [−m, m]. W = J M⁻¹ Jᵀ is
 /// symmetric positive semi-definite, often singular; a W that is neither is served too, with an
 /// honest status and no promise. Rows that are not linked through W are solved on their own.
-/// `regionBudget`: most regions visited; work, never time.
+/// `regionBudget`: most regions visited, beside the few of groups of up to six unilateral rows; work, never time. Sizes that do not match, or
+/// bounds that cross, are errors of the caller (asserted). Numbers that are not finite: NonFinite, no reactions, u = 0.
 PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
                   const VectorXd& upper, int regionBudget = 1000);
 

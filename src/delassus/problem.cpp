@@ -10,16 +10,19 @@ namespace {
 
 constexpr double largest = 1e100;
 bool inBodySpace(const BodySpace& space, int contacts, int part, int first) {
-  double sum = 0;
-  for (const BodySpace::Part& p : space.partsOf(first)) sum += p.J.cwiseAbs().sum();
-  if (part < contacts) {
-    const ContactRows& rows = space.contacts[part];
-    sum += rows.Ja.cwiseAbs().sum() + rows.Jb.cwiseAbs().sum() +
-           space.compliance.segment<3>(first).cwiseAbs().sum();
-  } else {
-    const BodySpace::ScalarRow& row = space.rows[part - contacts];
-    sum += row.Ja.cwiseAbs().sum() + row.Jb.cwiseAbs().sum() + std::abs(space.compliance[first]);
-  }
+  double sum = space.compliance.segment(first, part < contacts ? 3 : 1).cwiseAbs().sum();
+  const auto add = [&sum](int body, const auto& J) {
+    if (body >= 0) sum += J.cwiseAbs().sum();
+  };
+  const auto addBoth = [&add](const auto& rows) {
+    add(rows.a, rows.Ja);
+    add(rows.b, rows.Jb);
+  };
+  if (part < contacts)
+    addBoth(space.contacts[part]);
+  else
+    addBoth(space.rows[part - contacts]);
+  for (const BodySpace::Part& p : space.partsOf(first)) add(p.body, p.J);
   return sum <= largest;
 }
 
@@ -48,6 +51,12 @@ bool isFit(const Problem& problem, int part, int first, int unknowns) {
                                  : inEntries(problem.W.entries(), first, unknowns);
 }
 
+/// A disk is all the bound that its rows have.
+bool hasNoBounds(const Problem& problem, int row, int count) {
+  return (problem.lower.segment(row, count).array() == -infinity).all() &&
+         (problem.upper.segment(row, count).array() == infinity).all();
+}
+
 /// Whether a law can be stated for a disk, and whether the next unknown that it leaves is `next`.
 bool isFit(const Problem& problem, const Disk& disk, int next) {
   const int contactsEnd = 3 * problem.contacts();
@@ -55,7 +64,8 @@ bool isFit(const Problem& problem, const Disk& disk, int next) {
          (disk.mostLoad <= largest || std::isinf(disk.mostLoad)) && disk.governor >= 0 &&
          disk.governor < problem.disksBegin() &&
          (disk.governor >= contactsEnd || disk.governor % 3 == 0) && disk.first >= contactsEnd &&
-         (disk.unknowns == 1 || disk.unknowns == 2) && disk.first + disk.unknowns == next;
+         (disk.unknowns == 1 || disk.unknowns == 2) && disk.first + disk.unknowns == next &&
+         hasNoBounds(problem, disk.first - contactsEnd, disk.unknowns);
 }
 
 /// Σ |x_i|, in four sums beside each other: to add to one of them takes longer than to read what is added.
@@ -74,16 +84,30 @@ double sumOfSizes(const double* x, Eigen::Index count) {
   return (a + b + (c + d)).sum() + rest;
 }
 
-/// Contacts with entries, whose numbers sum up to one in range: so is then what is summed up of each contact alone. Most problems are
-/// seen to be fit by this, long before one part after the other is.
-bool isFitAtOnce(const Problem& problem) {
-  if (problem.W.inBodySpace() || problem.rows() > 0 || problem.contacts() == 0) return false;
-  const DelassusMatrix::Sparse& W = problem.W.entries();
-  const VectorXd& friction = problem.friction;
-  return problem.disks.empty() && friction.minCoeff() >= 0 &&
-         sumOfSizes(problem.q.data(), problem.q.size()) + friction.sum() +
-                 sumOfSizes(W.valuePtr(), W.nonZeros()) <=
-             largest;
+/// Σ |J̃_ij| + |R_ii| of the contacts, each entry of their blocks with those of the same place.
+double sumOfContacts(const BodySpace& space) {
+  decltype(ContactRows::Ja) a, b;
+  a.setZero();
+  b.setZero();
+  for (const ContactRows& c : space.contacts) {
+    if (c.a >= 0) a += c.Ja.cwiseAbs();
+    if (c.b >= 0) b += c.Jb.cwiseAbs();
+  }
+  return a.sum() + b.sum() +
+         sumOfSizes(space.compliance.data(), static_cast<Eigen::Index>(3 * space.contacts.size()));
+}
+
+/// Whether the numbers of all contacts sum up to one in range: so is then what is summed up of each contact alone. Most problems are
+/// seen to be fit by this, long before one part after the other is. Entries are summed up with those of the rows.
+bool areContactsFit(const Problem& problem) {
+  const int contacts = problem.contacts();
+  const DelassusMatrix& W = problem.W;
+  if (contacts == 0 || !(problem.friction.minCoeff() >= 0)) return false;
+  if (W.inBodySpace() && !W.bodySpace().parts.empty()) return false;
+  const double ofW = W.inBodySpace() ? sumOfContacts(W.bodySpace())
+                                     : sumOfSizes(W.entries().valuePtr(), W.entries().nonZeros());
+  return sumOfSizes(problem.q.data(), 3 * Eigen::Index(contacts)) + problem.friction.sum() + ofW <=
+         largest;
 }
 
 }  // namespace
@@ -96,9 +120,9 @@ Interval allowedWithoutFriction(const Problem& problem, int unknown) {
 
 std::vector<int> unfitParts(const Problem& problem) {
   std::vector<int> unfit;
-  if (isFitAtOnce(problem)) return unfit;
   const int contacts = problem.contacts();
-  for (int part = 0; part < contacts + problem.rows(); ++part) {
+  for (int part = areContactsFit(problem) ? contacts : 0; part < contacts + problem.rows();
+       ++part) {
     const bool contact = part < contacts;
     const int first = contact ? 3 * part : 2 * contacts + part;
     if (!isFit(problem, part, first, contact ? 3 : 1)) unfit.push_back(first);
@@ -106,7 +130,7 @@ std::vector<int> unfitParts(const Problem& problem) {
   for (std::size_t k = 0; k < problem.disks.size(); ++k) {
     const bool last = k + 1 == problem.disks.size();
     if (!isFit(problem, problem.disks[k], last ? problem.size() : problem.disks[k + 1].first))
-      unfit.push_back(problem.disks[k].first);
+      unfit.push_back(std::clamp(problem.disks[k].first, 0, std::max(problem.size() - 1, 0)));
   }
   std::sort(unfit.begin(), unfit.end());
   unfit.erase(std::unique(unfit.begin(), unfit.end()), unfit.end());

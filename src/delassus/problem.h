@@ -45,7 +45,7 @@ Interval allowedWithoutFriction(const Problem& problem, int unknown);
 
 /// First unknowns of the contacts, rows and disks that no law can be stated for: numbers in their part of q, μ, κ or W, or
 /// bounds, that are none or so large (1e100) that squares overflow, μ < 0, lower > upper, κ ≤ 0, most load ≤ 0, r_n not
-/// before the disks. Ascending.
+/// before the disks, rows of disks that have bounds of their own. Ascending.
 std::vector<int> unfitParts(const Problem& problem);
 
 /// Moves reactions into the cones, bounds and disks: each to the nearest that is allowed, those of disks last.

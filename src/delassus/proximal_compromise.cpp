@@ -54,7 +54,9 @@ void ProximalNewton<Motion>::compromise(const Problem& problem, Solution& best) 
     best.r = r_;
   problem.W.multiply(best.r, felt_, best.u);
   best.u += problem.q;
-  best.residual = map_->residual(best.r, best.u).max;
+  const VelocityResidual residual = map_->residual(best.r, best.u);
+  best.residual = residual.max;
+  best.residualRms = residual.rms;
   // Compared in √J: the units of a row must not decide whether it is named.
   shares = scale_.cwiseSqrt().cwiseProduct(d);
   const double largest = shares.cwiseAbs().maxCoeff();

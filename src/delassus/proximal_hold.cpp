@@ -134,8 +134,9 @@ bool ProximalNewton<Motion>::holdOn(const Problem& problem, double tolerance, in
       continue;
     }
     const double residualBefore = residual;
-    residual = measure(problem);
-    moveTo(residual, best);
+    const VelocityResidual measured = measure(problem);
+    residual = measured.max;
+    moveTo(measured, best);
     if (residual <= polishedShare * tolerance || residual > 0.1 * residualBefore) break;
   }
   return best.residual <= tolerance;

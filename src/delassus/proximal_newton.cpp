@@ -205,20 +205,21 @@ Outcome ProximalNewton<Motion>::walkFromRegion(const Problem& problem, double to
 }
 
 template <class Motion>
-double ProximalNewton<Motion>::measure(const Problem& problem) {
+VelocityResidual ProximalNewton<Motion>::measure(const Problem& problem) {
   problem.W.multiply(r_, felt_, trialU_);
   trialU_ += problem.q;
-  return map_->residual(r_, trialU_).max;
+  return map_->residual(r_, trialU_);
 }
 
 template <class Motion>
-void ProximalNewton<Motion>::moveTo(double residual, Solution& best) {
+void ProximalNewton<Motion>::moveTo(const VelocityResidual& residual, Solution& best) {
   center_ = r_;
   u_.swap(trialU_);
-  if (!(residual < best.residual)) return;
+  if (!(residual.max < best.residual)) return;
   best.r = center_;
   best.u = u_;
-  best.residual = residual;
+  best.residual = residual.max;
+  best.residualRms = residual.rms;
 }
 
 template <class Motion>
@@ -262,13 +263,14 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
     }
     easySteps = regionsBefore - regionBudget <= fewRegions ? easySteps + 1 : 0;
     if (easySteps > 1) shrink = std::max(boldest, shrink * std::sqrt(shrink));
-    const double now = measure(problem);
+    const VelocityResidual measured = measure(problem);
+    const double now = measured.max;
     if (now > std::max(0.5 * residual, tolerance) && alpha <= hardly &&
         growsInVain(problem, tolerance, now)) {
       compromise(problem, best);
       return Outcome::Incompatible;
     }
-    moveTo(now, best);
+    moveTo(measured, best);
     // Some digits more if they come by themselves: then the next step may stand on these reactions.
     const double aim = now > 0.3 * residual ? tolerance : polishedShare * tolerance;
     if (now <= std::max(aim, map_->roundOff(center_))) return Outcome::Reached;

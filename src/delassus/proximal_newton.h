@@ -38,7 +38,7 @@ class ProximalNewton {
   Outcome walkFrom(const Solution& start, const Problem& problem, double tolerance, double alpha,
                    int regionBudget, Solution& best);
 
-  /// The same as `walk`, but tests the region of best.r first and starts its reactions from zero: the limit is the smoothest share
+  /// The same as `walk`, but tests the region best.activeSet first and starts its reactions from zero: the limit is the smoothest share
   /// (least norm) among redundant contacts, whatever the guess was.
   Outcome walkFromRegion(const Problem& problem, double tolerance, double alpha, int regionBudget,
                          Solution& best);
@@ -106,9 +106,9 @@ class ProximalNewton {
   /// The inner accuracy that answers within this tolerance need.
   void setTolerance(double tolerance);
   /// The natural residual of r_, whose u goes to trialU_.
-  double measure(const Problem& problem);
+  VelocityResidual measure(const Problem& problem);
   /// r_ is the next center, and the best answer if `residual` is the smallest.
-  void moveTo(double residual, Solution& best);
+  void moveTo(const VelocityResidual& residual, Solution& best);
   void alternateOnce(const Problem& problem);
   void setHold(const Problem& problem, const ActiveSet& set);
   double moveAllInside(const Problem& problem, double demand);

@@ -40,6 +40,7 @@ bool QuickAnswer::find(Solution& answer) {
     best_.activeSet.contacts.resize(problem_.contacts());
     for (int i = 0; i < problem_.contacts(); ++i) best_.activeSet.contacts[i] = modeOf(i);
   } else if (!isSmall() || !walk()) {
+    if (isSmall()) measure();  // what a walk has left
     return false;
   }
   answer = std::move(best_);

@@ -17,7 +17,22 @@ double symmetricNorm(const Mat2& S) {
   return 0.5 * (std::abs(S(0, 0) + S(1, 1)) + lengthOf(S(0, 0) - S(1, 1), 2 * S(0, 1)));
 }
 
-/// The eigenvalues are m + 2 p cos(φ + 2πk/3), with the mean m, 6 p² = ‖S − m I‖², and cos 3φ = det(S − m I) / 2 p³.
+/// The largest root of y³ − 3y = 2x, |x| ≤ 1: 2 cos(⅔ arccos s) with s = √((1 + x) / 2). From the cubic that has its values and slopes at
+/// s = 0 and 1, twice by Halley's method, which takes the digits left to their third power: a third of the time of cos and arccos.
+double largestRoot(double x) {
+  constexpr double slope0 = 1.1547005383792515, slope1 = 8.0 / 9;  // 2/√3
+  constexpr double c3 = slope0 + slope1 - 2, c2 = 1 - slope0 - c3;
+  const double s = std::sqrt(std::max(0.5 * (1 + x), 0.0));
+  double y = 1 + s * (slope0 + s * (c2 + s * c3));
+  constexpr double nearlyDouble = 1e-6;  // where f would be all rounding
+  for (int k = 0; k < 2 && s > nearlyDouble; ++k) {
+    const double f = y * (y * y - 3) - 2 * x, slope = 3 * (y * y - 1);
+    y -= f * slope / (slope * slope - 3 * y * f);
+  }
+  return y;
+}
+
+/// The eigenvalues are m + p y, with the mean m, 6 p² = ‖S − m I‖², and the roots of y³ − 3y = det(S − m I) / p³.
 double symmetricNorm(const Mat3& S) {
   const double m = S.trace() / 3;
   const double a = S(0, 0) - m, b = S(1, 1) - m, c = S(2, 2) - m;
@@ -26,11 +41,10 @@ double symmetricNorm(const Mat3& S) {
   const double p = std::sqrt(p2), p3 = p * p2;
   if (!(p3 > 0)) return std::abs(m);
   const double halfDet = 0.5 * (a * (b * c - yz * yz) - b * xz * xz - c * xy * xy) + xy * xz * yz;
-  const double angle = std::acos(std::clamp(halfDet / p3, -1.0, 1.0)) / 3;
-  const double largest = m + 2 * p * std::cos(angle);
-  if (p <= 2 * m) return largest;               // none is as far below 0
-  constexpr double third = 2.0943951023931953;  // 2π/3
-  return std::max(largest, -(m + 2 * p * std::cos(angle + third)));
+  const double y = largestRoot(std::clamp(halfDet / p3, -1.0, 1.0)), largest = m + p * y;
+  if (p <= 2 * m) return largest;  // none is as far below 0
+  const double least = -0.5 * (y + std::sqrt(std::max(12 - 3 * y * y, 0.0)));
+  return std::max(largest, -(m + p * least));
 }
 
 /// ‖W‖₂ = √ λ_max(Wᵀ W), also for blocks that are not symmetric. Scaled first, for squares of tiny masses may vanish.
@@ -80,30 +94,39 @@ void blockSizes(const Problem& problem, const VectorXd& diagonal, ContactSize co
     if (size < std::numeric_limits<double>::min()) size = instead;
 }
 
-/// ‖F‖ of a contact with the step s.
-double residualOfContact(const Vec3& r, const Vec3& u, double mu, double s) {
-  return (r - projectOnCone(r - s * correctedVelocity(u, mu), mu)).norm();
+/// (‖F‖/ρ)² of a contact with 1/ρ = size: since K_μ is a cone, F/ρ = x − P(x − v) with x = size r. Case by case (projectOnCone), so that a
+/// large r does not swallow v.
+double squareOfContact(const Vec3& r, const Vec3& u, double mu, double size) {
+  const Vec3 x = size * r, v = correctedVelocity(u, mu), z = x - v;
+  const double t = lengthOf(z[1], z[2]);
+  if (z[0] >= 0 && t <= mu * z[0]) return v.squaredNorm();
+  if (mu * t <= -z[0]) return x.squaredNorm();
+  const double n = (z[0] + mu * t) / (1 + mu * mu), share = mu * n / t;
+  return Vec3(x[0] - n, x[1] - share * z[1], x[2] - share * z[2]).squaredNorm();
 }
 
-/// Calls `visit(k, first, unknowns, ‖F‖)` with F = r − P(r − s v), s = step(k), for each contact and then each row k, or
+/// Calls `visit(k, first, unknowns, (‖F‖/ρ)²)` with F = r − P(r − ρ v), 1/ρ = size(k), for each contact and then each row k, or
 /// disk whose first row is k, with so many unknowns from `first`.
-template <class Step, class Visit>
-void visitNaturalMap(const Problem& problem, const VectorXd& r, const VectorXd& u, Step step,
+template <class Size, class Visit>
+void visitNaturalMap(const Problem& problem, const VectorXd& r, const VectorXd& u, Size size,
                      Visit visit) {
   const int n = problem.contacts();
   for (int a = 0; a < n; ++a)
-    visit(
-        a, 3 * a, 3,
-        residualOfContact(r.segment<3>(3 * a), u.segment<3>(3 * a), problem.friction[a], step(a)));
+    visit(a, 3 * a, 3,
+          squareOfContact(r.segment<3>(3 * a), u.segment<3>(3 * a), problem.friction[a], size(a)));
   const int plainRows = problem.disksBegin() - 3 * n;
   for (int i = 0; i < plainRows; ++i) {
     const int at = 3 * n + i;
-    visit(n + i, at, 1, rowResidual(r[at], u[at], problem.lower[i], problem.upper[i], step(n + i)));
+    const double whole = size(n + i),
+                 part = rowResidual(r[at], u[at], problem.lower[i], problem.upper[i], 1 / whole);
+    visit(n + i, at, 1, (whole * part) * (whole * part));
   }
   for (const Disk& disk : problem.disks) {
     const int k = disk.first - 2 * n;
-    const Vec2 x = disk.of(r) - step(k) * disk.of(u);
-    visit(k, disk.first, disk.unknowns, (disk.of(r) - projectOnDisk(x, disk.radiusAt(r))).norm());
+    const double whole = size(k);
+    const Vec2 part =
+        disk.of(r) - projectOnDisk(disk.of(r) - 1 / whole * disk.of(u), disk.radiusAt(r));
+    visit(k, disk.first, disk.unknowns, (whole * part).squaredNorm());
   }
 }
 
@@ -111,9 +134,9 @@ void visitNaturalMap(const Problem& problem, const VectorXd& r, const VectorXd& 
 
 void NaturalMap::setProblem(const Problem& problem) {
   problem_ = &problem;
-  problem.W.diagonal(diagonal_);
   blocks_.resize(problem.contacts());
   for (int a = 0; a < problem.contacts(); ++a) blocks_[a] = problem.W.contactBlock(3 * a);
+  problem.W.diagonal(blocks_, diagonal_);
   blockSizes(
       problem, diagonal_, [&](int a) { return spectralNorm(blocks_[a]); }, sizes_);
 }
@@ -137,8 +160,9 @@ void NaturalMap::meanDiagonal(VectorXd& mean) const {
     auto own = mean.segment(disk.first, disk.unknowns);
     own.setConstant(own.mean());
   }
-  constexpr double least = 1e-14, smallest = 1e-300;
-  mean = mean.cwiseMax(least * std::max(mean.maxCoeff(), smallest));
+  constexpr double least = 1e-14, smallest = 1e-290;
+  const double largest = mean.size() > 0 ? mean.maxCoeff() : 0;
+  mean = mean.cwiseMax(largest > 0 ? std::max(least * largest, smallest) : 1);
 }
 
 double NaturalMap::roundOff(const VectorXd& r) const {
@@ -150,27 +174,27 @@ double NaturalMap::roundOff(const VectorXd& r) const {
 VelocityResidual NaturalMap::residual(const VectorXd& r, const VectorXd& u) const {
   assert(r.size() == problem_->size() && u.size() == problem_->size() && "one number an unknown");
   VelocityResidual residual;
-  double squares = 0;
-  const auto step = [&](int k) { return 1 / sizes_[k]; };
-  visitNaturalMap(*problem_, r, u, step, [&](int k, int first, int, double F) {
-    const double velocity = F * sizes_[k];
+  double largest = 0, sum = 0;
+  const auto size = [&](int k) { return sizes_[k]; };
+  visitNaturalMap(*problem_, r, u, size, [&](int, int first, int, double square) {
     // A NaN is the worst of all: it must not pass for a small residual.
-    if (residual.worst < 0 || velocity > residual.max || std::isnan(velocity)) {
-      residual.max = velocity;
+    if (residual.worst < 0 || square > largest || std::isnan(square)) {
+      largest = square;
       residual.worst = first;
     }
-    squares += velocity * velocity;
+    sum += square;
   });
-  if (sizes_.size() > 0) residual.rms = std::sqrt(squares / static_cast<double>(sizes_.size()));
+  residual.max = std::sqrt(largest);
+  if (sizes_.size() > 0) residual.rms = std::sqrt(sum / static_cast<double>(sizes_.size()));
   return residual;
 }
 
 NaturalResidual NaturalMap::residualWithEnergy(const VectorXd& r, const VectorXd& u) const {
   NaturalResidual residual{this->residual(r, u)};
   double energy = 0, freeEnergy = 0;
-  const auto step = [&](int k) { return 1 / sizes_[k]; };
-  visitNaturalMap(*problem_, r, u, step, [&](int k, int first, int unknowns, double F) {
-    energy += F * F * sizes_[k];
+  const auto size = [&](int k) { return sizes_[k]; };
+  visitNaturalMap(*problem_, r, u, size, [&](int k, int first, int unknowns, double square) {
+    energy += square / sizes_[k];
     freeEnergy += problem_->q.segment(first, unknowns).squaredNorm() / sizes_[k];
   });
   residual.energy = std::sqrt(ratio(energy, freeEnergy));
@@ -179,9 +203,9 @@ NaturalResidual NaturalMap::residualWithEnergy(const VectorXd& r, const VectorXd
 
 void NaturalMap::residuals(const VectorXd& r, const VectorXd& u, VectorXd& each) const {
   each.setZero(sizes_.size());
-  const auto step = [&](int k) { return 1 / sizes_[k]; };
-  visitNaturalMap(*problem_, r, u, step,
-                  [&](int k, int, int, double F) { each[k] = F * sizes_[k]; });
+  const auto size = [&](int k) { return sizes_[k]; };
+  visitNaturalMap(*problem_, r, u, size,
+                  [&](int k, int, int, double square) { each[k] = std::sqrt(square); });
 }
 
 NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r, const VectorXd& u) {
@@ -199,7 +223,7 @@ NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r) {
 double contactSize(const Mat3& W) { return spectralNorm(W); }
 
 double naturalResidual(double size, double friction, const Vec3& r, const Vec3& u) {
-  return size * residualOfContact(r, u, friction, 1 / size);
+  return std::sqrt(squareOfContact(r, u, friction, size));
 }
 
 FclibMeasures fclibMeasures(const Problem& problem, const VectorXd& r) {
@@ -212,10 +236,11 @@ FclibMeasures fclibMeasures(const Problem& problem, const VectorXd& r) {
 
   double unscaled2 = 0, velocity2 = 0;
   visitNaturalMap(
-      problem, r, u, [](int) { return 1.0; }, [&](int, int, int, double F) { unscaled2 += F * F; });
+      problem, r, u, [](int) { return 1.0; },
+      [&](int, int, int, double square) { unscaled2 += square; });
   visitNaturalMap(
-      problem, r, u, [&](int k) { return 1 / size[k]; },
-      [&](int k, int, int, double F) { velocity2 += F * size[k] * F * size[k]; });
+      problem, r, u, [&](int k) { return size[k]; },
+      [&](int, int, int, double square) { velocity2 += square; });
 
   const double unscaled = std::sqrt(unscaled2), q = problem.q.norm();
   FclibMeasures measures;

@@ -39,7 +39,8 @@ class NaturalMap {
   const VectorXd& diagonal() const { return diagonal_; }                    ///< of W
   const Mat3& contactBlock(int contact) const { return blocks_[contact]; }  ///< W_aa
   /// The mean of W_aa over the unknowns of each contact and disk, one number an unknown: a unit for what answers alike in all
-  /// directions. At least 1e-14 of the largest: what moves nothing (W_ii = 0) can do nothing, and any finite number is harmless.
+  /// directions. At least 1e-14 of the largest, and 1 where all W is zero: what moves nothing (W_ii = 0) can do nothing, and any finite
+  /// number is harmless.
   void meanDiagonal(VectorXd& mean) const;
   std::size_t bytes() const { return bytesOf(sizes_, diagonal_, blocks_); }
 

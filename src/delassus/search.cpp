@@ -38,6 +38,16 @@ void holdActiveSet(const Problem& problem, const VectorXd& r, ActiveSet& set) {
   }
 }
 
+/// A bound from below for what no reactions leave, as a root mean square over contacts and rows, m/s: of an approaching contact
+/// ‖P(−v)‖ ≥ |q_n| / (1 + μ²), which is worked out at once.
+double leastRmsFromNothing(const Problem& problem) {
+  const int n = problem.contacts();
+  if (n == 0) return 0;
+  const double widest = problem.friction.maxCoeff();
+  const Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<3>> normal(problem.q.data(), n);
+  return std::sqrt(normal.cwiseMin(0).squaredNorm() / (n + problem.rows())) / (1 + widest * widest);
+}
+
 /// Whether no contact presses with all the friction that it has.
 bool slidesNowhere(const Problem& problem, const VectorXd& r) {
   constexpr double all = 1 - 1e-6;
@@ -50,7 +60,7 @@ bool slidesNowhere(const Problem& problem, const VectorXd& r) {
 
 /// Joints alone, without limits and motors: there is one region.
 bool hasOneRegion(const Problem& problem) {
-  return problem.contacts() == 0 && problem.lower.array().isInf().all() &&
+  return problem.contacts() == 0 && problem.disks.empty() && problem.lower.array().isInf().all() &&
          problem.upper.array().isInf().all();
 }
 
@@ -114,6 +124,7 @@ void Search::offer(const Problem& problem, const VectorXd& r, Solution& best) {
 void Search::startBetter(const Problem& problem, Solution& best) {
   constexpr double hopeless = 30;
   const double guessed = best.residualRms;
+  if (guessed <= hopeless * leastRmsFromNothing(problem)) return;
   trial_.r.setZero(problem.size());
   makeFeasible(problem, trial_.r);
   measure(problem, trial_);
@@ -208,7 +219,7 @@ Outcome Search::startOut(ProximalNewton<Motion>& newton, const Problem& problem,
     return Outcome::Reached;
   }
   if (isHurried_) {
-    sweepAll(problem, options, aim, best);
+    sweepAll(problem, options, aim, guess, best);
     if (wandering_.residual < best.residual) take(wandering_, best);
     if (isReached()) return Outcome::Reached;
   } else if (best.residual > disturbed * demand && isHeap(problem)) {
@@ -342,9 +353,7 @@ Outcome Search::comeBack(Outcome outcome, Solution& best) const {
   best.sweeps = apart_.sweeps;
   best.patches = apart_.patches;
   if (outcome == Outcome::Lost && !(apart_.residual < best.residual)) return outcome;
-  best.r = apart_.r;
-  best.u = apart_.u;
-  best.residual = apart_.residual;
+  take(apart_, best);
   best.blamed = apart_.blamed;
   return outcome;
 }
@@ -369,7 +378,7 @@ Outcome Search::walk(const Problem& problem, const Options& options, double tole
     return Outcome::Reached;
   if (isTooLargeToFactor(problem) ||
       (hasNoWalk(problem, options, best) && !mayHold(problem, options, guess, best))) {
-    sweepAll(problem, options, keptShare * tolerance, best);
+    sweepAll(problem, options, keptShare * tolerance, guess, best);
     return best.residual <= tolerance ? Outcome::Reached : Outcome::Lost;
   }
   const Outcome outcome =

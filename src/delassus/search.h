@@ -137,7 +137,8 @@ class Search {
                      Solution& best);
   void settle(const Problem& problem, const Options& options, double tolerance, Solution& best);
   bool setSweeps(const Problem& problem, bool mayGoByColour);
-  void sweepAll(const Problem& problem, const Options& options, double tolerance, Solution& best);
+  void sweepAll(const Problem& problem, const Options& options, double tolerance,
+                const VectorXd* guess, Solution& best);
   void sweepWhileItGains(const Problem& problem, const Options& options, double tolerance,
                          Solution& best);
   void findPatches(const Problem& problem, double tolerance, double outstanding,

@@ -31,19 +31,21 @@ bool Search::sweepAndLearn(const Problem& problem, const Options& options, doubl
 }
 
 /// All sweeps that there are, one after the other, whether or not they gain, as sequential impulses do. Like these they begin from a
-/// little less than the reactions of the last step: where errors remain, all of them would have a pile swing for ever. Many contacts go by
-/// colour.
+/// little less than the reactions of the last step, if nothing has bettered them yet: where errors remain, all of them would have a
+/// pile swing for ever. Many contacts go by colour.
 void Search::sweepAll(const Problem& problem, const Options& options, double tolerance,
-                      Solution& best) {
+                      const VectorXd* guess, Solution& best) {
   constexpr int burst = 10, many = 50, worthColours = 3;
   constexpr double trusted = 0.8;
-  trial_.r = trusted * best.r;
+  const double share = guess && best.sweeps == 0 ? trusted : 1;
+  trial_.r = share * best.r;
+  trial_.u = problem.q + share * (best.u - problem.q);
   const bool byColour = setSweeps(
       problem, problem.contacts() > many && options.sweepBudget - best.sweeps >= worthColours);
   while (best.sweeps < options.sweepBudget && best.residual > tolerance) {
     const int count = std::min(burst, options.sweepBudget - best.sweeps);
     if (byColour)
-      machines().coloured.sweep(problem, count, 0, trial_.r);
+      machines().coloured.sweep(problem, count, 0, trial_.u, trial_.r);
     else
       machines().sweeps.sweep(problem, count, trial_.r);
     best.sweeps += count;
@@ -65,7 +67,7 @@ void Search::sweepWhileItGains(const Problem& problem, const Options& options, d
     trial_.r = best.r;
     int made = burst;
     if (byColour)
-      made = machines().coloured.sweep(problem, burst, tolerance, trial_.r);
+      made = machines().coloured.sweep(problem, burst, tolerance, best.u, trial_.r);
     else
       machines().sweeps.sweep(problem, burst, trial_.r);
     best.sweeps += made;
@@ -94,7 +96,7 @@ void Search::settle(const Problem& problem, const Options& options, double toler
       const double before = trial_.residualRms;
       int made = burst;
       if (byColour)
-        made = machines().coloured.sweep(problem, burst, change, trial_.r);
+        made = machines().coloured.sweep(problem, burst, change, trial_.u, trial_.r);
       else
         machines().sweeps.sweepOn(problem, burst, memory, trial_.r);
       best.sweeps += made;

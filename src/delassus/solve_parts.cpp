@@ -78,6 +78,29 @@ class Whole {
   int counted_ = 0;     ///< contacts and rows
 };
 
+/// Where the budget of a part has ended: what the quick answer has found of it, if that is better.
+void takeBetter(const ProblemParts& parts, int part, const QuickAnswer& quick, Solution& solution) {
+  if (solution.status != Status::OutOfBudget) return;
+  const int size = parts.sizeOf(part);
+  double residual = 0, squares = 0;
+  int worst = 0;
+  for (int k = 0; k < size; k += 3) {
+    const double own = quick.residualOf(parts.unknown(part, k) / 3);
+    if (own > residual) residual = own, worst = k;
+    squares += own * own;
+  }
+  if (!(residual < solution.residual)) return;
+  for (int k = 0; k < size; k += 3) {
+    const int at = parts.unknown(part, k);
+    solution.r.segment<3>(k) = quick.best().r.segment<3>(at);
+    solution.u.segment<3>(k) = quick.best().u.segment<3>(at);
+    solution.activeSet.contacts[k / 3] = quick.modeOf(at / 3);
+  }
+  solution.residual = residual;
+  solution.residualRms = std::sqrt(squares / (size / 3));
+  solution.blamed = {worst};
+}
+
 /// Whether parts can be told: no disk points out of the problem.
 bool disksAreInside(const Problem& problem) {
   const auto isInside = [&](int unknown) { return unknown >= 0 && unknown < problem.size(); };
@@ -125,6 +148,7 @@ Solution solve(const Problem& problem, const Options& options) {
   const ProblemParts parts(problem);
   if (parts.count() == 1) {
     Solver(left).solve(problem, {}, solution);
+    if (quick) takeBetter(parts, 0, *quick, solution);
   } else {
     Whole whole(problem);
     std::optional<Solver> solver;  // made when a part needs it
@@ -136,6 +160,7 @@ Solution solve(const Problem& problem, const Options& options) {
       if (!solver) solver.emplace(left);
       const Problem part = parts.problemOf(k);
       solver->solve(part, {}, solution);
+      if (quick) takeBetter(parts, k, *quick, solution);
       whole.put(parts, k, part, solution);
     }
     solution = whole.take();

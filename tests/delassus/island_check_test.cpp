@@ -57,6 +57,37 @@ void expectNamesDifferOnWallsOnly(const Problem& problem, const Solution& a, con
   }
 }
 
+/// A row along an axis that is locked moves nothing, and has no size of its own.
+TEST(IslandCheck, KeepsWhatNothingMovesIfItRestsOrItsBoundLetsItBe) {
+  const auto isKept = [](double velocity, double lower, double upper, double reaction) {
+    Pile pile;
+    pile.bodies.push_back(makeBox(1, 0.5, Vec6::Zero()));
+    pile.bodies[0].inverseMass[0] = 0;
+    pile.contacts = {makeRestingPoint(0, fixedWorld, {0, 0, -0.5}, Vec3::Zero(), 0)};
+    Row row;
+    row.a = 0;
+    row.jacobianA[0] = 1;
+    row.target = -velocity;
+    row.lower = lower;
+    row.upper = upper;
+    pile.rows.push_back(row);
+    const PileIsland island(pile);
+    std::vector<Body> moved = pile.bodies;
+    Solution seen;
+    seen.r = VectorXd::Zero(island.problem.size());
+    seen.r[island.problem.size() - 1] = reaction;
+    return IslandCheck(Options()).isKept(pile.bodies, pile.contacts, pile.rows, island.island, 1,
+                                         moved, seen);
+  };
+  EXPECT_TRUE(isKept(0, -infinity, infinity, 0));
+  EXPECT_TRUE(isKept(0, -1, 1, 0.5));
+  EXPECT_TRUE(isKept(1, -1, 1, -1));
+  EXPECT_TRUE(isKept(-1, -1, 1, 1));
+  EXPECT_FALSE(isKept(1, -1, 1, 0.5));
+  EXPECT_FALSE(isKept(1, -1, 1, 1));
+  EXPECT_FALSE(isKept(1, -infinity, infinity, 0));
+}
+
 TEST(IslandCheck, KeepsTheReactionsThatTheSolverFound) {
   Random random(81);
   int kept = 0;

@@ -113,6 +113,32 @@ TEST(QuickAnswer, TellsTheResidualOfItsReactionsAtAnyBudget) {
   }
 }
 
+// The best that was found comes back, whoever found it: a solver that is left no budget finds nothing.
+TEST(QuickAnswer, IsTheAnswerWhereItsBudgetWasAll) {
+  Random random(68);
+  for (const int contacts : {4, 44}) {
+    SCOPED_TRACE(contacts);
+    Problem problem = coupledContacts(contacts, 0.02, random);
+    for (int i = 0; i < contacts; ++i) problem.q[3 * i] = -1;
+    if (contacts > 4) {
+      MatrixXd W = problem.W.dense();
+      W.topRightCorner(66, 66).setZero();
+      W.bottomLeftCorner(66, 66).setZero();
+      problem.W = matrix(W);
+    }
+    const double atRest = naturalResidual(problem, VectorXd::Zero(problem.size())).max;
+    Options options;
+    options.sweepBudget = 2;
+    options.newtonBudget = 0;
+    options.tolerance = 1e-14;
+    const Solution solution = solve(problem, options);
+    EXPECT_EQ(solution.status, Status::OutOfBudget);
+    EXPECT_LT(solution.residual, 0.1 * atRest);
+    EXPECT_NEAR(solution.residual, naturalResidual(problem, solution.r).max, 1e-13);
+    ASSERT_FALSE(solution.blamed.empty());
+  }
+}
+
 // What it took of the budget is not there for the solver any more.
 TEST(QuickAnswer, KeepsToTheBudgetTogetherWithTheSolver) {
   Random random(67);
