@@ -40,6 +40,12 @@ btMultiBodySolverConstraint blankRow() {
   return row;
 }
 
+/// The object as a link of an articulated body; null if it is none, or has lost its body and is ground.
+const btMultiBodyLinkCollider* linkOf(const btCollisionObject* object) {
+  const btMultiBodyLinkCollider* link = btMultiBodyLinkCollider::upcast(object);
+  return link && link->m_multiBody ? link : nullptr;
+}
+
 /// Tells a link what acts on it, for the joint feedback.
 void addForce(btMultiBody& body, int link, const btVector3& force, const btVector3& torque) {
   if (link < 0) {
@@ -167,8 +173,7 @@ void MultiBodyParts::gatherBodies(Group& group, StepReport& report) {
     const btPersistentManifold& manifold = *input_.manifolds[i];
     if (manifold.getNumContacts() == 0) continue;
     for (const btCollisionObject* object : {manifold.getBody0(), manifold.getBody1()})
-      if (const btMultiBodyLinkCollider* link = btMultiBodyLinkCollider::upcast(object))
-        addLink(group, *link, report);
+      if (const btMultiBodyLinkCollider* link = linkOf(object)) addLink(group, *link, report);
   }
 }
 
@@ -188,7 +193,7 @@ void MultiBodyParts::lendCompanionIds(const Group& group) {
 
   for (int i = 0; i < input_.bodyCount; ++i) {
     btCollisionObject& object = *input_.bodies[i];
-    if (btMultiBodyLinkCollider* link = btMultiBodyLinkCollider::upcast(&object))
+    if (const btMultiBodyLinkCollider* link = linkOf(&object))
       link->m_multiBody->setCompanionId(-1);
     if (!btRigidBody::upcast(&object)) continue;
     const int* index = group.indexOf.find(&object);

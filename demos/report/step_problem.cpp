@@ -8,6 +8,7 @@
 #include "delassus/island.h"
 #include "delassus/solver.h"
 #include "demos/report/refined_answer.h"
+#include "demos/scenes/watched_joints.h"
 
 namespace demos::report {
 
@@ -116,6 +117,7 @@ StepProblem::StepProblem(const CapturedStep& step, double cfm) : cfm_(cfm) {
   for (const CapturedStep::Group& source : step.groups) {
     auto& open = const_cast<CapturedStep::Group&>(source);
     bullet::Group group;
+    const WatchedJoints watched(open.constraints.data(), int(open.constraints.size()));
     bullet::gatherBodies(group, open.bodies.data(), int(open.bodies.size()), info, ignored);
     bullet::gatherContacts(group, open.manifolds.data(), int(open.manifolds.size()), info,
                            step.dispatcher, ignored);

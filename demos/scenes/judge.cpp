@@ -10,6 +10,7 @@
 #include "delassus/residual.h"
 #include "demos/scenes/measures.h"
 #include "demos/scenes/statistics.h"
+#include "demos/scenes/watched_joints.h"
 
 namespace demos {
 
@@ -41,6 +42,7 @@ void JudgedSolver::beforeGroup(const GroupArguments& arguments) {
   info.m_globalCfm = cfm_;
   StepReport ignored;
   group_.clear();
+  const WatchedJoints watched(arguments.constraints, arguments.constraintCount);
   bullet::gatherBodies(group_, arguments.bodies, arguments.bodyCount, info, ignored);
   bullet::gatherContacts(group_, arguments.manifolds, arguments.manifoldCount, info,
                          arguments.dispatcher, ignored);

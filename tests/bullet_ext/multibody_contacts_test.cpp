@@ -45,6 +45,22 @@ TEST(MultiBodyContacts, FreeBoxCarriesItsWeight) {
   EXPECT_EQ(world.report().solved, 1);
 }
 
+/// A collider that no articulated body has, as where its body was deleted, is ground.
+TEST(MultiBodyContacts, ColliderWithoutABody) {
+  DelassusMultiBodyWorld world;
+  btBoxShape shape(btVector3(5, 1, 5));
+  btMultiBodyLinkCollider orphan(nullptr, -1);
+  orphan.setCollisionShape(&shape);
+  orphan.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, -1, 0)));
+  world.world().addCollisionObject(&orphan);
+  world.addCube(btVector3(0, btScalar(0.5), 0), 2);
+  world.advance(10);
+  EXPECT_EQ(world.report().contacts, 4);
+  EXPECT_NEAR(normalSum(world) / (2 * BulletWorld::gravity * BulletWorld::step), 1,
+              tolerance(1e-9, 1e-4));
+  world.world().removeCollisionObject(&orphan);
+}
+
 /// A fixed base is ground, and one that moves by itself carries along what lies on it.
 TEST(MultiBodyContacts, BasesThatCannotBePushed) {
   for (const bool kinematic : {false, true}) {

@@ -1,6 +1,7 @@
 #include "demos/scenes/solvers.h"
 
 #include "demos/scenes/builders.h"
+#include "demos/scenes/catalogue.h"
 #include "demos/scenes/judge.h"
 #include "demos/scenes/simulate.h"
 #include "tests/scenes/run_scene.h"
@@ -144,6 +145,24 @@ TEST(Judge, agreesWithOurOwnReport) {
     EXPECT_EQ(largest > 1e-3, std::string(name) == "delassus/1");
     world->setSolver(named.solver());
   }
+}
+
+TEST(Judge, changesNothing) {
+  // Joints begin from their last reactions only if they are recognised.
+  NamedSolver alone("delassus"), watched("delassus");
+  const auto first = findScene("ragdolls").build(), second = findScene("ragdolls").build();
+  JudgedSolver judged(watched.solver(), second->dynamics().getSolverInfo().m_globalCfm);
+  first->setSolver(alone.solver());
+  second->setSolver(judged);
+  for (int i = 0; i < 40; ++i) {
+    first->step(1.0 / 60);
+    second->step(1.0 / 60);
+  }
+  const auto bodies = first->movableBodies(), others = second->movableBodies();
+  ASSERT_EQ(bodies.size(), others.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    EXPECT_TRUE(bodies[i]->getWorldTransform() == others[i]->getWorldTransform()) << i;
+  second->setSolver(watched.solver());
 }
 
 TEST(Simulate, timesEveryStep) {

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <btBulletDynamicsCommon.h>
+
+#include <vector>
+
+namespace demos {
+
+/// What joints were left with in the last step, by which our solver knows them again: to gather their rows clears it. Put back at
+/// the end of its life, so that who only looks on changes nothing.
+class WatchedJoints {
+ public:
+  WatchedJoints(btTypedConstraint* const* joints, int count) : joints_(joints, joints + count) {
+    for (btTypedConstraint* joint : joints_)
+      impulses_.push_back(joint->internalGetAppliedImpulse());
+  }
+  ~WatchedJoints() {
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+      joints_[i]->internalSetAppliedImpulse(impulses_[i]);
+  }
+  WatchedJoints(const WatchedJoints&) = delete;
+  WatchedJoints& operator=(const WatchedJoints&) = delete;
+
+ private:
+  std::vector<btTypedConstraint*> joints_;
+  std::vector<btScalar> impulses_;
+};
+
+}  // namespace demos
