@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "demos/command.h"
+#include "demos/number_checks.h"
 #ifdef DELASSUS_RENDER
 #include "demos/atlas/figures.h"
 #include "demos/progress_bar.h"
@@ -42,6 +43,7 @@ void addAtlasCommand(CLI::App& app, Action& chosen) {
       "atlas", "the paper's figures, measured: region maps for two and three contacts");
   command->add_option("--out", *out, "folder for what is made")
       ->type_name("DIR")
+      ->check(notEmpty)
       ->capture_default_str();
   command->callback([&chosen, out] { chosen = [out] { return drawAtlas(*out); }; });
 }

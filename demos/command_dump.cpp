@@ -187,7 +187,8 @@ void addDumpCommand(CLI::App& app, Action& chosen) {
       ->add_option("--out", arguments->out,
                    "file; of several islands FILE-0, FILE-1 and so on, before the suffix")
       ->required()
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(notEmpty);
   command->callback(
       [&chosen, arguments] { chosen = [arguments] { return dumpProblems(*arguments); }; });
 }

@@ -192,12 +192,14 @@ void addRenderCommand(CLI::App& app, Action& chosen) {
       ->add_option("--at", arguments->at,
                    "times of the pictures, s; several make a strip (default: the scene's end)")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(atLeastZero)
       ->type_name("T,...");
   command->add_flag("--video", arguments->video,
                     "an mp4 of the run, to the last of --at if that is given");
   command->add_option("--out", arguments->out, "folder for what is made")
       ->type_name("DIR")
+      ->check(notEmpty)
       ->capture_default_str();
   const auto addPoint = [command](const char* flag, std::vector<double>& point, const char* what) {
     command->add_option(flag, point, what)
@@ -215,9 +217,12 @@ void addRenderCommand(CLI::App& app, Action& chosen) {
         return readSize(text).first > 0 ? std::string()
                                         : "'" + text + "' is not a size such as 1280x720";
       });
-  command->add_flag("--plain", arguments->plain, "without captions, contacts and reactions");
-  command->add_flag("--timing", arguments->timing,
-                    "milliseconds a step in the captions (then bytes do not repeat)");
+  CLI::Option* plain = command->add_flag("--plain", arguments->plain,
+                                         "without captions, contacts and reactions");
+  command
+      ->add_flag("--timing", arguments->timing,
+                 "milliseconds a step in the captions (then bytes do not repeat)")
+      ->excludes(plain);
   command->callback(
       [&chosen, arguments] { chosen = [arguments] { return renderSubject(*arguments); }; });
 }

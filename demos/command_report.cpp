@@ -1,7 +1,10 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
+#include <initializer_list>
 
 #include "demos/command.h"
+#include "demos/number_checks.h"
 #include "demos/report/part.h"
 #include "demos/report/stability/map.h"
 #include "demos/subject.h"
@@ -10,7 +13,34 @@ namespace demos {
 
 namespace {
 
-int writeReport(const report::ReportArguments& arguments) {
+/// Tells which of the options change nothing, since no part that was asked for looks at them.
+void tellWhatIsIdle(const report::ReportArguments& arguments) {
+  const auto isAskedFor = [&](std::initializer_list<const char*> parts) {
+    return arguments.parts.empty() ||
+           std::any_of(arguments.parts.begin(), arguments.parts.end(), [&](const auto& name) {
+             return std::find(parts.begin(), parts.end(), name) != parts.end();
+           });
+  };
+  const auto tell = [](const char* option, const char* parts) {
+    std::fprintf(stderr, "%s is for %s alone, and changes nothing: add one to --parts\n", option,
+                 parts);
+  };
+  if (arguments.stability) return;
+  if (!arguments.scenes.empty() &&
+      !isAskedFor({"same_problem", "persisting", "own_trajectory", "ablation"}))
+    tell("--scenes", "same_problem, persisting, own_trajectory and ablation");
+  if (!arguments.solvers.empty() &&
+      !isAskedFor({"same_problem", "persisting", "own_trajectory", "time_step", "scaling"}))
+    tell("--solvers", "same_problem, persisting, own_trajectory, time_step and scaling");
+}
+
+int writeReport(report::ReportArguments arguments) {
+  // Each part once, in the order in which they were named first.
+  std::vector<std::string> parts;
+  for (const std::string& part : arguments.parts)
+    if (std::find(parts.begin(), parts.end(), part) == parts.end()) parts.push_back(part);
+  arguments.parts = parts;
+  tellWhatIsIdle(arguments);
   const bool complete =
       arguments.stability ? report::stability::makeMap(arguments) : report::makeReport(arguments);
   const std::string made = arguments.onePrecision ? std::string("stability/") + precisionName()
@@ -32,9 +62,11 @@ void addReportCommand(CLI::App& app, Action& chosen) {
   CLI::Option* scenes =
       command->add_option("--scenes", arguments->scenes, "which (default: those the report names)")
           ->delimiter(',')
+          ->allow_extra_args(false)
           ->type_name("NAME,...");
   command->add_option("--solvers", arguments->solvers, "which, as in 'run'")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->type_name("NAME,...");
   command
       ->add_option(
@@ -44,9 +76,11 @@ void addReportCommand(CLI::App& app, Action& chosen) {
           "redundancy, "
           "angles, speeds, long_runs, stack_pair, chain_pair, soft_ground_pair, wedge_pair")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->type_name("NAME,...");
   command->add_option("--out", arguments->out, "folder for what is made")
       ->type_name("DIR")
+      ->check(notEmpty)
       ->capture_default_str();
   CLI::Option* stability = command->add_flag(
       "--stability", arguments->stability,

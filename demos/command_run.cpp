@@ -254,9 +254,8 @@ void addRunCommand(CLI::App& app, Action& chosen) {
       "  dantzig, dantzig:CFM    Bullet's MLCP solver, Dantzig's method, with a global CFM\n"
       "  lemke, pgs:N            the same, Lemke's method; projected Gauss-Seidel, N sweeps\n\n"
       "Residuals (m/s), reaction/weight and the law's error are of the last three quarters of the\n"
-      "run, all else is of the whole; times are of solveGroup alone. through: bodies that ended "
-      "in\n"
-      "or under what cannot move.");
+      "run, kinetic energy, open/stick/slide and through (bodies in or under what cannot move) of\n"
+      "its end, all else of the whole; times are of solveGroup alone.");
   command->callback(
       [&chosen, arguments] { chosen = [arguments] { return runSubject(*arguments); }; });
 }

@@ -118,13 +118,14 @@ void addSolveCommand(CLI::App& app, Action& chosen) {
   command
       ->add_option("--solution", arguments->solutionFile,
                    "writes reactions and velocities (solution v1)")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(notEmpty);
   command->footer(
       "rel: |F| / |q|, F = r - P(r - v) with P the projection on the cones or bounds and v the\n"
       "velocities u = W r + q (of contacts, those that De Saxce corrects: u + mu |u_t| n);\n"
       "vel: |(F_i(s_i) / s_i)_i| / |q|, the same in velocities, with steps s_i = 3 / trace(W_ii).\n"
-      "Exit status: 0 both are within the tolerance, 3 they are not, 1 the file cannot be read,\n"
-      "2 bad usage.");
+      "Exit status: 0 both are within the tolerance, 3 they are not, 1 a file cannot be read or\n"
+      "written, 2 bad usage.");
   command->callback(
       [&chosen, arguments] { chosen = [arguments] { return solveFile(*arguments); }; });
 }

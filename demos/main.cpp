@@ -18,16 +18,17 @@ int afterOutput(int status) {
   return exitFailed;
 }
 
-/// What is wrong with the first word; nothing if it is a sub-command, or a flag. CLI11 would only say that one is required.
+/// What is wrong with the first word; nothing if it is a sub-command, or an option. CLI11 would only say that one is required.
 std::string commandFault(const CLI::App& app, int argc, char** argv) {
-  if (argc >= 2 && argv[1][0] == '-') return "";
+  if (argc >= 2 && app.get_option_no_throw(argv[1]) != nullptr) return "";
   std::string existing;
   for (const CLI::App* command : app.get_subcommands({})) {
     if (argc >= 2 && command->check_name(argv[1])) return "";
     existing += (existing.empty() ? "" : ", ") + command->get_name();
   }
   return (argc < 2 ? "a command is required"
-                   : "there is no command '" + std::string(argv[1]) + "'") +
+          : argv[1][0] == '-' ? "there is no option '" + std::string(argv[1]) + "' of all commands"
+                              : "there is no command '" + std::string(argv[1]) + "'") +
          "; there are " + existing;
 }
 

@@ -13,7 +13,7 @@ inline double numberIn(const std::string& text) {
   return !text.empty() && *end == '\0' ? value : std::nan("");
 }
 
-/// Checks of numbers on the command line, for CLI11: an empty answer says that the text is good.
+/// Checks of what stands on the command line, for CLI11: an empty answer says that the text is good.
 inline std::string finiteNumber(const std::string& text) {
   return std::isfinite(numberIn(text)) ? "" : "'" + text + "' is not a finite number";
 }
@@ -26,5 +26,8 @@ inline std::string finiteFrom(const std::string& text, bool zeroToo) {
 }
 inline std::string greaterThanZero(const std::string& text) { return finiteFrom(text, false); }
 inline std::string atLeastZero(const std::string& text) { return finiteFrom(text, true); }
+
+/// And of names of files and folders.
+inline std::string notEmpty(const std::string& text) { return text.empty() ? "it is empty" : ""; }
 
 }  // namespace demos

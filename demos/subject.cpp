@@ -31,7 +31,9 @@ void rehearse(const std::string& file) {
   const auto work = [&file] {
     try {
       const LoadedFile loaded = loadBulletFile(file);
-      btDelassusConstraintSolver solver;
+      delassus::Options few;  // how long exact steps take is not the file's fault
+      few.sweepBudget = few.newtonBudget = 10;
+      btDelassusConstraintSolver solver(few);
       loaded.world->setSolver(solver);
       for (int step = 0; step < 3; ++step) loaded.world->step(1.0 / 60);
     } catch (const BulletFileError&) {
@@ -41,22 +43,26 @@ void rehearse(const std::string& file) {
   };
   const report::ApartResult result = report::runApart(work, {patience, bytes});
   if (result.ending != report::Ending::Done)
-    throw BulletFileError(file + ": is damaged: " +
+    throw BulletFileError(file +
                           (result.ending == report::Ending::Crashed
-                               ? "Bullet's importer, or the first step, crashes on it"
-                               : "reading it and three steps take more than a minute"));
+                               ? ": is damaged: Bullet's importer, or the first step, crashes on it"
+                               : ": reading it and three steps take more than a minute: it is too "
+                                 "large, or is damaged"));
 }
 
 }  // namespace
 
 Subject loadSubject(const std::string& name) {
-  if (!isFile(name)) {
-    const SceneDescription& scene = findScene(name);
-    return {scene.name, scene.build(), scene.seconds, scene.hz, {}, scene.law};
-  }
+  std::error_code ignored;  // of what cannot be looked at: who opens it will say why
+  if (!isFile(name)) try {
+      const SceneDescription& scene = findScene(name);
+      return {scene.name, scene.build(), scene.seconds, scene.hz, {}, scene.law};
+    } catch (const UnknownScene& error) {
+      if (!std::filesystem::is_regular_file(name, ignored)) throw;
+      throw UnknownScene(std::string(error.what()) + "; the file of that name is ./" + name);
+    }
   constexpr double usualSeconds = 5, usualHz = 60;
   // A pipe can be read only once, and may never end.
-  std::error_code ignored;  // of what cannot be looked at: who opens it will say why
   const std::filesystem::file_status status = std::filesystem::status(name, ignored);
   if (exists(status) && !is_regular_file(status))
     throw BulletFileError(name + ": is not a regular file");

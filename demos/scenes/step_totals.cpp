@@ -11,7 +11,7 @@ void StepTotals::add(const delassus::StepReport& report) {
         &Report::walks, &Report::matrices, &Report::regions, &Report::factorisations,
         &Report::sweeps, &Report::patches, &Report::pushIslands, &Report::stiffened,
         &Report::events})
-    sum.*count += report.*count;
+    delassus::addTo(sum.*count, report.*count);
   for (const auto seconds :
        {&Report::secondsGather, &Report::secondsPlan, &Report::secondsSolve, &Report::secondsPush,
         &Report::secondsWriteBack, &Report::secondsListener})

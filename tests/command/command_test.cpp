@@ -138,6 +138,23 @@ TEST_F(Command, blamesACrashOnTheFile) {
   EXPECT_EQ(lines(crash.err), 1) << crash.err;
 }
 
+TEST_F(Command, namesWhatItDoesNotUnderstand) {
+  const auto fault = [this](const std::string& arguments) {
+    const Outcome outcome = call(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments;
+    return outcome.err;
+  };
+  EXPECT_NE(fault("--foo").find("'--foo'"), std::string::npos);
+  EXPECT_NE(fault("foo").find("'foo'"), std::string::npos);
+  EXPECT_NE(fault("render one_box --out ''").find("--out"), std::string::npos);
+  EXPECT_NE(fault("render one_box --plain --timing").find("--plain"), std::string::npos);
+  EXPECT_EQ(call("--version").status, 0);
+  // A world whose name tells nobody that it is a file.
+  write("world", "no world");
+  const Outcome outcome = call("run world", "cd '" + file("") + "'; ");
+  EXPECT_NE(outcome.err.find("./world"), std::string::npos) << outcome.err;
+}
+
 TEST_F(Command, tellsWhichOptionsChangeNothing) {
   const std::string options =
       "run one_box --seconds 0.1 --threads 2 --geometric-stiffness --explain --solver ";

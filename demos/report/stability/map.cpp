@@ -1,6 +1,7 @@
 #include "demos/report/stability/map.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 
@@ -69,12 +70,17 @@ std::vector<Part> partsOf(const std::vector<SweepGroup>& groups, const MapPlan& 
   return parts;
 }
 
-/// The executable on Bullet's other precision, which lies beside this one; empty if it does not.
+/// The executable on Bullet's other precision, which lies beside this one; empty, and told, if it does not.
 fs::path otherPrecision() {
   const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
   const fs::path other =
       here / (sizeof(btScalar) == sizeof(double) ? "delassus-float32" : "delassus");
-  return fs::exists(other) ? other : fs::path();
+  if (fs::exists(other)) return other;
+  std::fprintf(stderr,
+               "delassus: there is no %s: only %s precision is measured; "
+               "'cmake --build --preset release' makes both\n",
+               other.c_str(), precisionName());
+  return {};
 }
 
 std::vector<std::string> commandOf(const fs::path& executable, const ReportArguments& arguments) {
@@ -117,8 +123,9 @@ bool makeMap(const ReportArguments& arguments) {
   if (!arguments.onePrecision && !arguments.resume)
     for (const char* precision : precisions) removeMeasures(folder / precision, parts);
   std::optional<CommandBeside> other;
-  if (const fs::path executable = otherPrecision(); !arguments.onePrecision && !executable.empty())
-    other.emplace(commandOf(executable, arguments));
+  if (!arguments.onePrecision)
+    if (const fs::path executable = otherPrecision(); !executable.empty())
+      other.emplace(commandOf(executable, arguments));
   const bool stopped = measure(parts, own) > 0;
   if (other && !stopped) {
     const InterruptWatch watch;
