@@ -2,167 +2,167 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.348704 1e-12 0.348704 0.348704
+0.205214 1e-12 0.205214 0.205214
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.289413 1e-12 0.289413 0.289413
+0.226128 1e-12 0.226128 0.226128
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.052508 1e-12 0.052508 0.052508
+0.046857 1e-12 0.046857 0.046857
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.143259 1e-12 0.143259 0.143259
+0.134649 1e-12 0.134649 0.134649
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.659686 1e-12 0.659686 0.659686
+0.484456 1e-12 0.484456 0.484456
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-2.30467 1e-12 2.30467 2.30467
+2.47473 1e-12 2.47473 2.47473
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.200035 1e-12 0.200035 0.200035
+0.215442 1e-12 0.215442 0.215442
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.483447 1e-12 0.483447 0.483447
+0.432704 1e-12 0.432704 0.432704
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.32564 1972.84 0.32564 0.32564
+0.34531 1972.84 0.34531 0.34531
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.660819 1e-12 0.660819 0.660819
+0.988218 1e-12 0.988218 0.988218
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-26.4361 1e-12 26.4361 26.4361
+24.4367 1e-12 24.4367 24.4367
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.348704 0.011605 0.348704 0.348704
+0.205214 0.0147672 0.205214 0.205214
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.289413 0.0129302 0.289413 0.289413
+0.226128 0.0118083 0.226128 0.226128
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.052508 0.0182838 0.052508 0.052508
+0.046857 0.0182838 0.046857 0.046857
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.143259 0.0146517 0.143259 0.143259
+0.134649 0.0146517 0.134649 0.134649
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.659686 0.0156359 0.659686 0.659686
+0.484456 0.0156359 0.484456 0.484456
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-2.30467 0.0193802 2.30467 2.30467
+2.47473 0.0193802 2.47473 2.47473
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.200035 0.0148255 0.200035 0.200035
+0.215442 0.0148255 0.215442 0.215442
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.483447 0.0271712 0.483447 0.483447
+0.432704 0.0271712 0.432704 0.432704
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.32564 0.0669926 0.32564 0.32564
+0.34531 0.0669926 0.34531 0.34531
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.660819 0.0211407 0.660819 0.660819
+0.988218 0.0211407 0.988218 0.988218
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-26.4361 1.45434e-05 26.4361 26.4361
+24.4367 1.45434e-05 24.4367 24.4367
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.348704 0.000217932 0.348704 0.348704
+0.205214 0.000220039 0.205214 0.205214
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.289413 0.000327311 0.289413 0.289413
+0.226128 0.000429221 0.226128 0.226128
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.052508 0.147173 0.052508 0.052508
+0.046857 0.147173 0.046857 0.046857
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.143259 0.0267271 0.143259 0.143259
+0.134649 0.0267271 0.134649 0.134649
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.659686 0.00570616 0.659686 0.659686
+0.484456 0.00570616 0.484456 0.484456
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-2.30467 0.0010972 2.30467 2.30467
+2.47473 0.0010972 2.47473 2.47473
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.200035 0.0267271 0.200035 0.200035
+0.215442 0.0267271 0.215442 0.215442
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.483447 0.0267271 0.483447 0.483447
+0.432704 0.0267271 0.432704 0.432704
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.32564 0.284647 0.32564 0.32564
+0.34531 0.284647 0.34531 0.34531
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.660819 0.000277861 0.660819 0.660819
+0.988218 0.000277861 0.988218 0.988218
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-26.4361 0.000371813 26.4361 26.4361
+24.4367 0.000327021 24.4367 24.4367
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -182,7 +182,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0300296:581.854]
+set xrange [0.0267132:547.342]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -193,21 +193,21 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.27533, graph 0.0355477 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.256451, graph 0.0937373 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.232317, graph 0.0355477 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.242093, graph 0.0937373 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.0355477 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0190762, graph 0.0937373 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.339912, graph 0.140289 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.31297, graph 0.0588235 to graph 0.339912, graph 0.140289 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.46663, graph 0.0471856 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.030442, graph 0.140289 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.192094, graph 0.0588235 to graph 0.165152, graph 0.140289 nohead lw 0.6 lc rgb '#e69f00'
-set label "pgs:50" at graph 0.308427, graph 0.186841 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.281485, graph 0.0588235 to graph 0.308427, graph 0.186841 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.016783, graph 0.186841 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.313144, graph 0.0588235 to graph 0.286202, graph 0.186841 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.0237299, graph 0.0937373 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.31884, graph 0.140289 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.291898, graph 0.0588235 to graph 0.31884, graph 0.140289 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.483114, graph 0.0471856 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0486228, graph 0.140289 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.210274, graph 0.0588235 to graph 0.183332, graph 0.140289 nohead lw 0.6 lc rgb '#e69f00'
+set label "pgs:50" at graph 0.307461, graph 0.186841 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.280519, graph 0.0588235 to graph 0.307461, graph 0.186841 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.390647, graph 0.233392 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.363705, graph 0.0588235 to graph 0.390647, graph 0.233392 nohead lw 0.6 lc rgb '#555555'
 set label "lemke (cut)" at graph 0.713778, graph 0.0588235 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.268398, graph 0.958535 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.284735, graph 0.958535 left front noenhanced textcolor rgb '#555555'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -228,7 +228,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0300296:581.854]
+set xrange [0.0267132:547.342]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -240,23 +240,23 @@ unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.232533 left front noenhanced textcolor rgb '#999999'
-set label "delassus" at graph 0.27533, graph 0.812929 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.256451, graph 0.764131 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.22951, graph 0.822321 to graph 0.256451, graph 0.764131 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:50" at graph 0.0190762, graph 0.82154 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.030442, graph 0.880753 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.192094, graph 0.834202 to graph 0.165152, graph 0.880753 nohead lw 0.6 lc rgb '#e69f00'
-set label "si:200" at graph 0.339912, graph 0.885376 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.31297, graph 0.838824 to graph 0.339912, graph 0.885376 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.242093, graph 0.814437 left front noenhanced textcolor rgb '#0060a8'
+set label "si:50" at graph 0.0237299, graph 0.82154 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.232317, graph 0.764032 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.205375, graph 0.83386 to graph 0.232317, graph 0.764032 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.0486228, graph 0.880753 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.210274, graph 0.834202 to graph 0.183332, graph 0.880753 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:200" at graph 0.31884, graph 0.897014 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.291898, graph 0.838824 to graph 0.31884, graph 0.897014 nohead lw 0.6 lc rgb '#d55e00'
 set label "si:10" at graph 0.0835457, graph 0.933879 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.852413 to graph 0.0835457, graph 0.933879 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.46663, graph 0.834196 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.340086, graph 0.934851 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.313144, graph 0.865024 to graph 0.340086, graph 0.934851 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:50" at graph 0.119833, graph 0.770442 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.281485, graph 0.886822 to graph 0.254543, graph 0.770442 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.0573532, graph 0.720809 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.241456, graph 0.965205 to graph 0.214515, graph 0.720809 nohead lw 0.6 lc rgb '#555555'
+set label "si:1000" at graph 0.483114, graph 0.86911 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.390647, graph 0.946489 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.363705, graph 0.865024 to graph 0.390647, graph 0.946489 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:50" at graph 0.307461, graph 0.712253 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.280519, graph 0.886822 to graph 0.307461, graph 0.712253 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.0736899, graph 0.767361 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.257793, graph 0.965205 to graph 0.230851, graph 0.767361 nohead lw 0.6 lc rgb '#555555'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -277,7 +277,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0300296:581.854]
+set xrange [0.0267132:547.342]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -288,18 +288,17 @@ set ylabel "joints pulled apart, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.27533, graph 0.0845803 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.340086, graph 0.134233 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.256451, graph 0.18693 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.22951, graph 0.12874 to graph 0.256451, graph 0.18693 nohead lw 0.6 lc rgb '#0060a8'
-set label "lemke (cut)" at graph 0.713778, graph 0.142581 left front noenhanced textcolor rgb '#999999'
-set label "si:1000" at graph 0.46663, graph 0.260072 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.339912, graph 0.439086 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0190762, graph 0.606738 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.219036, graph 0.641652 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.308427, graph 0.5951 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus" at graph 0.232317, graph 0.0856247 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.390647, graph 0.134233 left front noenhanced textcolor rgb '#555555'
+set label "lemke (cut)" at graph 0.713778, graph 0.128644 left front noenhanced textcolor rgb '#999999'
+set label "delassus:1e-3" at graph 0.242093, graph 0.181446 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.483114, graph 0.260072 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.31884, graph 0.439086 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0237299, graph 0.606738 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.237216, graph 0.641652 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.307461, graph 0.5951 left front noenhanced textcolor rgb '#cc79a7'
 set label "si:10" at graph 0.0835457, graph 0.791957 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.268398, graph 0.863577 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.284735, graph 0.863577 left front noenhanced textcolor rgb '#555555'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

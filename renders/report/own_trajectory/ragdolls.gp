@@ -2,167 +2,167 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-7.2587 1e-12 7.2587 7.2587
+6.3911 1e-12 6.3911 6.3911
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-3.3333 1e-12 3.3333 3.3333
+3.12853 1e-12 3.12853 3.12853
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.424816 1e-12 0.424816 0.424816
+0.389662 1e-12 0.389662 0.389662
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-1.26934 1e-12 1.26934 1.26934
+1.22915 1e-12 1.22915 1.22915
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-4.54896 1e-12 4.54896 4.54896
+4.49097 1e-12 4.49097 4.49097
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-22.9449 1e-12 22.9449 22.9449
+21.8782 1e-12 21.8782 21.8782
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-1.87153 1e-12 1.87153 1.87153
+1.38193 1e-12 1.38193 1.38193
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-8.29872 1e-12 8.29872 8.29872
+7.47172 1e-12 7.47172 7.47172
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-56.2891 1e-12 56.2891 56.2891
+47.5668 1e-12 47.5668 47.5668
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-51.6412 1e-12 51.6412 51.6412
+47.4023 1e-12 47.4023 47.4023
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-737.061 1e-12 737.061 737.061
+705.238 1e-12 705.238 705.238
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-7.2587 0.100174 7.2587 7.2587
+6.3911 0.100174 6.3911 6.3911
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-3.3333 0.100339 3.3333 3.3333
+3.12853 0.100789 3.12853 3.12853
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.424816 0.070909 0.424816 0.424816
+0.389662 0.070909 0.389662 0.389662
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-1.26934 0.0672482 1.26934 1.26934
+1.22915 0.0672482 1.22915 1.22915
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-4.54896 0.0753632 4.54896 4.54896
+4.49097 0.0753632 4.49097 4.49097
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-22.9449 0.0696225 22.9449 22.9449
+21.8782 0.0696225 21.8782 21.8782
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-1.87153 0.100681 1.87153 1.87153
+1.38193 0.100681 1.38193 1.38193
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-8.29872 0.0731354 8.29872 8.29872
+7.47172 0.0731354 7.47172 7.47172
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-56.2891 0.0847997 56.2891 56.2891
+47.5668 0.0847997 47.5668 47.5668
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-51.6412 0.0786604 51.6412 51.6412
+47.4023 0.0786604 47.4023 47.4023
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-737.061 1e-12 737.061 737.061
+705.238 1e-12 705.238 705.238
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-7.2587 0.0389089 7.2587 7.2587
+6.3911 0.0389089 6.3911 6.3911
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-3.3333 0.0391153 3.3333 3.3333
+3.12853 0.0392425 3.12853 3.12853
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.424816 0.0657587 0.424816 0.424816
+0.389662 0.0657587 0.389662 0.389662
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-1.26934 0.0320519 1.26934 1.26934
+1.22915 0.0320519 1.22915 1.22915
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-4.54896 0.037435 4.54896 4.54896
+4.49097 0.037435 4.49097 4.49097
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-22.9449 0.0379267 22.9449 22.9449
+21.8782 0.0379267 21.8782 21.8782
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-1.87153 0.0412119 1.87153 1.87153
+1.38193 0.0412119 1.38193 1.38193
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-8.29872 0.0356133 8.29872 8.29872
+7.47172 0.0356133 7.47172 7.47172
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-56.2891 0.049883 56.2891 56.2891
+47.5668 0.049883 47.5668 47.5668
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-51.6412 0.0428533 51.6412 51.6412
+47.4023 0.0428533 47.4023 47.4023
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-737.061 1e-12 737.061 737.061
+705.238 1e-12 705.238 705.238
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -182,7 +182,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.217403:29999.9]
+set xrange [0.198658:29313.5]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -193,22 +193,22 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.323369, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.257612, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.318581, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.258562, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.00989221, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.283884, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.256942, graph 0.5 to graph 0.283884, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.420615, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.393673, graph 0.5 to graph 0.420615, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.0202467, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.181898, graph 0.5 to graph 0.154956, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
-set label "pgs:50" at graph 0.334683, graph 0.593103 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.307741, graph 0.5 to graph 0.334683, graph 0.593103 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.496441, graph 0.593103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.469499, graph 0.5 to graph 0.496441, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6 (cut)" at graph 0.489159, graph 0.371983 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.462217, graph 0.5 to graph 0.489159, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.0139254, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.288935, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.261994, graph 0.5 to graph 0.288935, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.421974, graph 0.593103 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.395032, graph 0.5 to graph 0.421974, graph 0.593103 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.00131758, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.162969, graph 0.5 to graph 0.136027, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
+set label "pgs:50" at graph 0.143113, graph 0.418534 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.304764, graph 0.5 to graph 0.277822, graph 0.418534 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.487228, graph 0.418534 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.460286, graph 0.5 to graph 0.487228, graph 0.418534 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.486936, graph 0.371983 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.459994, graph 0.5 to graph 0.486936, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
 set label "lemke (cut)" at graph 0.713778, graph 0.5 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -230,7 +230,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.217403:29999.9]
+set xrange [0.198658:29313.5]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -242,22 +242,22 @@ unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.176034, graph 0.886546 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.420615, graph 0.887705 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.180067, graph 0.886546 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.421974, graph 0.887705 left front noenhanced textcolor rgb '#d55e00'
 set label "si:10" at graph 0.0835457, graph 0.958144 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.911592 to graph 0.0835457, graph 0.958144 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.334683, graph 0.947539 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.283884, graph 0.832162 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.256942, graph 0.913628 to graph 0.283884, graph 0.832162 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig:1e-6 (cut)" at graph 0.489159, graph 0.938334 left front noenhanced textcolor rgb '#555555'
-set label "dantzig (cut)" at graph 0.496441, graph 0.836103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.469499, graph 0.917569 to graph 0.496441, graph 0.836103 nohead lw 0.6 lc rgb '#555555'
-set label "delassus" at graph 0.0898725, graph 0.830032 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.296427, graph 0.923135 to graph 0.269485, graph 0.830032 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.257612, graph 0.771897 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.23067, graph 0.92319 to graph 0.257612, graph 0.771897 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.0202467, graph 0.876752 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.181898, graph 0.923304 to graph 0.154956, graph 0.876752 nohead lw 0.6 lc rgb '#e69f00'
+set label "pgs:50" at graph 0.331706, graph 0.947539 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.288935, graph 0.832162 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.261994, graph 0.913628 to graph 0.288935, graph 0.832162 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig:1e-6 (cut)" at graph 0.486936, graph 0.938334 left front noenhanced textcolor rgb '#555555'
+set label "dantzig (cut)" at graph 0.487228, graph 0.836103 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.460286, graph 0.917569 to graph 0.487228, graph 0.836103 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.085084, graph 0.830032 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.291639, graph 0.923135 to graph 0.264697, graph 0.830032 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.00131758, graph 0.876752 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.162969, graph 0.923304 to graph 0.136027, graph 0.876752 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus:1e-3" at graph 0.258562, graph 0.772046 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.23162, graph 0.92334 to graph 0.258562, graph 0.772046 nohead lw 0.6 lc rgb '#0060a8'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -278,7 +278,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.217403:29999.9]
+set xrange [0.198658:29313.5]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -290,21 +290,21 @@ unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.0833333 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.00989221, graph 0.958821 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.334683, graph 0.939358 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.0952907, graph 0.90625 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.256942, graph 0.96444 to graph 0.23, graph 0.90625 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.420615, graph 0.883447 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.393673, graph 0.964912 to graph 0.420615, graph 0.883447 nohead lw 0.6 lc rgb '#d55e00'
-set label "delassus" at graph 0.0898725, graph 0.849458 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.296427, graph 0.965837 to graph 0.269485, graph 0.849458 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.257612, graph 0.79146 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.23067, graph 0.966029 to graph 0.257612, graph 0.79146 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.0202467, graph 0.79335 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.181898, graph 0.967919 to graph 0.154956, graph 0.79335 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig:1e-6 (cut)" at graph 0.489159, graph 0.969332 left front noenhanced textcolor rgb '#555555'
-set label "dantzig (cut)" at graph 0.496441, graph 0.742071 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.469499, graph 0.974829 to graph 0.496441, graph 0.742071 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.0139254, graph 0.958821 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.331706, graph 0.939358 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.100342, graph 0.90625 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.261994, graph 0.96444 to graph 0.235052, graph 0.90625 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.421974, graph 0.883447 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.395032, graph 0.964912 to graph 0.421974, graph 0.883447 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.085084, graph 0.849458 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.291639, graph 0.965837 to graph 0.264697, graph 0.849458 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.258562, graph 0.791577 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.23162, graph 0.966146 to graph 0.258562, graph 0.791577 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.00131758, graph 0.79335 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.162969, graph 0.967919 to graph 0.136027, graph 0.79335 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig:1e-6 (cut)" at graph 0.486936, graph 0.969332 left front noenhanced textcolor rgb '#555555'
+set label "dantzig (cut)" at graph 0.487228, graph 0.742071 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.460286, graph 0.974829 to graph 0.487228, graph 0.742071 nohead lw 0.6 lc rgb '#555555'
 set label "si:10" at graph 0.0835457, graph 0.743966 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.984829 to graph 0.0835457, graph 0.743966 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \

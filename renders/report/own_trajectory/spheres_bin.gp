@@ -2,197 +2,182 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-30.6469 1e-12 30.6469 30.6469
+23.2714 1e-12 23.2714 23.2714
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-15.6607 1e-12 15.6607 15.6607
+2.10061 1e-12 2.10061 2.10061
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-2.26728 1e-12 2.26728 2.26728
+6.35585 1e-12 6.35585 6.35585
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-7.22167 1e-12 7.22167 7.22167
+21.9206 1e-12 21.9206 21.9206
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-21.1992 1e-12 21.1992 21.1992
+54.7984 1e-12 54.7984 54.7984
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-68.2134 1e-12 68.2134 68.2134
+7.63135 1e-12 7.63135 7.63135
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-7.86294 1e-12 7.86294 7.86294
+2.46423 1e-12 2.46423 2.46423
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-2.89379 1e-12 2.89379 2.89379
+8.26841 1e-12 8.26841 8.26841
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-8.68101 1e-12 8.68101 8.68101
+119.552 1e-12 119.552 119.552
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-101.83 1e-12 101.83 101.83
+16.4972 1e-12 16.4972 16.4972
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-18.7582 1e-12 18.7582 18.7582
+16.0431 1e-12 16.0431 16.0431
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-22.1632 1e-12 22.1632 22.1632
-EOD
-$line0_12 << EOD
-EOD
-$marks0_12 << EOD
-4.55616 1e-12 4.55616 4.55616
+6.2729 1e-12 6.2729 6.2729
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-30.6469 0.0903329 30.6469 30.6469
+23.2714 0.090333 23.2714 23.2714
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-15.6607 0.0903332 15.6607 15.6607
+2.10061 0.0596164 2.10061 2.10061
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-2.26728 0.0596164 2.26728 2.26728
+6.35585 0.0785919 6.35585 6.35585
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-7.22167 0.0785919 7.22167 7.22167
+21.9206 0.0821982 21.9206 21.9206
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-21.1992 0.0821982 21.1992 21.1992
+54.7984 0.0821606 54.7984 54.7984
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-68.2134 0.0821606 68.2134 68.2134
+7.63135 0.086607 7.63135 7.63135
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-7.86294 0.086607 7.86294 7.86294
+2.46423 0.0606733 2.46423 2.46423
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-2.89379 0.0606733 2.89379 2.89379
+8.26841 0.080631 8.26841 8.26841
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-8.68101 0.080631 8.68101 8.68101
+119.552 0.0864095 119.552 119.552
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-101.83 0.0864095 101.83 101.83
+16.4972 0.047843 16.4972 16.4972
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-18.7582 0.047843 18.7582 18.7582
+16.0431 0.047836 16.0431 16.0431
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-22.1632 0.047836 22.1632 22.1632
-EOD
-$line1_12 << EOD
-EOD
-$marks1_12 << EOD
-4.55616 1e-12 4.55616 4.55616
+6.2729 1e-12 6.2729 6.2729
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-30.6469 1e-12 30.6469 30.6469
+23.2714 0.0897705 23.2714 23.2714
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-15.6607 0.0526637 15.6607 15.6607
+2.10061 0.0127214 2.10061 2.10061
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-2.26728 0.0127214 2.26728 2.26728
+6.35585 0.0203721 6.35585 6.35585
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-7.22167 0.0203721 7.22167 7.22167
+21.9206 0.0328768 21.9206 21.9206
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-21.1992 0.0325952 21.1992 21.1992
+54.7984 1e-12 54.7984 54.7984
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-68.2134 1e-12 68.2134 68.2134
+7.63135 0.0139113 7.63135 7.63135
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-7.86294 0.0139113 7.86294 7.86294
+2.46423 0.0145098 2.46423 2.46423
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-2.89379 0.0145098 2.89379 2.89379
+8.26841 0.0845091 8.26841 8.26841
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-8.68101 0.0845091 8.68101 8.68101
+119.552 1e-12 119.552 119.552
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-101.83 1e-12 101.83 101.83
+16.4972 1e-12 16.4972 16.4972
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-18.7582 1e-12 18.7582 18.7582
+16.0431 1e-12 16.0431 16.0431
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-22.1632 1e-12 22.1632 22.1632
-EOD
-$line2_12 << EOD
-EOD
-$marks2_12 << EOD
-4.55616 1e-12 4.55616 4.55616
+6.2729 1e-12 6.2729 6.2729
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +197,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.59309:812.708]
+set xrange [1.44392:1085.81]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -223,40 +208,36 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus (cut)" at graph 0.5012, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3 (cut)" at graph 0.393516, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3 (cut)" at graph 0.446689, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.269361, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200 (cut)" at graph 0.118782, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000 (cut)" at graph 0.629532, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.60259, graph 0.5 to graph 0.629532, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.283007, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.256065, graph 0.5 to graph 0.283007, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.122679, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0957371, graph 0.5 to graph 0.122679, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.298882, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.27194, graph 0.5 to graph 0.298882, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
+set label "si:50" at graph 0.250719, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200 (cut)" at graph 0.43766, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000 (cut)" at graph 0.576006, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.549064, graph 0.5 to graph 0.576006, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.278335, graph 0.534914 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.107652, graph 0.534914 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.290441, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.263499, graph 0.5 to graph 0.290441, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
 set label "pgs:50 (cut)" at graph 0.693796, graph 0.593103 left front noenhanced textcolor rgb '#cc79a7'
 set arrow from graph 0.666854, graph 0.5 to graph 0.693796, graph 0.593103 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.422463, graph 0.371983 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.395521, graph 0.5 to graph 0.422463, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6 (cut)" at graph 0.449217, graph 0.639655 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.422275, graph 0.5 to graph 0.449217, graph 0.639655 nohead lw 0.6 lc rgb '#555555'
-set label "lemke (cut)" at graph 0.195484, graph 0.639655 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.168542, graph 0.5 to graph 0.195484, graph 0.639655 nohead lw 0.6 lc rgb '#999999'
+set label "dantzig (cut)" at graph 0.394741, graph 0.593103 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.367799, graph 0.5 to graph 0.394741, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.390526, graph 0.371983 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.363584, graph 0.5 to graph 0.390526, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.248736, graph 0.639655 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.221794, graph 0.5 to graph 0.248736, graph 0.639655 nohead lw 0.6 lc rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
-  $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
+  $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks0_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks0_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks0_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks0_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
+  $marks0_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
+  $marks0_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
   $marks0_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks0_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks0_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
+  $marks0_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
+  $marks0_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
   $marks0_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks0_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks0_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+  $marks0_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
 set lmargin at screen 0.395
 set rmargin at screen 0.653333
 set tmargin at screen 0.851064
@@ -266,7 +247,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.59309:812.708]
+set xrange [1.44392:1085.81]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -277,39 +258,36 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke (cut)" at graph 0.195484, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "dantzig:1e-6 (cut)" at graph 0.449217, graph 0.886805 left front noenhanced textcolor rgb '#555555'
-set label "dantzig (cut)" at graph 0.0767085, graph 0.875172 left front noenhanced textcolor rgb '#555555'
+set label "lemke (cut)" at graph 0.248736, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
+set label "dantzig:1e-6 (cut)" at graph 0.390526, graph 0.886805 left front noenhanced textcolor rgb '#555555'
+set label "dantzig (cut)" at graph 0.0489865, graph 0.875172 left front noenhanced textcolor rgb '#555555'
 set label "si:10" at graph 0.0835457, graph 0.940711 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.122679, graph 0.824919 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0957371, graph 0.906384 to graph 0.122679, graph 0.824919 nohead lw 0.6 lc rgb '#009e73'
-set label "si:50" at graph 0.269361, graph 0.949943 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.298882, graph 0.822781 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.27194, graph 0.915885 to graph 0.298882, graph 0.822781 nohead lw 0.6 lc rgb '#009e73'
-set label "si:1000 (cut)" at graph 0.629532, graph 0.951426 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200 (cut)" at graph 0.442085, graph 0.765235 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.415143, graph 0.916528 to graph 0.442085, graph 0.765235 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.107652, graph 0.824919 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0807101, graph 0.906384 to graph 0.107652, graph 0.824919 nohead lw 0.6 lc rgb '#009e73'
+set label "si:50" at graph 0.250719, graph 0.949943 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.290441, graph 0.822781 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.263499, graph 0.915885 to graph 0.290441, graph 0.822781 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000 (cut)" at graph 0.576006, graph 0.951426 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200 (cut)" at graph 0.43766, graph 0.765235 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.410718, graph 0.916528 to graph 0.43766, graph 0.765235 nohead lw 0.6 lc rgb '#d55e00'
 set label "pgs:50 (cut)" at graph 0.693796, graph 0.836732 left front noenhanced textcolor rgb '#cc79a7'
 set arrow from graph 0.666854, graph 0.918197 to graph 0.693796, graph 0.836732 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si2:50" at graph 0.283007, graph 0.76698 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.256065, graph 0.918273 to graph 0.283007, graph 0.76698 nohead lw 0.6 lc rgb '#e69f00'
-set label "delassus (cut)" at graph 0.5012, graph 0.710198 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.474258, graph 0.91968 to graph 0.5012, graph 0.710198 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus:1e-3 (cut)" at graph 0.393516, graph 0.652008 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.366574, graph 0.919681 to graph 0.393516, graph 0.652008 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.278335, graph 0.76698 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.251393, graph 0.918273 to graph 0.278335, graph 0.76698 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus:1e-3 (cut)" at graph 0.446689, graph 0.710198 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.419747, graph 0.919681 to graph 0.446689, graph 0.710198 nohead lw 0.6 lc rgb '#0060a8'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
-  $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
+  $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks1_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks1_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks1_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks1_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
+  $marks1_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
+  $marks1_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
   $marks1_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks1_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks1_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
+  $marks1_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
+  $marks1_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
   $marks1_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks1_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks1_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+  $marks1_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
 set lmargin at screen 0.728333
 set rmargin at screen 0.986667
 set tmargin at screen 0.851064
@@ -319,7 +297,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.59309:812.708]
+set xrange [1.44392:1085.81]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -330,34 +308,31 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus (cut)" at graph 0.5012, graph 0.100199 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000 (cut)" at graph 0.629532, graph 0.0536472 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50 (cut)" at graph 0.693796, graph 0.158389 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.666854, graph 0.0769231 to graph 0.693796, graph 0.158389 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.0767085, graph 0.100199 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6 (cut)" at graph 0.449217, graph 0.20494 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.422275, graph 0.0769231 to graph 0.449217, graph 0.20494 nohead lw 0.6 lc rgb '#555555'
-set label "lemke (cut)" at graph 0.195484, graph 0.0536472 left front noenhanced textcolor rgb '#999999'
+set label "si:1000 (cut)" at graph 0.576006, graph 0.100199 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.693796, graph 0.0536472 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.394741, graph 0.0536472 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.390526, graph 0.158389 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.363584, graph 0.0769231 to graph 0.390526, graph 0.158389 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.248736, graph 0.100199 left front noenhanced textcolor rgb '#999999'
 set label "si:10" at graph 0.0835457, graph 0.830919 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.283007, graph 0.857182 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.122679, graph 0.893503 left front noenhanced textcolor rgb '#009e73'
-set label "si:50" at graph 0.269361, graph 0.800098 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.24242, graph 0.869926 to graph 0.269361, graph 0.800098 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200 (cut)" at graph 0.442085, graph 0.885627 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3 (cut)" at graph 0.393516, graph 0.936568 left front noenhanced textcolor rgb '#0060a8'
-set label "nncg:50" at graph 0.0878368, graph 0.94073 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.278335, graph 0.857182 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.107652, graph 0.893503 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.250719, graph 0.800098 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.223777, graph 0.869926 to graph 0.250719, graph 0.800098 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200 (cut)" at graph 0.43766, graph 0.885915 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.0793961, graph 0.94073 left front noenhanced textcolor rgb '#009e73'
+set label "delassus:1e-3 (cut)" at graph 0.446689, graph 0.942748 left front noenhanced textcolor rgb '#0060a8'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
-  $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
+  $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks2_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks2_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks2_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks2_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
+  $marks2_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
+  $marks2_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
   $marks2_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks2_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks2_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
+  $marks2_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
+  $marks2_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
   $marks2_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
 unset multiplot
 }

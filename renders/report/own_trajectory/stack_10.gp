@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.007894 1e-12 0.007894 0.007894
+0.010003 1e-12 0.010003 0.010003
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.011611 1e-12 0.011611 0.011611
+0.010076 1e-12 0.010076 0.010076
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.024596 0.129696 0.024596 0.024596
+0.025769 0.129696 0.025769 0.025769
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.087113 0.0193733 0.087113 0.087113
+0.100346 0.0193733 0.100346 0.100346
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.324148 0.00359186 0.324148 0.324148
+0.323448 0.00359186 0.323448 0.323448
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-1.23273 0.00633756 1.23273 1.23273
+1.57144 0.00633756 1.57144 1.57144
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.10149 0.0098553 0.10149 0.10149
+0.12266 0.0098553 0.12266 0.12266
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.022492 0.024797 0.022492 0.022492
+0.026319 0.024797 0.026319 0.026319
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.091381 0.0468525 0.091381 0.091381
+0.110238 0.0468525 0.110238 0.110238
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.290274 0.0200612 0.290274 0.290274
+0.333358 0.0200612 0.333358 0.333358
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.063359 0.0568945 0.063359 0.063359
+0.072824 0.0568945 0.072824 0.072824
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.120085 1.12406e-05 0.120085 0.120085
+0.137033 1.12406e-05 0.137033 0.137033
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-2.41738 0.0276988 2.41738 2.41738
+2.74222 0.0212837 2.74222 2.74222
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.007894 1e-12 0.007894 0.007894
+0.010003 1e-12 0.010003 0.010003
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.011611 1e-12 0.011611 0.011611
+0.010076 1e-12 0.010076 0.010076
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.024596 0.00380401 0.024596 0.024596
+0.025769 0.00380401 0.025769 0.025769
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.087113 0.000396081 0.087113 0.087113
+0.100346 0.000396081 0.100346 0.100346
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.324148 0.000105005 0.324148 0.324148
+0.323448 0.000105005 0.323448 0.323448
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-1.23273 3.50737e-06 1.23273 1.23273
+1.57144 3.50737e-06 1.57144 1.57144
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.10149 0.000535392 0.10149 0.10149
+0.12266 0.000535392 0.12266 0.12266
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.022492 0.00816299 0.022492 0.022492
+0.026319 0.00816299 0.026319 0.026319
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.091381 0.0105749 0.091381 0.091381
+0.110238 0.0105749 0.110238 0.110238
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.290274 0.000396081 0.290274 0.290274
+0.333358 0.000396081 0.333358 0.333358
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.063359 0.00461789 0.063359 0.063359
+0.072824 0.00461789 0.072824 0.072824
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.120085 2.04375e-06 0.120085 0.120085
+0.137033 2.04375e-06 0.137033 0.137033
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-2.41738 0.00380401 2.41738 2.41738
+2.74222 0.00380401 2.74222 2.74222
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.007894 1e-12 0.007894 0.007894
+0.010003 1e-12 0.010003 0.010003
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.011611 1e-12 0.011611 0.011611
+0.010076 1e-12 0.010076 0.010076
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.024596 0.000805561 0.024596 0.024596
+0.025769 0.000805561 0.025769 0.025769
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.087113 7.23225e-05 0.087113 0.087113
+0.100346 7.23225e-05 0.100346 0.100346
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.324148 0.00110292 0.324148 0.324148
+0.323448 0.00110292 0.323448 0.323448
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-1.23273 0.00063824 1.23273 1.23273
+1.57144 0.00063824 1.57144 1.57144
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.10149 0.000812162 0.10149 0.10149
+0.12266 0.000812162 0.12266 0.12266
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.022492 0.0531082 0.022492 0.022492
+0.026319 0.0531082 0.026319 0.026319
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.091381 0.3559 0.091381 0.091381
+0.110238 0.3559 0.110238 0.110238
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.290274 0.000442484 0.290274 0.290274
+0.333358 0.000442484 0.333358 0.333358
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.063359 0.239757 0.063359 0.063359
+0.072824 0.239757 0.072824 0.072824
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.120085 1e-12 0.120085 0.120085
+0.137033 1e-12 0.137033 0.137033
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-2.41738 1e-12 2.41738 2.41738
+2.74222 1e-12 2.74222 2.74222
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00472079:41.5593]
+set xrange [0.00604179:44.6206]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,24 +223,22 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.100199 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.126027, graph 0.0536472 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.38324, graph 0.619292 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.303973, graph 0.811948 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.639633, graph 0.830917 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.364718, graph 0.903857 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.337776, graph 0.845667 to graph 0.364718, graph 0.903857 nohead lw 0.6 lc rgb '#e69f00'
-set label "si:50" at graph 0.181758, graph 0.844971 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.480415, graph 0.799585 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.453473, graph 0.869412 to graph 0.480415, graph 0.799585 nohead lw 0.6 lc rgb '#cc79a7'
-set label "nncg:10" at graph 0.198824, graph 0.934682 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.171882, graph 0.876492 to graph 0.198824, graph 0.934682 nohead lw 0.6 lc rgb '#009e73'
-set label "lemke (cut)" at graph 0.713778, graph 0.880189 left front noenhanced textcolor rgb '#999999'
-set label "nncg:50" at graph 0.142121, graph 0.793007 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.326224, graph 0.897749 to graph 0.299282, graph 0.793007 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.312846, graph 0.764581 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.285904, graph 0.904236 to graph 0.312846, graph 0.764581 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.0425269, graph 0.931764 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.084362, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0574201, graph 0.0769231 to graph 0.084362, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.377389, graph 0.619292 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.473807, graph 0.811948 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.65127, graph 0.830917 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.176356, graph 0.845667 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.342407, graph 0.90316 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.477195, graph 0.869412 left front noenhanced textcolor rgb '#cc79a7'
+set label "lemke (cut)" at graph 0.713778, graph 0.883026 left front noenhanced textcolor rgb '#999999'
+set label "nncg:10" at graph 0.192155, graph 0.957958 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.165213, graph 0.876492 to graph 0.192155, graph 0.957958 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.352962, graph 0.955938 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.32602, graph 0.897749 to graph 0.352962, graph 0.955938 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.0953707, graph 0.904236 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.0236416, graph 0.955039 left front noenhanced textcolor rgb '#d55e00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -263,7 +261,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00472079:41.5593]
+set xrange [0.00604179:44.6206]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -274,22 +272,23 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.106609 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.126027, graph 0.0600575 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.0599372, graph 0.609202 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.639633, graph 0.628748 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.492567, graph 0.751768 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.181758, graph 0.799815 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.480415, graph 0.799815 left front noenhanced textcolor rgb '#cc79a7'
-set label "si2:50" at graph 0.364718, graph 0.857274 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.337776, graph 0.810723 to graph 0.364718, graph 0.857274 nohead lw 0.6 lc rgb '#e69f00'
-set label "si:10" at graph 0.0425269, graph 0.881687 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.0835457, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.084362, graph 0.129885 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0574201, graph 0.0833333 to graph 0.084362, graph 0.129885 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.0540859, graph 0.609202 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.65127, graph 0.628748 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.473807, graph 0.751768 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.176265, graph 0.799815 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.477195, graph 0.799815 left front noenhanced textcolor rgb '#cc79a7'
+set label "si2:50" at graph 0.364949, graph 0.857274 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.338007, graph 0.810723 to graph 0.364949, graph 0.857274 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:10" at graph 0.0236416, graph 0.881687 left front noenhanced textcolor rgb '#d55e00'
 set label "lemke (cut)" at graph 0.713778, graph 0.881687 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.101801, graph 0.935255 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.285904, graph 0.888704 to graph 0.258962, graph 0.935255 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.198824, graph 0.862769 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.171882, graph 0.909321 to graph 0.198824, graph 0.862769 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.353166, graph 0.91869 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.0953707, graph 0.935255 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.279474, graph 0.888704 to graph 0.252532, graph 0.935255 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.192155, graph 0.862769 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.165213, graph 0.909321 to graph 0.192155, graph 0.862769 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.352962, graph 0.91869 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -312,7 +311,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00472079:41.5593]
+set xrange [0.00604179:44.6206]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -323,20 +322,21 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.100199 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.126027, graph 0.0536472 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.38324, graph 0.100199 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.084362, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0574201, graph 0.0769231 to graph 0.084362, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.377389, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
 set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.3479, graph 0.681483 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.480415, graph 0.730354 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:1000" at graph 0.639633, graph 0.75423 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.208669, graph 0.762008 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.364718, graph 0.797194 left front noenhanced textcolor rgb '#e69f00'
-set label "si:200" at graph 0.492567, graph 0.853969 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.465625, graph 0.772503 to graph 0.492567, graph 0.853969 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.198824, graph 0.901936 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig" at graph 0.101801, graph 0.95229 left front noenhanced textcolor rgb '#555555'
-set label "nncg:50" at graph 0.353166, graph 0.965487 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.342407, graph 0.681483 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.477195, graph 0.741992 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:1000" at graph 0.65127, graph 0.75423 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.189784, graph 0.762008 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.364949, graph 0.797194 left front noenhanced textcolor rgb '#e69f00'
+set label "si:200" at graph 0.473807, graph 0.853969 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.446865, graph 0.772503 to graph 0.473807, graph 0.853969 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.192155, graph 0.901936 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.0953707, graph 0.95229 left front noenhanced textcolor rgb '#555555'
+set label "nncg:50" at graph 0.352962, graph 0.965487 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -1,435 +1,433 @@
 # Draws overview.svg and overview.png: gnuplot overview.gp
 $line0_0 << EOD
-0.000524333 1e-13 0.000521 0.000537667
+0.000629333 1e-13 0.000612667 0.000677
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.000531 1e-13 0.000531 0.000531
+0.00083 1e-13 0.00083 0.00083
 EOD
 $line0_2 << EOD
-0.00127267 1e-13 0.00126533 0.001306
+0.00214133 1e-13 0.00209967 0.00219267
 EOD
 $marks0_2 << EOD
 EOD
 $line1_0 << EOD
-0.0148047 0.361529 0.0143167 0.0156127
-0.014818 0.0322159 0.0143537 0.0148947
-0.0174863 0.0149425 0.017433 0.018167
-0.030193 0.0149385 0.0301267 0.0319097
-0.069707 0.0105702 0.065089 0.0778093
-0.0884223 0.0105635 0.0863787 0.0890133
+0.0135517 0.0322159 0.013252 0.0141007
+0.0195403 0.0149425 0.019369 0.020965
+0.0322657 0.0149385 0.032033 0.0328023
+0.10519 0.0105702 0.098515 0.112154
+0.133713 0.0105635 0.131434 0.141933
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.0174863 0.0149425 0.0174863 0.0174863
+0.0195403 0.0149425 0.0195403 0.0195403
 EOD
 $line1_2 << EOD
-0.0197303 3.64405e-07 0.0195467 0.0222017
-0.019974 1.42476e-09 0.019029 0.0237713
-0.0203147 6.6587e-12 0.020221 0.0220483
+0.0456747 0.32682 0.045265 0.046317
+0.0510493 0.0831068 0.050701 0.05172
+0.0664017 0.011364 0.065785 0.0706057
+0.090802 0.000733102 0.0903247 0.0930923
+0.125911 2.80568e-09 0.124941 0.130017
+0.40325 1.42343e-09 0.396695 0.413989
+0.420188 6.6591e-12 0.411294 0.432531
 EOD
 $marks1_2 << EOD
 EOD
 $line2_0 << EOD
-0.0150983 0.605739 0.0150613 0.015148
-0.019136 0.579252 0.019109 0.019209
-0.0237177 0.339693 0.023654 0.0237877
-0.044383 0.197973 0.0416313 0.0452213
-0.0701447 0.130868 0.0700613 0.0703287
-0.0957493 0.0427981 0.0954693 0.0960867
-0.146739 0.0368787 0.145229 0.15278
-0.15451 0.00061836 0.151073 0.164208
+0.018633 0.716912 0.0181513 0.019088
+0.0195043 0.605739 0.018955 0.020538
+0.0256193 0.579252 0.0250483 0.027346
+0.0289107 0.339693 0.028098 0.0299637
+0.049513 0.197973 0.0493517 0.0503047
+0.0925723 0.130868 0.091825 0.0949693
+0.11276 0.0427981 0.10975 0.118508
+0.178309 0.0368787 0.176533 0.182172
+0.216877 0.0143165 0.214493 0.226085
+0.217676 0.00061836 0.213206 0.226906
 EOD
 $marks2_0 << EOD
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.019136 0.579252 0.019136 0.019136
+0.0256193 0.579252 0.0256193 0.0256193
 EOD
 $line2_2 << EOD
-0.00832567 1e-13 0.008279 0.00838233
+0.010709 1e-13 0.010653 0.0107843
 EOD
 $marks2_2 << EOD
 EOD
 $line3_0 << EOD
-0.0148983 0.999935 0.0148647 0.0149713
-0.0152517 0.997126 0.0151853 0.0152857
-0.0181137 0.997124 0.0180873 0.0181543
-0.0232703 0.995724 0.0231863 0.0233273
-0.0237107 0.992397 0.023638 0.0241087
-0.0415077 0.990153 0.041398 0.0426067
-0.084168 0.985269 0.0825013 0.0870437
-0.105615 0.976647 0.104934 0.110163
-0.145389 0.130574 0.143299 0.151787
+0.0164763 0.997126 0.0163043 0.0167573
+0.02547 0.997124 0.02484 0.027597
+0.0269437 0.992397 0.0267913 0.0273897
+0.0483363 0.990153 0.0480913 0.0485697
+0.0848647 0.985269 0.0845283 0.0858887
+0.108777 0.976647 0.108243 0.110466
+0.164617 0.972416 0.16425 0.167644
+0.213135 0.950097 0.208256 0.227115
+0.245786 0.130574 0.242199 0.2563
 EOD
 $marks3_0 << EOD
 EOD
 $line3_1 << EOD
 EOD
 $marks3_1 << EOD
-0.0232703 0.995724 0.0232703 0.0232703
+0.0269697 0.995724 0.0269697 0.0269697
 EOD
 $line3_2 << EOD
-0.009378 5.86016e-09 0.009341 0.00943433
-0.00962833 1.0534e-11 0.00959133 0.00966467
+0.00880833 2.5664e-11 0.008682 0.009038
+0.00966333 1.05342e-11 0.009362 0.009774
 EOD
 $marks3_2 << EOD
 EOD
 $line4_0 << EOD
-0.056566 0.926036 0.056282 0.0571173
-0.0620897 0.904292 0.061946 0.063152
-0.0877113 0.894835 0.0852763 0.091431
-0.097556 0.822127 0.097212 0.10147
-0.181427 0.801754 0.172166 0.19574
-0.317866 0.750351 0.295204 0.361277
-0.405678 0.671472 0.400033 0.418972
-0.640384 0.626558 0.564335 0.657282
-0.773156 0.465567 0.767142 0.782334
-1.10538 0.447062 1.09568 1.13705
-1.54234 0.278849 1.52092 1.5845
-2.80817 0.182198 2.77291 2.8557
-3.80557 0.0703965 3.78311 3.8712
-5.76184 0.0568755 5.58677 5.79431
-5.80206 0.00895085 5.69637 5.92743
+0.0748193 0.904292 0.0730207 0.0761827
+0.113143 0.894835 0.111908 0.123241
+0.115158 0.822127 0.114022 0.120781
+0.20539 0.801754 0.200567 0.218659
+0.422732 0.750351 0.416748 0.434888
+0.485908 0.671472 0.478634 0.511994
+0.806096 0.626558 0.776705 0.836477
+0.92238 0.465567 0.909591 0.943611
+1.58547 0.447062 1.55542 1.61388
+1.81553 0.278849 1.78537 1.84378
+4.01089 0.182198 3.93668 4.26543
+4.86428 0.0703965 4.73674 4.953
+7.75258 0.00895085 7.56104 7.84335
 EOD
 $marks4_0 << EOD
 EOD
 $line4_1 << EOD
 EOD
 $marks4_1 << EOD
-0.0877113 0.894835 0.0877113 0.0877113
+0.113143 0.894835 0.113143 0.113143
 EOD
 $line4_2 << EOD
-0.0368657 1.51462e-08 0.036522 0.0373963
-0.0372733 3.92716e-12 0.0371127 0.0376507
+0.0361213 3.92716e-12 0.0352067 0.0377277
 EOD
 $marks4_2 << EOD
 EOD
 $line5_0 << EOD
-0.154841 0.44258 0.153264 0.157793
-0.172757 0.245927 0.169591 0.179958
-0.275433 0.0597601 0.271201 0.29172
-0.879666 0.00779958 0.849476 0.90658
-1.04533 0.00165521 1.03212 1.09576
-1.71431 0.00119107 1.64521 1.75743
-2.10842 0.000651464 1.98254 2.45827
-2.62112 0.000531489 2.57371 2.82902
-4.50263 0.000162197 4.44522 4.53201
-7.21357 6.25643e-05 7.18955 7.32938
-11.1142 2.79536e-06 11.0621 11.3606
-13.8625 1.97618e-06 13.8625 15.1952
-21.9964 2.81392e-09 21.9964 23.5437
-27.0476 2.54829e-09 27.0476 27.4069
-43.1266 2.11222e-13 43.1266 43.1776
+0.180089 0.44258 0.173113 0.186784
+0.207285 0.245927 0.200082 0.244559
+0.330615 0.0597601 0.328785 0.340732
+0.966189 0.00779958 0.947435 0.999642
+1.51299 0.00165521 1.49401 1.52497
+1.937 0.00119107 1.91824 1.98715
+2.92754 0.000651464 2.9036 2.94703
+3.54797 0.000531489 3.41974 3.63787
+5.72855 0.000162197 5.71685 5.75854
+9.95655 6.25643e-05 9.71516 9.99718
+12.3399 2.79536e-06 12.3174 12.4805
+19.8823 1.97618e-06 19.8823 20.2977
+24.2541 2.81392e-09 24.2541 24.5001
+38.9879 2.54829e-09 38.9879 39.808
+50.0228 2.11222e-13 50.0228 52.2576
 EOD
 $marks5_0 << EOD
 EOD
 $line5_1 << EOD
 EOD
 $marks5_1 << EOD
-0.229223 0.253641 0.229223 0.229223
+0.253178 0.253641 0.253178 0.253178
 EOD
 $line5_2 << EOD
-0.0800467 1.33378e-08 0.0793323 0.0820233
-0.0810953 2.11222e-13 0.080564 0.0832963
+0.0867177 1.30363e-08 0.086126 0.0877487
+0.087977 2.11222e-13 0.087804 0.0883427
 EOD
 $marks5_2 << EOD
 EOD
 $line6_0 << EOD
-0.542464 0.704545 0.5279 0.587869
-0.813095 0.591319 0.798675 0.849911
-0.92273 0.583607 0.905277 0.957856
-1.32157 0.32907 1.29581 1.36922
-3.19797 0.181015 3.16722 3.35156
-5.63308 0.180567 5.58581 5.73321
-5.83186 0.082558 5.50015 6.43465
-6.15571 0.0514512 6.11299 6.42532
-12.5975 0.00834562 12.589 12.8327
-28.0636 0.00335433 28.0636 29.8053
-31.9402 0.00200145 31.9402 33.2662
-45.8684 0.000738151 45.8684 47.2297
-66.5521 0.000537575 66.5521 67.7514
-120.759 0.000129243 120.759 125.877
-136.716 8.87081e-05 136.716 138.743
-240.045 5.07895e-06 240.045 281.915
+0.642698 0.704545 0.621709 0.702644
+0.671247 0.591319 0.654394 0.71139
+0.923633 0.583607 0.876804 0.937366
+1.07362 0.32907 1.05544 1.12865
+3.33953 0.181015 3.25809 3.41923
+4.53369 0.082558 4.45818 4.99731
+6.63438 0.0514512 6.57952 6.72988
+9.1214 0.0129409 8.85032 9.82477
+12.971 0.00834562 12.92 13.2517
+21.1813 0.00335433 21.1813 21.2503
+29.4884 0.00200145 29.4884 29.7748
+57.3406 0.000738151 57.3406 59.2911
+61.5533 0.000537575 61.5533 62.8392
+107.87 0.000129243 107.87 116.796
+112.636 8.87081e-05 112.636 113.455
+219.5 5.07895e-06 219.5 220.553
 EOD
 $marks6_0 << EOD
 EOD
 $line6_1 << EOD
 EOD
 $marks6_1 << EOD
-0.92273 0.583607 0.92273 0.92273
+0.923633 0.583607 0.923633 0.923633
 EOD
 $line6_2 << EOD
-0.33444 1.78629e-13 0.325026 0.346503
+0.316526 1.78629e-13 0.311356 0.329746
 EOD
 $marks6_2 << EOD
 EOD
 $line7_0 << EOD
-0.56857 0.636535 0.556792 0.590468
-0.669225 0.545973 0.649621 0.694519
-0.892477 0.454878 0.850247 0.991553
-1.08891 0.23761 1.07244 1.11085
-1.9329 0.107182 1.88276 1.95523
-3.44495 0.0562172 3.25155 3.68014
-4.46956 0.0153793 4.39104 4.48919
-6.7115 0.0122348 6.66388 6.81413
-8.5905 0.00297643 8.47773 8.61765
-11.8007 0.00273334 11.7898 11.8078
-18.5788 0.000788542 18.5788 19.0171
-29.1398 0.000240205 29.1398 31.3782
-41.9094 2.32129e-05 41.9094 42.775
-60.5811 5.26856e-06 60.5811 63.2822
-92.9732 6.08211e-08 92.9732 95.1921
-115.973 2.56564e-09 115.973 118.746
-172.382 2.89324e-10 172.382 181.489
+0.621671 0.636535 0.611494 0.638106
+0.66844 0.545973 0.651951 0.702488
+0.935047 0.454878 0.918432 0.949281
+1.1726 0.23761 1.15558 1.19455
+1.86293 0.107182 1.83028 1.89939
+3.36096 0.0562172 3.32181 3.40534
+4.24191 0.0153793 4.20519 4.43645
+6.39202 0.0122348 6.11147 6.47609
+7.3465 0.00297643 7.18331 7.41672
+13.0191 0.00273334 13.0144 13.1309
+14.5373 0.000788542 14.5373 14.8666
+31.2175 0.000240205 31.2175 31.408
+37.8379 2.32129e-05 37.8379 39.1767
+66.3289 5.26856e-06 66.3289 67.1269
+81.9768 6.08211e-08 81.9768 86.2484
+121.322 2.56564e-09 121.322 127.904
+143.787 2.89324e-10 143.787 153.375
 EOD
 $marks7_0 << EOD
 EOD
 $line7_1 << EOD
 EOD
 $marks7_1 << EOD
-0.892477 0.454878 0.892477 0.892477
+0.935047 0.454878 0.935047 0.935047
 EOD
 $line7_2 << EOD
-0.321723 8.50072e-09 0.316974 0.334163
-0.383489 5.11432e-13 0.368007 0.408861
+0.384953 8.50072e-09 0.369676 0.406038
+0.39272 5.11432e-13 0.381424 0.403878
 EOD
 $marks7_2 << EOD
 EOD
 $line8_0 << EOD
-0.0295153 0.712746 0.0289443 0.0301337
-0.038766 0.709926 0.0386953 0.038843
-0.042266 0.616208 0.041852 0.0482
-0.060363 0.607603 0.060313 0.060607
-0.0612613 0.563436 0.057334 0.0627677
-0.0702783 0.507866 0.0700483 0.0737617
-0.102338 0.481353 0.102225 0.102542
-0.166185 0.376028 0.158721 0.175325
-0.216212 0.344682 0.214435 0.230943
-0.224895 0.292051 0.22391 0.232726
-0.43565 0.280583 0.418839 0.474446
-0.448244 0.164432 0.439434 0.485274
-0.864264 0.092162 0.857939 0.874192
-2.16272 0.0576082 2.13229 2.20299
-4.14628 0.0514132 4.10336 4.37698
-8.51156 0.0370365 8.28244 8.61687
+0.0356327 0.737711 0.0326707 0.036972
+0.0537573 0.730713 0.0529973 0.054397
+0.0544277 0.648511 0.0500817 0.05587
+0.0706107 0.594598 0.0700997 0.0712817
+0.083403 0.544216 0.0828103 0.0902367
+0.141735 0.497296 0.138852 0.146759
+0.189396 0.424193 0.185881 0.198325
+0.321032 0.39148 0.316174 0.340467
+0.331025 0.301916 0.296652 0.339979
+0.688719 0.163139 0.673099 0.711572
+1.21404 0.062366 1.19661 1.23714
+2.9351 0.0306382 2.89604 3.05464
+11.2413 0.0199354 11.1716 11.4271
 EOD
 $marks8_0 << EOD
 EOD
 $line8_1 << EOD
 EOD
 $marks8_1 << EOD
-0.042266 0.616208 0.042266 0.042266
+0.0544277 0.648511 0.0544277 0.0544277
 EOD
 $line8_2 << EOD
-0.0956353 1 0.0937427 0.096518
-0.10867 0.820511 0.107989 0.110938
-0.119364 0.688754 0.118155 0.122169
-0.144698 0.551223 0.141719 0.148629
-0.203118 0.463015 0.199391 0.214983
-0.36298 0.0657598 0.324549 0.384037
-0.829439 0.0160825 0.796621 0.949304
-1.18384 0.0010968 1.16043 1.21879
-1.30235 4.97849e-06 1.27266 1.41851
-1.8079 2.14785e-06 1.68227 1.92885
-2.16233 6.58766e-08 2.11525 2.43215
-2.82999 9.04639e-09 2.76066 3.18531
-3.4223 5.27284e-09 3.28078 3.61451
-4.61859 5.16613e-09 4.54373 5.01822
+0.108195 0.830721 0.095618 0.112438
+0.10926 0.696619 0.102166 0.121829
+0.120555 0.503017 0.117853 0.135456
+0.142546 0.340713 0.141793 0.147465
+0.274424 0.131996 0.264988 0.286527
+0.658526 0.0346343 0.648863 0.671897
+1.01121 0.0066968 1.00511 1.04371
+1.69021 0.00143395 1.61774 1.88644
+2.45359 5.78433e-05 2.42235 2.47953
+2.52357 9.44324e-06 2.50112 2.55578
+2.88236 5.6994e-07 2.83944 2.93983
+3.37261 5.37043e-08 3.31196 3.41261
+4.56999 4.6439e-10 4.49579 5.32283
 EOD
 $marks8_2 << EOD
 EOD
 $line9_0 << EOD
-0.0165543 0.28168 0.0165173 0.0166013
-0.024172 0.148776 0.0235873 0.024997
-0.0434143 0.0568471 0.0428833 0.044106
-0.0886663 0.00976809 0.0871437 0.0950317
-0.130174 0.00956268 0.127346 0.133804
-0.169124 0.00638199 0.167511 0.172433
-0.260024 0.00618908 0.2525 0.270427
-0.340391 0.00415143 0.332654 0.355504
-0.831823 0.00169026 0.819143 0.854268
-1.62189 0.000460191 1.59072 1.6762
-3.25789 5.0438e-05 3.20269 3.31558
+0.0198097 0.28168 0.0196813 0.0201103
+0.0340833 0.148776 0.0337807 0.0344253
+0.0580083 0.0568471 0.0571113 0.058643
+0.126366 0.00976809 0.124313 0.12937
+0.187165 0.00956268 0.183478 0.191793
+0.242947 0.00638199 0.241145 0.249065
+0.331459 0.00618908 0.326148 0.343061
+0.470683 0.00415143 0.463064 0.484022
+1.13769 0.00169026 1.1202 1.17608
+2.26214 0.000460191 2.22946 2.28144
+4.39857 5.0438e-05 4.31116 4.43266
 EOD
 $marks9_0 << EOD
 EOD
 $line9_1 << EOD
 EOD
 $marks9_1 << EOD
-0.024172 0.148776 0.024172 0.024172
+0.0340833 0.148776 0.0340833 0.0340833
 EOD
 $line9_2 << EOD
-0.014447 2.33517e-09 0.0142103 0.0146043
-0.0357903 2.90378e-10 0.0354733 0.0360873
-0.063269 1.37909e-10 0.0605137 0.0647083
+0.0154137 2.77086e-09 0.0152903 0.015717
+0.0165837 2.33504e-09 0.016452 0.0168047
+0.039375 2.74804e-10 0.0368963 0.050076
+0.081373 1.37555e-10 0.080015 0.0892603
 EOD
 $marks9_2 << EOD
 EOD
 $line10_0 << EOD
-0.049703 0.122965 0.049543 0.049774
-0.070352 0.0324326 0.069861 0.075361
-0.098164 0.0311424 0.098084 0.099246
-0.113342 0.0139361 0.113212 0.113923
-0.164959 0.00651607 0.164538 0.173886
-0.364283 0.00411026 0.36292 0.387106
-0.696606 0.00347718 0.68796 0.719409
-1.40958 0.00339097 1.38638 1.4457
+0.055153 1.56308 0.055084 0.055268
+0.065567 0.122965 0.064491 0.06698
+0.088022 0.102859 0.087921 0.091256
+0.10467 0.0324326 0.101762 0.110606
+0.148755 0.0311424 0.145826 0.150633
+0.164304 0.0139361 0.160891 0.171987
+0.234965 0.00651607 0.228046 0.251218
+0.5356 0.00411026 0.518156 0.54392
+0.793784 0.00347718 0.770652 0.813672
+1.96852 0.00339097 1.92202 2.00682
 EOD
 $marks10_0 << EOD
 EOD
 $line10_1 << EOD
 EOD
 $marks10_1 << EOD
-0.070352 0.0324326 0.070352 0.070352
+0.10467 0.0324326 0.10467 0.10467
 EOD
 $line10_2 << EOD
-0.084318 0.639239 0.083186 0.086512
-0.09084 0.404157 0.090369 0.094557
-0.120796 0.127988 0.119284 0.124163
-0.155 0.0175058 0.152516 0.163086
-0.22427 0.00435376 0.220202 0.242165
-0.25601 0.00413988 0.207729 0.274665
-0.435758 0.00372135 0.425688 0.451036
-0.669094 0.00355366 0.659076 0.689512
-0.904756 0.00329634 0.891331 0.930354
+0.135178 0.639239 0.121895 0.157457
+0.139133 0.0657867 0.123932 0.201621
+0.160092 0.0199282 0.13722 0.219658
+0.184899 0.00515088 0.158645 0.210614
+0.226436 0.00413988 0.223194 0.234876
+0.306108 0.00357821 0.257866 0.342055
+0.733594 0.00355366 0.727895 0.74752
+0.964463 0.00329634 0.94542 1.00236
 EOD
 $marks10_2 << EOD
 EOD
 $line11_0 << EOD
-0.007554 0.579539 0.007394 0.00859933
-0.010857 0.368124 0.0106263 0.0114353
-0.015282 0.247942 0.014945 0.0164473
-0.0181577 0.0446829 0.0179773 0.0182343
-0.03552 0.0352888 0.0352423 0.0357207
-0.0466007 0.00483164 0.0439823 0.0525253
+0.00992667 0.579577 0.009787 0.0102823
+0.0148617 0.368447 0.014434 0.015222
+0.0179703 0.247303 0.0169153 0.018236
+0.0240373 0.0448042 0.0237433 0.0243613
+0.0500307 0.0353829 0.0497233 0.050743
+0.098253 0.0352422 0.0974473 0.0994567
+0.18843 0.0352343 0.185359 0.193561
+0.37197 0.0347551 0.367756 0.381371
+0.716425 0.0346231 0.703527 0.73121
+1.37064 0.0346146 1.34554 1.41005
+3.30575 0.0346146 3.27047 3.36072
+5.61655 0.0346146 3.75252 6.80419
+8.88503 0.0346146 8.31612 8.96976
 EOD
 $marks11_0 << EOD
 EOD
 $line11_1 << EOD
 EOD
 $marks11_1 << EOD
-0.010857 0.368124 0.010857 0.010857
+0.0148617 0.368447 0.0148617 0.0148617
 EOD
 $line11_2 << EOD
-0.0247127 0.957857 0.0240883 0.02511
-0.025889 0.853266 0.0254573 0.0264457
-0.0309243 0.598187 0.030571 0.0318563
-0.0389063 0.214227 0.0386387 0.0399483
-0.054185 0.0242669 0.0535037 0.0551837
-0.064311 0.0024391 0.0633153 0.067383
-0.0898113 0.00237029 0.0890803 0.092567
-0.0962807 0.00236994 0.0958933 0.0979033
-0.169932 0.00236904 0.167708 0.193155
-0.333198 0.00096758 0.326803 0.35226
+0.0314837 0.957972 0.0302517 0.0336957
+0.0330413 0.853286 0.0325193 0.0368753
+0.039616 0.59854 0.039021 0.04196
+0.0490927 0.21459 0.0479567 0.052606
+0.0686793 0.0243597 0.0683737 0.0735947
+0.0857853 0.00253311 0.0812283 0.0911227
+0.101789 0.00246698 0.100511 0.103857
+0.112125 0.00246665 0.109474 0.123058
+0.373483 0.00175603 0.365733 0.384516
 EOD
 $marks11_2 << EOD
 EOD
 $line12_0 << EOD
-0.292385 0.634232 0.266553 0.322952
-0.333151 0.583404 0.322321 0.346052
-0.383636 0.470585 0.372228 0.407253
-0.560989 0.422327 0.548583 0.57267
-0.603325 0.35948 0.592668 0.616692
-1.2524 0.189032 1.23736 1.28047
-2.32577 0.124729 2.299 2.36226
+0.341886 10 0.334807 0.351947
+0.375682 0.58368 0.368225 0.383506
+0.55468 0.506586 0.50409 0.571195
+0.607365 0.384054 0.551818 0.622747
+0.897197 0.266247 0.877684 0.938321
+1.76089 0.145392 1.74203 1.81849
+3.31307 0.12568 3.25371 3.42261
 EOD
 $marks12_0 << EOD
 EOD
 $line12_1 << EOD
 EOD
 $marks12_1 << EOD
-0.399543 0.50587 0.399543 0.399543
+0.55468 0.506586 0.55468 0.55468
 EOD
 $line12_2 << EOD
-0.732263 0.930942 0.702968 0.771927
-0.762787 0.895042 0.741147 0.858707
-0.860504 0.647771 0.842503 0.895847
-1.03457 0.354889 1.02185 1.08623
-1.55737 0.142549 1.5204 1.60858
-2.6751 0.0296031 2.61581 2.74104
-3.3731 0.00273251 3.30097 3.40206
-4.59096 0.000506657 4.57236 5.04504
-4.98523 0.000375642 4.94945 5.04473
-5.81245 3.79754e-05 5.75997 5.86557
-6.82313 5.15869e-07 6.79512 6.91324
-7.77431 1.84434e-07 7.76072 7.85072
-8.82344 1.30639e-08 8.80828 8.90685
-9.18895 1.30007e-08 9.16247 9.3952
-10.1417 1.361e-09 10.1288 10.2764
+1.06579 0.924107 1.04446 1.10167
+1.37045 0.702945 1.32682 1.43746
+1.4543 0.34757 1.3749 1.59324
+2.04055 0.113381 1.98675 2.16123
+3.6739 0.02359 3.65179 3.73179
+3.81283 0.0048323 3.76173 3.92565
+6.76577 0.00156977 6.70098 7.00701
+7.63418 0.000242963 7.59413 7.71997
+8.99618 6.42377e-05 8.9648 9.08345
+10.307 1.90759e-07 10.2822 10.4009
+11.166 1.76101e-08 11.1122 11.4146
+11.6533 2.76988e-09 11.5946 11.705
+13.1541 1.24181e-09 13.1198 13.2159
+16.0314 1.23444e-09 15.8683 16.2786
 EOD
 $marks12_2 << EOD
 EOD
 $line13_0 << EOD
-0.040182 2.74879 0.0352963 0.040566
-0.051396 1.49165 0.0477193 0.054499
-0.0778957 1.47779 0.0770577 0.079369
-0.0969483 1.32613 0.0914417 0.100709
-0.193422 1.01407 0.190617 0.211567
-0.364257 0.977325 0.355821 0.376683
-0.532135 0.97369 0.523328 0.547296
-1.00778 0.493487 0.996933 1.03771
+0.034998 1.00228 0.034796 0.0377137
+0.052933 0.984535 0.049726 0.0540053
+0.070725 0.981661 0.069937 0.0734593
+0.171793 0.978805 0.169477 0.176509
+0.327588 0.972624 0.315538 0.344739
+0.710767 0.960655 0.692089 0.739719
+0.898927 0.143587 0.879167 0.925271
 EOD
 $marks13_0 << EOD
 EOD
 $line13_1 << EOD
 EOD
 $marks13_1 << EOD
-0.051396 1.49165 0.051396 0.051396
+0.052933 0.984535 0.052933 0.052933
 EOD
 $line13_2 << EOD
-0.093392 0.984039 0.08526 0.106824
-0.0972187 0.972452 0.0950613 0.102813
-0.119511 0.960202 0.116846 0.128478
-0.176888 0.956049 0.170937 0.194691
-0.252186 0.954846 0.247344 0.273717
-0.430818 0.949595 0.421209 0.447546
-2.03744 0.111114 1.96288 2.59599
-3.06935 0.00415803 2.74804 3.13391
-3.27255 4.32648e-05 3.17556 3.56685
+0.108234 0.153593 0.107044 0.11482
+0.126381 0.0781173 0.122405 0.136154
+0.140498 0.00419794 0.135332 0.149487
+0.203468 0.000256522 0.192576 0.216493
 EOD
 $marks13_2 << EOD
 EOD
 $line14_0 << EOD
-0.73085 0.440486 0.720771 0.787415
-1.02897 0.427061 0.98184 1.1378
-1.18573 0.369472 1.14334 1.33427
-1.51191 0.33631 1.47742 1.82651
-2.13221 0.319465 2.07655 2.24403
-2.86447 0.243021 2.7686 2.95796
-5.81768 0.104263 5.79652 6.10407
-10.1564 0.0487098 10.1504 10.1564
-19.4403 0.0453047 19.4403 20.6039
+1.22629 0.440482 1.20662 1.24333
+1.50247 0.427064 1.48446 1.52493
+1.71936 0.369479 1.69307 1.74506
+2.14938 0.336309 2.13587 2.18235
+2.61116 0.319476 2.59415 2.7269
+3.3958 0.24302 3.33809 3.47606
+7.25568 0.104262 7.05435 7.29432
+13.0072 0.04871 13.0072 13.115
+24.7622 0.0453047 24.7622 25.192
 EOD
 $marks14_0 << EOD
 EOD
 $line14_1 << EOD
 EOD
 $marks14_1 << EOD
-1.18573 0.369472 1.18573 1.18573
+1.71936 0.369479 1.71936 1.71936
 EOD
 $line14_2 << EOD
-1.70091 0.694845 1.6091 1.7746
-1.92576 0.405067 1.8287 2.01615
-2.10216 0.219827 1.88259 2.27514
-3.06347 0.116021 2.87116 3.14645
-3.95368 0.0208924 3.69724 4.22167
-4.43958 0.0011091 4.0414 4.49362
-4.907 0.000166483 4.66107 4.99602
-6.09361 5.11814e-06 5.8458 6.19804
-7.037 4.93131e-07 6.77848 7.08359
-8.27121 4.94373e-08 7.92729 8.61812
-9.52671 5.83506e-10 8.8513 9.52671
-11.6436 2.87546e-11 11.6436 12.3495
-18.9722 1.35359e-12 18.9722 18.9905
+1.83128 0.694842 1.79891 1.85403
+1.88276 0.568128 1.86987 1.90074
+2.03365 0.361384 1.98179 2.05325
+2.21216 0.21985 2.18056 2.2474
+2.73805 0.116005 2.6606 2.78186
+4.34382 0.0208934 4.28097 4.52556
+5.25347 5.50242e-06 5.20718 5.28613
+6.11383 8.87983e-07 5.91183 6.34947
+7.9996 4.74201e-08 7.89767 8.20866
+9.22505 6.00612e-09 9.20325 9.22505
+10.6697 4.67061e-11 10.6593 10.6697
+19.6207 4.4387e-12 19.6207 19.6829
 EOD
 $marks14_2 << EOD
 EOD
@@ -451,7 +449,7 @@ set logscale x
 set xtics nomirror (0.0001, 0.0002, 0.0005, 0.001, 0.002, 0.005)
 set mxtics
 set format x "%g"
-set xrange [0.000483646:0.00201496]
+set xrange [0.000563953:0.00391598]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -463,9 +461,9 @@ unset label
 unset arrow
 unset object
 set label "best of Bullet's" at graph 0.0914038, graph 0.037156 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.100258, graph 0.130046 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0654576, graph 0 to graph 0.100258, graph 0.130046 nohead lw 0.6 lc rgb '#555555'
-set label "delassus" at graph 0.712808, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.234224, graph 0.130046 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.199424, graph 0 to graph 0.234224, graph 0.130046 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.723301, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line0_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line0_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -482,7 +480,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0116715:0.779108]
+set xrange [0.00990758:2.50657]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -493,9 +491,9 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.166719, graph 0.130242 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.516822, graph 0.787415 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.131032, graph 0.835329 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.712037, graph 0.130244 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.505109, graph 0.787415 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.157543, graph 0.742439 left front noenhanced textcolor rgb '#555555'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line1_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line1_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -512,7 +510,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00564462:5.4137]
+set xrange [0.00717308:8.52059]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -525,7 +523,7 @@ unset arrow
 unset object
 set label "delassus" at graph 0.0914038, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.699374 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.212614, graph 0.948789 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.214606, graph 0.948789 left front noenhanced textcolor rgb '#555555'
 plot $line2_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line2_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line2_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -542,7 +540,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00651207:4.09222]
+set xrange [0.00565642:14.15]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -553,10 +551,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.0534e-11 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.0954924, graph 0.144471 left front noenhanced textcolor rgb '#0060a8'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.05342e-11 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.103243, graph 0.144471 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.865418 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.017854, graph 0.891283 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.0198147, graph 0.891283 left front noenhanced textcolor rgb '#555555'
 plot $line3_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line3_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line3_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -573,7 +571,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0188065:2745]
+set xrange [0.0176817:5351.07]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -585,9 +583,9 @@ unset label
 unset arrow
 unset object
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 3.92716e-12 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.0923286, graph 0.113863 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0914038, graph 0.113863 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.782276 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.164296, graph 0.96228 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.181875, graph 0.96228 left front noenhanced textcolor rgb '#555555'
 plot $line4_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line4_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line4_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -604,7 +602,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0346672:91290.8]
+set xrange [0.0372166:115070]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -617,8 +615,8 @@ unset arrow
 unset object
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 2.11222e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
 set label "best of Bullet's" at graph 0.516822, graph 0.037156 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus" at graph 0.0922842, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.162569, graph 0.886016 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.0923685, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.163099, graph 0.886016 left front noenhanced textcolor rgb '#555555'
 plot $line5_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line5_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line5_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -635,7 +633,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.139418:720526]
+set xrange [0.132556:631815]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -649,7 +647,7 @@ unset object
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.78629e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
 set label "delassus" at graph 0.0914038, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.550412 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.157058, graph 0.949022 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.161047, graph 0.930444 left front noenhanced textcolor rgb '#555555'
 plot $line6_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line6_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line6_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -666,7 +664,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.139436:362459]
+set xrange [0.175045:194848]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -678,9 +676,9 @@ unset label
 unset arrow
 unset object
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 5.11432e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.103293, graph 0.0506277 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0928386, graph 0.0506277 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.247242 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.16048, graph 0.922713 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.155147, graph 0.922713 left front noenhanced textcolor rgb '#555555'
 plot $line7_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line7_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line7_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -697,7 +695,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0138912:8417.68]
+set xrange [0.016571:12402]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -708,11 +706,11 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.6319e-09 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.470907, graph 0.336655 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.516822, graph 0.826331 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.118372, graph 0.783506 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0835722, graph 0.913552 to graph 0.118372, graph 0.783506 nohead lw 0.6 lc rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 4.6439e-10 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.450276, graph 0.26192 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.516822, graph 0.807116 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.122723, graph 0.785091 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0879226, graph 0.915137 to graph 0.122723, graph 0.785091 nohead lw 0.6 lc rgb '#555555'
 plot $line8_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line8_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line8_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -729,7 +727,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00702554:2388.24]
+set xrange [0.00726446:4294.84]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -740,9 +738,9 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.207362, graph 0.224257 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.216595, graph 0.224177 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.621626 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.131816, graph 0.906623 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.151115, graph 0.906623 left front noenhanced textcolor rgb '#555555'
 plot $line9_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line9_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line9_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -759,7 +757,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0318488:82.7693]
+set xrange [0.0342762:152.935]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -771,10 +769,10 @@ unset label
 unset arrow
 unset object
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 0.00329634 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.460432, graph 0.714132 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.431919, graph 0.714132 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.789322 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.135592, graph 0.710745 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.100792, graph 0.822213 to graph 0.135592, graph 0.710745 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.167648, graph 0.710745 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.132848, graph 0.822213 to graph 0.167648, graph 0.710745 nohead lw 0.6 lc rgb '#555555'
 plot $line10_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line10_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line10_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -788,10 +786,10 @@ set tmargin at screen 0.459677
 set bmargin at screen 0.283871
 set title "gripper" noenhanced
 set logscale x
-set xtics 10 nomirror
-set mxtics
-set format x "%g"
-set xrange [0.00538102:2.15469]
+set xtics 100 nomirror
+unset mxtics
+set format x "10^{%T}"
+set xrange [0.00401833:34894.7]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -802,12 +800,11 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 6.37221e-05 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.723301, graph 0.713263 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.395038, graph 0.85604 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.360238, graph 0.76315 to graph 0.395038, graph 0.85604 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:10" at graph 0.151935, graph 0.786103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.117135, graph 0.897571 to graph 0.151935, graph 0.786103 nohead lw 0.6 lc rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 4.45386e-07 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.318458, graph 0.731752 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.516822, graph 0.824233 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.116663, graph 0.69324 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0818626, graph 0.897598 to graph 0.116663, graph 0.69324 nohead lw 0.6 lc rgb '#555555'
 plot $line11_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line11_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line11_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -824,7 +821,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.21281:58.2562]
+set xrange [0.242209:106.843]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -835,11 +832,11 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.87768e-11 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.723301, graph 0.295276 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.460908, graph 0.863998 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.147041, graph 0.833119 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.112241, graph 0.907431 to graph 0.147041, graph 0.833119 nohead lw 0.6 lc rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 8.00447e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.723301, graph 0.292248 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.464377, graph 0.864233 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.170873, graph 0.833163 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.136073, graph 0.907475 to graph 0.170873, graph 0.833163 nohead lw 0.6 lc rgb '#555555'
 plot $line12_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line12_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line12_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -856,7 +853,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0259413:59.0693]
+set xrange [0.0227237:46.7858]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -867,10 +864,11 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 4.32648e-05 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.660556, graph 0.616867 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.508198, graph 0.925241 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.123244, graph 0.885242 left front noenhanced textcolor rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 0.000256522 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.322103, graph 0.67208 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.516822, graph 0.868365 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.145629, graph 0.63084 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.110829, graph 0.928088 to graph 0.145629, graph 0.63084 nohead lw 0.6 lc rgb '#555555'
 plot $line13_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line13_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line13_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -887,7 +885,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.472327:1055.83]
+set xrange [0.822115:961.524]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -898,10 +896,9 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.513661, graph 0.0808205 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.483877, graph 0.117661 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.832582 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.15415, graph 0.637593 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.11935, graph 0.897684 to graph 0.15415, graph 0.637593 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.139243, graph 0.953419 left front noenhanced textcolor rgb '#555555'
 plot $line14_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line14_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line14_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \

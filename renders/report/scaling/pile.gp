@@ -1,145 +1,145 @@
 # Draws pile.svg and pile.png: gnuplot pile.gp
 $line0_0 << EOD
-2 1.4925 2 2
-19 12.2087 19 19
-60 50.6991 60 60
-134 14.8063 134 134
-722 142.016 722 722
+2 2.5395 2 2
+19 38.4524 19 19
+60 100.536 60 60
+134 79.7451 134 134
+722 176.954 722 722
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-2 1.668 2 2
-19 9.16084 19 19
-60 36.7903 60 60
-134 11.1863 134 134
-722 52.4429 722 722
+2 2.3485 2 2
+19 34.2717 19 19
+60 85.2102 60 60
+134 70.2329 134 134
+722 103.384 722 722
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-2 0.3855 2 2
-19 0.471421 19 19
-60 0.540517 60 60
-134 0.591037 134 134
-722 0.580453 722 722
-3051 0.916441 3051 3051
-10851 1.30177 10851 10851
-24829 1.61621 24829 24829
+2 0.465 2 2
+19 0.755316 19 19
+60 0.738667 60 60
+134 0.70906 134 134
+722 0.634774 722 722
+3051 0.791939 3051 3051
+10851 1.22327 10851 10851
+24829 1.66999 24829 24829
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-2 0.3855 2 2
-19 4.15516 19 19
-60 3.463 60 60
-134 3.30022 134 134
-722 3.78159 722 722
-3051 5.01303 3051 3051
-10851 8.26679 10851 10851
-24829 7.7758 24829 24829
+2 0.636 2 2
+19 4.12305 19 19
+60 4.90577 60 60
+134 5.86269 134 134
+722 3.72355 722 722
+3051 4.68354 3051 3051
+10851 7.51496 10851 10851
+24829 8.57784 24829 24829
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-2 0.3955 2 2
-19 0.678632 19 19
-60 0.780467 60 60
-134 0.613164 134 134
-722 0.756141 722 722
-3051 1.1013 3051 3051
-10851 2.10087 10851 10851
-24829 1.96619 24829 24829
+2 0.4615 2 2
+19 0.921053 19 19
+60 1.05147 60 60
+134 0.883149 134 134
+722 0.705187 722 722
+3051 0.985828 3051 3051
+10851 1.54312 10851 10851
+24829 2.23524 24829 24829
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-2 1.272 2 2
-19 2.04437 19 19
-60 2.79908 60 60
-134 3.86232 134 134
-722 30.4415 722 722
-3051 176.513 3051 3051
+2 1.9935 2 2
+19 2.38789 19 19
+60 3.77272 60 60
+134 6.63375 134 134
+722 20.4781 722 722
+3051 236.147 3051 3051
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-2 1.042 2 2
-19 2.32489 19 19
-60 8.36302 60 60
-134 31.6412 134 134
-722 1007.61 722 722
+2 1.5035 2 2
+19 2.98874 19 19
+60 14.0883 60 60
+134 46.233 134 134
+722 1081.61 722 722
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-2 1.012 2 2
-19 2.43721 19 19
-60 7.7305 60 60
-134 31.6543 134 134
-722 1004.62 722 722
+2 1.4765 2 2
+19 2.98305 19 19
+60 14.597 60 60
+134 29.727 134 134
+722 1145.7 722 722
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-19 23.4234 19 19
-60 190.565 60 60
-134 1134.92 134 134
+19 40.2101 19 19
+60 346.434 60 60
+134 1328.11 134 134
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-722 5.04218 722 722
+722 6.05798 722 722
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-722 4.84557 722 722
+722 5.59104 722 722
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-3051 5.30842 3051 3051
-10851 19.5994 10851 10851
-24829 42.2748 24829 24829
+3051 4.43187 3051 3051
+10851 19.5666 10851 10851
+24829 42.2502 24829 24829
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-3051 5.30842 3051 3051
-10851 19.5994 10851 10851
-24829 42.2748 24829 24829
+3051 4.43187 3051 3051
+10851 19.5666 10851 10851
+24829 42.2502 24829 24829
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-3051 5.38624 3051 3051
-10851 19.8492 10851 10851
-24829 42.4428 24829 24829
+3051 4.52198 3051 3051
+10851 19.8246 10851 10851
+24829 42.4182 24829 24829
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-722 35.7294 722 722
-3051 601.62 3051 3051
+722 35.7868 722 722
+3051 601.76 3051 3051
 EOD
 $marks1_5 << EOD
 EOD
 $line1_6 << EOD
-134 3.04742 134 134
-722 69.5992 722 722
+134 3.20717 134 134
+722 69.4313 722 722
 EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-134 3.04742 134 134
-722 69.5992 722 722
+134 3.20717 134 134
+722 69.4313 722 722
 EOD
 $marks1_7 << EOD
 EOD
 $line1_8 << EOD
-60 4.21888 60 60
-134 20.9019 134 134
+60 4.23117 60 60
+134 22.1553 134 134
 EOD
 $marks1_8 << EOD
 EOD
@@ -172,17 +172,18 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.2417 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.293639 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.378149 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-4" at graph 0.551021, graph 0.485748 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.531598, graph 0.543937 to graph 0.551021, graph 0.485748 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.551021, graph 0.677019 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.531598, graph 0.630467 to graph 0.551021, graph 0.677019 nohead lw 0.6 lc rgb '#0060a8'
-set label "pgs:10" at graph 0.667268, graph 0.626079 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.551021, graph 0.800401 left front noenhanced textcolor rgb '#555555'
-set label "dantzig" at graph 0.398872, graph 0.835573 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.295399, graph 0.810993 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.836374, graph 0.244543 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.293141 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.386676 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-4" at graph 0.551021, graph 0.707632 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.531598, graph 0.602891 to graph 0.551021, graph 0.707632 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.551021, graph 0.754314 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.531598, graph 0.649572 to graph 0.551021, graph 0.754314 nohead lw 0.6 lc rgb '#0060a8'
+set label "pgs:10" at graph 0.667268, graph 0.651361 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.551021, graph 0.806814 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6" at graph 0.551021, graph 0.858366 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.531598, graph 0.811814 to graph 0.551021, graph 0.858366 nohead lw 0.6 lc rgb '#555555'
+set label "lemke" at graph 0.415176, graph 0.824647 left front noenhanced textcolor rgb '#999999'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -230,17 +231,18 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.389947, graph 0.21681 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.221612, graph 0.234206 left front noenhanced textcolor rgb '#0060a8'
-set label "lemke" at graph 0.17742, graph 0.440062 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.836374, graph 0.542027 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.553665 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.589153 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.542601 to graph 0.836374, graph 0.589153 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.237798, graph 0.614201 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.156868, graph 0.660753 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.370524, graph 0.614201 to graph 0.3511, graph 0.660753 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:10" at graph 0.571811, graph 0.926441 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.389947, graph 0.307354 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.370524, graph 0.249164 to graph 0.389947, graph 0.307354 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.389947, graph 0.260776 left front noenhanced textcolor rgb '#0060a8'
+set label "lemke" at graph 0.17742, graph 0.448492 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.836374, graph 0.541943 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.553581 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.589069 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.542517 to graph 0.836374, graph 0.589069 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.237798, graph 0.613852 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6" at graph 0.156868, graph 0.660403 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.370524, graph 0.613852 to graph 0.3511, graph 0.660403 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:10" at graph 0.571811, graph 0.926474 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \

@@ -1,80 +1,80 @@
 # Draws wall.svg and wall.png: gnuplot wall.gp
 $line0_0 << EOD
-4 4.4685 4 4
-8 10.8528 8 8
-44 25.1604 44 44
-240 602.388 240 240
-992 860.673 992 992
-4156 1103.77 4156 4156
+4 2.87775 4 4
+8 6.80575 8 8
+44 25.6991 44 44
+240 574.92 240 240
+992 682.237 992 992
+4156 1504.19 4156 4156
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 3.131 4 4
-8 3.5015 8 8
-44 13.248 44 44
-240 18.6728 240 240
-992 26.0241 992 992
-4156 404.242 4156 4156
+4 2.68225 4 4
+8 2.32713 8 8
+44 12.0176 44 44
+240 19.1831 240 240
+992 19.3239 992 992
+4156 373.099 4156 4156
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 1.35525 4 4
-8 0.64875 8 8
-44 0.415568 44 44
-240 0.453892 240 240
-992 0.482377 992 992
-4156 0.53878 4156 4156
-17032 1.23855 17032 17032
-42644 1.31791 42644 42644
+4 0.4455 4 4
+8 0.41075 8 8
+44 0.420841 44 44
+240 0.468617 240 240
+992 0.47331 992 992
+4156 0.61521 4156 4156
+17032 0.973984 17032 17032
+42644 0.882463 42644 42644
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 4.71625 4 4
-8 2.96063 8 8
-44 3.20398 44 44
-240 3.24542 240 240
-992 3.43269 992 992
-4156 3.81861 4156 4156
-17032 5.0194 17032 17032
-42644 7.35149 42644 42644
+4 3.049 4 4
+8 2.82237 8 8
+44 2.92918 44 44
+240 3.35017 240 240
+992 3.4616 992 992
+4156 4.34506 4156 4156
+17032 5.61654 17032 17032
+42644 7.08335 42644 42644
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.8315 4 4
-8 0.567375 8 8
-44 0.530545 44 44
-240 0.588313 240 240
-992 0.62577 992 992
-4156 0.700522 4156 4156
-17032 1.15368 17032 17032
-42644 1.45358 42644 42644
+4 1.4425 4 4
+8 0.509 8 8
+44 0.619523 44 44
+240 0.610842 240 240
+992 0.586033 992 992
+4156 0.803664 4156 4156
+17032 1.1559 17032 17032
+42644 1.49115 42644 42644
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 2.05375 4 4
-8 1.80475 8 8
-44 4.10268 44 44
-240 8.46642 240 240
-992 46.8104 992 992
-4156 271.18 4156 4156
+4 1.19 4 4
+8 1.19725 8 8
+44 2.88266 44 44
+240 8.36348 240 240
+992 47.7638 992 992
+4156 301.645 4156 4156
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 1.68825 4 4
+4 0.897 4 4
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 1.6005 4 4
-8 1.07963 8 8
-44 5.18336 44 44
-240 223.661 240 240
+4 0.8255 4 4
+8 1.44287 8 8
+44 3.07855 44 44
+240 165.348 240 240
 EOD
 $marks0_7 << EOD
 EOD
@@ -83,44 +83,43 @@ EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-240 2.42483 240 240
-992 4.87424 992 992
-4156 16.7649 4156 4156
+240 2.24051 240 240
+992 4.9152 992 992
+4156 17.2319 4156 4156
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-240 2.06848 240 240
-992 3.80109 992 992
-4156 14.5736 4156 4156
+992 3.50618 992 992
+4156 15.061 4156 4156
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4156 9.34707 4156 4156
-17032 34.4146 17032 17032
-42644 68.9644 42644 42644
+4156 9.99834 4156 4156
+17032 39.1987 17032 17032
+42644 69.0545 42644 42644
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4156 9.34707 4156 4156
-17032 34.4146 17032 17032
-42644 68.9644 42644 42644
+4156 9.99834 4156 4156
+17032 39.1987 17032 17032
+42644 69.0545 42644 42644
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4156 9.53139 4156 4156
-17032 34.7505 17032 17032
-42644 69.4067 42644 42644
+4156 10.1908 4156 4156
+17032 39.3994 17032 17032
+42644 69.3903 42644 42644
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-240 4.44416 240 240
-992 65.7981 992 992
-4156 1119.22 4156 4156
+240 4.45645 240 240
+992 65.8309 992 992
+4156 1119.78 4156 4156
 EOD
 $marks1_5 << EOD
 EOD
@@ -129,7 +128,7 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-240 8.20019 240 240
+240 8.26163 240 240
 EOD
 $marks1_7 << EOD
 EOD
@@ -166,15 +165,16 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.223977 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.684225, graph 0.255763 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig" at graph 0.076027, graph 0.11747 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.245487 to graph 0.076027, graph 0.11747 nohead lw 0.6 lc rgb '#555555'
-set label "si:100" at graph 0.836374, graph 0.373275 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.411697, graph 0.704832 left front noenhanced textcolor rgb '#555555'
-set label "pgs:10" at graph 0.645488, graph 0.686652 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.645488, graph 0.744604 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.645488, graph 0.808576 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.189139 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.076027, graph 0.097455 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.190558 to graph 0.076027, graph 0.097455 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.836374, graph 0.246342 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.370048 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.411697, graph 0.701869 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.392274, graph 0.64368 to graph 0.411697, graph 0.701869 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:10" at graph 0.645488, graph 0.695899 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.645488, graph 0.749279 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.645488, graph 0.835461 left front noenhanced textcolor rgb '#0060a8'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -219,16 +219,16 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig:1e-6" at graph 0.076027, graph 0.053887 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.228456 to graph 0.076027, graph 0.053887 nohead lw 0.6 lc rgb '#555555'
-set label "delassus:1e-4" at graph 0.245344, graph 0.325805 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.494609, graph 0.375928 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.475186, graph 0.3061 to graph 0.494609, graph 0.375928 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:10" at graph 0.836374, graph 0.459656 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.482932 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.506902 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.46035 to graph 0.836374, graph 0.506902 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:10" at graph 0.494609, graph 0.762229 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.076027, graph 0.0663354 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.229266 to graph 0.076027, graph 0.0663354 nohead lw 0.6 lc rgb '#555555'
+set label "delassus:1e-4" at graph 0.245344, graph 0.329377 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.494609, graph 0.378911 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.475186, graph 0.309083 to graph 0.494609, graph 0.378911 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.459798 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.483074 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.506876 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.460325 to graph 0.836374, graph 0.506876 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:10" at graph 0.494609, graph 0.762283 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
