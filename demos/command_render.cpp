@@ -217,8 +217,8 @@ void addRenderCommand(CLI::App& app, Action& chosen) {
         return readSize(text).first > 0 ? std::string()
                                         : "'" + text + "' is not a size such as 1280x720";
       });
-  CLI::Option* plain = command->add_flag("--plain", arguments->plain,
-                                         "without captions, contacts and reactions");
+  CLI::Option* plain =
+      command->add_flag("--plain", arguments->plain, "without captions, contacts and reactions");
   command
       ->add_flag("--timing", arguments->timing,
                  "milliseconds a step in the captions (then bytes do not repeat)")

@@ -26,7 +26,7 @@ std::string commandFault(const CLI::App& app, int argc, char** argv) {
     if (argc >= 2 && command->check_name(argv[1])) return "";
     existing += (existing.empty() ? "" : ", ") + command->get_name();
   }
-  return (argc < 2 ? "a command is required"
+  return (argc < 2            ? "a command is required"
           : argv[1][0] == '-' ? "there is no option '" + std::string(argv[1]) + "' of all commands"
                               : "there is no command '" + std::string(argv[1]) + "'") +
          "; there are " + existing;

@@ -279,8 +279,8 @@ bool InteriorPoint<Motion>::solve(Motion& motion, const Problem& problem, const 
     ++best.regions;
     if (!motion.factorise(G_) || !step(motion, problem, 0, false)) return false;
     const double predicted = gapAfter(std::min(1.0, longestStep()));
-    const double centring =
-        gap_ > 0 ? std::pow(std::clamp(predicted / gap_, 0.0, 1.0), 3) : leastCentring;
+    const double share = gap_ > 0 ? std::clamp(predicted / gap_, 0.0, 1.0) : 0;
+    const double centring = share * share * share;
     if (!step(motion, problem, std::max(centring, leastCentring) * gap_, true)) return false;
     const double length = std::min(1.0, toBoundary * longestStep());
     advance(problem, length);

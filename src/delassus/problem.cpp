@@ -64,7 +64,8 @@ bool isFit(const Problem& problem, const Disk& disk, int next) {
          (disk.mostLoad <= largest || std::isinf(disk.mostLoad)) && disk.governor >= 0 &&
          disk.governor < problem.disksBegin() &&
          (disk.governor >= contactsEnd || disk.governor % 3 == 0) && disk.first >= contactsEnd &&
-         (disk.unknowns == 1 || disk.unknowns == 2) && disk.first + disk.unknowns == next &&
+         disk.first < problem.size() && (disk.unknowns == 1 || disk.unknowns == 2) &&
+         disk.first + disk.unknowns == next && next <= problem.size() &&
          hasNoBounds(problem, disk.first - contactsEnd, disk.unknowns);
 }
 

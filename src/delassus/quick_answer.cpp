@@ -168,8 +168,7 @@ void QuickAnswer::measure() {
     const bool isOpen = u[0] >= 0 && r[0] == 0 && r[1] == 0 && r[2] == 0;
     double& residual = contacts_[i].residual;
     residual = isOpen ? 0 : naturalResidual(sizeOf(i), problem_.friction[i], r, u);
-    // No number: what moves nothing has no measure of its own, and is not answered here.
-    if (!std::isfinite(residual)) residual = infinity;
+    if (!std::isfinite(residual)) residual = infinity;  // of numbers that overflow
     best_.residual = std::max(best_.residual, residual);
     squares += residual * residual;
   }

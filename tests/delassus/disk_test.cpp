@@ -106,6 +106,20 @@ TEST(Disk, ThatNoLawCanBeStatedForIsNamed) {
   Problem gap = twoDisks(q);
   gap.disks[0].unknowns = 1;
   EXPECT_THAT(unfitParts(gap), ElementsAre(2));
+  // Its radius is all the bound that it has, and who names it names an unknown that there is.
+  Problem bounded = twoDisks(q);
+  bounded.upper[bounded.rows() - 1] = 1;
+  EXPECT_THAT(unfitParts(bounded), ElementsAre(4));
+  for (const int far : {1000, -5}) {
+    Problem away = twoDisks(q);
+    away.disks[1].first = far;
+    for (const int unknown : unfitParts(away)) {
+      EXPECT_GE(unknown, 0);
+      EXPECT_LT(unknown, away.size());
+    }
+    EXPECT_FALSE(unfitParts(away).empty());
+    EXPECT_EQ(Solver().solve(away).status, Status::NonFinite);
+  }
 }
 
 TEST(Disk, HasNoTextFormat) {
