@@ -81,24 +81,24 @@ class Whole {
 /// Where the budget of a part has ended: what the quick answer has found of it, if that is better.
 void takeBetter(const ProblemParts& parts, int part, const QuickAnswer& quick, Solution& solution) {
   if (solution.status != Status::OutOfBudget) return;
-  const int size = parts.sizeOf(part);
+  const int contacts = parts.sizeOf(part) / 3;
   double residual = 0, squares = 0;
   int worst = 0;
-  for (int k = 0; k < size; k += 3) {
-    const double own = quick.residualOf(parts.unknown(part, k) / 3);
-    if (own > residual) residual = own, worst = k;
+  for (int i = 0; i < contacts; ++i) {
+    const double own = quick.residualOf(parts.unknown(part, 3 * i) / 3);
+    if (own > residual) residual = own, worst = i;
     squares += own * own;
   }
   if (!(residual < solution.residual)) return;
-  for (int k = 0; k < size; k += 3) {
-    const int at = parts.unknown(part, k);
-    solution.r.segment<3>(k) = quick.best().r.segment<3>(at);
-    solution.u.segment<3>(k) = quick.best().u.segment<3>(at);
-    solution.activeSet.contacts[k / 3] = quick.modeOf(at / 3);
+  for (int i = 0; i < contacts; ++i) {
+    const int at = parts.unknown(part, 3 * i);
+    solution.r.segment<3>(3 * i) = quick.best().r.segment<3>(at);
+    solution.u.segment<3>(3 * i) = quick.best().u.segment<3>(at);
+    solution.activeSet.contacts[i] = quick.modeOf(at / 3);
   }
   solution.residual = residual;
-  solution.residualRms = std::sqrt(squares / (size / 3));
-  solution.blamed = {worst};
+  solution.residualRms = std::sqrt(squares / contacts);
+  solution.blamed = {3 * worst};
 }
 
 /// Whether parts can be told: no disk points out of the problem.
