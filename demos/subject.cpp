@@ -54,13 +54,15 @@ void rehearse(const std::string& file) {
 
 Subject loadSubject(const std::string& name) {
   std::error_code ignored;  // of what cannot be looked at: who opens it will say why
-  if (!isFile(name)) try {
+  if (!isFile(name)) {
+    try {
       const SceneDescription& scene = findScene(name);
       return {scene.name, scene.build(), scene.seconds, scene.hz, {}, scene.law};
     } catch (const UnknownScene& error) {
       if (!std::filesystem::is_regular_file(name, ignored)) throw;
       throw UnknownScene(std::string(error.what()) + "; the file of that name is ./" + name);
     }
+  }
   constexpr double usualSeconds = 5, usualHz = 60;
   // A pipe can be read only once, and may never end.
   const std::filesystem::file_status status = std::filesystem::status(name, ignored);

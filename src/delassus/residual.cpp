@@ -18,7 +18,7 @@ double symmetricNorm(const Mat2& S) {
 }
 
 /// The largest root of y³ − 3y = 2x, |x| ≤ 1: 2 cos(⅔ arccos s) with s = √((1 + x) / 2). From the cubic that has its values and slopes at
-/// s = 0 and 1, twice by Halley's method, which takes the digits left to their third power: a third of the time of cos and arccos.
+/// s = 0 and 1, twice by Halley's method, which takes the digits left to their third power: two fifths of the time of cos and arccos.
 double largestRoot(double x) {
   constexpr double slope0 = 1.1547005383792515, slope1 = 8.0 / 9;  // 2/√3
   constexpr double c3 = slope0 + slope1 - 2, c2 = 1 - slope0 - c3;
