@@ -115,8 +115,47 @@ void BlockFactor::solve(VectorXd& x) const {
     std::copy_n(z + paddedSize * p.place[body], 6, x.data() + 6 * body);
 }
 
+void BlockFactor::condense(const std::vector<RowBlock>& blocks, const std::vector<int>& begin,
+                           KeptMatrix& W) {
+  const BlockPattern& p = pattern();
+  const int rows = static_cast<int>(begin.size()) - 1, length = paddedSize * p.bodies;
+  // A = L D Lᵀ: W = Yᵀ D⁻¹ Y with Y = L⁻¹ Jᵀ.
+  const BlockColumns L{p.bodies, p.begin.data(), p.row.data(), lower_.data()};
+  reduced_.resize(static_cast<Eigen::Index>(rows) * length);
+  touched_.assign(static_cast<std::size_t>(rows) * p.bodies, 0);
+  for (int i = 0; i < rows; ++i) {
+    double* const z = reduced_.data() + i * length;
+    char* const touched = touched_.data() + i * p.bodies;
+    for (int k = begin[i]; k < begin[i + 1]; ++k) {
+      const int place = p.place[blocks[k].body];
+      std::copy_n(blocks[k].entries.data(), 6, z + paddedSize * place);
+      touched[place] = 1;
+    }
+    solveLower(L, touched, z);
+  }
+
+  W.resize(rows, rows);
+  W.setZero();
+  rowsOfW_.clear();
+  for (int i = 0; i < rows; ++i) rowsOfW_.push_back(&W(i, 0));
+  sums_.resize(7 * (rows + 4));
+  for (int column = 0; column < p.bodies; ++column) {
+    sixes_.clear();
+    sixesOf_.clear();
+    for (int i = 0; i < rows; ++i) {
+      if (!touched_[i * p.bodies + column]) continue;
+      sixes_.push_back(reduced_.data() + i * length + paddedSize * column);
+      sixesOf_.push_back(i);
+    }
+    addSquares(diagonalInverse_[column], sixes_.data(), sixesOf_.data(),
+               static_cast<int>(sixes_.size()), sums_.data(), rowsOfW_.data());
+  }
+  W.triangularView<Eigen::StrictlyUpper>() = W.transpose();
+}
+
 std::size_t BlockFactor::bytes() const {
-  std::size_t sum = bytesOf(slot_, diagonal_, diagonalInverse_, lower_, upper_, ordered_);
+  std::size_t sum = bytesOf(slot_, diagonal_, diagonalInverse_, lower_, upper_, ordered_, reduced_,
+                            sums_, touched_, sixes_, sixesOf_, rowsOfW_);
   for (const BlockPattern& kept : patterns_) sum += sizeof(BlockPattern) + kept.bytes();
   return sum;
 }

@@ -6,6 +6,7 @@
 
 #include "delassus/block_pattern.h"
 #include "delassus/contact_rows.h"
+#include "delassus/kept_matrix.h"
 #include "delassus/types.h"
 
 namespace delassus {
@@ -55,6 +56,15 @@ class BlockFactor {
   /// Overwrites x with the solution.
   void solve(VectorXd& x) const;
 
+  /// Six entries of a row, those of one body.
+  struct RowBlock {
+    int body;
+    Vec6 entries;
+  };
+  /// W = J A⁻¹ Jᵀ, for A that was factored as symmetric. Row i of J is blocks[begin[i]] up to blocks[begin[i + 1]], of different
+  /// bodies, and zero elsewhere.
+  void condense(const std::vector<RowBlock>& blocks, const std::vector<int>& begin, KeptMatrix& W);
+
   std::size_t bytes() const;
 
  private:
@@ -69,6 +79,12 @@ class BlockFactor {
   std::vector<Mat6> lower_,
       upper_;                 ///< block (row, column) of L and block (column, row) of U, transposed
   mutable VectorXd ordered_;  ///< scratch: a right-hand side in the elimination order
+  // Scratch of condense: L⁻¹ Jᵀ, row by row of J, and where it is not zero.
+  VectorXd reduced_, sums_;
+  std::vector<char> touched_;
+  std::vector<const double*> sixes_;
+  std::vector<int> sixesOf_;
+  std::vector<double*> rowsOfW_;
 };
 
 }  // namespace delassus

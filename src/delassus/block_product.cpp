@@ -166,6 +166,47 @@ void solveLower(const BlockColumns& L, double* z) {
 }
 
 DELASSUS_WIDE
+void solveLower(const BlockColumns& L, char* touched, double* z) {
+  for (int j = 0; j < L.columns; ++j) {
+    if (!touched[j]) continue;
+    const Spread x(z + paddedSize * j);
+    for (int at = L.begin[j]; at < L.begin[j + 1]; ++at) {
+      Four begin, end;
+      multiply(L.blocks[at].data(), x, begin, end);
+      const int row = L.row[at];
+      double* to = z + paddedSize * row;
+      fourAt(to) = touched[row] ? fourAt(to) - begin : -begin;
+      fourAt(to + 4) = touched[row] ? fourAt(to + 4) - end : -end;
+      touched[row] = 1;
+    }
+  }
+}
+
+DELASSUS_WIDE
+void addSquares(const Mat6& A, const double* const* y, const int* at, int count, double* scratch,
+                double* const* W) {
+  const int width = (count + 3) / 4 * 4;
+  double* const sums = scratch + 6 * width;
+  for (int k = 0; k < 6; ++k) {
+    double* const entries = scratch + k * width;
+    for (int j = 0; j < count; ++j) entries[j] = y[j][k];
+    for (int j = count; j < width; ++j) entries[j] = 0;
+  }
+  for (int i = 0; i < count; ++i) {
+    Four begin, end;
+    multiply(A.data(), Spread(y[i]), begin, end);
+    const double z[6] = {begin[0], begin[1], begin[2], begin[3], end[0], end[1]};
+    for (int j = 0; j <= i; j += 4) {
+      Four sum = z[0] * fourAt(scratch + j);
+      for (int k = 1; k < 6; ++k) sum += z[k] * fourAt(scratch + k * width + j);
+      fourAt(sums + j) = sum;
+    }
+    double* const row = W[at[i]];
+    for (int j = 0; j <= i; ++j) row[at[j]] += sums[j];
+  }
+}
+
+DELASSUS_WIDE
 void solveUpper(const BlockColumns& U, const Mat6* inverseD, double* z) {
   for (int j = U.columns - 1; j >= 0; --j) {
     double* x = z + paddedSize * j;

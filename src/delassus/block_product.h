@@ -41,7 +41,14 @@ constexpr int paddedSize = 8;
 
 /// z ← L⁻¹ z, L = 1 + the blocks.
 void solveLower(const BlockColumns& L, double* z);
+/// The same where z has entries in few columns: those that are `touched`, to which it adds what they become part of. What is not touched
+/// is not read.
+void solveLower(const BlockColumns& L, char* touched, double* z);
 /// z ← U⁻¹ z, U = D + the blocksᵀ.
 void solveUpper(const BlockColumns& U, const Mat6* inverseD, double* z);
+
+/// W[at[i]][at[j]] += y_iᵀ A y_j for j ≤ i < count, y_i six numbers. `scratch`: room for 7 numbers times `count`, rounded up to four.
+void addSquares(const Mat6& A, const double* const* y, const int* at, int count, double* scratch,
+                double* const* W);
 
 }  // namespace delassus

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "delassus/elimination.h"
+#include "delassus/newton_steps.h"
 #include "delassus/residual.h"
 #include "delassus/solution.h"
 
@@ -9,14 +9,8 @@ namespace delassus {
 /// Where a search sets out: from the best answer so far, or from no reactions.
 enum class Start : unsigned char { Best, Rest };
 
-/// Newton's method on Coulomb's law as it stands, with all entries of W, for few unknowns (Alart and Curnier 1991; algorithms
-/// §6.10):
-///
-///     F(r) = P(r − u/ρ) − r = 0,    u = W r + q,    ρ = mean of the diagonal of W_ii
-///
-/// P as in `reactionTo`, for rows the projection on their bounds. Each step solves F in one region, without anything to hold
-/// reactions apart that W does not tell from each other: where it is singular in that region the method gives up. `Most` unknowns
-/// or fewer, or any number (Eigen::Dynamic).
+/// Newton's method on Coulomb's law (NewtonSteps), for few unknowns, without anything to hold reactions apart that W does not tell from
+/// each other: where F is singular in a region the method gives up.
 template <int Most>
 class DenseNewton {
  public:
@@ -25,27 +19,16 @@ class DenseNewton {
   bool solve(const Problem& problem, const NaturalMap& map, double tolerance, int budget,
              Start from, Solution& best);
 
-  std::size_t bytes() const {
-    std::size_t sum = candidate_.bytes();
-    if constexpr (Most == Eigen::Dynamic)  // its factors are as large as K_
-      sum += bytesOf(W_, K_, K_, rho_, r_, u_, step_, error_, trialR_, trialU_);
-    return sum;
-  }
+  std::size_t bytes() const { return steps_.bytes() + candidate_.bytes(); }
 
  private:
-  using Matrix = typename Elimination<Most>::Matrix;
-  using Vector = typename Elimination<Most>::Vector;
+  using Vector = typename NewtonSteps<Most>::Vector;
 
   void start(const Problem& problem, const NaturalMap& map, Start from, const Solution& best);
-  /// u = W r + q
-  void feel(const Problem& problem, const Vector& r, Vector& u) const;
-  /// F in error_ for these reactions and velocities, and if asked −dF/dr in K_. Returns ‖ρ F‖ (m/s).
-  double evaluate(const Problem& problem, const Vector& r, const Vector& u, bool differentiate);
   bool judge(const Problem& problem, const NaturalMap& map, double tolerance, Solution& best);
 
-  Elimination<Most> elimination_;
-  Matrix W_, K_;
-  Vector rho_, r_, u_, step_, error_, trialR_, trialU_;
+  NewtonSteps<Most> steps_;
+  Vector allowed_, felt_;
   Solution candidate_;
 };
 

@@ -1,11 +1,13 @@
 #pragma once
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
+#include "delassus/bytes.h"
+#include "delassus/kept_matrix.h"
 #include "delassus/types.h"
 
 namespace delassus {
@@ -70,23 +72,24 @@ class Elimination {
   }
 };
 
-/// The same for any number of unknowns.
+/// The same for any number of unknowns, by blocks of four pivots, whose rows are taken from the others all at once. The factor is kept.
 template <>
 class Elimination<Eigen::Dynamic> {
  public:
-  using Matrix = MatrixXd;
+  using Matrix = KeptMatrix;
   using Vector = VectorXd;
 
-  bool solve(const Matrix& K, Vector& b) {
-    lu_.compute(K);
-    const auto pivots = lu_.matrixLU().diagonal().cwiseAbs();
-    if (!(pivots.minCoeff() > negligiblePivot * pivots.maxCoeff())) return false;
-    b = lu_.solve(b).eval();
-    return true;
-  }
+  /// K is copied. False if it is singular.
+  bool factorise(const Matrix& K);
+  /// x in b.
+  void solve(Vector& b);
+  std::size_t bytes() const { return factors_.bytes() + bytesOf(rows_, order_, ordered_); }
 
  private:
-  Eigen::PartialPivLU<MatrixXd> lu_;
+  KeptMatrix factors_;         ///< in each row its entries of U, and behind them those of L
+  std::vector<double*> rows_;  ///< in the order of their pivots
+  std::vector<int> order_;     ///< pivot -> row of K
+  VectorXd ordered_;           ///< a right-hand side in that order
 };
 
 }  // namespace delassus

@@ -160,6 +160,27 @@ bool BodyMotion::factorise(const Stiffness& G) {
   return factor_.factorise();
 }
 
+void BodyMotion::condense(const std::vector<int>& unknowns, KeptMatrix& W) {
+  const auto contactsEnd = static_cast<int>(3 * space_->contacts.size());
+  blocks_.clear();
+  blocksBegin_.assign(1, 0);
+  const auto add = [&](const auto& c, int row) {
+    if (c.a >= 0) blocks_.push_back({c.a, c.Ja.row(row).transpose()});
+    if (c.b >= 0) blocks_.push_back({c.b, c.Jb.row(row).transpose()});
+  };
+  for (const int at : unknowns) {
+    const int row = at < contactsEnd ? at % 3 : 0, first = at - row;
+    if (at < contactsEnd)
+      add(space_->contacts[at / 3], row);
+    else
+      add(space_->rows[at - contactsEnd], row);
+    for (const BodySpace::Part& part : space_->partsOf(first))
+      blocks_.push_back({part.body, part.J.row(row).transpose()});
+    blocksBegin_.push_back(static_cast<int>(blocks_.size()));
+  }
+  factor_.condense(blocks_, blocksBegin_, W);
+}
+
 /// Fills shares_: the blocks that a disk or its governor moves, each once.
 void BodyMotion::findShares(const Disk& disk) {
   shares_.clear();

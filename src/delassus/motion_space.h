@@ -58,10 +58,13 @@ class BodyMotion {
   void relativeVelocity(const VectorXd& y, VectorXd& u) const { space_->relativeVelocity(y, u); }
   bool factorise(const Stiffness& G);
   void solve(VectorXd& y) const { factor_.solve(y); }
+  /// W = J̃ K⁻¹ J̃ᵀ of these unknowns, after `factorise` of a G that is symmetric. Without their compliance.
+  void condense(const std::vector<int>& unknowns, KeptMatrix& W);
   /// Of K.
   bool isDeterminantNegative() const { return factor_.isDeterminantNegative(); }
   std::size_t bytes() const {
-    return factor_.bytes() + bytesOf(shares_, pairs_, pairOf_, edgeOf_, edges_);
+    return factor_.bytes() +
+           bytesOf(shares_, pairs_, pairOf_, edgeOf_, edges_, blocks_, blocksBegin_);
   }
 
  private:
@@ -84,12 +87,14 @@ class BodyMotion {
 
   const BodySpace* space_ = nullptr;
   const std::vector<Disk>* disks_ = nullptr;
-  std::vector<DiskShare> shares_;         ///< of one disk
-  std::vector<BlockFactor::Edge> pairs_;  ///< of moving bodies that touch
-  std::vector<int> pairOf_;               ///< contact -> pair, or `none`
-  std::vector<int> edgeOf_;               ///< pair -> edge of the factor, or `none`
-  std::vector<BlockFactor::Edge> edges_;  ///< of pairs, then of rows, parts and disks
-  int firstOfRows_ = 0;                   ///< among the edges
+  std::vector<DiskShare> shares_;              ///< of one disk
+  std::vector<BlockFactor::Edge> pairs_;       ///< of moving bodies that touch
+  std::vector<int> pairOf_;                    ///< contact -> pair, or `none`
+  std::vector<int> edgeOf_;                    ///< pair -> edge of the factor, or `none`
+  std::vector<BlockFactor::Edge> edges_;       ///< of pairs, then of rows, parts and disks
+  int firstOfRows_ = 0;                        ///< among the edges
+  std::vector<BlockFactor::RowBlock> blocks_;  ///< scratch of condense
+  std::vector<int> blocksBegin_;
   BlockFactor factor_;
   bool hasRoom_ = false;  ///< for anything yet: many problems need no factor
 };

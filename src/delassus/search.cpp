@@ -273,6 +273,20 @@ bool Search::hold(ProximalNewton<Motion>& newton, const Problem& problem, const 
   return isHeld;
 }
 
+/// Newton's method on what is left without the joints, in few contacts. Who has few sweeps pays a region for it, and no sweeps, as for
+/// `hold`.
+bool Search::condense(const Problem& problem, const Options& options, double tolerance,
+                      Solution& best) {
+  constexpr int worthCondensing = 10;  // sweeps; they cost as much
+  const int sweeps = best.sweeps, most = options.sweepBudget - sweeps;
+  if (most < worthCondensing || best.regions >= options.newtonBudget ||
+      !CondensedNewton::fits(problem))
+    return false;
+  const bool isReached = machines().condensed.solve(problem, map_, tolerance, most, best);
+  if (isHurried_) best.sweeps = sweeps;
+  return isReached;
+}
+
 /// Alternating directions. False if they do not reach the tolerance.
 template <class Motion>
 bool Search::alternate(ProximalNewton<Motion>& newton, const Problem& problem,
@@ -376,6 +390,7 @@ Outcome Search::walk(const Problem& problem, const Options& options, double tole
       dense_.solve(problem, map_, tolerance, options.newtonBudget - best.regions, Start::Best,
                    best))
     return Outcome::Reached;
+  if (condense(problem, options, tolerance, best)) return Outcome::Reached;
   if (isTooLargeToFactor(problem) ||
       (hasNoWalk(problem, options, best) && !mayHold(problem, options, guess, best))) {
     sweepAll(problem, options, keptShare * tolerance, guess, best);

@@ -4,6 +4,7 @@
 
 #include "delassus/coloured_sweeps.h"
 #include "delassus/compliance_path.h"
+#include "delassus/condensed_newton.h"
 #include "delassus/dense_newton.h"
 #include "delassus/farkas.h"
 #include "delassus/interior_point.h"
@@ -68,10 +69,12 @@ class Search {
     Sweeps sweeps;
     ColouredSweeps coloured;
     CompliancePath path;
+    CondensedNewton condensed;
     Engines<BodyMotion> bodies;
     Engines<FactoredMotion> factored;
     std::size_t bytes() const {
-      return sweeps.bytes() + coloured.bytes() + path.bytes() + bodies.bytes() + factored.bytes();
+      return sweeps.bytes() + coloured.bytes() + path.bytes() + condensed.bytes() + bodies.bytes() +
+             factored.bytes();
     }
   };
 
@@ -113,6 +116,7 @@ class Search {
   Outcome findBack(Engines<Motion>& engines, const Problem& problem, const Options& options,
                    double tolerance, const VectorXd* guess, Solution& best);
   bool hasNoWalk(const Problem& problem, const Options& options, const Solution& best) const;
+  bool condense(const Problem& problem, const Options& options, double tolerance, Solution& best);
   bool mayHold(const Problem& problem, const Options& options, const VectorXd* guess,
                const Solution& best) const;
   template <class Motion>

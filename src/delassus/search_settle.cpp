@@ -37,7 +37,8 @@ void Search::sweepAll(const Problem& problem, const Options& options, double tol
                       const VectorXd* guess, Solution& best) {
   constexpr int burst = 10, many = 50, worthColours = 3;
   constexpr double trusted = 0.8;
-  const double share = guess && best.sweeps == 0 ? trusted : 1;
+  const double share =
+      guess && best.sweeps == 0 && !(best.residual < best.startResidual) ? trusted : 1;
   trial_.r = share * best.r;
   trial_.u = problem.q + share * (best.u - problem.q);
   const bool byColour = setSweeps(

@@ -110,6 +110,38 @@ TEST(BlockFactor, AgreesWithDenseEliminationOnRandomGraphs) {
   }
 }
 
+// W = J A⁻¹ Jᵀ of rows that see one body, two, or none.
+TEST(BlockFactor, CondensesToFewRows) {
+  Random random(20);
+  BlockFactor factor;
+  KeptMatrix W;
+  for (int k = 0; k < 100; ++k) {
+    const int bodies = 1 + k % 12, rows = k % 17;
+    const Edges edges = randomEdges(bodies, k % 5 * bodies / 2, random);
+    DenseBeside both(factor, bodies, edges, true);
+    for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
+      const Mat3 G = randomStiffness(random);
+      both.addContact(e, G.transpose() * G, random);
+    }
+    ASSERT_TRUE(factor.factorise());
+    MatrixXd J = MatrixXd::Zero(rows, 6 * bodies);
+    std::vector<BlockFactor::RowBlock> blocks;
+    std::vector<int> begin = {0};
+    for (int i = 0; i < rows; ++i) {
+      const int first = i % bodies, second = (i + 1 + k) % bodies;
+      if (i % 5 > 0) blocks.push_back({first, normalVector(6, random)});
+      if (i % 5 > 2 && second != first) blocks.push_back({second, normalVector(6, random)});
+      for (int b = begin.back(); b < static_cast<int>(blocks.size()); ++b)
+        J.row(i).segment<6>(6 * blocks[b].body) = blocks[b].entries.transpose();
+      begin.push_back(static_cast<int>(blocks.size()));
+    }
+    factor.condense(blocks, begin, W);
+    const MatrixXd truth = J * both.dense().inverse() * J.transpose();
+    EXPECT_EQ(W, MatrixXd(W.transpose()));
+    EXPECT_LE((W - truth).norm(), 1e-10 * (1 + truth.norm())) << "graph " << k;
+  }
+}
+
 // All bodies touch each other: every column has the rows of the one before it, and there are more than are taken together.
 TEST(BlockFactor, ManyColumnsWithTheSameRows) {
   Random random(19);

@@ -53,6 +53,33 @@ VectorXd stiffnessTimes(const Stiffness& G, const Problem& problem, const Vector
   return sum;
 }
 
+// What reactions do to velocities where a region answers: J̃ K⁻¹ J̃ᵀ.
+TEST(BodyMotion, CondensesToSomeUnknowns) {
+  Random random(172);
+  Pile pile = makeHeap(12, 0.5, random);
+  pile.rows.push_back(makeWeakMotor());
+  const PileIsland island(pile);
+  const Problem& problem = island.problem;
+  Stiffness G;
+  G.reset(problem);
+  for (int i = 0; i < problem.contacts(); i += 2) G.contacts[i] = randomDelassus(3, 10, random);
+  BodyMotion motion;
+  motion.setProblem(problem);
+  ASSERT_TRUE(G.isSymmetric());
+  ASSERT_TRUE(motion.factorise(G));
+  const std::vector<int> unknowns = {0, 1, 2, 7, problem.size() - 1};
+  KeptMatrix W;
+  motion.condense(unknowns, W);
+  for (int j = 0; j < 5; ++j) {
+    VectorXd r = VectorXd::Zero(problem.size()), y, u;
+    r[unknowns[j]] = 1;
+    motion.impulse(r, y);
+    motion.solve(y);
+    motion.relativeVelocity(y, u);
+    for (int i = 0; i < 5; ++i) EXPECT_NEAR(W(i, j), u[unknowns[i]], 1e-12);
+  }
+}
+
 TEST(BodyMotion, FactorsOneRegionAfterTheOtherWhateverContactsItHolds) {
   Random random(171);
   for (int k = 0; k < 20; ++k) {

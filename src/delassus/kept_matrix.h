@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "delassus/kept_vector.h"
+
+namespace delassus {
+
+/// A matrix by rows that keeps its storage when its size changes, as KeptVector does. Rows begin a multiple of `atATime` numbers apart:
+/// what runs along them may go that far, and reads and writes there what nobody else does.
+class KeptMatrix
+    : public Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>,
+                        Eigen::Aligned16, Eigen::OuterStride<>> {
+ public:
+  using Index = Eigen::Index;
+  using Map = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>,
+                         Eigen::Aligned16, Eigen::OuterStride<>>;
+  static constexpr Index atATime = 4;
+
+  KeptMatrix() : Map(nullptr, 0, 0, Eigen::OuterStride<>(0)) {}
+  KeptMatrix(const KeptMatrix&) = delete;
+  KeptMatrix& operator=(const KeptMatrix&) = delete;
+  template <class Expression>
+  KeptMatrix& operator=(const Eigen::EigenBase<Expression>& expression) {
+    resize(expression.rows(), expression.cols());
+    Map::operator=(expression.derived());
+    return *this;
+  }
+
+  /// What the entries are afterwards is not determined.
+  void resize(Index rows, Index columns) {
+    const Index stride = (columns + atATime - 1) / atATime * atATime;
+    storage_.resize(rows * stride);
+    // Eigen's way to give a map another place.
+    new (static_cast<Map*>(this)) Map(storage_.data(), rows, columns, Eigen::OuterStride<>(stride));
+  }
+
+  std::size_t bytes() const { return storage_.bytes(); }
+
+ private:
+  KeptVector storage_;
+};
+
+}  // namespace delassus

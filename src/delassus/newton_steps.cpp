@@ -1,0 +1,188 @@
+#include "delassus/newton_steps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "delassus/cone.h"
+#include "delassus/dense_newton.h"
+#include "delassus/row_product.h"
+
+namespace delassus {
+
+namespace {
+
+void resizeTo(int unknowns, KeptMatrix& matrix) { matrix.resize(unknowns, unknowns); }
+/// Those of fixed width are zero behind the last unknown.
+template <class Matrix>
+void resizeTo(int unknowns, Matrix& matrix) {
+  matrix.setZero(unknowns, matrix.cols());
+}
+
+}  // namespace
+
+template <int Most>
+void NewtonSteps<Most>::resize(int unknowns) {
+  resizeTo(unknowns, W);
+  W.setZero();
+  forgetFactor();
+  error_.resize(unknowns);
+  felt_.resize(unknowns);
+}
+
+template <int Most>
+void NewtonSteps<Most>::multiply(const Vector& x, Vector& product) const {
+  product.resize(x.size());
+  if constexpr (Most == Eigen::Dynamic) {
+    product.noalias() = W * x;
+  } else {
+    // For so few, what the library's product sets up takes longer than to multiply.
+    const int n = static_cast<int>(x.size());
+    int at = 0;
+    for (; at + 2 < n; at += 3)
+      product.template segment<3>(at) = timesRows(&W(at, 0), W.cols(), x.data(), n);
+    for (; at < n; ++at) product[at] = W.row(at).head(n).dot(x);
+  }
+}
+
+template <int Most>
+double NewtonSteps<Most>::evaluate(const ReactionBounds& bounds, const Vector& at,
+                                   const Vector& velocity) {
+  const int n = bounds.contacts();
+  double sum = 0;
+  for (int i = 0; i < n; ++i) {
+    const int k = 3 * i;
+    const Vec3 own = at.template segment<3>(k);
+    const Vec3 z = own - velocity.template segment<3>(k) / rho[k];
+    const Vec3 f = reactionTo(z, bounds.friction[i], nullptr) - own;
+    error_.template segment<3>(k) = f;
+    sum += (rho[k] * f).squaredNorm();
+  }
+  for (int i = 0; i < bounds.rows(); ++i) {
+    const int k = 3 * n + i;
+    const double z = at[k] - velocity[k] / rho[k];
+    error_[k] = std::clamp(z, bounds.lower[i], bounds.upper[i]) - at[k];
+    sum += rho[k] * error_[k] * rho[k] * error_[k];
+  }
+  return std::sqrt(sum);
+}
+
+/// Finds what is active.
+template <int Most>
+void NewtonSteps<Most>::findActive(const ReactionBounds& bounds) {
+  const int n = bounds.contacts();
+  active_.clear();
+  unknowns_.clear();
+  for (int i = 0; i < n; ++i) {
+    const int k = 3 * i;
+    const Vec3 z = r.template segment<3>(k) - u.template segment<3>(k) / rho[k];
+    if (z[0] <= 0) continue;
+    const double zt = lengthOf(z[1], z[2]);
+    Active& contact = active_.emplace_back(Active{k, zt > bounds.friction[i] * z[0]});
+    if (contact.slides) slidingReaction(z, zt, bounds.friction[i], &contact.P);
+    for (int j = 0; j < 3; ++j) unknowns_.push_back(k + j);
+  }
+  for (int i = 0; i < bounds.rows(); ++i) {
+    const int k = 3 * n + i;
+    const double z = r[k] - u[k] / rho[k];
+    if (!(z > bounds.lower[i] && z < bounds.upper[i])) continue;
+    active_.push_back({k, false});
+    unknowns_.push_back(k);
+  }
+}
+
+/// −dF/dr of what is active in K_.
+template <int Most>
+void NewtonSteps<Most>::fillMatrix(const ReactionBounds& bounds) {
+  const auto m = static_cast<int>(unknowns_.size());
+  const int contactsEnd = 3 * bounds.contacts();
+  resizeTo(m, K_);
+  int row = 0;
+  for (const Active& a : active_) {
+    const double scale = 1 / rho[a.first];
+    const int count = a.first < contactsEnd ? 3 : 1;
+    for (int j = 0; j < count; ++j)
+      for (int c = 0; c < m; ++c) K_(row + j, c) = scale * W(a.first + j, unknowns_[c]);
+    if (a.slides) {
+      for (int c = 0; c < m; ++c) {
+        const Vec3 column(K_(row, c), K_(row + 1, c), K_(row + 2, c));
+        K_.template block<3, 1>(row, c) = a.P * column;
+      }
+      K_.template block<3, 3>(row, row) += Mat3::Identity() - a.P;
+    }
+    row += count;
+  }
+}
+
+/// Whether the last factor is of this region, and what slides has hardly turned since.
+template <int Most>
+bool NewtonSteps<Most>::isFactored() const {
+  constexpr double hardly = 1e-3;
+  const auto isSame = [](const Active& now, const Active& then) {
+    return now.first == then.first && now.slides == then.slides &&
+           (now.P - then.P).cwiseAbs().maxCoeff() <= hardly;
+  };
+  return hasFactor_ &&
+         std::equal(active_.begin(), active_.end(), factored_.begin(), factored_.end(), isSame);
+}
+
+/// step_ from error_: what is open or at a bound goes where it must, whatever the others do, and has no place in K_. False if K_ is
+/// singular.
+template <int Most>
+bool NewtonSteps<Most>::findStep(const ReactionBounds& bounds) {
+  const auto m = static_cast<int>(unknowns_.size());
+  step_ = error_;
+  for (const int at : unknowns_) step_[at] = 0;
+  multiply(step_, felt_);
+  right_.resize(m);
+  int row = 0;
+  for (const Active& a : active_) {
+    if (a.first < 3 * bounds.contacts()) {
+      Vec3 felt = felt_.template segment<3>(a.first) / rho[a.first];
+      if (a.slides) felt = (a.P * felt).eval();
+      right_.template segment<3>(row) = error_.template segment<3>(a.first) - felt;
+      row += 3;
+    } else {
+      right_[row++] = error_[a.first] - felt_[a.first] / rho[a.first];
+    }
+  }
+  if constexpr (Most == Eigen::Dynamic) {
+    if (!isFactored()) {
+      fillMatrix(bounds);
+      factored_ = active_;
+      ++factorisations_;
+      hasFactor_ = elimination_.factorise(K_);
+      if (!hasFactor_) return false;
+    }
+    elimination_.solve(right_);
+  } else {
+    fillMatrix(bounds);
+    ++factorisations_;
+    if (m > 0 && !elimination_.solve(K_, right_)) return false;
+  }
+  for (int c = 0; c < m; ++c) step_[unknowns_[c]] = right_[c];
+  return step_.allFinite();
+}
+
+template <int Most>
+bool NewtonSteps<Most>::step(const ReactionBounds& bounds, double& error) {
+  constexpr int mostHalvings = 5;
+  const double before = evaluate(bounds, r, u);
+  findActive(bounds);
+  if (!findStep(bounds)) return false;
+  multiply(step_, felt_);
+  double share = 1;
+  for (int h = 0; h <= mostHalvings; ++h, share *= 0.5) {
+    trialR_ = r + share * step_;
+    trialU_ = u + share * felt_;
+    error = evaluate(bounds, trialR_, trialU_);
+    if (error < before) break;
+  }
+  r.swap(trialR_);
+  u.swap(trialU_);
+  return true;
+}
+
+template class NewtonSteps<fewUnknowns>;
+template class NewtonSteps<Eigen::Dynamic>;
+
+}  // namespace delassus

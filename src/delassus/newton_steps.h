@@ -1,0 +1,80 @@
+#pragma once
+
+#include <vector>
+
+#include "delassus/bytes.h"
+#include "delassus/elimination.h"
+#include "delassus/types.h"
+
+namespace delassus {
+
+/// What the reactions of contacts, and after them of rows, may be: as in Problem.
+struct ReactionBounds {
+  const VectorXd &friction, &lower, &upper;
+
+  int contacts() const { return static_cast<int>(friction.size()); }
+  int rows() const { return static_cast<int>(lower.size()); }
+};
+
+/// Steps of Newton's method on Coulomb's law as it stands, with all entries of W (Alart and Curnier 1991; algorithms §6.10):
+///
+///     F(r) = P(r − u/ρ) − r = 0,    u = W r + q,    ρ = mean of the diagonal of W_ii
+///
+/// P as in `reactionTo`, for rows the projection on their bounds. `Most` unknowns or fewer, or any number (Eigen::Dynamic).
+template <int Most>
+class NewtonSteps {
+ public:
+  using Matrix = typename Elimination<Most>::Matrix;
+  using Vector = typename Elimination<Most>::Vector;
+
+  Matrix W;
+  Vector rho;
+  Vector r, u;  ///< where the next step begins, and then where it has come to
+
+  /// Room for so many unknowns; W is all zero, the rest is to be set.
+  void resize(int unknowns);
+  /// Says that W or rho are others now.
+  void forgetFactor() { hasFactor_ = false; }
+  /// ‖ρ F‖ at r and u, m/s.
+  double error(const ReactionBounds& bounds) { return evaluate(bounds, r, u); }
+  /// Solves F in the region of r and u, and goes there, or less far if that is worse: a step that gains nothing is a short one, behind
+  /// the wall there may be a better region. `error` becomes ‖ρ F‖. False, and nothing is changed, if F is singular in this region.
+  bool step(const ReactionBounds& bounds, double& error);
+  /// Factors made by steps so far.
+  int factorisations() const { return factorisations_; }
+  /// product = W x
+  void multiply(const Vector& x, Vector& product) const;
+
+  std::size_t bytes() const {
+    if constexpr (Most == Eigen::Dynamic)
+      return W.bytes() + K_.bytes() + elimination_.bytes() +
+             bytesOf(rho, r, u, active_, factored_, unknowns_, step_, felt_, error_, right_,
+                     trialR_, trialU_);
+    return 0;
+  }
+
+ private:
+  /// F in error_ for these reactions and velocities. Returns ‖ρ F‖.
+  double evaluate(const ReactionBounds& bounds, const Vector& at, const Vector& velocity);
+  void findActive(const ReactionBounds& bounds);
+  void fillMatrix(const ReactionBounds& bounds);
+  bool isFactored() const;
+  bool findStep(const ReactionBounds& bounds);
+
+  /// What answers to others in the region of r and u: three unknowns of a contact, or one of a row.
+  struct Active {
+    int first;
+    bool slides;            ///< else all of it is free
+    Mat3 P = Mat3::Zero();  ///< its derivative if it slides
+  };
+
+  Elimination<Most> elimination_;
+  Matrix K_;
+  std::vector<Active> active_, factored_;
+  std::vector<int> unknowns_;  ///< of what is active
+  int factorisations_ = 0;
+  bool hasFactor_ = false;  ///< of K_ where factored_ was active
+  Vector step_, felt_, error_, right_, trialR_, trialU_;
+};
+
+}  // namespace delassus

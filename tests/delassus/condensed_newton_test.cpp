@@ -1,0 +1,200 @@
+/// Newton's method on contacts whose joints are eliminated.
+#include "delassus/condensed_newton.h"
+
+#include <gtest/gtest.h>
+
+#include "delassus/proximal_newton.h"
+#include "delassus/solver.h"
+#include "tests/support/random_piles.h"
+#include "tests/support/turning_piles.h"
+
+namespace delassus {
+namespace {
+
+using namespace delassus::test;
+
+/// Three rows that hold the points `armA` of a and `armB` of b together, and closes a gap of theirs.
+void addBallJoint(Pile& pile, int a, int b, const Vec3& armA, const Vec3& armB, double target) {
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 axis = Vec3::Unit(k);
+    Row row;
+    row.a = a, row.b = b;
+    row.jacobianA << axis.transpose(), armA.cross(axis).transpose();
+    row.jacobianB << -axis.transpose(), -armB.cross(axis).transpose();
+    row.target = target;
+    pile.rows.push_back(row);
+  }
+}
+
+/// Boxes in a row on the ground, one joined to the next by a ball joint with a limit to its bending, some of them on two points, some on
+/// four, after one step of gravity and a disturbance.
+Pile makeChain(int links, double friction, double disturbance, double massRatio, Random& random) {
+  Pile pile;
+  const std::vector<double> masses = randomMasses(links, massRatio, random);
+  for (int i = 0; i < links; ++i) {
+    Vec6 v = disturbance * normalVector(6, random);
+    v[2] -= 9.81 / 60;
+    pile.bodies.push_back(makeBox(masses[i], 0.5, v));
+    for (double y : {-0.5, 0.5})
+      for (double x : {-0.4, 0.4})
+        if (x < 0 || i % 3 == 0)
+          pile.contacts.push_back(
+              makeRestingPoint(i, fixedWorld, {x, y, -0.5}, Vec3::Zero(), friction));
+    if (i == 0) continue;
+    addBallJoint(pile, i - 1, i, {0.5, 0, 0}, {-0.5, 0, 0}, 0.1 * uniform(random, -1, 1));
+    Row limit;
+    limit.a = i - 1, limit.b = i;
+    limit.jacobianA[4] = 1, limit.jacobianB[4] = -1;
+    limit.lower = 0;
+    limit.target = uniform(random, -0.5, 0.1);
+    pile.rows.push_back(limit);
+  }
+  return pile;
+}
+
+struct CondensedAttempt {
+  bool reached = false;
+  double tolerance = 0, before = 0;
+  Solution solution;
+};
+
+CondensedAttempt condense(const Problem& problem, const VectorXd& start, int budget = 1000) {
+  EXPECT_TRUE(CondensedNewton::fits(problem));
+  NaturalMap map;
+  map.setProblem(problem);
+  CondensedAttempt attempt;
+  attempt.tolerance = 1e-9 * problem.q.cwiseAbs().maxCoeff();
+  attempt.solution = startFrom(problem, map, start);
+  attempt.before = attempt.solution.residual;
+  attempt.reached =
+      CondensedNewton().solve(problem, map, attempt.tolerance, budget, attempt.solution);
+  return attempt;
+}
+
+CondensedAttempt condenseFromRest(const Problem& problem) {
+  return condense(problem, VectorXd::Zero(problem.size()));
+}
+
+TEST(CondensedNewton, ReachedMeansThatTheLawHolds) {
+  Random random(211);
+  int reached = 0;
+  constexpr int samples = 200;
+  for (int k = 0; k < samples; ++k) {
+    const PileIsland chain(
+        makeChain(2 + k % 4, uniform(random, 0.05, 0.8), k % 2 ? 0.5 : 0.01, 10, random));
+    const CondensedAttempt attempt = condenseFromRest(chain.problem);
+    EXPECT_LE(attempt.solution.residual, attempt.before);
+    EXPECT_LE(infeasibility(chain.problem, attempt.solution.r), 1e-15);
+    EXPECT_EQ(attempt.reached, attempt.solution.residual <= attempt.tolerance);
+    if (!attempt.reached) continue;
+    ++reached;
+    EXPECT_LE(naturalResidual(chain.problem, attempt.solution.r).max, 1.01 * attempt.tolerance);
+  }
+  EXPECT_GE(reached, 0.9 * samples);
+}
+
+// Without friction there is one motion, whatever finds it.
+TEST(CondensedNewton, MovesAsTheWalkDoes) {
+  Random random(212);
+  int compared = 0;
+  for (int k = 0; k < 100; ++k) {
+    Pile pile = makeChain(2 + k % 4, 0.3, 0.2, 100, random);
+    for (Contact& contact : pile.contacts) contact.friction = 0;
+    const PileIsland chain(pile);
+    const CondensedAttempt attempt = condenseFromRest(chain.problem);
+    NaturalMap map;
+    map.setProblem(chain.problem);
+    ProximalNewton<BodyMotion> walk;
+    walk.setProblem(chain.problem, map);
+    Solution other = startFrom(chain.problem, map, VectorXd::Zero(chain.problem.size()));
+    const Outcome outcome = walk.walk(chain.problem, attempt.tolerance, 1e-2, 400, other);
+    if (!attempt.reached || outcome != Outcome::Reached) continue;
+    ++compared;
+    EXPECT_LE(motionDistance(chain, attempt.solution.r, other.r), 1e-6);
+  }
+  EXPECT_GE(compared, 90);
+}
+
+// From the answer of a like problem, and from a wrong one, to the same motion.
+TEST(CondensedNewton, BeginsAnywhere) {
+  Random random(213);
+  for (int k = 0; k < 50; ++k) {
+    const PileIsland chain(makeChain(3, 0, 0.2, 10, random));
+    const CondensedAttempt rest = condenseFromRest(chain.problem);
+    const CondensedAttempt far = condense(chain.problem, randomReactions(chain.problem, 1, random));
+    if (!rest.reached || !far.reached) continue;
+    EXPECT_LE(motionDistance(chain, rest.solution.r, far.solution.r), 1e-6);
+    const CondensedAttempt again = condense(chain.problem, rest.solution.r);
+    EXPECT_TRUE(again.reached);
+    EXPECT_LE(again.solution.sweeps, rest.solution.sweeps);
+  }
+}
+
+// Two joints in one place, which give by next to nothing: what they share is not told, what they hold is.
+TEST(CondensedNewton, JointsThatHoldTheSameTwice) {
+  Random random(214);
+  int reached = 0;
+  for (int k = 0; k < 50; ++k) {
+    Pile pile = makeChain(3, 0.4, 0.1, 1, random);
+    addBallJoint(pile, 0, 1, {0.5, 0, 0}, {-0.5, 0, 0}, pile.rows[0].target);
+    for (Row& row : pile.rows) row.compliance = std::isinf(row.lower) ? 1e-10 : 0;
+    const PileIsland chain(pile);
+    const CondensedAttempt attempt = condenseFromRest(chain.problem);
+    reached += attempt.reached ? 1 : 0;
+    if (attempt.reached) {
+      EXPECT_LE(attempt.solution.r.cwiseAbs().maxCoeff(), 100);
+    }
+  }
+  EXPECT_GE(reached, 45);
+}
+
+TEST(CondensedNewton, KeepsItsBudget) {
+  Random random(215);
+  for (int budget = 0; budget < 12; ++budget) {
+    const PileIsland chain(makeChain(5, 0.3, 0.5, 10, random));
+    const CondensedAttempt attempt =
+        condense(chain.problem, VectorXd::Zero(chain.problem.size()), budget);
+    EXPECT_LE(attempt.solution.sweeps, budget);
+    EXPECT_EQ(attempt.solution.regions, 1);
+    EXPECT_LE(attempt.solution.residual, attempt.before);
+  }
+}
+
+TEST(CondensedNewton, LeavesToOthersWhatHasNoJointsOrManyContacts) {
+  Random random(216);
+  const PileIsland chain(makeChain(4, 0.3, 0.1, 1, random));
+  EXPECT_TRUE(CondensedNewton::fits(chain.problem));
+  EXPECT_FALSE(CondensedNewton::fits(withEntries(chain.problem)));
+  EXPECT_FALSE(CondensedNewton::fits(PileIsland(makeTower({1, 1}, 0.3, 0, random)).problem));
+  EXPECT_FALSE(CondensedNewton::fits(PileIsland(makeChain(12, 0.3, 0.1, 1, random)).problem));
+  Pile turning = makeHeap(2, 0.5, random);
+  resistTurning(turning, 0.1, random);
+  EXPECT_FALSE(CondensedNewton::fits(PileIsland(turning).problem));
+  Pile alone = makeChain(4, 0.3, 0.1, 1, random);
+  alone.contacts.clear();
+  for (Row& row : alone.rows) row.lower = -infinity;
+  EXPECT_FALSE(CondensedNewton::fits(PileIsland(alone).problem));
+}
+
+// The solver takes it for what sweeps would have to pass along a chain body by body; with few sweeps, too.
+TEST(CondensedNewton, IsWhereTheSolverBegins) {
+  Random random(217);
+  int first = 0, exact = 0;
+  for (int k = 0; k < 50; ++k) {
+    const PileIsland chain(makeChain(5, 0.3, 0.1, 10, random));
+    const Solution solution = solve(chain.problem);
+    EXPECT_EQ(solution.status, Status::Solved);
+    first += solution.regions == 1 && solution.sweeps <= 20 ? 1 : 0;
+    Options few;
+    few.sweepBudget = 20;
+    few.newtonBudget = 1;
+    const Solution bounded = solve(chain.problem, few);
+    EXPECT_EQ(bounded.regions, 1);
+    exact += bounded.status == Status::Solved ? 1 : 0;
+  }
+  EXPECT_GE(first, 40);
+  EXPECT_GE(exact, 40);
+}
+
+}  // namespace
+}  // namespace delassus
