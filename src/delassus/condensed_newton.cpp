@@ -6,41 +6,44 @@
 #include "delassus/options.h"
 
 namespace delassus {
-namespace {
 
-bool isHeld(const Problem& problem, int row) {
-  return std::isinf(problem.lower[row]) && std::isinf(problem.upper[row]);
-}
-
-}  // namespace
-
-bool CondensedNewton::fits(const Problem& problem) {
-  constexpr int mostUnknowns = 60;
-  if (!problem.W.inBodySpace() || !problem.disks.empty()) return false;
-  int unknowns = 3 * problem.contacts();
-  for (int i = 0; i < problem.rows(); ++i) unknowns += isHeld(problem, i) ? 0 : 1;
-  return unknowns > 0 && unknowns <= mostUnknowns && unknowns < problem.size();
-}
-
-/// False if K cannot be factored.
-bool CondensedNewton::condense(const Problem& problem, const NaturalMap& map, Solution& count) {
-  constexpr double alpha = 1e-5;
+/// Divides the unknowns, with the rows of E those without bounds, or also those that r has within their bounds.
+void CondensedNewton::divide(const Problem& problem, const VectorXd& r, bool withinBounds) {
   const int contactsEnd = 3 * problem.contacts();
-  const VectorXd& compliance = problem.W.bodySpace().compliance;
-  map.meanDiagonal(mean_);
-  motion_.setProblem(problem);
-  G_.reset(problem);
   left_.clear();
   held_.clear();
   for (int at = 0; at < problem.size(); ++at) {
     const int row = at - contactsEnd;
-    if (row >= 0 && isHeld(problem, row)) {
-      held_.push_back(at);
-      G_.rows[row] = 1 / (compliance[at] + alpha * mean_[at]);
-    } else {
-      left_.push_back(at);
-    }
+    const bool isHeld =
+        row >= 0 && ((std::isinf(problem.lower[row]) && std::isinf(problem.upper[row])) ||
+                     (withinBounds && r[at] > problem.lower[row] && r[at] < problem.upper[row]));
+    (isHeld ? held_ : left_).push_back(at);
   }
+}
+
+bool CondensedNewton::setProblem(const Problem& problem, const NaturalMap& map, const VectorXd& r,
+                                 int most) {
+  if (!problem.W.inBodySpace() || !problem.disks.empty() || 3 * problem.contacts() > most)
+    return false;
+  problem_ = &problem;
+  map_ = &map;
+  const auto isFit = [&] { return !left_.empty() && static_cast<int>(left_.size()) <= most; };
+  divide(problem, r, false);
+  if (isFit()) return true;
+  divide(problem, r, true);
+  return isFit();
+}
+
+/// False if K cannot be factored.
+bool CondensedNewton::condense(Solution& count) {
+  const Problem& problem = *problem_;
+  constexpr double alpha = 1e-5;
+  const int contactsEnd = 3 * problem.contacts();
+  const VectorXd& compliance = problem.W.bodySpace().compliance;
+  map_->meanDiagonal(mean_);
+  motion_.setProblem(problem);
+  G_.reset(problem);
+  for (const int at : held_) G_.rows[at - contactsEnd] = 1 / (compliance[at] + alpha * mean_[at]);
   const auto n = static_cast<int>(left_.size());
   lower_.resize(n - contactsEnd);
   upper_.resize(n - contactsEnd);
@@ -51,6 +54,7 @@ bool CondensedNewton::condense(const Problem& problem, const NaturalMap& map, So
   ++count.regions;
   ++count.factorisations;
   if (!motion_.factorise(G_)) return false;
+  weight_ = 0;
   steps_.resize(n);
   motion_.condense(left_, steps_.W);
   diagonal_ = steps_.W.diagonal();
@@ -59,20 +63,23 @@ bool CondensedNewton::condense(const Problem& problem, const NaturalMap& map, So
 }
 
 /// α of C.
-void CondensedNewton::setWeight(const Problem& problem, double alpha) {
+void CondensedNewton::setWeight(double alpha) {
+  if (alpha == weight_) return;
+  weight_ = alpha;
   const auto n = static_cast<int>(left_.size());
   steps_.rho.resize(n);
   for (int i = 0; i < n; ++i)
     steps_.rho[i] = steps_.W(i, i) = diagonal_[i] + alpha * mean_[left_[i]];
-  for (int i = 0; i < problem.contacts(); ++i)
+  for (int i = 0; i < problem_->contacts(); ++i)
     steps_.rho.segment<3>(3 * i).setConstant(steps_.rho.segment<3>(3 * i).mean());
   steps_.forgetFactor();
 }
 
-/// What E does about the velocities u_ once C has changed by change_, of which only its own part is not read.
+/// What E does once C has changed by its part of change_: E's part of it, δ and J̃ δ.
 void CondensedNewton::letHeldAnswer() {
-  const auto contactsEnd = static_cast<int>(u_.size() - G_.rows.size());
-  for (const int at : held_) change_[at] = -G_.rows[at - contactsEnd] * u_[at];
+  const int contactsEnd = 3 * problem_->contacts();
+  const VectorXd& u = center_.u;
+  for (const int at : held_) change_[at] = -G_.rows[at - contactsEnd] * u[at];
   motion_.impulse(change_, delta_);
   motion_.solve(delta_);
   motion_.relativeVelocity(delta_, felt_);
@@ -80,9 +87,8 @@ void CondensedNewton::letHeldAnswer() {
 }
 
 /// The reactions of C to within ‖ρ F‖ ≤ enough (m/s). False if they are not found.
-bool CondensedNewton::solveLeft(const Problem& problem, double enough, int budget,
-                                Solution& count) {
-  const ReactionBounds bounds{problem.friction, lower_, upper_};
+bool CondensedNewton::solveLeft(double enough, int budget, Solution& count) {
+  const ReactionBounds bounds{problem_->friction, lower_, upper_};
   double error = steps_.error(bounds);
   for (int k = 0; k < budget && error > enough; ++k) {
     ++count.sweeps;
@@ -91,57 +97,51 @@ bool CondensedNewton::solveLeft(const Problem& problem, double enough, int budge
   return error <= enough;
 }
 
-bool CondensedNewton::solve(const Problem& problem, const NaturalMap& map, double tolerance,
-                            int budget, Solution& best) {
-  constexpr int mostOuters = 20;
-  constexpr int mostSteps = 20;  // what takes more is found sooner by a walk
-  constexpr double unknownRegion = 1e-3, knownRegion = 1e-5, largest = 1e-2, growth = 10;
-  constexpr double fine = 1e-2;
-  if (!condense(problem, map, best)) return false;
+/// r_k ← r. False if r is not found; then it is what the steps have come to.
+bool CondensedNewton::moveCenter(double enough, int budget, Solution& count) {
   const auto n = static_cast<int>(left_.size());
-  const int most = best.sweeps + std::min(budget, mostSteps);
-  center_ = best.r;
-  u_ = best.u;
+  change_.setZero(problem_->size());
+  letHeldAnswer();
   steps_.r.resize(n);
   steps_.u.resize(n);
-  double residual = best.residual, alpha = unknownRegion, weight = 0, shrink = 1e-2;
-  for (int outer = 0; outer < mostOuters; ++outer) {
-    if (weight != alpha) setWeight(problem, weight = alpha);
-    change_.setZero(problem.size());
-    letHeldAnswer();
-    for (int i = 0; i < n; ++i) {
-      steps_.r[i] = center_[left_[i]];
-      steps_.u[i] = u_[left_[i]] + felt_[left_[i]];
-    }
-    const double enough = std::max(fine * std::max(alpha * residual, polishedShare * tolerance),
-                                   map.roundOff(center_));
-    const bool isFound = solveLeft(problem, enough, most - best.sweeps, best);
-    if (!isFound && alpha < largest && best.sweeps < most) {
-      alpha *= growth;
-      shrink = std::sqrt(shrink);
-      continue;
-    }
-    for (int i = 0; i < n; ++i) change_[left_[i]] = steps_.r[i] - center_[left_[i]];
-    letHeldAnswer();
-    center_ += change_;
-    makeFeasible(problem, center_);
-    problem.W.multiply(center_, delta_, u_);
-    u_ += problem.q;
-    const VelocityResidual now = map.residual(center_, u_);
-    if (now.max < best.residual) {
-      best.r = center_;
-      best.u = u_;
-      best.residual = now.max;
-      best.residualRms = now.rms;
-    }
-    // As in ProximalNewton::converge.
-    const double aim = now.max > 0.3 * residual ? tolerance : polishedShare * tolerance;
-    if (now.max <= std::max(aim, map.roundOff(center_))) return true;
-    if (!isFound || !(now.max <= 0.3 * residual)) break;
-    if (now.max > 0.01 * residual) alpha = std::max(knownRegion, shrink * alpha);
-    residual = now.max;
+  for (int i = 0; i < n; ++i) {
+    steps_.r[i] = center_.r[left_[i]];
+    steps_.u[i] = center_.u[left_[i]] + felt_[left_[i]];
   }
-  return best.residual <= tolerance;
+  const bool isFound = solveLeft(enough, budget, count);
+  for (int i = 0; i < n; ++i) change_[left_[i]] = steps_.r[i] - center_.r[left_[i]];
+  letHeldAnswer();
+  center_.r += change_;
+  makeFeasible(*problem_, center_.r);
+  problem_->W.multiply(center_.r, delta_, center_.u);
+  center_.u += problem_->q;
+  const VelocityResidual residual = map_->residual(center_.r, center_.u);
+  center_.residual = residual.max;
+  center_.residualRms = residual.rms;
+  return isFound;
+}
+
+bool CondensedNewton::solve(double tolerance, int budget, Solution& best) {
+  constexpr int mostSteps = 20;  // what takes more is found sooner by a walk
+  constexpr double unknownRegion = 1e-3, knownRegion = 1e-5;
+  constexpr double fine = 1e-2, slow = 1e-2, tooSlow = 0.3;  // shares of the residual
+  if (!condense(best)) return false;
+  const int most = best.sweeps + std::min(budget, mostSteps);
+  center_.takeReactions(best);
+  for (double alpha = unknownRegion;;) {
+    const double before = center_.residual;
+    const double enough = std::max(fine * std::max(alpha * before, polishedShare * tolerance),
+                                   map_->roundOff(center_.r));
+    setWeight(alpha);
+    const bool isFound = moveCenter(enough, most - best.sweeps, best);
+    const double now = center_.residual;
+    if (now < best.residual) best.takeReactions(center_);
+    // Some digits more if they come by themselves.
+    const double aim = now > tooSlow * before ? tolerance : polishedShare * tolerance;
+    if (now <= std::max(aim, map_->roundOff(center_.r))) return true;
+    if (!isFound || !(now <= tooSlow * before)) return best.residual <= tolerance;
+    if (now > slow * before) alpha = knownRegion;
+  }
 }
 
 }  // namespace delassus

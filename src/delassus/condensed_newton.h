@@ -10,7 +10,7 @@
 
 namespace delassus {
 
-/// Newton's method on the few contacts of an island whose joints are eliminated first (static condensation).
+/// Newton's method on few contacts, from which joints are eliminated first (static condensation).
 ///
 /// Rows without bounds, E, are held in every region. Around reactions r_k they answer to what all others, C, do by
 ///
@@ -24,34 +24,41 @@ namespace delassus {
 /// law itself is kept: as in ProximalNewton, the fixed points know nothing of α.
 class CondensedNewton {
  public:
-  /// Whether a problem is for it: in body space, without disks, with an E and few unknowns beside it.
-  static bool fits(const Problem& problem);
+  /// Whether a problem is for it: in body space, without disks, and but for E with no more than `most` unknowns, and some. Where there are
+  /// more, rows that `r` has within their bounds are taken for held, too. `map` is that of the problem; both must outlive `solve`.
+  bool setProblem(const Problem& problem, const NaturalMap& map, const VectorXd& r, int most);
+  /// Whether there is an E.
+  bool hasHeld() const { return !held_.empty(); }
 
-  /// Improves best.r (with its u and residual) until its natural residual is at most `tolerance` (m/s), or some digits less where they come
-  /// by themselves: true; or until `budget` regions are spent, or hardly anything is gained. `map` is that of the problem, which fits.
-  bool solve(const Problem& problem, const NaturalMap& map, double tolerance, int budget,
-             Solution& best);
+  /// Improves best.r, with its u and residual, until its natural residual is at most `tolerance` (m/s), or some digits less where they come
+  /// by themselves: true; or until `budget` steps are made, or hardly anything is gained. The factor is counted as a region, and steps, which
+  /// cost about as much, as sweeps.
+  bool solve(double tolerance, int budget, Solution& best);
 
   std::size_t bytes() const {
-    return motion_.bytes() + G_.bytes() + steps_.bytes() +
-           bytesOf(left_, held_, lower_, upper_, mean_, diagonal_, center_, u_, change_, delta_,
-                   felt_);
+    return motion_.bytes() + G_.bytes() + steps_.bytes() + center_.bytes() +
+           bytesOf(left_, held_, lower_, upper_, mean_, diagonal_, change_, delta_, felt_);
   }
 
  private:
-  bool condense(const Problem& problem, const NaturalMap& map, Solution& count);
-  void setWeight(const Problem& problem, double alpha);
+  void divide(const Problem& problem, const VectorXd& r, bool withinBounds);
+  bool condense(Solution& count);
+  void setWeight(double alpha);
   void letHeldAnswer();
-  bool solveLeft(const Problem& problem, double enough, int budget, Solution& count);
+  bool solveLeft(double enough, int budget, Solution& count);
+  bool moveCenter(double enough, int budget, Solution& count);
 
+  const Problem* problem_ = nullptr;
+  const NaturalMap* map_ = nullptr;
   BodyMotion motion_;
   Stiffness G_;
   std::vector<int> left_, held_;  ///< unknowns of C, contacts first, and of E
   VectorXd lower_, upper_;        ///< bounds of the rows of C
   NewtonSteps<Eigen::Dynamic> steps_;
+  double weight_ = 0;      ///< α of C
   VectorXd diagonal_;      ///< of its matrix without α W_aa
   VectorXd mean_;          ///< of W_aa, per unknown
-  VectorXd center_, u_;    ///< r_k and its u
+  Solution center_;        ///< r_k
   VectorXd change_;        ///< r − r_k
   VectorXd delta_, felt_;  ///< δ and J̃ δ
 };

@@ -10,34 +10,6 @@
 namespace delassus {
 namespace {
 
-/// The paper's forced motion: all that approach are held, whatever the sign of their reactions will be.
-void forceActiveSet(const Problem& problem, ActiveSet& set) {
-  // Bodies that fall together touch with q_n = 0 up to round-off: they are held too.
-  const double touching = 1e-6 * problem.q.cwiseAbs().maxCoeff();
-  set.contacts.clear();
-  set.rows.clear();
-  for (int i = 0; i < problem.contacts(); ++i)
-    set.contacts.push_back(problem.q[3 * i] <= touching ? Mode::Stick : Mode::Open);
-  for (int i = 0; i < problem.rows(); ++i) {
-    const double q = problem.q[3 * problem.contacts() + i];
-    set.rows.push_back(q > touching && std::isfinite(problem.lower[i])    ? RowState::AtLower
-                       : q < -touching && std::isfinite(problem.upper[i]) ? RowState::AtUpper
-                                                                          : RowState::Free);
-  }
-  set.disks.assign(problem.disks.size(), Mode::Stick);
-}
-
-/// The same where reactions tell more: what pressed in the last step is held, too.
-void holdActiveSet(const Problem& problem, const VectorXd& r, ActiveSet& set) {
-  forceActiveSet(problem, set);
-  for (int i = 0; i < problem.contacts(); ++i)
-    if (r[3 * i] > 0) set.contacts[i] = Mode::Stick;
-  for (int i = 0; i < problem.rows(); ++i) {
-    const double push = r[3 * problem.contacts() + i];
-    if (push > problem.lower[i] && push < problem.upper[i]) set.rows[i] = RowState::Free;
-  }
-}
-
 /// A bound from below for what no reactions leave, as a root mean square over contacts and rows, m/s: of an approaching contact
 /// ‖P(−v)‖ ≥ |q_n| / (1 + μ²), which is worked out at once.
 double leastRmsFromNothing(const Problem& problem) {
@@ -48,42 +20,13 @@ double leastRmsFromNothing(const Problem& problem) {
   return std::sqrt(normal.cwiseMin(0).squaredNorm() / (n + problem.rows())) / (1 + widest * widest);
 }
 
-/// Whether no contact presses with all the friction that it has.
-bool slidesNowhere(const Problem& problem, const VectorXd& r) {
-  constexpr double all = 1 - 1e-6;
-  for (int i = 0; i < problem.contacts(); ++i)
-    if (r[3 * i] > 0 &&
-        lengthOf(r[3 * i + 1], r[3 * i + 2]) >= all * problem.friction[i] * r[3 * i])
-      return false;
-  return true;
-}
-
-/// Joints alone, without limits and motors: there is one region.
-bool hasOneRegion(const Problem& problem) {
-  return problem.contacts() == 0 && problem.disks.empty() && problem.lower.array().isInf().all() &&
-         problem.upper.array().isInf().all();
-}
-
-// Proximal weights. From nothing a smaller one needs fewer steps; and were it smaller still, the first would end just within the
-// tolerance, and none would follow that takes more digits.
-constexpr double knownRegion = 1e-6, forcedRegion = 1e-7;
-constexpr double disturbed = 1e-3,
-                 nearly = 1e-6;  ///< shares of the demands that reactions leave open
-constexpr int shortWalk = 16, pileWalk = 400, fewRegions = 8;
-constexpr int alternations = 300;  ///< what brings a large pile to rest
+constexpr double nearly = 1e-6;  ///< share of the demands that reactions leave open
+constexpr int pileWalk = 400;
 
 /// Explicit entries that are too many for a dense matrix and its factor are swept over, and no more.
 bool isTooLargeToFactor(const Problem& problem) {
   constexpr int most = 10000;
   return !problem.W.inBodySpace() && problem.size() > most;
-}
-
-/// Has the reactions of `candidate` as the best answer.
-void take(const Solution& candidate, Solution& best) {
-  best.r = candidate.r;
-  best.u = candidate.u;
-  best.residual = candidate.residual;
-  best.residualRms = candidate.residualRms;
 }
 
 }  // namespace
@@ -112,7 +55,7 @@ void Search::measure(const Problem& problem, Solution& candidate) {
 
 void Search::consider(const Problem& problem, Solution& candidate, Solution& best) {
   measure(problem, candidate);
-  if (candidate.residual < best.residual) take(candidate, best);
+  if (candidate.residual < best.residual) best.takeReactions(candidate);
 }
 
 void Search::offer(const Problem& problem, const VectorXd& r, Solution& best) {
@@ -129,7 +72,7 @@ void Search::startBetter(const Problem& problem, Solution& best) {
   makeFeasible(problem, trial_.r);
   measure(problem, trial_);
   const bool isHopeless = !(guessed <= hopeless * trial_.residualRms);
-  if (isHopeless && !(best.residual <= trial_.residual)) take(trial_, best);
+  if (isHopeless && !(best.residual <= trial_.residual)) best.takeReactions(trial_);
 }
 
 void Search::allow(const Problem& problem, Solution& best) {
@@ -157,12 +100,12 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
   return Outcome::Incompatible;
 }
 
-/// From the likeliest way to the surest.
+/// From the likeliest way to the surest, where joints leave more than few contacts (`condense` comes before).
 ///
 /// Without reactions of a last step:
 ///   - the paper's forced motion, every approaching contact held, from zero; in large piles, whose contacts share loads in many ways,
 ///     with a search for forced reactions that lie inside their cones (`hold`);
-///   - where there is but one region, a walk to it; elsewhere alternating directions.
+///   - where there is but one region, a walk to it; elsewhere steps on a dense matrix, if few touch, and alternating directions.
 /// With them:
 ///   - piles, and what slid nowhere: `hold`, from the last reactions;
 ///   - much is disturbed: accelerated sweeps as long as they gain, in heaps with patches.
@@ -192,119 +135,6 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const
     outcome = outlast(newton, problem, options, tolerance, guess, best);
   return outcome == Outcome::Lost ? findBack(engines, problem, options, tolerance, guess, best)
                                   : outcome;
-}
-
-/// What comes before the first walk. Lost: the walk finishes.
-template <class Motion>
-Outcome Search::startOut(ProximalNewton<Motion>& newton, const Problem& problem,
-                         const Options& options, double tolerance, const VectorXd* guess,
-                         Solution& best) {
-  const double demand = problem.q.cwiseAbs().maxCoeff(), aim = keptShare * tolerance;
-  const auto left = [&](int most) { return std::min(most, options.newtonBudget - best.regions); };
-  const auto isReached = [&] { return best.residual <= tolerance; };
-  wandering_.residual = infinity;  // of what a hold leaves
-  if (isHurried_ && hold(newton, problem, options, tolerance, guess, best)) return Outcome::Reached;
-  if (!guess && !isLargePile(problem)) {
-    forceActiveSet(problem, best.activeSet);
-    const Outcome outcome =
-        newton.walkFromRegion(problem, tolerance, forcedRegion, left(shortWalk), best);
-    if (outcome != Outcome::Lost) return outcome;
-  }
-  if (!isHurried_ && hold(newton, problem, options, tolerance, guess, best))
-    return Outcome::Reached;
-  if (options.economies.oneRegion && hasOneRegion(problem)) {
-    const Outcome outcome = newton.walk(problem, tolerance, knownRegion, left(shortWalk), best);
-    if (outcome != Outcome::Lost) return outcome;
-  } else if (!guess && alternate(newton, problem, options, tolerance, best)) {
-    return Outcome::Reached;
-  }
-  if (isHurried_) {
-    sweepAll(problem, options, aim, guess, best);
-    if (wandering_.residual < best.residual) take(wandering_, best);
-    if (isReached()) return Outcome::Reached;
-  } else if (best.residual > disturbed * demand && isHeap(problem)) {
-    settle(problem, options, aim, best);
-    newton.setProblem(problem, map_);  // patches were at work here
-    if (isReached())
-      return isLargeHeap(problem) ? Outcome::Reached
-                                  : finish(newton, problem, options, tolerance, best);
-  } else if (best.residual > disturbed * demand) {
-    if (isLargePile(problem))
-      sweepWhileItGains(problem, options, aim, best);
-    else
-      sweepAndLearn(problem, options, aim, best);
-    if (isReached()) return Outcome::Reached;
-  }
-  return Outcome::Lost;
-}
-
-/// Whether it is worth a region to hold all that touches. Not where the last reactions slid somewhere and regions are cheap, or few:
-/// then something will again.
-bool Search::mayHold(const Problem& problem, const Options& options, const VectorXd* guess,
-                     const Solution& best) const {
-  constexpr int fewContacts = 12;
-  if (isHeap(problem) || best.regions >= options.newtonBudget) return false;
-  // Explicit entries of this size cost more to factor than few sweeps are worth.
-  if (isHurried_ && isLargePile(problem) && !problem.W.inBodySpace()) return false;
-  if (!isHurried_ && isLargePile(problem)) return true;
-  // Small islands without reactions of a last step hold all in their first region, if there may be others.
-  return (guess || isHurried_) && problem.contacts() > fewContacts &&
-         slidesNowhere(problem, best.r);
-}
-
-/// Holds all that touches. Who has few sweeps pays a region for it and no sweeps; these are made as if it had not been tried, and what it
-/// has come to waits in wandering_.
-template <class Motion>
-bool Search::hold(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
-                  double tolerance, const VectorXd* guess, Solution& best) {
-  constexpr int mostSteps = 40;
-  const int sweeps = best.sweeps;
-  const int most = isHurried_ ? mostSteps : std::min(mostSteps, options.sweepBudget - sweeps);
-  if (most <= 0 || !mayHold(problem, options, guess, best)) return false;
-  if (isHurried_) take(best, trial_);
-  holdActiveSet(problem, best.r, best.activeSet);
-  const bool isHeld = newton.holdAll(problem, tolerance, most, best);
-  if (!isHurried_) return isHeld;
-  best.sweeps = sweeps;
-  if (!isHeld && best.residual < trial_.residual) {
-    take(best, wandering_);
-    take(trial_, best);
-  }
-  return isHeld;
-}
-
-/// Newton's method on what is left without the joints, in few contacts. Who has few sweeps pays a region for it, and no sweeps, as for
-/// `hold`.
-bool Search::condense(const Problem& problem, const Options& options, double tolerance,
-                      Solution& best) {
-  constexpr int worthCondensing = 10;  // sweeps; they cost as much
-  const int sweeps = best.sweeps, most = options.sweepBudget - sweeps;
-  if (most < worthCondensing || best.regions >= options.newtonBudget ||
-      !CondensedNewton::fits(problem))
-    return false;
-  const bool isReached = machines().condensed.solve(problem, map_, tolerance, most, best);
-  if (isHurried_) best.sweeps = sweeps;
-  return isReached;
-}
-
-/// Alternating directions. False if they do not reach the tolerance.
-template <class Motion>
-bool Search::alternate(ProximalNewton<Motion>& newton, const Problem& problem,
-                       const Options& options, double tolerance, Solution& best) {
-  if (isHurried_) return false;
-  const int most = std::min(alternations, options.sweepBudget - best.sweeps);
-  if (!newton.alternate(problem, keptShare * tolerance, most, best)) return false;
-  finish(newton, problem, options, tolerance, best);
-  return true;
-}
-
-/// What first-order methods leave is slow; one step in the region that they have found takes it away.
-template <class Motion>
-Outcome Search::finish(ProximalNewton<Motion>& newton, const Problem& problem,
-                       const Options& options, double tolerance, Solution& best) {
-  const int most = std::min(fewRegions, options.newtonBudget - best.regions);
-  newton.polish(problem, polishedShare * tolerance, knownRegion, most, best);
-  return Outcome::Reached;
 }
 
 template <class Motion>
@@ -367,7 +197,7 @@ Outcome Search::comeBack(Outcome outcome, Solution& best) const {
   best.sweeps = apart_.sweeps;
   best.patches = apart_.patches;
   if (outcome == Outcome::Lost && !(apart_.residual < best.residual)) return outcome;
-  take(apart_, best);
+  best.takeReactions(apart_);
   best.blamed = apart_.blamed;
   return outcome;
 }

@@ -117,6 +117,7 @@ class Search {
                    double tolerance, const VectorXd* guess, Solution& best);
   bool hasNoWalk(const Problem& problem, const Options& options, const Solution& best) const;
   bool condense(const Problem& problem, const Options& options, double tolerance, Solution& best);
+  bool solveFew(const Problem& problem, const Options& options, double tolerance, Solution& best);
   bool mayHold(const Problem& problem, const Options& options, const VectorXd* guess,
                const Solution& best) const;
   template <class Motion>
@@ -150,8 +151,10 @@ class Search {
   bool mendPatches(const Problem& problem, const Options& options, double tolerance,
                    double outstanding, Solution& unsettled, Solution& best);
 
-  static constexpr double unknownRegion = 1e-1;  ///< proximal weight
-  static constexpr int fairWalk = 80;            ///< regions that find most ways there are
+  static constexpr double unknownRegion = 1e-1, knownRegion = 1e-6;  ///< proximal weights
+  static constexpr int shortWalk = 16, fewRegions = 8;
+  static constexpr int alternations = 300;  ///< what brings a large pile to rest
+  static constexpr int fairWalk = 80;       ///< regions that find most ways there are
   /// How far a walk from here must look, by what is left to correct; at least `least`.
   static double proximalWeight(const Problem& problem, const Solution& from, double least);
 

@@ -39,7 +39,7 @@ struct Solution {
   double residual = 0;       ///< natural residual, largest over contacts, rows and disks, m/s
   double residualRms = 0;    ///< its root mean square, m/s
   /// Work, that in patches by what it costs beside the island's: regions visited by walks but those at the ends of paths of compliance,
-  /// factors made, by them and along these paths, sweeps and alternations over all.
+  /// factors made, by them and along these paths, sweeps, alternations and steps on few contacts over all.
   int regions = 0, factorisations = 0, sweeps = 0;
   int patches = 0;  ///< parts of the island that were solved apart, on the way
   /// First unknowns of the contacts and rows that keep it from being solved: those with incompatible
@@ -54,6 +54,14 @@ struct Solution {
     regions = factorisations = sweeps = patches = 0;
     tier = Tier::Free;
     blamed.clear();
+  }
+
+  /// Has the reactions of another one, with what these do and how good they are.
+  void takeReactions(const Solution& other) {
+    r = other.r;
+    u = other.u;
+    residual = other.residual;
+    residualRms = other.residualRms;
   }
 
   std::size_t bytes() const {

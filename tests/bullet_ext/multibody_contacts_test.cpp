@@ -71,8 +71,9 @@ TEST(MultiBodyContacts, BasesThatCannotBePushed) {
     if (kinematic) base.setBaseDynamicType(btCollisionObject::CF_KINEMATIC_OBJECT);
     const btVector3 velocity(kinematic ? btScalar(0.3) : 0, 0, 0);
     const btRigidBody& box = world.addCube(btVector3(0, btScalar(0.5), 0), 2);
-    // Not for long: sooner or later Bullet's narrow phase leaves two points under a box that is carried along.
-    for (int step = 0; step < 40; ++step) {
+    // Not for long: Bullet's points stay a step behind what carries them along, are lost one by one, and rounding decides when only two are
+    // left under the box. It has the speed of its base after four steps.
+    for (int step = 0; step < 15; ++step) {
       base.setBaseVel(velocity);
       world.advance();
     }

@@ -1,0 +1,193 @@
+/// What the search does before its first walk.
+#include <algorithm>
+#include <cmath>
+
+#include "delassus/length.h"
+#include "delassus/pile_kind.h"
+#include "delassus/search.h"
+
+namespace delassus {
+namespace {
+
+/// The paper's forced motion: all that approach are held, whatever the sign of their reactions will be.
+void forceActiveSet(const Problem& problem, ActiveSet& set) {
+  // Bodies that fall together touch with q_n = 0 up to round-off: they are held too.
+  const double touching = 1e-6 * problem.q.cwiseAbs().maxCoeff();
+  set.contacts.clear();
+  set.rows.clear();
+  for (int i = 0; i < problem.contacts(); ++i)
+    set.contacts.push_back(problem.q[3 * i] <= touching ? Mode::Stick : Mode::Open);
+  for (int i = 0; i < problem.rows(); ++i) {
+    const double q = problem.q[3 * problem.contacts() + i];
+    set.rows.push_back(q > touching && std::isfinite(problem.lower[i])    ? RowState::AtLower
+                       : q < -touching && std::isfinite(problem.upper[i]) ? RowState::AtUpper
+                                                                          : RowState::Free);
+  }
+  set.disks.assign(problem.disks.size(), Mode::Stick);
+}
+
+/// The same where reactions tell more: what pressed in the last step is held, too.
+void holdActiveSet(const Problem& problem, const VectorXd& r, ActiveSet& set) {
+  forceActiveSet(problem, set);
+  for (int i = 0; i < problem.contacts(); ++i)
+    if (r[3 * i] > 0) set.contacts[i] = Mode::Stick;
+  for (int i = 0; i < problem.rows(); ++i) {
+    const double push = r[3 * problem.contacts() + i];
+    if (push > problem.lower[i] && push < problem.upper[i]) set.rows[i] = RowState::Free;
+  }
+}
+
+/// Whether no contact presses with all the friction that it has.
+bool slidesNowhere(const Problem& problem, const VectorXd& r) {
+  constexpr double all = 1 - 1e-6;
+  for (int i = 0; i < problem.contacts(); ++i)
+    if (r[3 * i] > 0 &&
+        lengthOf(r[3 * i + 1], r[3 * i + 2]) >= all * problem.friction[i] * r[3 * i])
+      return false;
+  return true;
+}
+
+/// Joints alone, without limits and motors: there is one region.
+bool hasOneRegion(const Problem& problem) {
+  return problem.contacts() == 0 && problem.disks.empty() && problem.lower.array().isInf().all() &&
+         problem.upper.array().isInf().all();
+}
+
+/// A proximal weight. From nothing a smaller one needs fewer steps; and were it smaller still, the first would end just within the
+/// tolerance, and none would follow that takes more digits.
+constexpr double forcedRegion = 1e-7;
+constexpr double disturbed = 1e-3;  ///< share of the demands that reactions leave open
+
+}  // namespace
+
+/// What comes before the first walk. Lost: the walk finishes.
+template <class Motion>
+Outcome Search::startOut(ProximalNewton<Motion>& newton, const Problem& problem,
+                         const Options& options, double tolerance, const VectorXd* guess,
+                         Solution& best) {
+  const double demand = problem.q.cwiseAbs().maxCoeff(), aim = keptShare * tolerance;
+  const auto left = [&](int most) { return std::min(most, options.newtonBudget - best.regions); };
+  const auto isReached = [&] { return best.residual <= tolerance; };
+  wandering_.residual = infinity;  // of what a hold leaves
+  if (isHurried_ && hold(newton, problem, options, tolerance, guess, best)) return Outcome::Reached;
+  if (!guess && !isLargePile(problem)) {
+    forceActiveSet(problem, best.activeSet);
+    const Outcome outcome =
+        newton.walkFromRegion(problem, tolerance, forcedRegion, left(shortWalk), best);
+    if (outcome != Outcome::Lost) return outcome;
+  }
+  if (!isHurried_ && hold(newton, problem, options, tolerance, guess, best))
+    return Outcome::Reached;
+  if (options.economies.oneRegion && hasOneRegion(problem)) {
+    const Outcome outcome = newton.walk(problem, tolerance, knownRegion, left(shortWalk), best);
+    if (outcome != Outcome::Lost) return outcome;
+  } else if (!guess && (solveFew(problem, options, tolerance, best) ||
+                        alternate(newton, problem, options, tolerance, best))) {
+    return finish(newton, problem, options, tolerance, best);
+  }
+  if (isHurried_) {
+    sweepAll(problem, options, aim, guess, best);
+    if (wandering_.residual < best.residual) best.takeReactions(wandering_);
+    if (isReached()) return Outcome::Reached;
+  } else if (best.residual > disturbed * demand && isHeap(problem)) {
+    settle(problem, options, aim, best);
+    newton.setProblem(problem, map_);  // patches were at work here
+    if (isReached())
+      return isLargeHeap(problem) ? Outcome::Reached
+                                  : finish(newton, problem, options, tolerance, best);
+  } else if (best.residual > disturbed * demand) {
+    if (isLargePile(problem))
+      sweepWhileItGains(problem, options, aim, best);
+    else
+      sweepAndLearn(problem, options, aim, best);
+    if (isReached()) return Outcome::Reached;
+  }
+  return Outcome::Lost;
+}
+
+/// Whether it is worth a region to hold all that touches. Not where the last reactions slid somewhere and regions are cheap, or few:
+/// then something will again.
+bool Search::mayHold(const Problem& problem, const Options& options, const VectorXd* guess,
+                     const Solution& best) const {
+  constexpr int fewContacts = 12;
+  if (isHeap(problem) || best.regions >= options.newtonBudget) return false;
+  // Explicit entries of this size cost more to factor than few sweeps are worth.
+  if (isHurried_ && isLargePile(problem) && !problem.W.inBodySpace()) return false;
+  if (!isHurried_ && isLargePile(problem)) return true;
+  // Small islands without reactions of a last step hold all in their first region, if there may be others.
+  return (guess || isHurried_) && problem.contacts() > fewContacts &&
+         slidesNowhere(problem, best.r);
+}
+
+/// Holds all that touches. Who has few sweeps pays a region for it and no sweeps; these are made as if it had not been tried, and what it
+/// has come to waits in wandering_.
+template <class Motion>
+bool Search::hold(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
+                  double tolerance, const VectorXd* guess, Solution& best) {
+  constexpr int mostSteps = 40;
+  const int sweeps = best.sweeps;
+  const int most = isHurried_ ? mostSteps : std::min(mostSteps, options.sweepBudget - sweeps);
+  if (most <= 0 || !mayHold(problem, options, guess, best)) return false;
+  if (isHurried_) trial_.takeReactions(best);
+  holdActiveSet(problem, best.r, best.activeSet);
+  const bool isHeld = newton.holdAll(problem, tolerance, most, best);
+  if (!isHurried_) return isHeld;
+  best.sweeps = sweeps;
+  if (!isHeld && best.residual < trial_.residual) {
+    wandering_.takeReactions(best);
+    best.takeReactions(trial_);
+  }
+  return isHeld;
+}
+
+/// Newton's method on what is left without the joints, in few contacts. Who has few sweeps pays a region for it, and no sweeps, as for
+/// `hold`.
+bool Search::condense(const Problem& problem, const Options& options, double tolerance,
+                      Solution& best) {
+  constexpr int worthCondensing = 10;  // sweeps; they cost as much
+  constexpr int few = 60, many = 100;  // unknowns
+  const int sweeps = best.sweeps, most = options.sweepBudget - sweeps;
+  if (most < worthCondensing || best.regions >= options.newtonBudget) return false;
+  CondensedNewton& newton = machines().condensed;
+  if (!newton.setProblem(problem, map_, best.r, isHurried_ ? few : many) || !newton.hasHeld())
+    return false;
+  const bool isReached = newton.solve(tolerance, most, best);
+  if (isHurried_) best.sweeps = sweeps;
+  return isReached;
+}
+
+/// The same where there are so few contacts that their dense matrix costs no more than the factor of their bodies.
+bool Search::solveFew(const Problem& problem, const Options& options, double tolerance,
+                      Solution& best) {
+  constexpr int few = 36;  // unknowns
+  if (isHurried_ || best.regions >= options.newtonBudget) return false;
+  CondensedNewton& newton = machines().condensed;
+  return newton.setProblem(problem, map_, best.r, few) &&
+         newton.solve(tolerance, options.sweepBudget - best.sweeps, best);
+}
+
+/// Alternating directions. False if they do not reach the tolerance.
+template <class Motion>
+bool Search::alternate(ProximalNewton<Motion>& newton, const Problem& problem,
+                       const Options& options, double tolerance, Solution& best) {
+  if (isHurried_) return false;
+  const int most = std::min(alternations, options.sweepBudget - best.sweeps);
+  return newton.alternate(problem, keptShare * tolerance, most, best);
+}
+
+/// What is left after a few steps is slow to go; one in the region that has been found takes it away.
+template <class Motion>
+Outcome Search::finish(ProximalNewton<Motion>& newton, const Problem& problem,
+                       const Options& options, double tolerance, Solution& best) {
+  const int most = std::min(fewRegions, options.newtonBudget - best.regions);
+  const double aim = polishedShare * tolerance;
+  if (best.residual > aim) newton.polish(problem, aim, knownRegion, most, best);
+  return Outcome::Reached;
+}
+
+template Outcome Search::startOut(ProximalNewton<BodyMotion>&, const Problem&, const Options&,
+                                  double, const VectorXd*, Solution&);
+template Outcome Search::startOut(ProximalNewton<FactoredMotion>&, const Problem&, const Options&,
+                                  double, const VectorXd*, Solution&);
+
+}  // namespace delassus
