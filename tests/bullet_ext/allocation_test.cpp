@@ -172,6 +172,25 @@ TEST(Allocation, AWarmStepTakesNoMemory) {
   EXPECT_GT(allocationsOf(options, buildTower, rest), 0);
 }
 
+// Boxes that are joined and dragged to and fro: their joints are eliminated in each step.
+TEST(Allocation, AChainTakesNoMemory) {
+  const auto build = [](BulletWorld& world) {
+    world.addGround();
+    btRigidBody& box = world.addCube({0, btScalar(0.5), 0});
+    btRigidBody& trailer = world.addCube({btScalar(1.5), btScalar(0.5), 0});
+    world.addJoint<btPoint2PointConstraint>(box, trailer, btVector3(btScalar(0.75), 0, 0),
+                                            btVector3(btScalar(-0.75), 0, 0));
+  };
+  int walked = 0;
+  const auto drag = [&](BulletWorld& world, int step) {
+    walked += world.report().walks;
+    btRigidBody::upcast(world->getCollisionObjectArray()[1])
+        ->applyCentralForce({btScalar(step % 2 ? 3 : -3), 0, 0});
+  };
+  EXPECT_EQ(allocationsOf(optionsOfPrecision(), build, drag), 0);
+  EXPECT_GT(walked, 80);
+}
+
 // A joint whose axes are all within their limits has no rows, and is asked whether it solves itself.
 TEST(Allocation, AJointWithoutRowsTakesNoMemory) {
   int withoutRows = 0;

@@ -188,7 +188,8 @@ TEST(CondensedNewton, FewContactsWithoutJoints) {
   int reached = 0;
   constexpr int samples = 100;
   for (int k = 0; k < samples; ++k) {
-    const PileIsland tower(makeTower(randomMasses(1 + k % 2, 10, random), 0.5, k % 3 * 0.1, random));
+    const PileIsland tower(
+        makeTower(randomMasses(1 + k % 2, 10, random), 0.5, k % 3 * 0.1, random));
     const CondensedAttempt attempt = condenseFromRest(tower.problem);
     EXPECT_LE(attempt.solution.residual, attempt.before);
     EXPECT_LE(infeasibility(tower.problem, attempt.solution.r), 1e-15);
