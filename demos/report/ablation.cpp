@@ -35,6 +35,7 @@ const std::vector<Economy> economies{
      "islands that still keep the law are solved again, from nothing"},
     {"formula", &Economies::closedForms, "single contacts and rows are walked"},
     {"one region", &Economies::oneRegion, "sweeps also where there is only one region"},
+    {"joints", &Economies::joints, "sweeps over joints, and their share in all regions"},
     {"factors", &Economies::factors, "a factorisation also where region and W stand"},
     {"pushes", &Economies::pushes, "a push problem also without deep penetrations"},
     {"events", &Economies::events, "contact events though nobody listens"},

@@ -90,9 +90,10 @@ Plan makePlan(const ReportArguments& arguments) {
   plan.ablationScenes =
       !arguments.scenes.empty() ? arguments.scenes
       : quick                   ? Names{"one_box", "stack_10", "newton_cradle"}
-              : Names{"one_box",       "islands_100",      "stack_10",          "pyramid_10",
-                      "pyramid_20",    "wall_20x10",       "wall_and_ball",     "domino_run",
-                      "newton_cradle", "heavy_ball_chain", "bead_in_trihedron", "ball_off_ball"};
+              : Names{"one_box",           "islands_100",      "stack_10",      "pyramid_10",
+                      "pyramid_20",        "wall_20x10",       "wall_and_ball", "domino_run",
+                      "newton_cradle",     "heavy_ball_chain", "ragdolls",      "gripper",
+                      "bead_in_trihedron", "ball_off_ball"};
   plan.ablationSeconds = quick ? 1 : 3;
   plan.ablationLimit = quick ? 5 : 20;
   plan.rates = {30, 60, 120, 240, 480};

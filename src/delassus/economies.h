@@ -15,6 +15,8 @@ struct Economies {
   bool closedForms = true;
   /// No search where there is one region: joints without limits, motors and contacts.
   bool oneRegion = true;
+  /// Joints that leave few contacts are eliminated once, and not swept over.
+  bool joints = true;
   /// No factorisation where the region and W stand.
   bool factors = true;
   /// No push problem where no penetration splits.

@@ -147,7 +147,8 @@ bool Search::condense(const Problem& problem, const Options& options, double tol
   constexpr int worthCondensing = 10;  // sweeps; they cost as much
   constexpr int few = 60, many = 100;  // unknowns
   const int sweeps = best.sweeps, most = options.sweepBudget - sweeps;
-  if (most < worthCondensing || best.regions >= options.newtonBudget) return false;
+  if (!options.economies.joints || most < worthCondensing || best.regions >= options.newtonBudget)
+    return false;
   CondensedNewton& newton = machines().condensed;
   if (!newton.setProblem(problem, map_, best.r, isHurried_ ? few : many) || !newton.hasHeld())
     return false;

@@ -162,5 +162,26 @@ TEST(Economies, NothingIsSearchedWhereThereIsOneRegion) {
   }
 }
 
+TEST(Economies, JointsAreNotSweptOver) {
+  Random random(76);
+  int fewer = 0;
+  for (int k = 0; k < 20; ++k) {
+    SCOPED_TRACE(k);
+    Pile pile = makeChain(4, random);
+    for (Body& body : pile.bodies) body.velocity[2] -= 1;
+    pile.contacts.push_back(makeRestingPoint(3, fixedWorld, Vec3(0.2, 0, -0.5), Vec3::Zero(), 0));
+    pile.contacts.push_back(makeRestingPoint(1, fixedWorld, Vec3(0.5, 0, 0), Vec3::Zero(), 0));
+    const PileIsland island(pile);
+    const VectorXd guess = 0.5 * solveWith(island.problem, nullptr).r;
+    const Solution condensed = solveWith(island.problem, nullptr, guess),
+                   swept = solveWith(island.problem, &Economies::joints, guess);
+    EXPECT_EQ(condensed.status, Status::Solved);
+    EXPECT_EQ(swept.status, Status::Solved);
+    EXPECT_LT(motionDistance(island, condensed.r, swept.r), 1e-7);
+    fewer += condensed.regions + condensed.sweeps < swept.regions + swept.sweeps ? 1 : 0;
+  }
+  EXPECT_GE(fewer, 15);
+}
+
 }  // namespace
 }  // namespace delassus
