@@ -58,10 +58,10 @@ bool DenseNewton<Most>::solve(const Problem& problem, const NaturalMap& map, dou
   constexpr double near = 10;
   const ReactionBounds bounds{problem.friction, problem.lower, problem.upper};
   start(problem, map, from, best);
+  double error = steps_.error(bounds);
   for (int k = 0; k < std::min(mostSteps, budget); ++k) {
     ++best.regions;
     ++best.factorisations;
-    double error = 0;
     steps_.forgetFactor();
     if (!steps_.step(bounds, error)) return false;
     // Two measures of the same distance: only what is near by this one may be there by the other.

@@ -77,7 +77,8 @@ void NewtonSteps<Most>::findActive(const ReactionBounds& bounds) {
     const Vec3 z = r.template segment<3>(k) - u.template segment<3>(k) / rho[k];
     if (z[0] <= 0) continue;
     const double zt = lengthOf(z[1], z[2]);
-    Active& contact = active_.emplace_back(Active{k, zt > bounds.friction[i] * z[0]});
+    active_.push_back({k, zt > bounds.friction[i] * z[0]});
+    Active& contact = active_.back();
     if (contact.slides) slidingReaction(z, zt, bounds.friction[i], &contact.P);
     for (int j = 0; j < 3; ++j) unknowns_.push_back(k + j);
   }
@@ -103,10 +104,8 @@ void NewtonSteps<Most>::fillMatrix(const ReactionBounds& bounds) {
     for (int j = 0; j < count; ++j)
       for (int c = 0; c < m; ++c) K_(row + j, c) = scale * W(a.first + j, unknowns_[c]);
     if (a.slides) {
-      for (int c = 0; c < m; ++c) {
-        const Vec3 column(K_(row, c), K_(row + 1, c), K_(row + 2, c));
-        K_.template block<3, 1>(row, c) = a.P * column;
-      }
+      auto rows = K_.template middleRows<3>(row);
+      for (int c = 0; c < m; ++c) rows.col(c) = (a.P * rows.col(c)).eval();
       K_.template block<3, 3>(row, row) += Mat3::Identity() - a.P;
     }
     row += count;
@@ -132,7 +131,10 @@ bool NewtonSteps<Most>::findStep(const ReactionBounds& bounds) {
   const auto m = static_cast<int>(unknowns_.size());
   step_ = error_;
   for (const int at : unknowns_) step_[at] = 0;
-  multiply(step_, felt_);
+  if (step_.any())
+    multiply(step_, felt_);
+  else
+    felt_.setZero(step_.size());
   right_.resize(m);
   int row = 0;
   for (const Active& a : active_) {
@@ -148,7 +150,7 @@ bool NewtonSteps<Most>::findStep(const ReactionBounds& bounds) {
   if constexpr (Most == Eigen::Dynamic) {
     if (!isFactored()) {
       fillMatrix(bounds);
-      factored_ = active_;
+      factored_.assign(active_.begin(), active_.end());
       ++factorisations_;
       hasFactor_ = elimination_.factorise(K_);
       if (!hasFactor_) return false;
@@ -166,7 +168,7 @@ bool NewtonSteps<Most>::findStep(const ReactionBounds& bounds) {
 template <int Most>
 bool NewtonSteps<Most>::step(const ReactionBounds& bounds, double& error) {
   constexpr int mostHalvings = 5;
-  const double before = evaluate(bounds, r, u);
+  const double before = error;
   findActive(bounds);
   if (!findStep(bounds)) return false;
   multiply(step_, felt_);

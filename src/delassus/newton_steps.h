@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "delassus/bytes.h"
@@ -15,6 +17,25 @@ struct ReactionBounds {
   int contacts() const { return static_cast<int>(friction.size()); }
   int rows() const { return static_cast<int>(lower.size()); }
 };
+
+/// A list of at most `Most` entries, which takes no memory; or of any number.
+template <class Entry, int Most>
+class ShortList {
+ public:
+  void clear() { size_ = 0; }
+  void push_back(const Entry& entry) { entries_[size_++] = entry; }
+  std::size_t size() const { return size_; }
+  Entry& back() { return entries_[size_ - 1]; }
+  const Entry& operator[](std::size_t i) const { return entries_[i]; }
+  const Entry* begin() const { return entries_.data(); }
+  const Entry* end() const { return entries_.data() + size_; }
+
+ private:
+  std::array<Entry, Most> entries_;
+  std::size_t size_ = 0;
+};
+template <class Entry>
+class ShortList<Entry, Eigen::Dynamic> : public std::vector<Entry> {};
 
 /// Steps of Newton's method on Coulomb's law as it stands, with all entries of W (Alart and Curnier 1991; algorithms §6.10):
 ///
@@ -38,7 +59,8 @@ class NewtonSteps {
   /// ‖ρ F‖ at r and u, m/s.
   double error(const ReactionBounds& bounds) { return evaluate(bounds, r, u); }
   /// Solves F in the region of r and u, and goes there, or less far if that is worse: a step that gains nothing is a short one, behind
-  /// the wall there may be a better region. `error` becomes ‖ρ F‖. False, and nothing is changed, if F is singular in this region.
+  /// the wall there may be a better region. `error` is that at r and u, just found by `error` or the last step, and afterwards that of where
+  /// it has gone. False, and nothing is changed, if F is singular in this region.
   bool step(const ReactionBounds& bounds, double& error);
   /// Factors made by steps so far.
   int factorisations() const { return factorisations_; }
@@ -70,8 +92,9 @@ class NewtonSteps {
 
   Elimination<Most> elimination_;
   Matrix K_;
-  std::vector<Active> active_, factored_;
-  std::vector<int> unknowns_;  ///< of what is active
+  ShortList<Active, Most> active_;
+  std::vector<Active> factored_;
+  ShortList<int, Most> unknowns_;  ///< of what is active
   int factorisations_ = 0;
   bool hasFactor_ = false;  ///< of K_ where factored_ was active
   Vector step_, felt_, error_, right_, trialR_, trialU_;
