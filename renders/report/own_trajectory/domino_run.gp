@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.144887 1e-12 0.144887 0.144887
+0.125378 1e-12 0.125378 0.125378
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.062583 1e-12 0.062583 0.062583
+0.054033 1e-12 0.054033 0.054033
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.059481 0.0113843 0.059481 0.059481
+0.055029 0.0113843 0.055029 0.055029
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.223462 0.00162683 0.223462 0.223462
+0.205915 0.00162683 0.205915 0.205915
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.835708 1e-12 0.835708 0.835708
+0.767655 1e-12 0.767655 0.767655
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-4.15419 1e-12 4.15419 4.15419
+3.99638 1e-12 3.99638 3.99638
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.334695 0.00162046 0.334695 0.334695
+0.341413 0.00162046 0.341413 0.341413
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.071955 0.00955586 0.071955 0.071955
+0.070514 0.00955586 0.070514 0.070514
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.290141 0.000600458 0.290141 0.290141
+0.291672 0.000600458 0.291672 0.291672
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.92111 0.00162683 0.92111 0.92111
+0.900166 0.00162683 0.900166 0.900166
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-1.95684 0.008131 1.95684 1.95684
+1.77333 0.008131 1.77333 1.77333
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-4.58551 1e-12 4.58551 4.58551
+4.20422 1e-12 4.20422 4.20422
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-3274.34 0.0113843 3274.34 3274.34
+2874.51 0.0113843 2874.51 2874.51
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.144887 0.0787738 0.144887 0.144887
+0.125378 0.0787738 0.125378 0.125378
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.062583 0.0785978 0.062583 0.062583
+0.054033 0.0785978 0.054033 0.054033
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.059481 0.0624788 0.059481 0.059481
+0.055029 0.0624788 0.055029 0.055029
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.223462 0.0810167 0.223462 0.223462
+0.205915 0.0810167 0.205915 0.205915
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.835708 0.0805158 0.835708 0.835708
+0.767655 0.0805158 0.767655 0.767655
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-4.15419 0.0665111 4.15419 4.15419
+3.99638 0.0665111 3.99638 3.99638
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.334695 0.0785494 0.334695 0.334695
+0.341413 0.0785494 0.341413 0.341413
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.071955 0.0790071 0.071955 0.071955
+0.070514 0.0790071 0.070514 0.070514
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.290141 0.0736459 0.290141 0.290141
+0.291672 0.0736459 0.291672 0.291672
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.92111 0.0756228 0.92111 0.92111
+0.900166 0.0756228 0.900166 0.900166
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-1.95684 0.0682672 1.95684 1.95684
+1.77333 0.0682672 1.77333 1.77333
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-4.58551 0.0689653 4.58551 4.58551
+4.20422 0.0689653 4.20422 4.20422
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-3274.34 3.32443e-06 3274.34 3274.34
+2874.51 3.32443e-06 2874.51 2874.51
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.144887 0.122715 0.144887 0.144887
+0.125378 0.122715 0.125378 0.125378
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.062583 0.122365 0.062583 0.062583
+0.054033 0.122365 0.054033 0.054033
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.059481 0.124763 0.059481 0.059481
+0.055029 0.124763 0.055029 0.055029
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.223462 0.141059 0.223462 0.223462
+0.205915 0.141059 0.205915 0.205915
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.835708 0.143825 0.835708 0.835708
+0.767655 0.143825 0.767655 0.767655
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-4.15419 0.140012 4.15419 4.15419
+3.99638 0.140012 3.99638 3.99638
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.334695 0.122349 0.334695 0.334695
+0.341413 0.122349 0.341413 0.341413
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.071955 0.154217 0.071955 0.071955
+0.070514 0.154217 0.070514 0.070514
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.290141 0.120444 0.290141 0.290141
+0.291672 0.120444 0.291672 0.291672
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.92111 0.131988 0.92111 0.92111
+0.900166 0.131988 0.900166 0.900166
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-1.95684 0.119852 1.95684 1.95684
+1.77333 0.119852 1.77333 1.77333
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-4.58551 0.12296 4.58551 4.58551
+4.20422 0.12296 4.20422 4.20422
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-3274.34 1e-12 3274.34 3274.34
+2874.51 1e-12 2874.51 2874.51
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0223148:742695]
+set xrange [0.0203332:641027]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -223,24 +223,22 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.134947, graph 0.106609 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0864808, graph 0.0600575 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.236117, graph 0.153161 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.209175, graph 0.0833333 to graph 0.236117, graph 0.153161 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.328701, graph 0.106609 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.334404, graph 0.199713 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.307462, graph 0.0833333 to graph 0.334404, graph 0.199713 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.175039, graph 0.814874 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.183286, graph 0.885717 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.159963, graph 0.944049 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.133021, graph 0.850945 to graph 0.159963, graph 0.944049 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.241735, graph 0.757842 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.214793, graph 0.850945 to graph 0.241735, graph 0.757842 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.285239, graph 0.932455 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.0945375, graph 0.70554 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0675956, graph 0.915022 to graph 0.0945375, graph 0.70554 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.0835457, graph 0.758428 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0566038, graph 0.921359 to graph 0.0835457, graph 0.758428 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.132296, graph 0.106609 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.0600575 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.237241, graph 0.153161 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.210299, graph 0.0833333 to graph 0.237241, graph 0.153161 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.332791, graph 0.106609 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.335727, graph 0.199713 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.308785, graph 0.0833333 to graph 0.335727, graph 0.199713 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.181194, graph 0.814874 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.00172056, graph 0.827527 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.16103, graph 0.885859 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.246463, graph 0.944049 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.219521, graph 0.850945 to graph 0.246463, graph 0.944049 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.285732, graph 0.885903 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.0989639, graph 0.763729 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.072022, graph 0.915022 to graph 0.0989639, graph 0.763729 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.0846036, graph 0.932997 left front noenhanced textcolor rgb '#d55e00'
 set label "lemke (cut)" at graph 0.713778, graph 0.921359 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -264,7 +262,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0223148:742695]
+set xrange [0.0203332:641027]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -276,28 +274,28 @@ unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.0869528 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.0835457, graph 0.787651 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.328701, graph 0.803816 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.285239, graph 0.852254 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.258297, graph 0.805702 to graph 0.285239, graph 0.852254 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.0111006, graph 0.85299 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.307462, graph 0.806438 to graph 0.28052, graph 0.85299 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.175039, graph 0.729726 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.148097, graph 0.811191 to graph 0.175039, graph 0.729726 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.241735, graph 0.906212 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.214793, graph 0.813109 to graph 0.241735, graph 0.906212 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si2:50" at graph 0.183286, graph 0.955512 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.156344, graph 0.815857 to graph 0.183286, graph 0.955512 nohead lw 0.6 lc rgb '#e69f00'
-set label "delassus:1e-3" at graph 0.0864808, graph 0.676247 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0595388, graph 0.815902 to graph 0.0864808, graph 0.676247 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.134947, graph 0.618219 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.108005, graph 0.816064 to graph 0.134947, graph 0.618219 nohead lw 0.6 lc rgb '#0060a8'
-set label "nncg:10" at graph 0.0945375, graph 0.560243 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0675956, graph 0.816278 to graph 0.0945375, graph 0.560243 nohead lw 0.6 lc rgb '#009e73'
-set label "si:200" at graph 0.0475237, graph 0.91075 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.209175, graph 0.817647 to graph 0.182233, graph 0.91075 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.159963, graph 0.503872 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.133021, graph 0.818096 to graph 0.159963, graph 0.503872 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:10" at graph 0.0846036, graph 0.787651 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.332791, graph 0.803816 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.285732, graph 0.852254 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.25879, graph 0.805702 to graph 0.285732, graph 0.852254 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.012424, graph 0.85299 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.308785, graph 0.806438 to graph 0.281843, graph 0.85299 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.181194, graph 0.729726 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.154253, graph 0.811191 to graph 0.181194, graph 0.729726 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.246463, graph 0.906212 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.219521, graph 0.813109 to graph 0.246463, graph 0.906212 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si2:50" at graph 0.00172056, graph 0.734392 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.163372, graph 0.815857 to graph 0.13643, graph 0.734392 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.955557 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566038, graph 0.815902 to graph 0.0835457, graph 0.955557 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.132296, graph 0.676408 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.105354, graph 0.816064 to graph 0.132296, graph 0.676408 nohead lw 0.6 lc rgb '#0060a8'
+set label "nncg:10" at graph 0.0989639, graph 0.618433 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.072022, graph 0.816278 to graph 0.0989639, graph 0.618433 nohead lw 0.6 lc rgb '#009e73'
+set label "si:200" at graph 0.237241, graph 0.561612 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.210299, graph 0.817647 to graph 0.237241, graph 0.561612 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.16103, graph 0.503872 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.134088, graph 0.818096 to graph 0.16103, graph 0.503872 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -320,7 +318,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0223148:742695]
+set xrange [0.0203332:641027]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -332,26 +330,26 @@ unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.285239, graph 0.905851 left front noenhanced textcolor rgb '#555555'
-set label "nncg:50" at graph 0.175039, graph 0.964205 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.183286, graph 0.84835 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.156344, graph 0.929816 to graph 0.183286, graph 0.84835 nohead lw 0.6 lc rgb '#e69f00'
-set label "delassus:1e-3" at graph 0.0864808, graph 0.790165 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0595388, graph 0.92982 to graph 0.0864808, graph 0.790165 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.134947, graph 0.73207 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.108005, graph 0.929915 to graph 0.134947, graph 0.73207 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.334404, graph 0.953258 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.0835457, graph 0.895554 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.241735, graph 0.676314 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.214793, graph 0.932349 to graph 0.241735, graph 0.676314 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:1000" at graph 0.328701, graph 0.852855 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.301759, graph 0.93432 to graph 0.328701, graph 0.852855 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.159963, graph 0.620345 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.133021, graph 0.934569 to graph 0.159963, graph 0.620345 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.0475237, graph 0.842115 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.209175, graph 0.935218 to graph 0.182233, graph 0.842115 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.0945375, graph 0.565135 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0675956, graph 0.937549 to graph 0.0945375, graph 0.565135 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.285732, graph 0.905851 left front noenhanced textcolor rgb '#555555'
+set label "nncg:50" at graph 0.181194, graph 0.964205 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.00172056, graph 0.90654 left front noenhanced textcolor rgb '#e69f00'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.848354 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566038, graph 0.92982 to graph 0.0835457, graph 0.848354 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.132296, graph 0.79026 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.105354, graph 0.929915 to graph 0.132296, graph 0.79026 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.335727, graph 0.790327 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.308785, graph 0.929982 to graph 0.335727, graph 0.790327 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.0846036, graph 0.732623 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0576616, graph 0.930468 to graph 0.0846036, graph 0.732623 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.246463, graph 0.734504 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.219521, graph 0.932349 to graph 0.246463, graph 0.734504 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:1000" at graph 0.332791, graph 0.678286 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.305849, graph 0.93432 to graph 0.332791, graph 0.678286 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.16103, graph 0.899656 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.048647, graph 0.679184 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.210299, graph 0.935218 to graph 0.183357, graph 0.679184 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.0989639, graph 0.623325 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.072022, graph 0.937549 to graph 0.0989639, graph 0.623325 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.081485 1e-12 0.081485 0.081485
+0.076815 1e-12 0.076815 0.076815
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.08095 1e-12 0.08095 0.08095
+0.070295 1e-12 0.070295 0.070295
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.189175 0.00743872 0.189175 0.189175
+0.179272 0.00743872 0.179272 0.179272
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.756815 0.00478727 0.756815 0.756815
+0.647363 0.00478727 0.647363 0.647363
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-2.74948 0.0019517 2.74948 2.74948
+2.65053 0.0019517 2.65053 2.65053
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-13.8907 0.000311285 13.8907 13.8907
+11.7106 0.000311285 11.7106 11.7106
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-1.12716 0.0295384 1.12716 1.12716
+0.927955 0.0295384 0.927955 0.927955
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.259446 0.0259801 0.259446 0.259446
+0.225727 0.0259801 0.225727 0.225727
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-1.10851 0.0140686 1.10851 1.10851
+0.960994 0.0140686 0.960994 0.960994
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-10.1615 0.00467153 10.1615 10.1615
+8.44589 0.00467153 8.44589 8.44589
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-3.72592 0.00743872 3.72592 3.72592
+3.15988 0.00743872 3.15988 3.15988
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-94.4207 1.22696e-05 94.4207 94.4207
+80.201 1.22696e-05 80.201 80.201
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-2055.61 0.00546619 2055.61 2055.61
+1190.98 0.00546619 1190.98 1190.98
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.081485 1e-12 0.081485 0.081485
+0.076815 1e-12 0.076815 0.076815
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.08095 1e-12 0.08095 0.08095
+0.070295 1e-12 0.070295 0.070295
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.189175 0.00193605 0.189175 0.189175
+0.179272 0.00193605 0.179272 0.179272
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.756815 0.000123043 0.756815 0.756815
+0.647363 0.000123043 0.647363 0.647363
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-2.74948 1.20872e-05 2.74948 2.74948
+2.65053 1.20872e-05 2.65053 2.65053
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-13.8907 1.6582e-06 13.8907 13.8907
+11.7106 1.6582e-06 11.7106 11.7106
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-1.12716 0.00349947 1.12716 1.12716
+0.927955 0.00349947 0.927955 0.927955
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.259446 0.0041112 0.259446 0.259446
+0.225727 0.0041112 0.225727 0.225727
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-1.10851 0.00735095 1.10851 1.10851
+0.960994 0.00735095 0.960994 0.960994
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-10.1615 0.000115843 10.1615 10.1615
+8.44589 0.000115843 8.44589 8.44589
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-3.72592 0.00193605 3.72592 3.72592
+3.15988 0.00193605 3.15988 3.15988
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-94.4207 1.85381e-06 94.4207 94.4207
+80.201 1.85381e-06 80.201 80.201
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-2055.61 0.00185602 2055.61 2055.61
+1190.98 0.00193605 1190.98 1190.98
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.081485 1e-12 0.081485 0.081485
+0.076815 1e-12 0.076815 0.076815
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.08095 1e-12 0.08095 0.08095
+0.070295 1e-12 0.070295 0.070295
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.189175 0.000915652 0.189175 0.189175
+0.179272 0.000915652 0.179272 0.179272
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.756815 0.000346473 0.756815 0.756815
+0.647363 0.000346473 0.647363 0.647363
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-2.74948 7.95587e-05 2.74948 2.74948
+2.65053 7.95587e-05 2.65053 2.65053
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-13.8907 1.19033e-05 13.8907 13.8907
+11.7106 1.19033e-05 11.7106 11.7106
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-1.12716 0.00357685 1.12716 1.12716
+0.927955 0.00357685 0.927955 0.927955
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.259446 0.0251522 0.259446 0.259446
+0.225727 0.0251522 0.225727 0.225727
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-1.10851 0.159299 1.10851 1.10851
+0.960994 0.159299 0.960994 0.960994
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-10.1615 0.000334435 10.1615 10.1615
+8.44589 0.000334435 8.44589 8.44589
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-3.72592 0.000915652 3.72592 3.72592
+3.15988 0.000915652 3.15988 3.15988
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-94.4207 1e-12 94.4207 94.4207
+80.201 1e-12 80.201 80.201
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-2055.61 1e-12 2055.61 2055.61
+1190.98 1e-12 1190.98 1190.98
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0325544:317438]
+set xrange [0.0293158:150415]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -223,25 +223,25 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.083955, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0892865, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.129885 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.0833333 to graph 0.0835457, graph 0.129885 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6 (cut)" at graph 0.522354, graph 0.674069 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.403261, graph 0.791097 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.302607, graph 0.857534 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.383836, graph 0.912397 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.0563029, graph 0.878369 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6 (cut)" at graph 0.53916, graph 0.674069 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.414632, graph 0.791097 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.318473, graph 0.857534 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.39348, graph 0.912397 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.0610992, graph 0.878369 left front noenhanced textcolor rgb '#d55e00'
 set label "lemke (cut)" at graph 0.713778, graph 0.894807 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.136292, graph 0.824493 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.10935, graph 0.905958 to graph 0.136292, graph 0.824493 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.321492, graph 0.964148 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.29455, graph 0.905958 to graph 0.321492, graph 0.964148 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.0351154, graph 0.975573 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.219219, graph 0.929021 to graph 0.192277, graph 0.975573 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.15592, graph 0.776651 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.128978, graph 0.95122 to graph 0.15592, graph 0.776651 nohead lw 0.6 lc rgb '#009e73'
-set label "si2:50" at graph 0.247197, graph 0.723107 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.220255, graph 0.955866 to graph 0.247197, graph 0.723107 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:10" at graph 0.144138, graph 0.824493 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.117196, graph 0.905958 to graph 0.144138, graph 0.824493 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.32985, graph 0.964148 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.302908, graph 0.905958 to graph 0.32985, graph 0.964148 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.0417649, graph 0.975573 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.225868, graph 0.929021 to graph 0.198926, graph 0.975573 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.159052, graph 0.776651 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.13211, graph 0.95122 to graph 0.159052, graph 0.776651 nohead lw 0.6 lc rgb '#009e73'
+set label "si2:50" at graph 0.250546, graph 0.723107 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.223604, graph 0.955866 to graph 0.250546, graph 0.723107 nohead lw 0.6 lc rgb '#e69f00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -264,7 +264,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0325544:317438]
+set xrange [0.0293158:150415]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -275,23 +275,23 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.083955, graph 0.0909091 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0892865, graph 0.0909091 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.137461 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.0909091 to graph 0.0835457, graph 0.137461 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:1000" at graph 0.192216, graph 0.656331 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6 (cut)" at graph 0.522354, graph 0.660733 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.302607, graph 0.734757 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.383836, graph 0.823988 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.222445, graph 0.826369 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke (cut)" at graph 0.713778, graph 0.933507 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.136292, graph 0.935174 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.321492, graph 0.935174 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.247197, graph 0.87708 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.220255, graph 0.958546 to graph 0.247197, graph 0.87708 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.15592, graph 0.60413 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.128978, graph 0.964906 to graph 0.15592, graph 0.60413 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.0351154, graph 0.883621 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.219219, graph 0.987849 to graph 0.192277, graph 0.883621 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000" at graph 0.203587, graph 0.656331 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6 (cut)" at graph 0.53916, graph 0.660733 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.318473, graph 0.734757 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.39348, graph 0.823988 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.227241, graph 0.826369 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.144138, graph 0.935174 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.32985, graph 0.935174 left front noenhanced textcolor rgb '#555555'
+set label "lemke (cut)" at graph 0.713778, graph 0.935174 left front noenhanced textcolor rgb '#999999'
+set label "si2:50" at graph 0.250546, graph 0.87708 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.223604, graph 0.958546 to graph 0.250546, graph 0.87708 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.159052, graph 0.778699 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.13211, graph 0.964906 to graph 0.159052, graph 0.778699 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.0417649, graph 0.883621 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.225868, graph 0.987849 to graph 0.198926, graph 0.883621 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -314,7 +314,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0325544:317438]
+set xrange [0.0293158:150415]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -325,22 +325,22 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.083955, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0892865, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.0769231 to graph 0.0835457, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6 (cut)" at graph 0.522354, graph 0.100199 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.53916, graph 0.100199 left front noenhanced textcolor rgb '#555555'
 set label "lemke (cut)" at graph 0.713778, graph 0.0536472 left front noenhanced textcolor rgb '#999999'
-set label "si:1000" at graph 0.403261, graph 0.621205 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.302607, graph 0.684668 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.383836, graph 0.732639 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.222445, graph 0.733821 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.136292, graph 0.836115 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.10935, graph 0.766287 to graph 0.136292, graph 0.836115 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.321492, graph 0.789563 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.0586038, graph 0.74198 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.220255, graph 0.811808 to graph 0.193313, graph 0.74198 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.15592, graph 0.888605 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.246161, graph 0.938632 left front noenhanced textcolor rgb '#009e73'
+set label "si:1000" at graph 0.414632, graph 0.621205 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.318473, graph 0.684668 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.39348, graph 0.732639 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.227241, graph 0.733821 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.144138, graph 0.836115 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.117196, graph 0.766287 to graph 0.144138, graph 0.836115 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.32985, graph 0.789563 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.0619523, graph 0.74198 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.223604, graph 0.811808 to graph 0.196662, graph 0.74198 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.159052, graph 0.888605 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.25281, graph 0.938632 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

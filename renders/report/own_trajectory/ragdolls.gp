@@ -2,167 +2,167 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-6.3911 1e-12 6.3911 6.3911
+4.08446 1e-12 4.08446 4.08446
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-3.12853 1e-12 3.12853 3.12853
+2.62439 1e-12 2.62439 2.62439
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.389662 1e-12 0.389662 0.389662
+0.354287 1e-12 0.354287 0.354287
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-1.22915 1e-12 1.22915 1.22915
+1.12562 1e-12 1.12562 1.12562
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-4.49097 1e-12 4.49097 4.49097
+3.88525 1e-12 3.88525 3.88525
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-21.8782 1e-12 21.8782 21.8782
+19.3927 1e-12 19.3927 19.3927
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-1.38193 1e-12 1.38193 1.38193
+1.23563 1e-12 1.23563 1.23563
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-7.47172 1e-12 7.47172 7.47172
+6.65075 1e-12 6.65075 6.65075
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-47.5668 1e-12 47.5668 47.5668
+44.4115 1e-12 44.4115 44.4115
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-47.4023 1e-12 47.4023 47.4023
+46.4797 1e-12 46.4797 46.4797
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-705.238 1e-12 705.238 705.238
+643.612 1e-12 643.612 643.612
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-6.3911 0.100174 6.3911 6.3911
+4.08446 0.100174 4.08446 4.08446
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-3.12853 0.100789 3.12853 3.12853
+2.62439 0.100174 2.62439 2.62439
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.389662 0.070909 0.389662 0.389662
+0.354287 0.070909 0.354287 0.354287
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-1.22915 0.0672482 1.22915 1.22915
+1.12562 0.0672482 1.12562 1.12562
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-4.49097 0.0753632 4.49097 4.49097
+3.88525 0.0753632 3.88525 3.88525
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-21.8782 0.0696225 21.8782 21.8782
+19.3927 0.0696225 19.3927 19.3927
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-1.38193 0.100681 1.38193 1.38193
+1.23563 0.100681 1.23563 1.23563
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-7.47172 0.0731354 7.47172 7.47172
+6.65075 0.0731354 6.65075 6.65075
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-47.5668 0.0847997 47.5668 47.5668
+44.4115 0.0847997 44.4115 44.4115
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-47.4023 0.0786604 47.4023 47.4023
+46.4797 0.0786604 46.4797 46.4797
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-705.238 1e-12 705.238 705.238
+643.612 1e-12 643.612 643.612
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-6.3911 0.0389089 6.3911 6.3911
+4.08446 0.0389089 4.08446 4.08446
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-3.12853 0.0392425 3.12853 3.12853
+2.62439 0.0389089 2.62439 2.62439
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.389662 0.0657587 0.389662 0.389662
+0.354287 0.0657587 0.354287 0.354287
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-1.22915 0.0320519 1.22915 1.22915
+1.12562 0.0320519 1.12562 1.12562
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-4.49097 0.037435 4.49097 4.49097
+3.88525 0.037435 3.88525 3.88525
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-21.8782 0.0379267 21.8782 21.8782
+19.3927 0.0379267 19.3927 19.3927
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-1.38193 0.0412119 1.38193 1.38193
+1.23563 0.0412119 1.23563 1.23563
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-7.47172 0.0356133 7.47172 7.47172
+6.65075 0.0356133 6.65075 6.65075
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-47.5668 0.049883 47.5668 47.5668
+44.4115 0.049883 44.4115 44.4115
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-47.4023 0.0428533 47.4023 47.4023
+46.4797 0.0428533 46.4797 46.4797
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-705.238 1e-12 705.238 705.238
+643.612 1e-12 643.612 643.612
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -182,7 +182,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.198658:29313.5]
+set xrange [0.180562:26801.7]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -193,23 +193,22 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.318581, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.258562, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.288858, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.251711, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0139254, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.288935, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.261994, graph 0.5 to graph 0.288935, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.421974, graph 0.593103 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.395032, graph 0.5 to graph 0.421974, graph 0.593103 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.00131758, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.162969, graph 0.5 to graph 0.136027, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
-set label "pgs:50" at graph 0.143113, graph 0.418534 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.304764, graph 0.5 to graph 0.277822, graph 0.418534 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.487228, graph 0.418534 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.460286, graph 0.5 to graph 0.487228, graph 0.418534 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6 (cut)" at graph 0.486936, graph 0.371983 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.459994, graph 0.5 to graph 0.486936, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
-set label "lemke (cut)" at graph 0.713778, graph 0.5 left front noenhanced textcolor rgb '#999999'
+set label "si:50" at graph 0.0144804, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.284659, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.257717, graph 0.5 to graph 0.284659, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.419671, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.392729, graph 0.5 to graph 0.419671, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.188453, graph 0.593103 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.161511, graph 0.5 to graph 0.188453, graph 0.593103 nohead lw 0.6 lc rgb '#e69f00'
+set label "pgs:50" at graph 0.141207, graph 0.418534 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.302859, graph 0.5 to graph 0.275917, graph 0.418534 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.489255, graph 0.476724 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.493078, graph 0.593103 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.466136, graph 0.5 to graph 0.493078, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.713778, graph 0.534914 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -230,7 +229,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.198658:29313.5]
+set xrange [0.180562:26801.7]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -242,22 +241,22 @@ unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.180067, graph 0.886546 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.421974, graph 0.887705 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.180622, graph 0.886546 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.419671, graph 0.887705 left front noenhanced textcolor rgb '#d55e00'
 set label "si:10" at graph 0.0835457, graph 0.958144 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.911592 to graph 0.0835457, graph 0.958144 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.331706, graph 0.947539 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.288935, graph 0.832162 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.261994, graph 0.913628 to graph 0.288935, graph 0.832162 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig:1e-6 (cut)" at graph 0.486936, graph 0.938334 left front noenhanced textcolor rgb '#555555'
-set label "dantzig (cut)" at graph 0.487228, graph 0.836103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.460286, graph 0.917569 to graph 0.487228, graph 0.836103 nohead lw 0.6 lc rgb '#555555'
-set label "delassus" at graph 0.085084, graph 0.830032 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.291639, graph 0.923135 to graph 0.264697, graph 0.830032 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.00131758, graph 0.876752 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.162969, graph 0.923304 to graph 0.136027, graph 0.876752 nohead lw 0.6 lc rgb '#e69f00'
-set label "delassus:1e-3" at graph 0.258562, graph 0.772046 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.23162, graph 0.92334 to graph 0.258562, graph 0.772046 nohead lw 0.6 lc rgb '#0060a8'
+set label "pgs:50" at graph 0.3298, graph 0.947539 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.284659, graph 0.832162 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.257717, graph 0.913628 to graph 0.284659, graph 0.832162 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig:1e-6 (cut)" at graph 0.493078, graph 0.938334 left front noenhanced textcolor rgb '#555555'
+set label "dantzig (cut)" at graph 0.489255, graph 0.836103 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.462313, graph 0.917569 to graph 0.489255, graph 0.836103 nohead lw 0.6 lc rgb '#555555'
+set label "delassus:1e-3" at graph 0.251711, graph 0.78348 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.224769, graph 0.923135 to graph 0.251711, graph 0.78348 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.0553612, graph 0.830032 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.261916, graph 0.923135 to graph 0.234974, graph 0.830032 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.188453, graph 0.725459 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.161511, graph 0.923304 to graph 0.188453, graph 0.725459 nohead lw 0.6 lc rgb '#e69f00'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -278,7 +277,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.198658:29313.5]
+set xrange [0.180562:26801.7]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -290,23 +289,23 @@ unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.0833333 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.0139254, graph 0.958821 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.331706, graph 0.939358 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.100342, graph 0.90625 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.261994, graph 0.96444 to graph 0.235052, graph 0.90625 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.421974, graph 0.883447 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.395032, graph 0.964912 to graph 0.421974, graph 0.883447 nohead lw 0.6 lc rgb '#d55e00'
-set label "delassus" at graph 0.085084, graph 0.849458 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.291639, graph 0.965837 to graph 0.264697, graph 0.849458 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.258562, graph 0.791577 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.23162, graph 0.966146 to graph 0.258562, graph 0.791577 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.00131758, graph 0.79335 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.162969, graph 0.967919 to graph 0.136027, graph 0.79335 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig:1e-6 (cut)" at graph 0.486936, graph 0.969332 left front noenhanced textcolor rgb '#555555'
-set label "dantzig (cut)" at graph 0.487228, graph 0.742071 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.460286, graph 0.974829 to graph 0.487228, graph 0.742071 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.0835457, graph 0.743966 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0566038, graph 0.984829 to graph 0.0835457, graph 0.743966 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.0144804, graph 0.958821 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.3298, graph 0.939358 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.0960653, graph 0.90625 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.257717, graph 0.96444 to graph 0.230775, graph 0.90625 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.419671, graph 0.883447 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.392729, graph 0.964912 to graph 0.419671, graph 0.883447 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.251711, graph 0.826182 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.224769, graph 0.965837 to graph 0.251711, graph 0.826182 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.0553612, graph 0.849458 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.261916, graph 0.965837 to graph 0.234974, graph 0.849458 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.188453, graph 0.770074 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.161511, graph 0.967919 to graph 0.188453, graph 0.770074 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig:1e-6 (cut)" at graph 0.493078, graph 0.969332 left front noenhanced textcolor rgb '#555555'
+set label "dantzig (cut)" at graph 0.489255, graph 0.776985 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.462313, graph 0.974829 to graph 0.489255, graph 0.776985 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.0835457, graph 0.72069 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0566038, graph 0.984829 to graph 0.0835457, graph 0.72069 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,182 +2,182 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-23.2714 1e-12 23.2714 23.2714
+15.1909 1e-12 15.1909 15.1909
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-2.10061 1e-12 2.10061 2.10061
+1.80886 1e-12 1.80886 1.80886
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-6.35585 1e-12 6.35585 6.35585
+5.41408 1e-12 5.41408 5.41408
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-21.9206 1e-12 21.9206 21.9206
+17.8757 1e-12 17.8757 17.8757
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-54.7984 1e-12 54.7984 54.7984
+61.9929 1e-12 61.9929 61.9929
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-7.63135 1e-12 7.63135 7.63135
+6.59434 1e-12 6.59434 6.59434
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-2.46423 1e-12 2.46423 2.46423
+2.15239 1e-12 2.15239 2.15239
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-8.26841 1e-12 8.26841 8.26841
+7.2649 1e-12 7.2649 7.2649
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-119.552 1e-12 119.552 119.552
+111.226 1e-12 111.226 111.226
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-16.4972 1e-12 16.4972 16.4972
+15.8531 1e-12 15.8531 15.8531
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-16.0431 1e-12 16.0431 16.0431
+17.0213 1e-12 17.0213 17.0213
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-6.2729 1e-12 6.2729 6.2729
+5.16338 1e-12 5.16338 5.16338
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-23.2714 0.090333 23.2714 23.2714
+15.1909 0.0903332 15.1909 15.1909
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-2.10061 0.0596164 2.10061 2.10061
+1.80886 0.0596164 1.80886 1.80886
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-6.35585 0.0785919 6.35585 6.35585
+5.41408 0.0785919 5.41408 5.41408
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-21.9206 0.0821982 21.9206 21.9206
+17.8757 0.0821982 17.8757 17.8757
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-54.7984 0.0821606 54.7984 54.7984
+61.9929 0.0821606 61.9929 61.9929
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-7.63135 0.086607 7.63135 7.63135
+6.59434 0.086607 6.59434 6.59434
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-2.46423 0.0606733 2.46423 2.46423
+2.15239 0.0606733 2.15239 2.15239
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-8.26841 0.080631 8.26841 8.26841
+7.2649 0.080631 7.2649 7.2649
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-119.552 0.0864095 119.552 119.552
+111.226 0.0864095 111.226 111.226
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-16.4972 0.047843 16.4972 16.4972
+15.8531 0.047843 15.8531 15.8531
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-16.0431 0.047836 16.0431 16.0431
+17.0213 0.047836 17.0213 17.0213
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-6.2729 1e-12 6.2729 6.2729
+5.16338 1e-12 5.16338 5.16338
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-23.2714 0.0897705 23.2714 23.2714
+15.1909 0.107747 15.1909 15.1909
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-2.10061 0.0127214 2.10061 2.10061
+1.80886 0.0127214 1.80886 1.80886
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-6.35585 0.0203721 6.35585 6.35585
+5.41408 0.0203721 5.41408 5.41408
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-21.9206 0.0328768 21.9206 21.9206
+17.8757 0.0325035 17.8757 17.8757
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-54.7984 1e-12 54.7984 54.7984
+61.9929 1e-12 61.9929 61.9929
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-7.63135 0.0139113 7.63135 7.63135
+6.59434 0.0139113 6.59434 6.59434
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-2.46423 0.0145098 2.46423 2.46423
+2.15239 0.0145098 2.15239 2.15239
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-8.26841 0.0845091 8.26841 8.26841
+7.2649 0.0845091 7.2649 7.2649
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-119.552 1e-12 119.552 119.552
+111.226 1e-12 111.226 111.226
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-16.4972 1e-12 16.4972 16.4972
+15.8531 1e-12 15.8531 15.8531
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-16.0431 1e-12 16.0431 16.0431
+17.0213 1e-12 17.0213 17.0213
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-6.2729 1e-12 6.2729 6.2729
+5.16338 1e-12 5.16338 5.16338
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -197,7 +197,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.44392:1085.81]
+set xrange [1.23448:1053.77]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -208,24 +208,23 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-3 (cut)" at graph 0.446689, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3 (cut)" at graph 0.398829, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.250719, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200 (cut)" at graph 0.43766, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000 (cut)" at graph 0.576006, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.549064, graph 0.5 to graph 0.576006, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.278335, graph 0.534914 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.107652, graph 0.534914 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.290441, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.263499, graph 0.5 to graph 0.290441, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50 (cut)" at graph 0.693796, graph 0.593103 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.666854, graph 0.5 to graph 0.693796, graph 0.593103 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.394741, graph 0.593103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.367799, graph 0.5 to graph 0.394741, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6 (cut)" at graph 0.390526, graph 0.371983 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.363584, graph 0.5 to graph 0.390526, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
-set label "lemke (cut)" at graph 0.248736, graph 0.639655 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.221794, graph 0.5 to graph 0.248736, graph 0.639655 nohead lw 0.6 lc rgb '#999999'
+set label "si:50" at graph 0.245974, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.422942, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000 (cut)" at graph 0.60719, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.275193, graph 0.534914 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.109309, graph 0.534914 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.289541, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.262599, graph 0.5 to graph 0.289541, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50 (cut)" at graph 0.693796, graph 0.418534 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.666854, graph 0.5 to graph 0.693796, graph 0.418534 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.405152, graph 0.593103 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.37821, graph 0.5 to graph 0.405152, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.415686, graph 0.371983 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.388744, graph 0.5 to graph 0.415686, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.23895, graph 0.639655 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.212008, graph 0.5 to graph 0.23895, graph 0.639655 nohead lw 0.6 lc rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -247,7 +246,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.44392:1085.81]
+set xrange [1.23448:1053.77]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -258,24 +257,23 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke (cut)" at graph 0.248736, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "dantzig:1e-6 (cut)" at graph 0.390526, graph 0.886805 left front noenhanced textcolor rgb '#555555'
-set label "dantzig (cut)" at graph 0.0489865, graph 0.875172 left front noenhanced textcolor rgb '#555555'
+set label "lemke (cut)" at graph 0.23895, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
+set label "dantzig:1e-6 (cut)" at graph 0.415686, graph 0.886805 left front noenhanced textcolor rgb '#555555'
+set label "dantzig (cut)" at graph 0.0593969, graph 0.875172 left front noenhanced textcolor rgb '#555555'
 set label "si:10" at graph 0.0835457, graph 0.940711 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.107652, graph 0.824919 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0807101, graph 0.906384 to graph 0.107652, graph 0.824919 nohead lw 0.6 lc rgb '#009e73'
-set label "si:50" at graph 0.250719, graph 0.949943 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.290441, graph 0.822781 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.263499, graph 0.915885 to graph 0.290441, graph 0.822781 nohead lw 0.6 lc rgb '#009e73'
-set label "si:1000 (cut)" at graph 0.576006, graph 0.951426 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200 (cut)" at graph 0.43766, graph 0.765235 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.410718, graph 0.916528 to graph 0.43766, graph 0.765235 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.109309, graph 0.824919 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0823666, graph 0.906384 to graph 0.109309, graph 0.824919 nohead lw 0.6 lc rgb '#009e73'
+set label "si:50" at graph 0.245974, graph 0.949943 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.289541, graph 0.822781 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.262599, graph 0.915885 to graph 0.289541, graph 0.822781 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000 (cut)" at graph 0.60719, graph 0.951426 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.422942, graph 0.939804 left front noenhanced textcolor rgb '#d55e00'
 set label "pgs:50 (cut)" at graph 0.693796, graph 0.836732 left front noenhanced textcolor rgb '#cc79a7'
 set arrow from graph 0.666854, graph 0.918197 to graph 0.693796, graph 0.836732 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si2:50" at graph 0.278335, graph 0.76698 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.251393, graph 0.918273 to graph 0.278335, graph 0.76698 nohead lw 0.6 lc rgb '#e69f00'
-set label "delassus:1e-3 (cut)" at graph 0.446689, graph 0.710198 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.419747, graph 0.919681 to graph 0.446689, graph 0.710198 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.275193, graph 0.76698 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.248251, graph 0.918273 to graph 0.275193, graph 0.76698 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus:1e-3 (cut)" at graph 0.398829, graph 0.710198 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.371887, graph 0.919681 to graph 0.398829, graph 0.710198 nohead lw 0.6 lc rgb '#0060a8'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -297,7 +295,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.44392:1085.81]
+set xrange [1.23448:1053.77]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -308,20 +306,20 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:1000 (cut)" at graph 0.576006, graph 0.100199 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000 (cut)" at graph 0.60719, graph 0.100199 left front noenhanced textcolor rgb '#d55e00'
 set label "pgs:50 (cut)" at graph 0.693796, graph 0.0536472 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.394741, graph 0.0536472 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6 (cut)" at graph 0.390526, graph 0.158389 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.363584, graph 0.0769231 to graph 0.390526, graph 0.158389 nohead lw 0.6 lc rgb '#555555'
-set label "lemke (cut)" at graph 0.248736, graph 0.100199 left front noenhanced textcolor rgb '#999999'
+set label "dantzig (cut)" at graph 0.0593969, graph 0.100199 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.415686, graph 0.158389 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.388744, graph 0.0769231 to graph 0.415686, graph 0.158389 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.23895, graph 0.0536472 left front noenhanced textcolor rgb '#999999'
 set label "si:10" at graph 0.0835457, graph 0.830919 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.278335, graph 0.857182 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.107652, graph 0.893503 left front noenhanced textcolor rgb '#009e73'
-set label "si:50" at graph 0.250719, graph 0.800098 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.223777, graph 0.869926 to graph 0.250719, graph 0.800098 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200 (cut)" at graph 0.43766, graph 0.885915 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.0793961, graph 0.94073 left front noenhanced textcolor rgb '#009e73'
-set label "delassus:1e-3 (cut)" at graph 0.446689, graph 0.942748 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.275193, graph 0.857182 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.109309, graph 0.893503 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.245974, graph 0.800098 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.219033, graph 0.869926 to graph 0.245974, graph 0.800098 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.422942, graph 0.885533 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.0784957, graph 0.94073 left front noenhanced textcolor rgb '#009e73'
+set label "delassus:1e-3 (cut)" at graph 0.398829, graph 0.937208 left front noenhanced textcolor rgb '#0060a8'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

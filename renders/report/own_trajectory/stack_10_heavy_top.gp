@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.008762 1e-12 0.008762 0.008762
+0.007887 1e-12 0.007887 0.007887
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.008669 4.62009e-07 0.008669 0.008669
+0.007744 4.62009e-07 0.007744 0.007744
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.020605 10.3048 0.020605 0.020605
+0.018217 10.3048 0.018217 0.018217
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.049846 30.3781 0.049846 0.049846
+0.066123 30.3781 0.066123 0.066123
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.213251 24.4721 0.213251 0.213251
+0.277888 24.4721 0.277888 0.277888
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.706731 24.2105 0.706731 0.706731
+0.838779 24.2105 0.838779 0.838779
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.078559 26.6817 0.078559 0.078559
+0.067953 26.6817 0.067953 0.067953
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.019254 12.8078 0.019254 0.019254
+0.026304 12.8078 0.026304 0.026304
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.076696 10.2186 0.076696 0.076696
+0.102481 10.2186 0.102481 0.102481
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.124533 50.1919 0.124533 0.124533
+0.204516 50.1919 0.204516 0.204516
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.071237 14.3894 0.071237 0.071237
+0.075954 14.3894 0.075954 0.075954
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.278212 0.00274278 0.278212 0.278212
+0.266971 0.00274278 0.266971 0.266971
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-2.7864 2.0718 2.7864 2.7864
+34.5261 3.09669 34.5261 34.5261
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.008762 1e-12 0.008762 0.008762
+0.007887 1e-12 0.007887 0.007887
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.008669 5.09799e-08 0.008669 0.008669
+0.007744 5.09799e-08 0.007744 0.007744
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.020605 0.830832 0.020605 0.020605
+0.018217 0.830832 0.018217 0.018217
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.049846 0.386392 0.049846 0.049846
+0.066123 0.386392 0.066123 0.066123
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.213251 0.480811 0.213251 0.213251
+0.277888 0.480811 0.277888 0.277888
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.706731 0.401292 0.706731 0.706731
+0.838779 0.401292 0.838779 0.838779
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.078559 0.218392 0.078559 0.078559
+0.067953 0.218392 0.067953 0.067953
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.019254 0.995106 0.019254 0.019254
+0.026304 0.995106 0.026304 0.026304
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.076696 0.344154 0.076696 0.076696
+0.102481 0.344154 0.102481 0.102481
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.124533 0.754963 0.124533 0.124533
+0.204516 0.754963 0.204516 0.204516
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.071237 0.949568 0.071237 0.071237
+0.075954 0.949568 0.075954 0.075954
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.278212 0.000458911 0.278212 0.278212
+0.266971 0.000458911 0.266971 0.266971
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-2.7864 0.407024 2.7864 2.7864
+34.5261 0.407024 34.5261 34.5261
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.008762 1e-12 0.008762 0.008762
+0.007887 1e-12 0.007887 0.007887
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.008669 1e-12 0.008669 0.008669
+0.007744 1e-12 0.007744 0.007744
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.020605 1.36442 0.020605 0.020605
+0.018217 1.36442 0.018217 0.018217
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.049846 0.00772977 0.049846 0.049846
+0.066123 0.00772977 0.066123 0.066123
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.213251 0.00579767 0.213251 0.213251
+0.277888 0.00579767 0.277888 0.277888
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.706731 1.53108 0.706731 0.706731
+0.838779 1.53108 0.838779 0.838779
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.078559 0.866882 0.078559 0.078559
+0.067953 0.866882 0.067953 0.067953
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.019254 0.00143526 0.019254 0.019254
+0.026304 0.00143526 0.026304 0.026304
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.076696 0.00262444 0.076696 0.076696
+0.102481 0.00262444 0.102481 0.102481
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.124533 0.939779 0.124533 0.124533
+0.204516 0.939779 0.204516 0.204516
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.071237 0.0051569 0.071237 0.071237
+0.075954 0.0051569 0.075954 0.075954
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.278212 2.43991e-09 0.278212 0.278212
+0.266971 2.43991e-09 0.266971 0.266971
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-2.7864 1e-12 2.7864 2.7864
+34.5261 1e-12 34.5261 34.5261
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -211,8 +211,8 @@ set title "furthest drift of a body, m" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.00516176:49.0699]
+set format x "10^{%T}"
+set xrange [0.00364097:2246.13]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,25 +223,24 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0847107, graph 0.0666667 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0849181, graph 0.0666667 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.44431 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.462229, graph 0.695879 left front noenhanced textcolor rgb '#555555'
-set label "lemke (cut)" at graph 0.713778, graph 0.887757 left front noenhanced textcolor rgb '#999999'
-set label "nncg:50" at graph 0.321555, graph 0.93396 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.0119241, graph 0.934203 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.170662, graph 0.882309 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.143721, graph 0.940498 to graph 0.170662, graph 0.882309 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.313494, graph 0.82749 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.286552, graph 0.94387 to graph 0.313494, graph 0.82749 nohead lw 0.6 lc rgb '#555555'
-set label "si:1000" at graph 0.564007, graph 0.958934 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.433198, graph 0.877779 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.406256, graph 0.959245 to graph 0.433198, graph 0.877779 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.135581, graph 0.83373 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.297233, graph 0.961748 to graph 0.270291, graph 0.83373 nohead lw 0.6 lc rgb '#e69f00'
-set label "si:50" at graph 0.274511, graph 0.779297 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.247569, graph 0.965504 to graph 0.274511, graph 0.779297 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.18588, graph 0.732328 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.347531, graph 0.980042 to graph 0.32059, graph 0.732328 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.34908, graph 0.695879 left front noenhanced textcolor rgb '#555555'
+set label "lemke (cut)" at graph 0.713778, graph 0.899393 left front noenhanced textcolor rgb '#999999'
+set label "nncg:50" at graph 0.277265, graph 0.93396 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.147708, graph 0.899289 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.175262, graph 0.847395 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.14832, graph 0.940498 to graph 0.175262, graph 0.847395 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.0437523, graph 0.967145 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.434946, graph 0.958934 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.352086, graph 0.877779 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.325144, graph 0.959245 to graph 0.352086, graph 0.877779 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.246449, graph 0.798817 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.219507, graph 0.961748 to graph 0.246449, graph 0.798817 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:50" at graph 0.0782591, graph 0.790935 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.217459, graph 0.965504 to graph 0.190517, graph 0.790935 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.329091, graph 0.743966 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.302149, graph 0.980042 to graph 0.329091, graph 0.743966 nohead lw 0.6 lc rgb '#cc79a7'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -263,8 +262,8 @@ set title "deepest overlap, m" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.00516176:49.0699]
+set format x "10^{%T}"
+set xrange [0.00364097:2246.13]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -275,23 +274,24 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0847107, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0849181, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.407671 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.462229, graph 0.690123 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.324175, graph 0.881374 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:50" at graph 0.110509, graph 0.872206 left front noenhanced textcolor rgb '#009e73'
-set label "si:50" at graph 0.274511, graph 0.957263 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.247569, graph 0.899073 to graph 0.274511, graph 0.957263 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.564007, graph 0.876971 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke (cut)" at graph 0.713778, graph 0.923963 left front noenhanced textcolor rgb '#999999'
-set label "si:200" at graph 0.433198, graph 0.929131 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.374473, graph 0.826748 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.347531, graph 0.919852 to graph 0.374473, graph 0.826748 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:10" at graph 0.0119241, graph 0.922822 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.102448, graph 0.973518 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.286552, graph 0.926966 to graph 0.25961, graph 0.973518 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.170662, graph 0.823678 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.143721, graph 0.928419 to graph 0.170662, graph 0.823678 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.34908, graph 0.690123 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.0578551, graph 0.881374 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:50" at graph 0.277265, graph 0.872206 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.244401, graph 0.945625 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.217459, graph 0.899073 to graph 0.244401, graph 0.945625 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.434946, graph 0.900247 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke (cut)" at graph 0.713778, graph 0.900687 left front noenhanced textcolor rgb '#999999'
+set label "si:200" at graph 0.352086, graph 0.82439 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.325144, graph 0.905855 to graph 0.352086, graph 0.82439 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.140498, graph 0.826748 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.302149, graph 0.919852 to graph 0.275207, graph 0.826748 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:10" at graph 0.147708, graph 0.771529 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.120766, graph 0.922822 to graph 0.147708, graph 0.771529 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.0437523, graph 0.96188 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.175262, graph 0.718936 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.14832, graph 0.928419 to graph 0.175262, graph 0.718936 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -313,8 +313,8 @@ set title "noise of ground reaction / weight" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.00516176:49.0699]
+set format x "10^{%T}"
+set xrange [0.00364097:2246.13]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -325,23 +325,21 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0847107, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0849181, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.11798 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.0714286 to graph 0.0835457, graph 0.11798 nohead lw 0.6 lc rgb '#0060a8'
 set label "lemke (cut)" at graph 0.713778, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
-set label "dantzig:1e-6" at graph 0.462229, graph 0.313384 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.170662, graph 0.713857 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.321555, graph 0.802407 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.294613, graph 0.744217 to graph 0.321555, graph 0.802407 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.102448, graph 0.811722 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.286552, graph 0.765171 to graph 0.25961, graph 0.811722 nohead lw 0.6 lc rgb '#555555'
-set label "si:200" at graph 0.433198, graph 0.745528 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.274511, graph 0.859192 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.247569, graph 0.777726 to graph 0.274511, graph 0.859192 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.135581, graph 0.912502 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.374473, graph 0.926645 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:10" at graph 0.0119241, graph 0.938211 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.564007, graph 0.941785 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.34908, graph 0.313384 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.175262, graph 0.713857 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.277265, graph 0.802407 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.250323, graph 0.744217 to graph 0.277265, graph 0.802407 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.0437523, graph 0.765171 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.352086, graph 0.745528 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0782591, graph 0.81264 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0578551, graph 0.912502 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.329091, graph 0.915007 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:10" at graph 0.147708, graph 0.961487 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.434946, graph 0.965061 left front noenhanced textcolor rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,182 +2,182 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.435641 1e-12 0.435641 0.435641
+0.260018 1e-12 0.260018 0.260018
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-10.8021 0.000606252 10.8021 10.8021
+8.37098 0.000606252 8.37098 8.37098
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.753169 0.0438397 0.753169 0.753169
+0.607965 0.0438397 0.607965 0.607965
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-2.87129 0.0105485 2.87129 2.87129
+2.31093 0.0105485 2.31093 2.31093
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-13.3918 0.00659824 13.3918 13.3918
+8.83543 0.00659824 8.83543 8.83543
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-52.5179 0.0007542 52.5179 52.5179
+43.6421 0.000962593 43.6421 43.6421
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-4.21559 0.0199257 4.21559 4.21559
+3.62179 0.0199257 3.62179 3.62179
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.918871 0.0231155 0.918871 0.918871
+0.817499 0.0231155 0.817499 0.817499
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-3.80535 0.0149387 3.80535 3.80535
+3.35104 0.0149387 3.35104 3.35104
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-177.013 0.0037179 177.013 177.013
+180.492 0.00371765 180.492 180.492
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-110.394 0.0228851 110.394 110.394
+112.534 0.0228851 112.534 112.534
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-8115.46 3.27933e-06 8115.46 8115.46
+8508.15 3.27933e-06 8508.15 8508.15
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.435641 1e-12 0.435641 0.435641
+0.260018 1e-12 0.260018 0.260018
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-10.8021 0.000771714 10.8021 10.8021
+8.37098 0.000771714 8.37098 8.37098
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.753169 0.00529454 0.753169 0.753169
+0.607965 0.00529454 0.607965 0.607965
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-2.87129 0.000600495 2.87129 2.87129
+2.31093 0.000600495 2.31093 2.31093
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-13.3918 0.00158638 13.3918 13.3918
+8.83543 0.00158638 8.83543 8.83543
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-52.5179 5.61565e-06 52.5179 52.5179
+43.6421 5.61565e-06 43.6421 43.6421
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-4.21559 0.00400995 4.21559 4.21559
+3.62179 0.00400995 3.62179 3.62179
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.918871 0.00505557 0.918871 0.918871
+0.817499 0.00505557 0.817499 0.817499
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-3.80535 0.00532771 3.80535 3.80535
+3.35104 0.00532771 3.35104 3.35104
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-177.013 0.000488319 177.013 177.013
+180.492 0.000488319 180.492 180.492
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-110.394 0.00501571 110.394 110.394
+112.534 0.00501571 112.534 112.534
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-8115.46 1e-12 8115.46 8115.46
+8508.15 1e-12 8508.15 8508.15
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.435641 1e-12 0.435641 0.435641
+0.260018 1e-12 0.260018 0.260018
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-10.8021 0.00039556 10.8021 10.8021
+8.37098 0.00039556 8.37098 8.37098
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.753169 0.00394506 0.753169 0.753169
+0.607965 0.00394506 0.607965 0.607965
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-2.87129 0.000987845 2.87129 2.87129
+2.31093 0.000987845 2.31093 2.31093
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-13.3918 0.000209218 13.3918 13.3918
+8.83543 0.000209218 8.83543 8.83543
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-52.5179 1e-12 52.5179 52.5179
+43.6421 2.67077e-05 43.6421 43.6421
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-4.21559 0.00328214 4.21559 4.21559
+3.62179 0.00328214 3.62179 3.62179
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.918871 0.00685518 0.918871 0.918871
+0.817499 0.00685518 0.817499 0.817499
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-3.80535 0.105036 3.80535 3.80535
+3.35104 0.105036 3.35104 3.35104
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-177.013 1e-12 177.013 177.013
+180.492 1e-12 180.492 180.492
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-110.394 1e-12 110.394 110.394
+112.534 1e-12 112.534 112.534
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-8115.46 1e-12 8115.46 8115.46
+8508.15 1e-12 8508.15 8508.15
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -197,7 +197,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.140026:7.15291e+07]
+set xrange [0.0783144:1.26192e+08]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -210,21 +210,19 @@ unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
 set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.626315 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.243667, graph 0.791945 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000 (cut)" at graph 0.322534, graph 0.8464 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50 (cut)" at graph 0.383132, graph 0.904134 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.065791, graph 0.889981 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.177588, graph 0.965151 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.150646, graph 0.918599 to graph 0.177588, graph 0.965151 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:50" at graph 0.191634, graph 0.744986 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.164692, graph 0.931193 to graph 0.191634, graph 0.744986 nohead lw 0.6 lc rgb '#009e73'
-set label "si2:50" at graph 0.00814679, graph 0.836876 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.169798, graph 0.941618 to graph 0.142856, graph 0.836876 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig (cut)" at graph 0.359584, graph 0.958267 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.120766, graph 0.690957 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0938242, graph 0.946992 to graph 0.120766, graph 0.690957 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.110849, graph 0.644294 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.083907, graph 0.970156 to graph 0.110849, graph 0.644294 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.247306, graph 0.803583 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000 (cut)" at graph 0.325194, graph 0.855229 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.392158, graph 0.904132 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.249853, graph 0.913257 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0204519, graph 0.918599 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.204123, graph 0.756624 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.177181, graph 0.931193 to graph 0.204123, graph 0.756624 nohead lw 0.6 lc rgb '#009e73'
+set label "si2:50" at graph 0.207788, graph 0.964894 left front noenhanced textcolor rgb '#e69f00'
+set label "dantzig (cut)" at graph 0.369874, graph 0.969905 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.137578, graph 0.865526 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.110636, graph 0.946992 to graph 0.137578, graph 0.865526 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.12361, graph 0.702483 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0966676, graph 0.970156 to graph 0.12361, graph 0.702483 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -246,7 +244,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.140026:7.15291e+07]
+set xrange [0.0783144:1.26192e+08]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -259,21 +257,21 @@ unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0909091 left front noenhanced textcolor rgb '#0060a8'
 set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.0909091 left front noenhanced textcolor rgb '#555555'
-set label "si:1000 (cut)" at graph 0.322534, graph 0.704491 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50 (cut)" at graph 0.383132, graph 0.880791 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.0114463, graph 0.888955 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.243667, graph 0.933773 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.065791, graph 0.938948 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.19674, graph 0.870818 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.169798, graph 0.963922 to graph 0.19674, graph 0.870818 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig (cut)" at graph 0.359584, graph 0.833102 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.332642, graph 0.972758 to graph 0.359584, graph 0.833102 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.120766, graph 0.821777 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0938242, graph 0.97307 to graph 0.120766, graph 0.821777 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.110849, graph 0.765411 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.083907, graph 0.974893 to graph 0.110849, graph 0.765411 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:50" at graph 0.191634, graph 0.649278 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.164692, graph 0.97514 to graph 0.191634, graph 0.649278 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000 (cut)" at graph 0.325194, graph 0.704491 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.392158, graph 0.880791 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.0204519, graph 0.888955 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.247306, graph 0.933773 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.0612596, graph 0.938948 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.207788, graph 0.870818 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.180846, graph 0.963922 to graph 0.207788, graph 0.870818 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig (cut)" at graph 0.369874, graph 0.833102 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.342932, graph 0.972758 to graph 0.369874, graph 0.833102 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.137578, graph 0.821777 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.110636, graph 0.97307 to graph 0.137578, graph 0.821777 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.12361, graph 0.765411 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0966676, graph 0.974893 to graph 0.12361, graph 0.765411 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:50" at graph 0.204123, graph 0.649278 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.177181, graph 0.97514 to graph 0.204123, graph 0.649278 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -295,7 +293,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.140026:7.15291e+07]
+set xrange [0.0783144:1.26192e+08]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -307,22 +305,21 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000 (cut)" at graph 0.322534, graph 0.100199 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50 (cut)" at graph 0.383132, graph 0.0536472 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.0138292, graph 0.123475 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.332642, graph 0.0769231 to graph 0.3057, graph 0.123475 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:50 (cut)" at graph 0.392158, graph 0.100199 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.369874, graph 0.0536472 left front noenhanced textcolor rgb '#555555'
 set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.158389 left front noenhanced textcolor rgb '#555555'
 set arrow from graph 0.546963, graph 0.0769231 to graph 0.573905, graph 0.158389 nohead lw 0.6 lc rgb '#555555'
-set label "si:200" at graph 0.254385, graph 0.716969 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.243667, graph 0.773161 left front noenhanced textcolor rgb '#0060a8'
-set label "si:50" at graph 0.0114463, graph 0.768822 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.19674, graph 0.820573 left front noenhanced textcolor rgb '#e69f00'
-set label "si:10" at graph 0.110849, graph 0.873271 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.083907, graph 0.815081 to graph 0.110849, graph 0.873271 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.120766, graph 0.949919 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0938242, graph 0.83354 to graph 0.120766, graph 0.949919 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.191634, graph 0.668684 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.164692, graph 0.924718 to graph 0.191634, graph 0.668684 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000 (cut)" at graph 0.325194, graph 0.648203 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.249853, graph 0.716969 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.247306, graph 0.773161 left front noenhanced textcolor rgb '#0060a8'
+set label "si:50" at graph 0.0204519, graph 0.768822 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.207788, graph 0.820573 left front noenhanced textcolor rgb '#e69f00'
+set label "si:10" at graph 0.12361, graph 0.873271 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0966676, graph 0.815081 to graph 0.12361, graph 0.873271 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.137578, graph 0.949919 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.110636, graph 0.83354 to graph 0.137578, graph 0.949919 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.204123, graph 0.598856 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.177181, graph 0.924718 to graph 0.204123, graph 0.598856 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -1,145 +1,145 @@
 # Draws pile.svg and pile.png: gnuplot pile.gp
 $line0_0 << EOD
-2 2.5395 2 2
-19 38.4524 19 19
-60 100.536 60 60
-134 79.7451 134 134
-722 176.954 722 722
+2 2.2335 2 2
+19 36.5369 19 19
+60 88.8935 60 60
+134 70.4244 134 134
+722 195.83 722 722
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-2 2.3485 2 2
-19 34.2717 19 19
-60 85.2102 60 60
-134 70.2329 134 134
-722 103.384 722 722
+2 2.295 2 2
+19 32.8662 19 19
+60 76.931 60 60
+134 58.481 134 134
+722 93.0296 722 722
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-2 0.465 2 2
-19 0.755316 19 19
-60 0.738667 60 60
-134 0.70906 134 134
-722 0.634774 722 722
-3051 0.791939 3051 3051
-10851 1.22327 10851 10851
-24829 1.66999 24829 24829
+2 0.4575 2 2
+19 0.663421 19 19
+60 0.623367 60 60
+134 0.650612 134 134
+722 0.547586 722 722
+3051 1.1877 3051 3051
+10851 1.70437 10851 10851
+24829 1.65518 24829 24829
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-2 0.636 2 2
-19 4.12305 19 19
-60 4.90577 60 60
-134 5.86269 134 134
-722 3.72355 722 722
-3051 4.68354 3051 3051
-10851 7.51496 10851 10851
-24829 8.57784 24829 24829
+2 0.452 2 2
+19 4.06974 19 19
+60 3.8809 60 60
+134 4.1738 134 134
+722 3.46323 722 722
+3051 4.88726 3051 3051
+10851 10.1283 10851 10851
+24829 8.66596 24829 24829
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-2 0.4615 2 2
-19 0.921053 19 19
-60 1.05147 60 60
-134 0.883149 134 134
-722 0.705187 722 722
-3051 0.985828 3051 3051
-10851 1.54312 10851 10851
-24829 2.23524 24829 24829
+2 0.484 2 2
+19 0.825 19 19
+60 0.837967 60 60
+134 0.756806 134 134
+722 0.698849 722 722
+3051 1.01837 3051 3051
+10851 2.13756 10851 10851
+24829 1.85285 24829 24829
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-2 1.9935 2 2
-19 2.38789 19 19
-60 3.77272 60 60
-134 6.63375 134 134
-722 20.4781 722 722
-3051 236.147 3051 3051
+2 1.841 2 2
+19 2.32411 19 19
+60 3.54325 60 60
+134 5.65851 134 134
+722 19.4131 722 722
+3051 213.384 3051 3051
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-2 1.5035 2 2
-19 2.98874 19 19
-60 14.0883 60 60
-134 46.233 134 134
-722 1081.61 722 722
+2 1.339 2 2
+19 2.65242 19 19
+60 12.0825 60 60
+134 40.2332 134 134
+722 1121.29 722 722
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-2 1.4765 2 2
-19 2.98305 19 19
-60 14.597 60 60
-134 29.727 134 134
-722 1145.7 722 722
+2 1.2625 2 2
+19 3 19 19
+60 11.7238 60 60
+134 39.9558 134 134
+722 1118.14 722 722
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-19 40.2101 19 19
-60 346.434 60 60
-134 1328.11 134 134
+19 37.6975 19 19
+60 314.603 60 60
+134 1743.13 134 134
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-722 6.05798 722 722
+722 5.84499 722 722
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-722 5.59104 722 722
+722 5.632 722 722
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-3051 4.43187 3051 3051
-10851 19.5666 10851 10851
-24829 42.2502 24829 24829
+3051 4.78003 3051 3051
+10851 19.628 10851 10851
+24829 42.3158 24829 24829
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-3051 4.43187 3051 3051
-10851 19.5666 10851 10851
-24829 42.2502 24829 24829
+3051 4.78003 3051 3051
+10851 19.628 10851 10851
+24829 42.3158 24829 24829
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-3051 4.52198 3051 3051
-10851 19.8246 10851 10851
-24829 42.4182 24829 24829
+3051 4.87014 3051 3051
+10851 19.8042 10851 10851
+24829 42.4837 24829 24829
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-722 35.7868 722 722
-3051 601.76 3051 3051
+722 35.8359 722 722
+3051 601.948 3051 3051
 EOD
 $marks1_5 << EOD
 EOD
 $line1_6 << EOD
-134 3.20717 134 134
-722 69.4313 722 722
+134 3.1744 134 134
+722 69.6771 722 722
 EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-134 3.20717 134 134
-722 69.4313 722 722
+134 3.1744 134 134
+722 69.6771 722 722
 EOD
 $marks1_7 << EOD
 EOD
 $line1_8 << EOD
-60 4.23117 60 60
-134 22.1553 134 134
+60 4.32947 60 60
+134 22.1184 134 134
 EOD
 $marks1_8 << EOD
 EOD
@@ -172,18 +172,18 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.244543 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.293141 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.386676 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-4" at graph 0.551021, graph 0.707632 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.531598, graph 0.602891 to graph 0.551021, graph 0.707632 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.551021, graph 0.754314 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.531598, graph 0.649572 to graph 0.551021, graph 0.754314 nohead lw 0.6 lc rgb '#0060a8'
-set label "pgs:10" at graph 0.667268, graph 0.651361 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.551021, graph 0.806814 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.551021, graph 0.858366 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.531598, graph 0.811814 to graph 0.551021, graph 0.858366 nohead lw 0.6 lc rgb '#555555'
-set label "lemke" at graph 0.415176, graph 0.824647 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.836374, graph 0.243769 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.30012 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.253568 to graph 0.836374, graph 0.30012 nohead lw 0.6 lc rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.387563 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-4" at graph 0.551021, graph 0.698466 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.531598, graph 0.593724 to graph 0.551021, graph 0.698466 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.551021, graph 0.751479 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.531598, graph 0.658376 to graph 0.551021, graph 0.751479 nohead lw 0.6 lc rgb '#0060a8'
+set label "pgs:10" at graph 0.667268, graph 0.642556 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.551021, graph 0.809699 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.398872, graph 0.809943 left front noenhanced textcolor rgb '#555555'
+set label "lemke" at graph 0.295399, graph 0.848266 left front noenhanced textcolor rgb '#999999'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -231,18 +231,18 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.389947, graph 0.307354 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.370524, graph 0.249164 to graph 0.389947, graph 0.307354 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.389947, graph 0.260776 left front noenhanced textcolor rgb '#0060a8'
-set label "lemke" at graph 0.17742, graph 0.448492 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.836374, graph 0.541943 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.553581 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.589069 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.542517 to graph 0.836374, graph 0.589069 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.237798, graph 0.613852 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.156868, graph 0.660403 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.370524, graph 0.613852 to graph 0.3511, graph 0.660403 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:10" at graph 0.571811, graph 0.926474 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.389947, graph 0.308411 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.370524, graph 0.250221 to graph 0.389947, graph 0.308411 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.389947, graph 0.255595 left front noenhanced textcolor rgb '#0060a8'
+set label "lemke" at graph 0.17742, graph 0.448251 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.836374, graph 0.542167 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.553805 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.589293 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.542741 to graph 0.836374, graph 0.589293 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.237798, graph 0.614363 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6" at graph 0.156868, graph 0.660915 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.370524, graph 0.614363 to graph 0.3511, graph 0.660915 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:10" at graph 0.571811, graph 0.92652 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \

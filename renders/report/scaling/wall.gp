@@ -1,80 +1,80 @@
 # Draws wall.svg and wall.png: gnuplot wall.gp
 $line0_0 << EOD
-4 2.87775 4 4
-8 6.80575 8 8
-44 25.6991 44 44
-240 574.92 240 240
-992 682.237 992 992
-4156 1504.19 4156 4156
+4 2.7675 4 4
+8 5.92 8 8
+44 22.2231 44 44
+240 551.34 240 240
+992 651.393 992 992
+4156 1116.39 4156 4156
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 2.68225 4 4
-8 2.32713 8 8
-44 12.0176 44 44
-240 19.1831 240 240
-992 19.3239 992 992
-4156 373.099 4156 4156
+4 1.96975 4 4
+8 2.75263 8 8
+44 10.9124 44 44
+240 17.3028 240 240
+992 18.4123 992 992
+4156 428.018 4156 4156
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.4455 4 4
-8 0.41075 8 8
-44 0.420841 44 44
-240 0.468617 240 240
-992 0.47331 992 992
-4156 0.61521 4156 4156
-17032 0.973984 17032 17032
-42644 0.882463 42644 42644
+4 0.43625 4 4
+8 0.502125 8 8
+44 0.388727 44 44
+240 0.417662 240 240
+992 0.436714 992 992
+4156 0.934021 4156 4156
+17032 0.892619 17032 17032
+42644 0.92446 42644 42644
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 3.049 4 4
-8 2.82237 8 8
-44 2.92918 44 44
-240 3.35017 240 240
-992 3.4616 992 992
-4156 4.34506 4156 4156
-17032 5.61654 17032 17032
-42644 7.08335 42644 42644
+4 3.44775 4 4
+8 2.71025 8 8
+44 2.67075 44 44
+240 3.09598 240 240
+992 3.22471 992 992
+4156 5.13476 4156 4156
+17032 6.02097 17032 17032
+42644 6.2678 42644 42644
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 1.4425 4 4
-8 0.509 8 8
-44 0.619523 44 44
-240 0.610842 240 240
-992 0.586033 992 992
-4156 0.803664 4156 4156
-17032 1.1559 17032 17032
-42644 1.49115 42644 42644
+4 0.55975 4 4
+8 0.658875 8 8
+44 0.552909 44 44
+240 0.571171 240 240
+992 0.593065 992 992
+4156 0.675708 4156 4156
+17032 1.07817 17032 17032
+42644 1.31644 42644 42644
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 1.19 4 4
-8 1.19725 8 8
-44 2.88266 44 44
-240 8.36348 240 240
-992 47.7638 992 992
-4156 301.645 4156 4156
+4 1.56325 4 4
+8 1.31987 8 8
+44 2.70607 44 44
+240 7.8518 240 240
+992 42.9848 992 992
+4156 316.225 4156 4156
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 0.897 4 4
+4 0.89825 4 4
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 0.8255 4 4
-8 1.44287 8 8
-44 3.07855 44 44
-240 165.348 240 240
+4 0.76075 4 4
+8 0.849 8 8
+44 2.8013 44 44
+240 150.43 240 240
 EOD
 $marks0_7 << EOD
 EOD
@@ -83,43 +83,43 @@ EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-240 2.24051 240 240
-992 4.9152 992 992
-4156 17.2319 4156 4156
+240 2.09306 240 240
+992 4.76365 992 992
+4156 16.5356 4156 4156
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-992 3.50618 992 992
-4156 15.061 4156 4156
+992 3.62906 992 992
+4156 14.0042 4156 4156
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4156 9.99834 4156 4156
-17032 39.1987 17032 17032
-42644 69.0545 42644 42644
+4156 10.0229 4156 4156
+17032 36.8394 17032 17032
+42644 69.1323 42644 42644
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4156 9.99834 4156 4156
-17032 39.1987 17032 17032
-42644 69.0545 42644 42644
+4156 10.0229 4156 4156
+17032 36.8435 17032 17032
+42644 69.1323 42644 42644
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4156 10.1908 4156 4156
-17032 39.3994 17032 17032
-42644 69.3903 42644 42644
+4156 10.2072 4156 4156
+17032 37.1098 17032 17032
+42644 69.2429 42644 42644
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-240 4.45645 240 240
+240 4.5056 240 240
 992 65.8309 992 992
-4156 1119.78 4156 4156
+4156 1122.01 4156 4156
 EOD
 $marks1_5 << EOD
 EOD
@@ -128,7 +128,7 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-240 8.26163 240 240
+240 8.21248 240 240
 EOD
 $marks1_7 << EOD
 EOD
@@ -165,16 +165,16 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.189139 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.076027, graph 0.097455 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.190558 to graph 0.076027, graph 0.097455 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.836374, graph 0.246342 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.370048 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.411697, graph 0.701869 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.392274, graph 0.64368 to graph 0.411697, graph 0.701869 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:10" at graph 0.645488, graph 0.695899 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.645488, graph 0.749279 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.645488, graph 0.835461 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig" at graph 0.076027, graph 0.097576 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.190679 to graph 0.076027, graph 0.097576 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.836374, graph 0.193178 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.247156 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.359423 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.411697, graph 0.705294 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.392274, graph 0.635467 to graph 0.411697, graph 0.705294 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:10" at graph 0.645488, graph 0.699999 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.645488, graph 0.749568 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.645488, graph 0.809563 left front noenhanced textcolor rgb '#0060a8'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -219,16 +219,16 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig:1e-6" at graph 0.076027, graph 0.0663354 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.229266 to graph 0.076027, graph 0.0663354 nohead lw 0.6 lc rgb '#555555'
-set label "delassus:1e-4" at graph 0.245344, graph 0.329377 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.494609, graph 0.378911 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.475186, graph 0.309083 to graph 0.494609, graph 0.378911 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:10" at graph 0.836374, graph 0.459798 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.483074 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.506876 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.460325 to graph 0.836374, graph 0.506876 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:10" at graph 0.494609, graph 0.762283 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.076027, graph 0.0540496 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.228619 to graph 0.076027, graph 0.0540496 nohead lw 0.6 lc rgb '#555555'
+set label "delassus:1e-4" at graph 0.245344, graph 0.321479 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.494609, graph 0.374432 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.475186, graph 0.304605 to graph 0.494609, graph 0.374432 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.45992 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.483196 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.506646 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.460094 to graph 0.836374, graph 0.506646 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:10" at graph 0.494609, graph 0.762499 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
