@@ -32,9 +32,6 @@ class DenseNewton {
   Solution candidate_;
 };
 
-/// So few that they are solved without a workspace.
-constexpr int fewUnknowns = 15;
-
 /// Whether a problem is small enough, and made of contacts and rows that can move.
 bool fitsDenseNewton(const Problem& problem, const NaturalMap& map);
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "delassus/cone.h"
-#include "delassus/dense_newton.h"
 #include "delassus/row_product.h"
 
 namespace delassus {
@@ -151,14 +150,12 @@ bool NewtonSteps<Most>::findStep(const ReactionBounds& bounds) {
     if (!isFactored()) {
       fillMatrix(bounds);
       factored_.assign(active_.begin(), active_.end());
-      ++factorisations_;
       hasFactor_ = elimination_.factorise(K_);
       if (!hasFactor_) return false;
     }
     elimination_.solve(right_);
   } else {
     fillMatrix(bounds);
-    ++factorisations_;
     if (m > 0 && !elimination_.solve(K_, right_)) return false;
   }
   for (int c = 0; c < m; ++c) step_[unknowns_[c]] = right_[c];

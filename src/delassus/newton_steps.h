@@ -18,6 +18,9 @@ struct ReactionBounds {
   int rows() const { return static_cast<int>(lower.size()); }
 };
 
+/// So few that they are solved without a workspace.
+constexpr int fewUnknowns = 15;
+
 /// A list of at most `Most` entries, which takes no memory; or of any number.
 template <class Entry, int Most>
 class ShortList {
@@ -62,8 +65,6 @@ class NewtonSteps {
   /// the wall there may be a better region. `error` is that at r and u, just found by `error` or the last step, and afterwards that of where
   /// it has gone. False, and nothing is changed, if F is singular in this region.
   bool step(const ReactionBounds& bounds, double& error);
-  /// Factors made by steps so far.
-  int factorisations() const { return factorisations_; }
   /// product = W x
   void multiply(const Vector& x, Vector& product) const;
 
@@ -95,8 +96,7 @@ class NewtonSteps {
   ShortList<Active, Most> active_;
   std::vector<Active> factored_;
   ShortList<int, Most> unknowns_;  ///< of what is active
-  int factorisations_ = 0;
-  bool hasFactor_ = false;  ///< of K_ where factored_ was active
+  bool hasFactor_ = false;         ///< of K_ where factored_ was active
   Vector step_, felt_, error_, right_, trialR_, trialU_;
 };
 
