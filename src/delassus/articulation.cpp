@@ -137,7 +137,7 @@ const Problem& Coupling::couple(const Articulation& articulation, const Problem&
   }
   const int jointsBegin = apart.size() - static_cast<int>(island.rows.size());
   auto next = articulation.jointRows.begin();
-  for (BodySpace::ScalarRow& c : space_->rows) {
+  for (ScalarRow& c : space_->rows) {
     moveSide(c.a, c.Ja);
     moveSide(c.b, c.Jb);
     const int row = at < jointsBegin ? -1 : island.rows[at - jointsBegin];

@@ -60,6 +60,20 @@ void BlockFactor::addContact(const ContactRows& c, const Mat3& G, int edge) {
     addProduct(Gb, c.Ja, upper_[t.at]);
 }
 
+void BlockFactor::addRows(const ScalarRow* rows, const double* g, int count, int edge) {
+  constexpr int stride = sizeof(ScalarRow) / sizeof(double);
+  const int a = rows->a, b = rows->b;
+  const double *Ja = rows->Ja.data(), *Jb = rows->Jb.data();
+  if (a >= 0) addRowProducts(Ja, Ja, stride, g, count, diagonal_[pattern().place[a]]);
+  if (b >= 0) addRowProducts(Jb, Jb, stride, g, count, diagonal_[pattern().place[b]]);
+  if (edge < 0) return;
+  const BlockPattern::Target& t = pattern().target[edge];
+  const double *first = t.reversed ? Ja : Jb, *second = t.reversed ? Jb : Ja;
+  addRowProducts(first, second, stride, g, count, lower_[t.at]);
+  // Two rows of one body pair are of the same factor: block (column, row) is the transpose of block (row, column), as which it is kept.
+  if (!symmetric_) addRowProducts(first, second, stride, g, count, upper_[t.at]);
+}
+
 void BlockFactor::eliminate(int column) {
   const BlockPattern& p = pattern();
   for (int at = p.begin[column]; at < p.begin[column + 1]; ++at) slot_[p.row[at]] = at;

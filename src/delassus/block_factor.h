@@ -49,6 +49,9 @@ class BlockFactor {
   /// Adds [Ja Jb]ᵀ G [Ja Jb] of a contact; `edge`: that of its two bodies, less than 0 if they are not coupled.
   void addContact(const ContactRows& c, const Mat3& G, int edge);
 
+  /// The same of `count` rows of the same two bodies, with the weights `g`.
+  void addRows(const ScalarRow* rows, const double* g, int count, int edge);
+
   /// False if a pivot block is singular or not finite.
   bool factorise();
   /// Of the matrix that is factored.

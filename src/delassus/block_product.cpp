@@ -1,5 +1,6 @@
 #include "delassus/block_product.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -75,35 +76,76 @@ struct Sum {
   }
 };
 
-}  // namespace
+/// Six rows of six numbers, the last two in the first half of `end`, that become those of the inverse in place (Gauss and Jordan).
+struct Rows {
+  Four begin[6], end[6];
 
-DELASSUS_WIDE
-void addProduct(const Mat36& A, const Mat36& B, Mat6& to) {
-  const double* b = B.data();
-  const Spread columns[3] = {Spread(b), Spread(b + 6), Spread(b + 12)};
-  Sum sum(to.data());
-  sum.add<3, 1>(A.data(), columns);
-  sum.store(to.data());
-}
-
-DELASSUS_WIDE
-void multiplyBy(const Mat6& B, Mat6* blocks, int count) {
-  const Spread columns[6] = {Spread(&B(0, 0)), Spread(&B(0, 1)), Spread(&B(0, 2)),
-                             Spread(&B(0, 3)), Spread(&B(0, 4)), Spread(&B(0, 5))};
-  for (int i = 0; i < count; ++i) {
-    double* a = blocks[i].data();
-    Four begin[6], end[6];
-    for (int k = 0; k < 6; ++k) multiply(a, columns[k], begin[k], end[k]);
-    for (int k = 0; k < 6; ++k) {
-      fourAt(a + 6 * k) = begin[k];
-      a[6 * k + 4] = end[k][0];
-      a[6 * k + 5] = end[k][1];
+  DELASSUS_WIDE_INLINE explicit Rows(const double* x) {
+    for (int i = 0; i < 6; ++i) {
+      begin[i] = fourAt(x + 6 * i);
+      end[i] = Four{x[6 * i + 4], x[6 * i + 5], 0, 0};
     }
   }
+  DELASSUS_WIDE_INLINE void store(double* x) const {
+    for (int i = 0; i < 6; ++i) {
+      fourAt(x + 6 * i) = begin[i];
+      x[6 * i + 4] = end[i][0];
+      x[6 * i + 5] = end[i][1];
+    }
+  }
+
+  DELASSUS_WIDE_INLINE bool areFinite() const {
+    Four none = {};
+    for (int i = 0; i < 6; ++i) none += 0 * begin[i] + 0 * end[i];
+    return none[0] + none[1] + none[2] + none[3] == 0;
+  }
+
+  /// Makes column `at` of the rows that of the inverse. Returns the pivot.
+  template <int at>
+  DELASSUS_WIDE_INLINE double eliminate() {
+    const double pivot = replace<at>(at, 1);
+    const double perPivot = 1 / pivot;
+    begin[at] *= perPivot;
+    end[at] *= perPivot;
+    for (int i = 0; i < 6; ++i) {
+      if (i == at) continue;
+      const double factor = replace<at>(i, 0);
+      begin[i] -= factor * begin[at];
+      end[i] -= factor * end[at];
+    }
+    return pivot;
+  }
+
+ private:
+  /// What stood in this column of row i, in whose place `by` stands now.
+  template <int column>
+  DELASSUS_WIDE_INLINE double replace(int i, double by) {
+    Four& part = column < 4 ? begin[i] : end[i];
+    const double before = part[column % 4];
+    part[column % 4] = by;
+    return before;
+  }
+};
+
+/// Without pivoting: false where that could cost digits. What is symmetric and positive loses none, and its pivots are no larger than its
+/// diagonal.
+DELASSUS_WIDE_INLINE bool invertInOrder(const Mat6& A, Mat6& inverse, bool& isNegative) {
+  constexpr double mostGrowth = 2;
+  Rows rows(A.data());
+  const double pivots[6] = {rows.eliminate<0>(), rows.eliminate<1>(), rows.eliminate<2>(),
+                            rows.eliminate<3>(), rows.eliminate<4>(), rows.eliminate<5>()};
+  isNegative = false;
+  bool grows = false;
+  for (int i = 0; i < 6; ++i) {
+    grows |= !(std::abs(pivots[i]) <= mostGrowth * std::abs(A(i, i)));
+    if (pivots[i] < 0) isNegative = !isNegative;
+  }
+  rows.store(inverse.data());
+  return !grows && rows.areFinite();
 }
 
-DELASSUS_WIDE
-bool invert(const Mat6& A, Mat6& inverse, bool& isNegative) {
+/// By Gauss's elimination with partial pivoting of the columns. False if A is singular or not finite.
+DELASSUS_WIDE_INLINE bool invertPivoting(const Mat6& A, Mat6& inverse, bool& isNegative) {
   // Rows of [Aᵀ 1], which are columns of A: what becomes of 1 is A⁻ᵀ by rows, A⁻¹ by columns.
   constexpr int width = 12;
   double rows[6][width] = {};
@@ -135,6 +177,51 @@ bool invert(const Mat6& A, Mat6& inverse, bool& isNegative) {
     for (int k = 0; k < 6; ++k) inverse(k, i) = row[i][6 + k];
   }
   return inverse.allFinite();
+}
+
+}  // namespace
+
+DELASSUS_WIDE
+void addProduct(const Mat36& A, const Mat36& B, Mat6& to) {
+  const double* b = B.data();
+  const Spread columns[3] = {Spread(b), Spread(b + 6), Spread(b + 12)};
+  Sum sum(to.data());
+  sum.add<3, 1>(A.data(), columns);
+  sum.store(to.data());
+}
+
+DELASSUS_WIDE
+void addRowProducts(const double* a, const double* b, int stride, const double* weight, int count,
+                    Mat6& to) {
+  Sum sum(to.data());
+  for (int k = 0; k < count; ++k, a += stride, b += stride) {
+    double scaled[6];
+    for (int j = 0; j < 6; ++j) scaled[j] = weight[k] * b[j];
+    const Spread column(scaled);
+    sum.add<1, 1>(a, &column);
+  }
+  sum.store(to.data());
+}
+
+DELASSUS_WIDE
+void multiplyBy(const Mat6& B, Mat6* blocks, int count) {
+  const Spread columns[6] = {Spread(&B(0, 0)), Spread(&B(0, 1)), Spread(&B(0, 2)),
+                             Spread(&B(0, 3)), Spread(&B(0, 4)), Spread(&B(0, 5))};
+  for (int i = 0; i < count; ++i) {
+    double* a = blocks[i].data();
+    Four begin[6], end[6];
+    for (int k = 0; k < 6; ++k) multiply(a, columns[k], begin[k], end[k]);
+    for (int k = 0; k < 6; ++k) {
+      fourAt(a + 6 * k) = begin[k];
+      a[6 * k + 4] = end[k][0];
+      a[6 * k + 5] = end[k][1];
+    }
+  }
+}
+
+DELASSUS_WIDE
+bool invert(const Mat6& A, Mat6& inverse, bool& isNegative) {
+  return invertInOrder(A, inverse, isNegative) || invertPivoting(A, inverse, isNegative);
 }
 
 DELASSUS_WIDE

@@ -25,7 +25,12 @@ void multiplyBy(const Mat6& B, Mat6* blocks, int count);
 /// to += Aᵀ B.
 void addProduct(const Mat36& A, const Mat36& B, Mat6& to);
 
-/// A⁻¹ by Gauss's elimination with partial pivoting of its columns. `isNegative`: whether det A < 0. False if A is singular or not finite.
+/// to += Σ weight[k] a_kᵀ b_k over `count` rows of six numbers, each `stride` numbers behind the one before.
+void addRowProducts(const double* a, const double* b, int stride, const double* weight, int count,
+                    Mat6& to);
+
+/// A⁻¹, by elimination in the order of the columns, or with pivoting where that loses digits. `isNegative`: whether det A < 0. False if A is
+/// singular or not finite.
 bool invert(const Mat6& A, Mat6& inverse, bool& isNegative);
 
 /// Columns of blocks below the diagonal: those of column j are blocks[begin[j]] up to blocks[begin[j + 1]], in rows row[…].

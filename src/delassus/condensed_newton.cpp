@@ -3,9 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "delassus/options.h"
-
 namespace delassus {
+namespace {
+
+/// For `descend`.
+struct StepsWithin {
+  ReactionBounds bounds;
+  NewtonSteps<Eigen::Dynamic>& steps;
+
+  double error() { return steps.error(bounds); }
+  bool step(double& error) { return steps.fullStep(bounds, error); }
+  void keepLast() { steps.keepLast(); }
+  void goBack() { steps.goBack(); }
+};
+
+}  // namespace
 
 /// Divides the unknowns, with the rows of E those without bounds, or also those that r has within their bounds.
 void CondensedNewton::divide(const Problem& problem, const VectorXd& r, bool withinBounds) {
@@ -75,10 +87,9 @@ void CondensedNewton::setWeight(double alpha) {
   steps_.forgetFactor();
 }
 
-/// What E does once C has changed by its part of change_: E's part of it, δ and J̃ δ.
-void CondensedNewton::letHeldAnswer() {
+/// What E does, around reactions with these u, once C has changed by its part of change_: E's part of it, δ and J̃ δ.
+void CondensedNewton::letHeldAnswer(const VectorXd& u) {
   const int contactsEnd = 3 * problem_->contacts();
-  const VectorXd& u = center_.u;
   for (const int at : held_) change_[at] = -G_.rows[at - contactsEnd] * u[at];
   motion_.impulse(change_, delta_);
   motion_.solve(delta_);
@@ -86,62 +97,37 @@ void CondensedNewton::letHeldAnswer() {
   for (const int at : held_) change_[at] -= G_.rows[at - contactsEnd] * felt_[at];
 }
 
-/// The reactions of C to within ‖ρ F‖ ≤ enough (m/s). False if they are not found.
-bool CondensedNewton::solveLeft(double enough, int budget, Solution& count) {
-  const ReactionBounds bounds{problem_->friction, lower_, upper_};
-  double error = steps_.error(bounds);
-  for (int k = 0; k < budget && error > enough; ++k) {
-    ++count.sweeps;
-    if (!steps_.step(bounds, error)) return false;
-  }
-  return error <= enough;
-}
-
-/// r_k ← r. False if r is not found; then it is what the steps have come to.
-bool CondensedNewton::moveCenter(double enough, int budget, Solution& count) {
+Descent CondensedNewton::moveOn(const Solution& center, double alpha, double enough, int budget,
+                                Solution& next) {
   const auto n = static_cast<int>(left_.size());
+  setWeight(alpha);
   change_.setZero(problem_->size());
-  letHeldAnswer();
+  letHeldAnswer(center.u);
   steps_.r.resize(n);
   steps_.u.resize(n);
   for (int i = 0; i < n; ++i) {
-    steps_.r[i] = center_.r[left_[i]];
-    steps_.u[i] = center_.u[left_[i]] + felt_[left_[i]];
+    steps_.r[i] = center.r[left_[i]];
+    steps_.u[i] = center.u[left_[i]] + felt_[left_[i]];
   }
-  const bool isFound = solveLeft(enough, budget, count);
-  for (int i = 0; i < n; ++i) change_[left_[i]] = steps_.r[i] - center_.r[left_[i]];
-  letHeldAnswer();
-  center_.r += change_;
-  makeFeasible(*problem_, center_.r);
-  problem_->W.multiply(center_.r, delta_, center_.u);
-  center_.u += problem_->q;
-  const VelocityResidual residual = map_->residual(center_.r, center_.u);
-  center_.residual = residual.max;
-  center_.residualRms = residual.rms;
-  return isFound;
+  StepsWithin steps{{problem_->friction, lower_, upper_}, steps_};
+  const Descent descent = descend(steps, enough, budget);
+  for (int i = 0; i < n; ++i) change_[left_[i]] = steps_.r[i] - center.r[left_[i]];
+  letHeldAnswer(center.u);
+  next.r = center.r + change_;
+  complete(*problem_, *map_, delta_, next);
+  return descent;
 }
 
 bool CondensedNewton::solve(double tolerance, int budget, Solution& best) {
-  constexpr int mostSteps = 20;  // what takes more is found sooner by a walk
-  constexpr double unknownRegion = 1e-3, knownRegion = 1e-5;
-  constexpr double fine = 1e-2, slow = 1e-2, tooSlow = 0.3;  // shares of the residual
+  constexpr int mostSteps = 30;  // what takes more is found sooner by a walk
   if (!condense(best)) return false;
-  const int most = best.sweeps + std::min(budget, mostSteps);
-  center_.takeReactions(best);
-  for (double alpha = unknownRegion;;) {
-    const double before = center_.residual;
-    const double enough = std::max(fine * std::max(alpha * before, polishedShare * tolerance),
-                                   map_->roundOff(center_.r));
-    setWeight(alpha);
-    const bool isFound = moveCenter(enough, most - best.sweeps, best);
-    const double now = center_.residual;
-    if (now < best.residual) best.takeReactions(center_);
-    // Some digits more if they come by themselves.
-    const double aim = now > tooSlow * before ? tolerance : polishedShare * tolerance;
-    if (now <= std::max(aim, map_->roundOff(center_.r))) return true;
-    if (!isFound || !(now <= tooSlow * before)) return best.residual <= tolerance;
-    if (now > slow * before) alpha = knownRegion;
-  }
+  const int most = std::min(budget, mostSteps);
+  int left = most;
+  const auto move = [this](const Solution& center, double alpha, double enough, int steps,
+                           Solution& next) { return moveOn(center, alpha, enough, steps, next); };
+  const bool isReached = moveCenters(move, *map_, tolerance, left, next_, best);
+  best.sweeps += most - left;
+  return isReached;
 }
 
 }  // namespace delassus

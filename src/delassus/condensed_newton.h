@@ -5,6 +5,7 @@
 #include "delassus/motion_space.h"
 #include "delassus/newton_steps.h"
 #include "delassus/problem.h"
+#include "delassus/proximal_centers.h"
 #include "delassus/residual.h"
 #include "delassus/solution.h"
 
@@ -21,7 +22,7 @@ namespace delassus {
 ///     u_C(Δr_C) = u_C − J̃_C K⁻¹ J̃_Eᵀ G u_E + (J̃_C K⁻¹ J̃_Cᵀ + compliance + α W_aa) Δr_C
 ///
 /// whose matrix is small, dense and, thanks to α, regular. This is solved by NewtonSteps, from the region of r_k on. Then r_k ← r, until the
-/// law itself is kept: as in ProximalNewton, the fixed points know nothing of α.
+/// law itself is kept (moveCenters; α is that of C, E has one of its own, with which K is factored once).
 class CondensedNewton {
  public:
   /// Whether a problem is for it: in body space, without disks, and but for E with no more than `most` unknowns, and some. Where there are
@@ -30,13 +31,12 @@ class CondensedNewton {
   /// Whether there is an E.
   bool hasHeld() const { return !held_.empty(); }
 
-  /// Improves best.r, with its u and residual, until its natural residual is at most `tolerance` (m/s), or some digits less where they come
-  /// by themselves: true; or until `budget` steps are made, or hardly anything is gained. The factor is counted as a region, and steps, which
-  /// cost about as much, as sweeps.
+  /// Improves best.r, with its u and residual: true if the law is kept. The factor is counted as a region, and steps, which cost about as
+  /// much, as sweeps.
   bool solve(double tolerance, int budget, Solution& best);
 
   std::size_t bytes() const {
-    return motion_.bytes() + G_.bytes() + steps_.bytes() + center_.bytes() +
+    return motion_.bytes() + G_.bytes() + steps_.bytes() + next_.bytes() +
            bytesOf(left_, held_, lower_, upper_, mean_, diagonal_, change_, delta_, felt_);
   }
 
@@ -44,9 +44,8 @@ class CondensedNewton {
   void divide(const Problem& problem, const VectorXd& r, bool withinBounds);
   bool condense(Solution& count);
   void setWeight(double alpha);
-  void letHeldAnswer();
-  bool solveLeft(double enough, int budget, Solution& count);
-  bool moveCenter(double enough, int budget, Solution& count);
+  void letHeldAnswer(const VectorXd& u);
+  Descent moveOn(const Solution& center, double alpha, double enough, int budget, Solution& next);
 
   const Problem* problem_ = nullptr;
   const NaturalMap* map_ = nullptr;
@@ -58,9 +57,9 @@ class CondensedNewton {
   double weight_ = 0;      ///< α of C
   VectorXd diagonal_;      ///< of its matrix without α W_aa
   VectorXd mean_;          ///< of W_aa, per unknown
-  Solution center_;        ///< r_k
   VectorXd change_;        ///< r − r_k
   VectorXd delta_, felt_;  ///< δ and J̃ δ
+  Solution next_;
 };
 
 }  // namespace delassus

@@ -5,10 +5,44 @@
 
 namespace delassus {
 
-/// The three rows J̃ of a contact, six columns for each of its two bodies. A body less than 0 is not there.
-///
-/// Whatever goes from contact to contact spends much of its time on the two products here. They are worked out two numbers at a time,
-/// and the sums of a row are added up once for both bodies, not once for each.
+/// Two numbers at a time, in which the products here are worked out: whatever goes from contact to contact, or along joints, spends much of
+/// its time on them. The sums of a row are added up once for both bodies, not once for each.
+using Pair = double __attribute__((vector_size(16), aligned(8), may_alias));
+
+/// One row J̃, six columns for each of its two bodies. A body less than 0 is not there.
+struct ScalarRow {
+  int a, b;
+  Row6 Ja, Jb;
+
+  /// J̃ y
+  DELASSUS_WIDE_INLINE double relativeVelocity(const VectorXd& y) const {
+    Pair sum = {};
+    if (a >= 0) add(Ja, y.data() + 6 * a, sum);
+    if (b >= 0) add(Jb, y.data() + 6 * b, sum);
+    return sum[0] + sum[1];
+  }
+
+  /// y += J̃ᵀ r
+  DELASSUS_WIDE_INLINE void addImpulse(double r, VectorXd& y) const {
+    if (a >= 0) add(Ja, r, y.data() + 6 * a);
+    if (b >= 0) add(Jb, r, y.data() + 6 * b);
+  }
+
+ private:
+  DELASSUS_WIDE_INLINE static void add(const Row6& J, const double* y, Pair& sum) {
+    const auto* row = reinterpret_cast<const Pair*>(J.data());
+    const auto* of = reinterpret_cast<const Pair*>(y);
+    for (int k = 0; k < 3; ++k) sum += row[k] * of[k];
+  }
+
+  DELASSUS_WIDE_INLINE static void add(const Row6& J, double r, double* y) {
+    const auto* row = reinterpret_cast<const Pair*>(J.data());
+    auto* to = reinterpret_cast<Pair*>(y);
+    for (int k = 0; k < 3; ++k) to[k] += row[k] * r;
+  }
+};
+
+/// The three rows J̃ of a contact.
 struct ContactRows {
   int a, b;
   Mat36 Ja, Jb;
@@ -29,8 +63,6 @@ struct ContactRows {
   }
 
  private:
-  using Pair = double __attribute__((vector_size(16), aligned(8), may_alias));
-
   DELASSUS_WIDE_INLINE static void add(const Mat36& J, const double* y, Pair (&sum)[3]) {
     const auto* row = reinterpret_cast<const Pair*>(J.data());
     const auto* of = reinterpret_cast<const Pair*>(y);

@@ -32,6 +32,11 @@ void addImpulses(const std::vector<ContactRows>& contacts, const VectorXd& r, Ve
 }
 
 DELASSUS_WIDE
+void addImpulses(const std::vector<ScalarRow>& rows, const double* r, VectorXd& y) {
+  for (const ScalarRow& c : rows) c.addImpulse(*r++, y);
+}
+
+DELASSUS_WIDE
 void relativeVelocities(const std::vector<ContactRows>& contacts, const VectorXd& y, VectorXd& u) {
   int at = 0;
   for (const ContactRows& c : contacts) {
@@ -40,17 +45,17 @@ void relativeVelocities(const std::vector<ContactRows>& contacts, const VectorXd
   }
 }
 
+DELASSUS_WIDE
+void relativeVelocities(const std::vector<ScalarRow>& rows, const VectorXd& y, double* u) {
+  for (const ScalarRow& c : rows) *u++ = c.relativeVelocity(y);
+}
+
 }  // namespace
 
 void BodySpace::impulse(const VectorXd& r, VectorXd& y) const {
   y.setZero(6 * bodies);
   addImpulses(contacts, r, y);
-  auto at = static_cast<int>(3 * contacts.size());
-  for (const ScalarRow& c : rows) {
-    if (c.a >= 0) y.segment<6>(6 * c.a).noalias() += c.Ja.transpose() * r[at];
-    if (c.b >= 0) y.segment<6>(6 * c.b).noalias() += c.Jb.transpose() * r[at];
-    ++at;
-  }
+  addImpulses(rows, r.data() + 3 * contacts.size(), y);
   for (const Part& p : parts)
     y.segment<6>(6 * p.body).noalias() += p.J.transpose() * r.segment(p.at, p.J.rows());
 }
@@ -58,13 +63,7 @@ void BodySpace::impulse(const VectorXd& r, VectorXd& y) const {
 void BodySpace::relativeVelocity(const VectorXd& y, VectorXd& u) const {
   u.resize(compliance.size());
   relativeVelocities(contacts, y, u);
-  auto at = static_cast<int>(3 * contacts.size());
-  for (const ScalarRow& c : rows) {
-    u[at] = 0;
-    if (c.a >= 0) u[at] += c.Ja.dot(y.segment<6>(6 * c.a));
-    if (c.b >= 0) u[at] += c.Jb.dot(y.segment<6>(6 * c.b));
-    ++at;
-  }
+  relativeVelocities(rows, y, u.data() + 3 * contacts.size());
   for (const Part& p : parts)
     u.segment(p.at, p.J.rows()).noalias() += p.J * y.segment<6>(6 * p.body);
 }
@@ -169,7 +168,7 @@ void DelassusMatrix::diagonal(const std::vector<Mat3>& contactBlocks, VectorXd& 
     at += 3;
   }
   const int rowsBegin = at;
-  for (const BodySpace::ScalarRow& c : bodySpace().rows) {
+  for (const ScalarRow& c : bodySpace().rows) {
     if (c.a >= 0) d[at] += c.Ja.squaredNorm();
     if (c.b >= 0) d[at] += c.Jb.squaredNorm();
     ++at;
@@ -188,7 +187,7 @@ MatrixXd DelassusMatrix::dense() const {
     if (c.b >= 0) J.block<3, 6>(at, 6 * c.b) += c.Jb;
     at += 3;
   }
-  for (const BodySpace::ScalarRow& c : bodySpace().rows) {
+  for (const ScalarRow& c : bodySpace().rows) {
     if (c.a >= 0) J.block<1, 6>(at, 6 * c.a) += c.Ja;
     if (c.b >= 0) J.block<1, 6>(at, 6 * c.b) += c.Jb;
     ++at;
@@ -215,7 +214,7 @@ DelassusMatrix::Sparse DelassusMatrix::asEntries() const {
     append(c.b, c.Jb);
     row += 3;
   }
-  for (const BodySpace::ScalarRow& c : bodySpace().rows) {
+  for (const ScalarRow& c : bodySpace().rows) {
     append(c.a, c.Ja);
     append(c.b, c.Jb);
     ++row;

@@ -16,10 +16,6 @@ namespace delassus {
 /// has as many blocks as its freedoms fill. J̃ is in 1/√kg, y in √J. For n contacts and m rows: n entries in `contacts`,
 /// m in `rows`, 3n + m in `compliance`.
 struct BodySpace {
-  struct ScalarRow {
-    int a, b;
-    Row6 Ja, Jb;
-  };
   /// Three rows of a contact, or one.
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor, 3, 6>;
   /// What a contact or row moves beside its a and b: a block of an articulated body.

@@ -256,11 +256,10 @@ void Assembler::writeDisks(const std::vector<Body>& bodies, const std::vector<Ro
 }
 
 /// The next row, given by its bodies and J; what is kept are their places and J B.
-void Assembler::writeRow(const std::vector<Body>& bodies, const BodySpace::ScalarRow& row,
-                         double target, const Interval& bounds, double compliance,
-                         BodySpace& space) {
+void Assembler::writeRow(const std::vector<Body>& bodies, const ScalarRow& row, double target,
+                         const Interval& bounds, double compliance, BodySpace& space) {
   const int k = static_cast<int>(space.rows.size()), at = 3 * problem_.contacts() + k;
-  BodySpace::ScalarRow& entry = space.rows.emplace_back(row);
+  ScalarRow& entry = space.rows.emplace_back(row);
   entry.a = placeIn(bodies, row.a);
   entry.b = placeIn(bodies, row.b);
   Eigen::Matrix<double, 1, 1> q(0.0);

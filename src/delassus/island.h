@@ -67,7 +67,7 @@ class Assembler {
   void writeDisks(const std::vector<Body>& bodies, const std::vector<Row>& rows,
                   const Island& island, BodySpace& space);
 
-  void writeRow(const std::vector<Body>& bodies, const BodySpace::ScalarRow& row, double target,
+  void writeRow(const std::vector<Body>& bodies, const ScalarRow& row, double target,
                 const Interval& bounds, double compliance, BodySpace& space);
   int placeIn(const std::vector<Body>& bodies, int body) const;
   template <class Rows, class Velocity>

@@ -141,20 +141,7 @@ bool BodyMotion::factorise(const Stiffness& G) {
     const int pair = pairOf_[i];
     factor_.addContact(space_->contacts[i], G.contacts[i], pair == none ? none : edgeOf_[pair]);
   }
-  int edge = firstOfRows_;
-  for (std::size_t i = 0; i < space_->rows.size(); ++i) {
-    const auto& c = space_->rows[i];
-    const bool coupled = c.a >= 0 && c.b >= 0 && c.a != c.b;
-    const int at = coupled ? edge++ : -1;
-    const double g = G.rows[i];
-    if (g == 0) continue;
-    if (c.a >= 0) factor_.addDiagonal(c.a, c.Ja.transpose() * (g * c.Ja));
-    if (c.b >= 0) factor_.addDiagonal(c.b, c.Jb.transpose() * (g * c.Jb));
-    if (coupled) {
-      const Mat6 ab = c.Ja.transpose() * (g * c.Jb);
-      factor_.addOffDiagonal(at, ab, ab.transpose());
-    }
-  }
+  int edge = addRows(G, firstOfRows_);
   if (!space_->parts.empty()) edge = addParts(G, edge);
   if (!disks_->empty()) addDisks(G, edge);
   return factor_.factorise();
@@ -193,7 +180,7 @@ void BodyMotion::findShares(const Disk& disk) {
   };
   const auto contactsEnd = static_cast<int>(3 * space_->contacts.size());
   for (int i = 0; i < disk.unknowns; ++i) {
-    const BodySpace::ScalarRow& c = space_->rows[disk.first + i - contactsEnd];
+    const ScalarRow& c = space_->rows[disk.first + i - contactsEnd];
     if (c.a >= 0) of(c.a).disk.row(i) += c.Ja;
     if (c.b >= 0) of(c.b).disk.row(i) += c.Jb;
     for (const BodySpace::Part& p : space_->partsOf(disk.first + i))
@@ -227,6 +214,22 @@ void BodyMotion::addDisks(const Stiffness& G, int edge) {
       }
     }
   }
+}
+
+/// Rows of the same bodies, as those of a joint, all at once. Returns the edge after theirs.
+int BodyMotion::addRows(const Stiffness& G, int edge) {
+  const std::vector<ScalarRow>& rows = space_->rows;
+  for (std::size_t i = 0; i < rows.size();) {
+    const int a = rows[i].a, b = rows[i].b;
+    std::size_t end = i + 1;
+    while (end < rows.size() && rows[end].a == a && rows[end].b == b) ++end;
+    const auto count = static_cast<int>(end - i);
+    const bool coupled = a >= 0 && b >= 0 && a != b;
+    factor_.addRows(&rows[i], &G.rows[static_cast<int>(i)], count, coupled ? edge : none);
+    if (coupled) edge += count;
+    i = end;
+  }
+  return edge;
 }
 
 /// Returns the edge after those of the parts.

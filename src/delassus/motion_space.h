@@ -81,6 +81,7 @@ class BodyMotion {
   bool hasRoomFor(const Stiffness& G) const;
   /// Finds in which order bodies are eliminated that G couples, or that were coupled before.
   void makeRoomFor(const Stiffness& G);
+  int addRows(const Stiffness& G, int firstEdge);
   int addParts(const Stiffness& G, int firstEdge);
   void addDisks(const Stiffness& G, int firstEdge);
   void findShares(const Disk& disk);

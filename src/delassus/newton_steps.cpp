@@ -123,10 +123,11 @@ bool NewtonSteps<Most>::isFactored() const {
          std::equal(active_.begin(), active_.end(), factored_.begin(), factored_.end(), isSame);
 }
 
-/// step_ from error_: what is open or at a bound goes where it must, whatever the others do, and has no place in K_. False if K_ is
+/// step_ from error_, and what it does in felt_: what is open or at a bound goes where it must, whatever the others do, and has no place in K_. False if K_ is
 /// singular.
 template <int Most>
 bool NewtonSteps<Most>::findStep(const ReactionBounds& bounds) {
+  findActive(bounds);
   const auto m = static_cast<int>(unknowns_.size());
   step_ = error_;
   for (const int at : unknowns_) step_[at] = 0;
@@ -159,26 +160,50 @@ bool NewtonSteps<Most>::findStep(const ReactionBounds& bounds) {
     if (m > 0 && !elimination_.solve(K_, right_)) return false;
   }
   for (int c = 0; c < m; ++c) step_[unknowns_[c]] = right_[c];
-  return step_.allFinite();
+  if (!step_.allFinite()) return false;
+  multiply(step_, felt_);
+  return true;
+}
+
+template <int Most>
+void NewtonSteps<Most>::tryStep(const ReactionBounds& bounds, double share, double& error) {
+  trialR_ = r + share * step_;
+  trialU_ = u + share * felt_;
+  error = evaluate(bounds, trialR_, trialU_);
 }
 
 template <int Most>
 bool NewtonSteps<Most>::step(const ReactionBounds& bounds, double& error) {
   constexpr int mostHalvings = 5;
   const double before = error;
-  findActive(bounds);
   if (!findStep(bounds)) return false;
-  multiply(step_, felt_);
   double share = 1;
-  for (int h = 0; h <= mostHalvings; ++h, share *= 0.5) {
-    trialR_ = r + share * step_;
-    trialU_ = u + share * felt_;
-    error = evaluate(bounds, trialR_, trialU_);
-    if (error < before) break;
-  }
+  tryStep(bounds, share, error);
+  for (int h = 0; h < mostHalvings && !(error < before); ++h) tryStep(bounds, share *= 0.5, error);
   r.swap(trialR_);
   u.swap(trialU_);
   return true;
+}
+
+template <int Most>
+bool NewtonSteps<Most>::fullStep(const ReactionBounds& bounds, double& error) {
+  if (!findStep(bounds)) return false;
+  tryStep(bounds, 1, error);
+  r.swap(trialR_);
+  u.swap(trialU_);
+  return true;
+}
+
+template <int Most>
+void NewtonSteps<Most>::keepLast() {
+  keptR_.swap(trialR_);
+  keptU_.swap(trialU_);
+}
+
+template <int Most>
+void NewtonSteps<Most>::goBack() {
+  r.swap(keptR_);
+  u.swap(keptU_);
 }
 
 template class NewtonSteps<fewUnknowns>;

@@ -65,6 +65,10 @@ class NewtonSteps {
   /// the wall there may be a better region. `error` is that at r and u, just found by `error` or the last step, and afterwards that of where
   /// it has gone. False, and nothing is changed, if F is singular in this region.
   bool step(const ReactionBounds& bounds, double& error);
+  /// The same all the way, whether or not that is worse (for `descend`).
+  bool fullStep(const ReactionBounds& bounds, double& error);
+  void keepLast();
+  void goBack();
   /// product = W x
   void multiply(const Vector& x, Vector& product) const;
 
@@ -72,7 +76,7 @@ class NewtonSteps {
     if constexpr (Most == Eigen::Dynamic)
       return W.bytes() + K_.bytes() + elimination_.bytes() +
              bytesOf(rho, r, u, active_, factored_, unknowns_, step_, felt_, error_, right_,
-                     trialR_, trialU_);
+                     trialR_, trialU_, keptR_, keptU_);
     return 0;
   }
 
@@ -83,6 +87,7 @@ class NewtonSteps {
   void fillMatrix(const ReactionBounds& bounds);
   bool isFactored() const;
   bool findStep(const ReactionBounds& bounds);
+  void tryStep(const ReactionBounds& bounds, double share, double& error);
 
   /// What answers to others in the region of r and u: three unknowns of a contact, or one of a row.
   struct Active {
@@ -97,7 +102,7 @@ class NewtonSteps {
   std::vector<Active> factored_;
   ShortList<int, Most> unknowns_;  ///< of what is active
   bool hasFactor_ = false;         ///< of K_ where factored_ was active
-  Vector step_, felt_, error_, right_, trialR_, trialU_;
+  Vector step_, felt_, error_, right_, trialR_, trialU_, keptR_, keptU_;
 };
 
 }  // namespace delassus

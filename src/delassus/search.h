@@ -117,7 +117,9 @@ class Search {
                    double tolerance, const VectorXd* guess, Solution& best);
   bool hasNoWalk(const Problem& problem, const Options& options, const Solution& best) const;
   bool condense(const Problem& problem, const Options& options, double tolerance, Solution& best);
-  bool solveFew(const Problem& problem, const Options& options, double tolerance, Solution& best);
+  template <class Motion>
+  bool react(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
+             double tolerance, const VectorXd* guess, Solution& best);
   bool mayHold(const Problem& problem, const Options& options, const VectorXd* guess,
                const Solution& best) const;
   template <class Motion>

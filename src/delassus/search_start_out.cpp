@@ -81,8 +81,9 @@ Outcome Search::startOut(ProximalNewton<Motion>& newton, const Problem& problem,
   if (options.economies.oneRegion && hasOneRegion(problem)) {
     const Outcome outcome = newton.walk(problem, tolerance, knownRegion, left(shortWalk), best);
     if (outcome != Outcome::Lost) return outcome;
-  } else if (!guess && (solveFew(problem, options, tolerance, best) ||
-                        alternate(newton, problem, options, tolerance, best))) {
+  } else if (react(newton, problem, options, tolerance, guess, best)) {
+    return Outcome::Reached;
+  } else if (!guess && alternate(newton, problem, options, tolerance, best)) {
     return finish(newton, problem, options, tolerance, best);
   }
   if (isHurried_) {
@@ -145,26 +146,34 @@ bool Search::hold(ProximalNewton<Motion>& newton, const Problem& problem, const 
 bool Search::condense(const Problem& problem, const Options& options, double tolerance,
                       Solution& best) {
   constexpr int worthCondensing = 10;  // sweeps; they cost as much
-  constexpr int few = 60, many = 100;  // unknowns
+  constexpr int few = 60;              // unknowns
   const int sweeps = best.sweeps, most = options.sweepBudget - sweeps;
   if (!options.economies.joints || most < worthCondensing || best.regions >= options.newtonBudget)
     return false;
   CondensedNewton& newton = machines().condensed;
-  if (!newton.setProblem(problem, map_, best.r, isHurried_ ? few : many) || !newton.hasHeld())
-    return false;
+  if (!newton.setProblem(problem, map_, best.r, few) || !newton.hasHeld()) return false;
   const bool isReached = newton.solve(tolerance, most, best);
   if (isHurried_) best.sweeps = sweeps;
   return isReached;
 }
 
-/// The same where there are so few contacts that their dense matrix costs no more than the factor of their bodies.
-bool Search::solveFew(const Problem& problem, const Options& options, double tolerance,
-                      Solution& best) {
+/// Newton's method on reactions: on a dense matrix where nothing is known and so few touch that it costs no more than the factor of
+/// their bodies; and else with such factors, where contacts are not so many that some of them are always in a wrong region.
+template <class Motion>
+bool Search::react(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
+                   double tolerance, const VectorXd* guess, Solution& best) {
   constexpr int few = 36;  // unknowns
-  if (isHurried_ || best.regions >= options.newtonBudget) return false;
-  CondensedNewton& newton = machines().condensed;
-  return newton.setProblem(problem, map_, best.r, few) &&
-         newton.solve(tolerance, options.sweepBudget - best.sweeps, best);
+  constexpr int mostContacts = 300, fewSteps = 30, manySteps = 40;
+  const auto left = [&](int most) { return std::min(most, options.newtonBudget - best.regions); };
+  if (isHurried_ || left(1) <= 0) return false;
+  CondensedNewton& condensed = machines().condensed;
+  if (!guess && condensed.setProblem(problem, map_, best.r, few))
+    return condensed.solve(tolerance, options.sweepBudget - best.sweeps, best);
+  const bool isPile = isLargePile(problem) && problem.rows() < problem.contacts();
+  if (!problem.W.inBodySpace() || !problem.disks.empty() || problem.contacts() > mostContacts ||
+      isLargeHeap(problem) || isPile || (!guess && isLargePile(problem)))
+    return false;
+  return newton.react(problem, tolerance, left(guess ? fewSteps : manySteps), trial_, best);
 }
 
 /// Alternating directions. False if they do not reach the tolerance.

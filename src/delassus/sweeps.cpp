@@ -46,17 +46,14 @@ void sweepRows(const Problem& problem, const VectorXd& diagonal, VectorXd& y, Ve
   for (int at = begin; at < problem.disksBegin(); ++at) {
     if (!(diagonal[at] > 0)) continue;
     const int row = at - begin;
-    const BodySpace::ScalarRow& c = space.rows[row];
-    double u = problem.q[at] + space.compliance[at] * r[at];
-    if (c.a >= 0) u += c.Ja.dot(y.segment<6>(6 * c.a));
-    if (c.b >= 0) u += c.Jb.dot(y.segment<6>(6 * c.b));
+    const ScalarRow& c = space.rows[row];
+    double u = problem.q[at] + space.compliance[at] * r[at] + c.relativeVelocity(y);
     const BodySpace::PartRange parts =
         articulated ? space.partsOf(at) : BodySpace::PartRange{nullptr, nullptr};
     for (const BodySpace::Part& p : parts) u += p.J.row(0).dot(y.segment<6>(6 * p.body));
     const double next = boundedRow(r[at], u, diagonal[at], problem.lower[row], problem.upper[row]);
     const double dr = next - r[at];
-    if (c.a >= 0) y.segment<6>(6 * c.a) += c.Ja.transpose() * dr;
-    if (c.b >= 0) y.segment<6>(6 * c.b) += c.Jb.transpose() * dr;
+    c.addImpulse(dr, y);
     for (const BodySpace::Part& p : parts) y.segment<6>(6 * p.body) += p.J.row(0).transpose() * dr;
     r[at] = next;
   }
@@ -201,9 +198,7 @@ void Sweeps::sweepBodies(const Problem& problem, VectorXd& r) {
 double Sweeps::velocityOf(const Problem& problem, int unknown, const VectorXd& r) const {
   const BodySpace& space = problem.W.bodySpace();
   const auto& c = space.rows[unknown - 3 * space.contacts.size()];
-  double u = problem.q[unknown] + space.compliance[unknown] * r[unknown];
-  if (c.a >= 0) u += c.Ja.dot(y_.segment<6>(6 * c.a));
-  if (c.b >= 0) u += c.Jb.dot(y_.segment<6>(6 * c.b));
+  double u = problem.q[unknown] + space.compliance[unknown] * r[unknown] + c.relativeVelocity(y_);
   for (const BodySpace::Part& p : space.partsOf(unknown))
     u += p.J.row(0).dot(y_.segment<6>(6 * p.body));
   return u;
@@ -213,8 +208,7 @@ void Sweeps::react(const Problem& problem, int unknown, double next, VectorXd& r
   const BodySpace& space = problem.W.bodySpace();
   const auto& c = space.rows[unknown - 3 * space.contacts.size()];
   const double dr = next - r[unknown];
-  if (c.a >= 0) y_.segment<6>(6 * c.a) += c.Ja.transpose() * dr;
-  if (c.b >= 0) y_.segment<6>(6 * c.b) += c.Jb.transpose() * dr;
+  c.addImpulse(dr, y_);
   for (const BodySpace::Part& p : space.partsOf(unknown))
     y_.segment<6>(6 * p.body) += p.J.row(0).transpose() * dr;
   r[unknown] = next;

@@ -32,7 +32,7 @@ inline LongMatrix longDense(const Problem& problem, LongMatrix& sizes) {
     if (rows.b >= 0) J.block<3, 6>(3 * i, 6 * rows.b) += rows.Jb.cast<Long>();
   }
   for (int i = 0; i < problem.rows(); ++i) {
-    const BodySpace::ScalarRow& row = space.rows[i];
+    const ScalarRow& row = space.rows[i];
     const int at = 3 * problem.contacts() + i;
     if (row.a >= 0) J.block<1, 6>(at, 6 * row.a) += row.Ja.cast<Long>();
     if (row.b >= 0) J.block<1, 6>(at, 6 * row.b) += row.Jb.cast<Long>();

@@ -1,0 +1,149 @@
+/// Newton's method in the space of reactions, with the vectors of the walk: F is center_, B F and then Δr are change_.
+#include <algorithm>
+#include <cmath>
+
+#include "delassus/cone.h"
+#include "delassus/proximal_centers.h"
+#include "delassus/proximal_newton.h"
+
+namespace delassus {
+
+/// Its steps around one center, for `descend`: r and v are those of `at`.
+template <class Motion>
+class ProximalNewton<Motion>::Reactions {
+ public:
+  Reactions(ProximalNewton& walk, const Problem& problem, double alpha, Solution& at)
+      : walk_(walk), problem_(problem), perScale_(1 + alpha), r_(at.r), v_(at.u) {}
+
+  double error();
+  bool step(double& error);
+  // v is not kept: nobody asks for it afterwards.
+  void keepLast() { walk_.fromU_.swap(walk_.u_); }
+  void goBack() { r_.swap(walk_.fromU_); }
+
+ private:
+  double rho(int at) const { return perScale_ * walk_.scale_[at]; }
+  void answer(int contact);
+  void answerAll();
+
+  ProximalNewton& walk_;
+  const Problem& problem_;
+  double perScale_;
+  VectorXd &r_, &v_;
+};
+
+/// F at r and v. Returns ‖ρ F‖, m/s.
+template <class Motion>
+double ProximalNewton<Motion>::Reactions::error() {
+  const int contactsEnd = 3 * problem_.contacts();
+  VectorXd& F = walk_.center_;
+  F.resize(problem_.size());
+  double sum = 0;
+  for (int at = 0; at < contactsEnd; at += 3) {
+    const Vec3 own = r_.segment<3>(at), z = own - v_.segment<3>(at) / rho(at);
+    F.segment<3>(at) = reactionTo(z, problem_.friction[at / 3], nullptr) - own;
+    sum += rho(at) * rho(at) * F.segment<3>(at).squaredNorm();
+  }
+  for (int at = contactsEnd; at < problem_.size(); ++at) {
+    const int row = at - contactsEnd;
+    const double z = r_[at] - v_[at] / rho(at);
+    F[at] = std::clamp(z, problem_.lower[row], problem_.upper[row]) - r_[at];
+    sum += rho(at) * F[at] * rho(at) * F[at];
+  }
+  return std::sqrt(sum);
+}
+
+/// G and B F of a contact in the region of r and v.
+template <class Motion>
+void ProximalNewton<Motion>::Reactions::answer(int contact) {
+  const int at = 3 * contact;
+  const double mu = problem_.friction[contact], rho = this->rho(at);
+  const Vec3 z = r_.segment<3>(at) - v_.segment<3>(at) / rho, F = walk_.center_.segment<3>(at);
+  const Vec3 l = walk_.l_.segment<3>(at);
+  Mat3& G = walk_.G_.contacts[contact];
+  auto forced = walk_.change_.segment<3>(at);
+  if (z[0] <= 0) {
+    G.setZero();
+    forced = F;
+    return;
+  }
+  const double zt = lengthOf(z[1], z[2]);
+  if (mu > 0 && zt <= mu * z[0]) {
+    G = l.asDiagonal();
+    forced = rho * l.cwiseProduct(F);
+    return;
+  }
+  // P' = [1, 0; μ d, turn (1 − d dᵀ)] with d = z_t/‖z_t‖.
+  const double c = zt > 0 ? z[1] / zt : 0, s = zt > 0 ? z[2] / zt : 0;
+  const double turn = mu > 0 ? mu * z[0] / zt : 0;
+  const double stays = turn * (1 - 2 / (rho * (l[1] + l[2])));
+  const double along = mu * l[0], across = turn / ((1 - stays) * rho);
+  G << l[0], 0, 0,                                 //
+      along * c, across * s * s, -across * s * c,  //
+      along * s, -across * s * c, across * c * c;
+  const double normal = rho * l[0] * F[0], rim = mu * (normal - F[0]);
+  const double turned = stays / (1 - stays) * (c * F[2] - s * F[1]);
+  forced = Vec3(normal, F[1] + rim * c - turned * s, F[2] + rim * s + turned * c);
+}
+
+template <class Motion>
+void ProximalNewton<Motion>::Reactions::answerAll() {
+  const int contactsEnd = 3 * problem_.contacts();
+  walk_.change_.resize(problem_.size());
+  for (int i = 0; i < problem_.contacts(); ++i) answer(i);
+  for (int at = contactsEnd; at < problem_.size(); ++at) {
+    const int row = at - contactsEnd;
+    const double z = r_[at] - v_[at] / rho(at), l = walk_.l_[at], F = walk_.center_[at];
+    const bool isFree = z > problem_.lower[row] && z < problem_.upper[row];
+    walk_.G_.rows[row] = isFree ? l : 0;
+    walk_.change_[at] = isFree ? rho(at) * l * F : F;
+  }
+}
+
+/// Goes where F would be zero in this region; `error` is then that of there.
+template <class Motion>
+bool ProximalNewton<Motion>::Reactions::step(double& error) {
+  const int contactsEnd = 3 * problem_.contacts();
+  answerAll();
+  VectorXd &change = walk_.change_, &felt = walk_.trialU_;
+  if (!walk_.motion_.factorise(walk_.G_)) return false;
+  walk_.motion_.impulse(change, walk_.delta_);
+  walk_.motion_.solve(walk_.delta_);
+  walk_.motion_.relativeVelocity(walk_.delta_, felt);
+  for (int at = 0; at < contactsEnd; at += 3)
+    change.segment<3>(at).noalias() -= walk_.G_.contacts[at / 3] * felt.segment<3>(at);
+  const int rows = problem_.rows();
+  change.tail(rows) -= walk_.G_.rows.cwiseProduct(felt.tail(rows));
+  if (!change.allFinite()) return false;
+  walk_.u_ = r_;  // the last
+  r_ += change;
+  v_ += felt + change.cwiseQuotient(walk_.l_);
+  error = this->error();
+  return true;
+}
+
+template <class Motion>
+bool ProximalNewton<Motion>::react(const Problem& problem, double tolerance, int budget,
+                                   Solution& next, Solution& best) {
+  forgetFactor();
+  const auto moveOn = [&](const Solution& from, double alpha, double enough, int steps,
+                          Solution& to) {
+    setWeights(alpha);
+    to.takeReactions(from);
+    Reactions reactions(*this, problem, alpha, to);
+    const Descent descent = descend(reactions, enough, steps);
+    complete(problem, *map_, felt_, to);
+    return descent;
+  };
+  int left = budget;
+  const bool isReached = moveCenters(moveOn, *map_, tolerance, left, next, best);
+  best.regions += budget - left;
+  best.factorisations += budget - left;
+  return isReached;
+}
+
+template bool ProximalNewton<BodyMotion>::react(const Problem&, double, int, Solution&, Solution&);
+template bool ProximalNewton<FactoredMotion>::react(const Problem&, double, int, Solution&,
+                                                    Solution&);
+
+}  // namespace delassus
