@@ -105,9 +105,11 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
 /// Without reactions of a last step:
 ///   - the paper's forced motion, every approaching contact held, from zero; in large piles, whose contacts share loads in many ways,
 ///     with a search for forced reactions that lie inside their cones (`hold`);
-///   - where there is but one region, a walk to it; elsewhere steps on a dense matrix, if few touch, and alternating directions.
+///   - where there is but one region, a walk to it; elsewhere steps in the space of reactions (`react`), on a dense matrix if few touch,
+///     and alternating directions.
 /// With them:
 ///   - piles, and what slid nowhere: `hold`, from the last reactions;
+///   - up to some hundred contacts, but for large piles: steps in the space of reactions;
 ///   - much is disturbed: accelerated sweeps as long as they gain, in heaps with patches.
 /// Where few sweeps are allowed: `hold` if nothing slid, and all sweeps.
 /// Then a walk, in large piles a long one. Where it loses its way, many contacts are at a wall of their region:

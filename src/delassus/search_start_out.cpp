@@ -169,10 +169,10 @@ bool Search::react(ProximalNewton<Motion>& newton, const Problem& problem, const
   CondensedNewton& condensed = machines().condensed;
   if (!guess && condensed.setProblem(problem, map_, best.r, few))
     return condensed.solve(tolerance, options.sweepBudget - best.sweeps, best);
-  const bool isPile = isLargePile(problem) && problem.rows() < problem.contacts();
-  if (!problem.W.inBodySpace() || !problem.disks.empty() || problem.contacts() > mostContacts ||
-      isLargeHeap(problem) || isPile || (!guess && isLargePile(problem)))
-    return false;
+  // Where contacts share loads in many ways, joints leave fewer.
+  const bool isTooLarge = problem.contacts() > mostContacts || isLargeHeap(problem) ||
+                          (isLargePile(problem) && (!guess || problem.rows() < problem.contacts()));
+  if (isTooLarge || !problem.disks.empty()) return false;
   return newton.react(problem, tolerance, left(guess ? fewSteps : manySteps), trial_, best);
 }
 

@@ -55,6 +55,11 @@ TEST(BlockProduct, SingleBlocksAgreeWithTheLibrary) {
     addProduct(J, GJ, more);
     EXPECT_LT((more - (A + J.transpose() * GJ)).norm(), 1e-14);
 
+    const Vec3 g = normalVector(3, random);
+    more = A;
+    addRowProducts(J.data(), GJ.data(), 6, g.data(), 3, more);
+    EXPECT_LT((more - (A + J.transpose() * g.asDiagonal() * GJ)).norm(), 1e-14);
+
     Mat6 blocks[3] = {A, B, Mat6::Constant(7)};
     multiplyBy(B, blocks, 2);
     EXPECT_LT((blocks[0] - A * B).norm(), 1e-14 * A.norm() * B.norm());
@@ -78,6 +83,24 @@ TEST(BlockProduct, InvertsWhatIsNotSingular) {
     EXPECT_EQ(isNegative, A.determinant() < 0) << "round " << round;
     const double rounding = epsilon * (inverse.cwiseAbs() * A.cwiseAbs()).norm();
     EXPECT_LT((inverse * A - Mat6::Identity()).norm(), 4 * rounding) << "round " << round;
+  }
+}
+
+// Sums of squares need no pivots: weights of all sizes cost what conditions them, and no more.
+TEST(BlockProduct, InvertsWhatMayBeStiff) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  Random random(25);
+  for (int round = 0; round < 300; ++round) {
+    Mat6 A = Mat6::Identity();
+    for (int k = 0; k < round % 8; ++k) {
+      const Vec6 row = normalVector(6, random);
+      A += std::pow(10, uniform(random, 0, 9)) * row * row.transpose();
+    }
+    Mat6 inverse;
+    bool isNegative;
+    ASSERT_TRUE(invert(A, inverse, isNegative));
+    EXPECT_FALSE(isNegative);
+    EXPECT_LT((inverse * A - Mat6::Identity()).norm(), 16 * epsilon * inverse.norm() * A.norm());
   }
 }
 

@@ -1,0 +1,67 @@
+/// Descents that may miss more before they gain.
+#include "delassus/proximal_centers.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+namespace delassus {
+namespace {
+
+/// Steps through given errors, and then none.
+struct Script {
+  std::vector<double> errors;
+  std::size_t at = 0, kept = 0;
+
+  double error() const { return errors[at]; }
+  bool step(double& error) {
+    if (at + 1 == errors.size()) return false;
+    error = errors[++at];
+    return true;
+  }
+  void keepLast() { kept = at - 1; }
+  void goBack() { at = kept; }
+};
+
+TEST(ProximalCenters, AStepThatMissesMayBeTheWayToOneThatGains) {
+  Script script{{1, 30, 5, 0.1}};
+  const Descent descent = descend(script, 0.2, 10);
+  EXPECT_TRUE(descent.isFound);
+  EXPECT_EQ(descent.steps, 3);
+  EXPECT_EQ(script.at, 3U);
+}
+
+TEST(ProximalCenters, WhatDoesNotGainEndsWhereTheErrorWasLeast) {
+  Script never{{1, 0.5, 2, 2, 2, 2, 2, 0.1}};
+  const Descent descent = descend(never, 0.2, 10);
+  EXPECT_FALSE(descent.isFound);
+  EXPECT_EQ(descent.steps, 6);
+  EXPECT_EQ(never.at, 1U);
+
+  Script again{{1, 2, 0.9, 3, 0.8, 4}};
+  descend(again, 0.2, 10);
+  EXPECT_EQ(again.at, 4U);
+}
+
+TEST(ProximalCenters, WhatIsFarOffOrNoNumberIsGivenUpAtOnce) {
+  for (const double wrong :
+       {1e7, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    Script script{{1, wrong, 0.1}};
+    const Descent descent = descend(script, 0.2, 10);
+    EXPECT_FALSE(descent.isFound);
+    EXPECT_EQ(descent.steps, 1);
+    EXPECT_EQ(script.at, 0U);
+  }
+}
+
+TEST(ProximalCenters, TheBudgetEndsADescent) {
+  Script script{{1, 3, 2, 0.1}};
+  const Descent descent = descend(script, 0.2, 2);
+  EXPECT_FALSE(descent.isFound);
+  EXPECT_EQ(descent.steps, 2);
+  EXPECT_EQ(script.at, 0U);
+}
+
+}  // namespace
+}  // namespace delassus

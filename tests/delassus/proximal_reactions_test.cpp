@@ -1,0 +1,146 @@
+/// Newton's method in the space of reactions.
+#include <gtest/gtest.h>
+
+#include "delassus/proximal_newton.h"
+#include "delassus/solver.h"
+#include "tests/support/random_piles.h"
+
+namespace delassus {
+namespace {
+
+using namespace delassus::test;
+
+template <class Motion>
+class Attempt {
+ public:
+  explicit Attempt(const Problem& problem, double share = 1e-9)
+      : problem_(problem), tolerance_(share * problem.q.cwiseAbs().maxCoeff()) {
+    map_.setProblem(problem_);
+    newton_.setProblem(problem_, map_);
+  }
+
+  bool from(const VectorXd& r, int budget = 100) {
+    best = startFrom(problem_, map_, r);
+    before = best.residual;
+    Solution next;
+    return newton_.react(problem_, tolerance_, budget, next, best);
+  }
+  bool fromRest() { return from(VectorXd::Zero(problem_.size())); }
+  double tolerance() const { return tolerance_; }
+  ProximalNewton<Motion>& newton() { return newton_; }
+
+  Solution best;
+  double before = 0;
+
+ private:
+  const Problem& problem_;
+  double tolerance_;
+  NaturalMap map_;
+  ProximalNewton<Motion> newton_;
+};
+
+/// Boxes on each other, with friction that differs from contact to contact, none at some, after a disturbance.
+PileIsland disturbedTower(int height, double massRatio, double disturbance, Random& random) {
+  Pile pile = makeTower(randomMasses(height, massRatio, random), 0, disturbance, random);
+  mixFriction(pile, 0.5, random);
+  return PileIsland(pile);
+}
+
+TEST(ProximalReactions, ReachedMeansThatTheLawHolds) {
+  Random random(301);
+  constexpr int samples = 100;
+  int reached = 0;
+  for (int k = 0; k < samples; ++k) {
+    const PileIsland island = disturbedTower(1 + k % 5, 10, 0.1, random);
+    Attempt<BodyMotion> attempt(island.problem);
+    const bool isReached = attempt.fromRest();
+    EXPECT_EQ(isReached, attempt.best.residual <= attempt.tolerance());
+    EXPECT_LE(attempt.best.residual, attempt.before);
+    EXPECT_LE(infeasibility(island.problem, attempt.best.r), 1e-15 * (1 + attempt.best.r.norm()));
+    EXPECT_NEAR(naturalResidual(island.problem, attempt.best.r).max, attempt.best.residual,
+                1e-12 * (1 + attempt.before));
+    if (isReached) ++reached;
+  }
+  EXPECT_GE(reached, 0.9 * samples);
+}
+
+// Without friction there is one motion, whoever finds it and from wherever.
+TEST(ProximalReactions, MovesAsTheWalkDoes) {
+  Random random(302);
+  for (int k = 0; k < 30; ++k) {
+    const PileIsland island(
+        withoutFriction(makeTower(randomMasses(1 + k % 6, 100, random), 0, 0.5, random)));
+    Attempt<BodyMotion> attempt(island.problem);
+    ASSERT_TRUE(attempt.from(randomReactions(island.problem, 1, random))) << k;
+    const Solution walked = solve(island.problem);
+    ASSERT_EQ(walked.status, Status::Solved);
+    EXPECT_LT(motionDistance(island, attempt.best.r, walked.r), 1e-7);
+  }
+}
+
+// A body space has the columns of J̃, a factored W those of its rank: the same steps in either.
+TEST(ProximalReactions, TheSpaceDoesNotMatter) {
+  Random random(303);
+  int both = 0;
+  for (int k = 0; k < 30; ++k) {
+    const PileIsland island = disturbedTower(1 + k % 4, 3, 0.1, random);
+    const Problem entries = withEntries(island.problem);
+    Attempt<BodyMotion> inBodySpace(island.problem);
+    Attempt<FactoredMotion> factored(entries);
+    const bool isReached = inBodySpace.fromRest() && factored.fromRest();
+    if (!isReached || inBodySpace.best.regions != factored.best.regions) continue;
+    ++both;
+    EXPECT_LT(motionDistance(island, inBodySpace.best.r, factored.best.r), 1e-7);
+  }
+  EXPECT_GE(both, 20);
+}
+
+// Reactions that are right but for a few digits have their region right, and need no search.
+TEST(ProximalReactions, FewStepsMendWhatIsNearlyRight) {
+  Random random(304);
+  int few = 0;
+  constexpr int samples = 50;
+  for (int k = 0; k < samples; ++k) {
+    const PileIsland island = disturbedTower(2 + k % 4, 10, 0.1, random);
+    const Solution solved = solve(island.problem);
+    ASSERT_EQ(solved.status, Status::Solved);
+    const VectorXd nearly =
+        solved.r + 1e-3 * solved.r.cwiseProduct(normalVector(island.problem.size(), random));
+    Attempt<BodyMotion> attempt(island.problem);
+    const bool isReached = attempt.from(nearly);
+    few += isReached && attempt.best.regions <= 10 ? 1 : 0;
+  }
+  EXPECT_GE(few, 0.9 * samples);
+}
+
+TEST(ProximalReactions, SpendsNoMoreThanItsBudgetAndLosesNothing) {
+  Random random(305);
+  for (int k = 0; k < 60; ++k) {
+    const PileIsland island = disturbedTower(1 + k % 6, 1e3, 1, random);
+    Attempt<BodyMotion> attempt(island.problem);
+    const int budget = 1 + k % 15;
+    attempt.from(randomReactions(island.problem, 1, random), budget);
+    EXPECT_LE(attempt.best.residual, attempt.before);
+    EXPECT_LE(attempt.best.regions, budget);
+    EXPECT_EQ(attempt.best.regions, attempt.best.factorisations);
+  }
+}
+
+// It takes the vectors of the walk, and none of it shows there.
+TEST(ProximalReactions, LeaveTheWalkAsItWas) {
+  Random random(306);
+  const PileIsland island = disturbedTower(4, 10, 0.1, random);
+  const auto walk = [&](Attempt<BodyMotion>& attempt) {
+    NaturalMap map;
+    map.setProblem(island.problem);
+    Solution best = startFrom(island.problem, map, VectorXd::Zero(island.problem.size()));
+    attempt.newton().walk(island.problem, attempt.tolerance(), 1e-2, 200, best);
+    return best.r;
+  };
+  Attempt<BodyMotion> used(island.problem), fresh(island.problem);
+  used.fromRest();
+  EXPECT_EQ(walk(used), walk(fresh));
+}
+
+}  // namespace
+}  // namespace delassus
