@@ -61,16 +61,18 @@ struct Sum {
   template <int count, int sign>
   DELASSUS_WIDE_INLINE void add(const double* a, const Spread* b) {
 #pragma GCC unroll 1  // sums stay in registers
-    for (int k = 0; k < count; ++k) {
-      const Four upper = fourAt(a + 6 * k), lower = fourAt(a + 6 * k + 2);
-      const Four both = __builtin_shufflevector(lower, upper, 2, 3, 4, 5);
-      for (int pair = 0; pair < 3; ++pair) {
-        const Four products[3] = {upper * b[k].first[pair], both * b[k].both[pair],
-                                  lower * b[k].second[pair]};
-        for (int v = 0; v < 3; ++v) {
-          Four& sum = part[3 * pair + v];
-          sum = sign > 0 ? sum + products[v] : sum - products[v];
-        }
+    for (int k = 0; k < count; ++k) addOne<sign>(fourAt(a + 6 * k), fourAt(a + 6 * k + 2), b[k]);
+  }
+
+  /// Of one column, whose numbers but the last two are `upper`, and but the first two `lower`.
+  template <int sign>
+  DELASSUS_WIDE_INLINE void addOne(const Four& upper, const Four& lower, const Spread& b) {
+    const Four both = __builtin_shufflevector(lower, upper, 2, 3, 4, 5);
+    for (int pair = 0; pair < 3; ++pair) {
+      const Four products[3] = {upper * b.first[pair], both * b.both[pair], lower * b.second[pair]};
+      for (int v = 0; v < 3; ++v) {
+        Four& sum = part[3 * pair + v];
+        sum = sign > 0 ? sum + products[v] : sum - products[v];
       }
     }
   }
@@ -121,8 +123,11 @@ struct Rows {
   template <int column>
   DELASSUS_WIDE_INLINE double replace(int i, double by) {
     Four& part = column < 4 ? begin[i] : end[i];
-    const double before = part[column % 4];
-    part[column % 4] = by;
+    constexpr int at = column % 4;
+    const double before = part[at];
+    // One number alone would go through memory, and four be read.
+    part = __builtin_shufflevector(part, Four{by, by, by, by}, at == 0 ? 4 : 0, at == 1 ? 5 : 1,
+                                   at == 2 ? 6 : 2, at == 3 ? 7 : 3);
     return before;
   }
 };
@@ -194,12 +199,9 @@ DELASSUS_WIDE
 void addRowProducts(const double* a, const double* b, int stride, const double* weight, int count,
                     Mat6& to) {
   Sum sum(to.data());
-  for (int k = 0; k < count; ++k, a += stride, b += stride) {
-    double scaled[6];
-    for (int j = 0; j < 6; ++j) scaled[j] = weight[k] * b[j];
-    const Spread column(scaled);
-    sum.add<1, 1>(a, &column);
-  }
+#pragma GCC unroll 1
+  for (int k = 0; k < count; ++k, a += stride, b += stride)
+    sum.addOne<1>(weight[k] * fourAt(a), weight[k] * fourAt(a + 2), Spread(b));
   sum.store(to.data());
 }
 
