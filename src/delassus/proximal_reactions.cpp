@@ -1,4 +1,4 @@
-/// Newton's method in the space of reactions, with the vectors of the walk: F is center_, B F and then Δr are change_.
+/// Newton's method in the space of reactions, with the vectors of the walk.
 #include <algorithm>
 #include <cmath>
 
@@ -13,42 +13,60 @@ template <class Motion>
 class ProximalNewton<Motion>::Reactions {
  public:
   Reactions(ProximalNewton& walk, const Problem& problem, double alpha, Solution& at)
-      : walk_(walk), problem_(problem), perScale_(1 + alpha), r_(at.r), v_(at.u) {}
+      : problem_(problem),
+        motion_(walk.motion_),
+        scale_(walk.scale_),
+        l_(walk.l_),
+        perScale_(1 + alpha),
+        r_(at.r),
+        v_(at.u),
+        F_(walk.center_),
+        change_(walk.change_),
+        delta_(walk.delta_),
+        felt_(walk.trialU_),
+        last_(walk.u_),
+        kept_(walk.fromU_),
+        G_(walk.G_) {}
 
   double error();
   bool step(double& error);
   // v is not kept: nobody asks for it afterwards.
-  void keepLast() { walk_.fromU_.swap(walk_.u_); }
-  void goBack() { r_.swap(walk_.fromU_); }
+  void keepLast() { kept_.swap(last_); }
+  void goBack() { r_.swap(kept_); }
 
  private:
-  double rho(int at) const { return perScale_ * walk_.scale_[at]; }
+  double rho(int at) const { return perScale_ * scale_[at]; }
   void answer(int contact);
   void answerAll();
 
-  ProximalNewton& walk_;
   const Problem& problem_;
+  Motion& motion_;
+  const VectorXd &scale_, &l_;
   double perScale_;
   VectorXd &r_, &v_;
+  VectorXd& F_;
+  VectorXd& change_;         ///< B F, and then Δr
+  VectorXd &delta_, &felt_;  ///< δ and J̃ δ
+  VectorXd &last_, &kept_;   ///< r before the last step, and that to go back to
+  Stiffness& G_;
 };
 
 /// F at r and v. Returns ‖ρ F‖, m/s.
 template <class Motion>
 double ProximalNewton<Motion>::Reactions::error() {
   const int contactsEnd = 3 * problem_.contacts();
-  VectorXd& F = walk_.center_;
-  F.resize(problem_.size());
+  F_.resize(problem_.size());
   double sum = 0;
   for (int at = 0; at < contactsEnd; at += 3) {
     const Vec3 own = r_.segment<3>(at), z = own - v_.segment<3>(at) / rho(at);
-    F.segment<3>(at) = reactionTo(z, problem_.friction[at / 3], nullptr) - own;
-    sum += rho(at) * rho(at) * F.segment<3>(at).squaredNorm();
+    F_.segment<3>(at) = reactionTo(z, problem_.friction[at / 3], nullptr) - own;
+    sum += rho(at) * rho(at) * F_.segment<3>(at).squaredNorm();
   }
   for (int at = contactsEnd; at < problem_.size(); ++at) {
     const int row = at - contactsEnd;
     const double z = r_[at] - v_[at] / rho(at);
-    F[at] = std::clamp(z, problem_.lower[row], problem_.upper[row]) - r_[at];
-    sum += rho(at) * F[at] * rho(at) * F[at];
+    F_[at] = std::clamp(z, problem_.lower[row], problem_.upper[row]) - r_[at];
+    sum += rho(at) * F_[at] * rho(at) * F_[at];
   }
   return std::sqrt(sum);
 }
@@ -58,10 +76,10 @@ template <class Motion>
 void ProximalNewton<Motion>::Reactions::answer(int contact) {
   const int at = 3 * contact;
   const double mu = problem_.friction[contact], rho = this->rho(at);
-  const Vec3 z = r_.segment<3>(at) - v_.segment<3>(at) / rho, F = walk_.center_.segment<3>(at);
-  const Vec3 l = walk_.l_.segment<3>(at);
-  Mat3& G = walk_.G_.contacts[contact];
-  auto forced = walk_.change_.segment<3>(at);
+  const Vec3 z = r_.segment<3>(at) - v_.segment<3>(at) / rho, F = F_.segment<3>(at);
+  const Vec3 l = l_.segment<3>(at);
+  Mat3& G = G_.contacts[contact];
+  auto forced = change_.segment<3>(at);
   if (z[0] <= 0) {
     G.setZero();
     forced = F;
@@ -89,14 +107,14 @@ void ProximalNewton<Motion>::Reactions::answer(int contact) {
 template <class Motion>
 void ProximalNewton<Motion>::Reactions::answerAll() {
   const int contactsEnd = 3 * problem_.contacts();
-  walk_.change_.resize(problem_.size());
+  change_.resize(problem_.size());
   for (int i = 0; i < problem_.contacts(); ++i) answer(i);
   for (int at = contactsEnd; at < problem_.size(); ++at) {
     const int row = at - contactsEnd;
-    const double z = r_[at] - v_[at] / rho(at), l = walk_.l_[at], F = walk_.center_[at];
+    const double z = r_[at] - v_[at] / rho(at), l = l_[at], F = F_[at];
     const bool isFree = z > problem_.lower[row] && z < problem_.upper[row];
-    walk_.G_.rows[row] = isFree ? l : 0;
-    walk_.change_[at] = isFree ? rho(at) * l * F : F;
+    G_.rows[row] = isFree ? l : 0;
+    change_[at] = isFree ? rho(at) * l * F : F;
   }
 }
 
@@ -105,19 +123,18 @@ template <class Motion>
 bool ProximalNewton<Motion>::Reactions::step(double& error) {
   const int contactsEnd = 3 * problem_.contacts();
   answerAll();
-  VectorXd &change = walk_.change_, &felt = walk_.trialU_;
-  if (!walk_.motion_.factorise(walk_.G_)) return false;
-  walk_.motion_.impulse(change, walk_.delta_);
-  walk_.motion_.solve(walk_.delta_);
-  walk_.motion_.relativeVelocity(walk_.delta_, felt);
+  if (!motion_.factorise(G_)) return false;
+  motion_.impulse(change_, delta_);
+  motion_.solve(delta_);
+  motion_.relativeVelocity(delta_, felt_);
   for (int at = 0; at < contactsEnd; at += 3)
-    change.segment<3>(at).noalias() -= walk_.G_.contacts[at / 3] * felt.segment<3>(at);
+    change_.segment<3>(at).noalias() -= G_.contacts[at / 3] * felt_.segment<3>(at);
   const int rows = problem_.rows();
-  change.tail(rows) -= walk_.G_.rows.cwiseProduct(felt.tail(rows));
-  if (!change.allFinite()) return false;
-  walk_.u_ = r_;  // the last
-  r_ += change;
-  v_ += felt + change.cwiseQuotient(walk_.l_);
+  change_.tail(rows) -= G_.rows.cwiseProduct(felt_.tail(rows));
+  if (!change_.allFinite()) return false;
+  last_ = r_;
+  r_ += change_;
+  v_ += felt_ + change_.cwiseQuotient(l_);
   error = this->error();
   return true;
 }
