@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "delassus/active_set.h"
@@ -63,14 +62,6 @@ struct Solution {
     u = other.u;
     residual = other.residual;
     residualRms = other.residualRms;
-  }
-
-  /// Exchanges them.
-  void swapReactions(Solution& other) {
-    r.swap(other.r);
-    u.swap(other.u);
-    std::swap(residual, other.residual);
-    std::swap(residualRms, other.residualRms);
   }
 
   std::size_t bytes() const {
