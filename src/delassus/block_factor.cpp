@@ -70,7 +70,7 @@ void BlockFactor::addRows(const ScalarRow* rows, const double* g, int count, int
   const BlockPattern::Target& t = pattern().target[edge];
   const double *first = t.reversed ? Ja : Jb, *second = t.reversed ? Jb : Ja;
   addRowProducts(first, second, stride, g, count, lower_[t.at]);
-  // Two rows of one body pair are of the same factor: block (column, row) is the transpose of block (row, column), as which it is kept.
+  // Rows answer alike both ways: block (column, row) is the transpose of block (row, column), and upper_ keeps transposes.
   if (!symmetric_) addRowProducts(first, second, stride, g, count, upper_[t.at]);
 }
 
