@@ -58,7 +58,7 @@ inline void complete(const Problem& problem, const NaturalMap& map, VectorXd& sc
 /// shrinks where that is slow, and grows where no r is found.
 ///
 /// From `best`, until its natural residual is at most `tolerance` (m/s), or some digits less where they come by themselves: true; or until
-/// `budget` steps are made, which it is less by then, or nothing is gained. `moveOn` is a descent around a center to the next one, which it
+/// `budget` steps are made, which it is less by then, or two moves gain little. `moveOn` is a descent around a center to the next one, which it
 /// completes:
 ///
 ///     Descent moveOn(const Solution& center, double alpha, double enough, int budget, Solution& next)
@@ -71,8 +71,10 @@ bool moveCenters(const MoveOn& moveOn, const NaturalMap& map, double tolerance, 
   // How the weight shrinks: less boldly after a failure, and more so again once two moves in a row were found.
   constexpr double boldest = 1e-2;
   constexpr double fine = 1e-2, slow = 1e-2, tooSlow = 0.3;  // shares of the residual
-  double shrink = boldest;
-  int foundInARow = 0;
+  constexpr double gain = 0.5;
+  constexpr int patience = 2;
+  double shrink = boldest, mark = best.residual;
+  int foundInARow = 0, idle = 0;
   for (double alpha = unknownRegion; budget > 0;) {
     const double before = best.residual;
     const double enough =
@@ -84,6 +86,9 @@ bool moveCenters(const MoveOn& moveOn, const NaturalMap& map, double tolerance, 
     // Some digits more if they come by themselves.
     const double aim = now > tooSlow * before ? tolerance : polishedShare * tolerance;
     if (best.residual <= std::max(aim, map.roundOff(best.r))) return true;
+    ++idle;
+    if (best.residual < gain * mark) mark = best.residual, idle = 0;
+    if (idle >= patience) break;
     if (!descent.isFound || !(now < before)) {
       if (alpha >= most) break;
       alpha *= growth;
