@@ -157,7 +157,7 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
     for (int i : island.frictional) answer.contacts[i].setZero();
     for (int i : island.frictionless) answer.contacts[i].setZero();
     for (int i : island.rows) answer.rows[i] = 0;
-    const NaturalResidual atRest = naturalResidual(problem, VectorXd::Zero(problem.size()));
+    const VelocityResidual atRest = naturalResidual(problem, VectorXd::Zero(problem.size()));
     result.status = Status::NonFinite;
     result.residualMax = atRest.max;
     result.residualRms = atRest.rms;

@@ -3,7 +3,7 @@
 #
 #   Eigen <-- src/delassus <-- bullet_ext <-- demos/scenes <-- demos/{hello, main, render, atlas, report}
 #   (src/delassus also reads the processor's control word: xmmintrin.h)
-#   render, atlas and report do not know each other; tests may include everything, nothing includes tests.
+#   demos/whole_file <-- {atlas, report}, which do not know each other, nor render; tests may include everything, nothing includes tests.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -29,7 +29,7 @@ check src/**/*.{h,cpp} -- "$core"
 check bullet_ext/**/*.{h,cpp} -- "$door"
 check demos/scenes/**/*.{h,cpp} -- "$scenes"
 check demos/render/**/*.{h,cpp} -- "$scenes|$pictures|\"demos/render/[a-z_]+\.h\""
-check demos/atlas/**/*.{h,cpp} -- "$scenes|$vectors|\"demos/atlas/[a-z_]+\.h\""
+check demos/atlas/**/*.{h,cpp} -- "$scenes|$vectors|\"demos/(atlas/[a-z_]+|whole_file)\.h\""
 check demos/report/**/*.{h,cpp} -- "$programs|\"demos/(report/(stability/)?)?[a-z_]+\.h\""
 check demos/*.{h,cpp} -- "$programs|\"demos/((render|atlas|report|report/stability)/)?[a-z_]+\.h\""
 

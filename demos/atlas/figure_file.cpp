@@ -3,9 +3,10 @@
 #include <cairo-svg.h>
 
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
+
+#include "demos/whole_file.h"
 
 namespace demos::atlas {
 
@@ -48,18 +49,6 @@ std::string svgOf(const Figure& figure) {
   drawOn(surface.get(), figure);
   cairo_surface_finish(surface.get());
   return bytes;
-}
-
-void writeFile(const std::filesystem::path& path, const std::string& bytes) {
-  const std::filesystem::path part = path.string() + ".part";
-  std::ofstream file(part, std::ios::binary);
-  file << bytes;
-  file.close();
-  std::error_code failed;
-  if (file) std::filesystem::rename(part, path, failed);
-  if (file && !failed) return;
-  std::filesystem::remove(part, failed);
-  throw std::runtime_error("cannot write '" + path.string() + "'");
 }
 
 }  // namespace

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+
+#include "demos/whole_file.h"
 
 namespace demos::report {
 
@@ -89,26 +90,6 @@ std::string csvNumber(double value) {
   char word[32];
   std::snprintf(word, sizeof word, "%.9g", value);
   return word;
-}
-
-void writeFile(const std::filesystem::path& file, const std::string& text) {
-  const std::filesystem::path unfinished = file.string() + ".unfinished";
-  std::ofstream out(unfinished, std::ios::binary);
-  out << text;
-  out.close();
-  std::error_code error;
-  if (out) std::filesystem::rename(unfinished, file, error);
-  if (out && !error) return;
-  std::filesystem::remove(unfinished, error);
-  throw std::runtime_error("cannot write '" + file.string() + "'");
-}
-
-std::string readFile(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw std::runtime_error("cannot read '" + file.string() + "'");
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
 }
 
 }  // namespace demos::report

@@ -18,7 +18,7 @@ class CsvTable {
   /// The same as a number; NaN if it is none.
   double number(int row, const std::string& column) const;
 
-  /// Whole or not at all: a file of that name is a complete one. Throws std::runtime_error.
+  /// As writeFile.
   void write(const std::filesystem::path& file) const;
   static CsvTable read(const std::filesystem::path& file);
 
@@ -29,9 +29,5 @@ class CsvTable {
 
 /// A number as CSV files keep it: nine digits tell a double's first half, which is more than any measure here knows.
 std::string csvNumber(double value);
-
-/// Writes `text`, whole or not at all. Throws std::runtime_error that names the file.
-void writeFile(const std::filesystem::path& file, const std::string& text);
-std::string readFile(const std::filesystem::path& file);
 
 }  // namespace demos::report

@@ -10,6 +10,7 @@
 #include "demos/report/child.h"
 #include "demos/report/csv.h"
 #include "demos/report/label_places.h"
+#include "demos/whole_file.h"
 
 namespace demos::report {
 

@@ -8,6 +8,7 @@
 #include "demos/report/child.h"
 #include "demos/report/figure.h"
 #include "demos/subject.h"
+#include "demos/whole_file.h"
 
 namespace demos::report {
 

@@ -3,6 +3,7 @@
 #include "demos/command.h"
 #include "demos/report/machine.h"
 #include "demos/report/part.h"
+#include "demos/whole_file.h"
 
 namespace demos::report {
 

@@ -68,7 +68,7 @@ void JudgedSolver::afterGroup(const GroupArguments& arguments) {
     for (const int i : island.rows) r[next++] = rows[i];
     if (!problem.disks.empty()) addTurning(island, problem, r);
 
-    const NaturalResidual residual = naturalResidual(problem, r);
+    const VelocityResidual residual = naturalResidual(problem, r);
     const long count = problem.contacts() + problem.rows();
     verdict_.max = largerOf(verdict_.max, residual.max);
     verdict_.sumOfSquares += residual.rms * residual.rms * double(count);

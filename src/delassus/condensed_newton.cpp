@@ -114,7 +114,8 @@ Descent CondensedNewton::moveOn(const Solution& center, double alpha, double eno
   for (int i = 0; i < n; ++i) change_[left_[i]] = steps_.r[i] - center.r[left_[i]];
   letHeldAnswer(center.u);
   next.r = center.r + change_;
-  complete(*problem_, *map_, delta_, next);
+  makeFeasible(*problem_, next.r);
+  next.setResidual(map_->measure(next.r, delta_, next.u));
   return descent;
 }
 

@@ -46,8 +46,7 @@ bool DenseNewton<Most>::judge(const Problem& problem, const NaturalMap& map, dou
   if (!(residual.max <= tolerance)) return false;
   best.r = candidate_.r;
   best.u = candidate_.u;
-  best.residual = residual.max;
-  best.residualRms = residual.rms;
+  best.setResidual(residual);
   return true;
 }
 

@@ -294,8 +294,7 @@ bool InteriorPoint<Motion>::solve(Motion& motion, const Problem& problem, const 
     if (now < best.residual) {
       best.r = r_;
       best.u = u_;
-      best.residual = now;
-      best.residualRms = measured.rms;
+      best.setResidual(measured);
     }
     if (now <= std::max(tolerance, map.roundOff(r_))) return true;
     if (idle > mostIdle) return false;

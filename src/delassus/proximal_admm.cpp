@@ -52,14 +52,11 @@ bool ProximalNewton<Motion>::alternate(const Problem& problem, double tolerance,
     alternateOnce(problem);
     ++best.sweeps;
     if (k % between != 0) continue;
-    problem.W.multiply(center_, felt_, trialU_);
-    trialU_ += problem.q;
-    const VelocityResidual residual = map_->residual(center_, trialU_);
+    const VelocityResidual residual = map_->measure(center_, felt_, trialU_);
     if (residual.max < best.residual) {
       best.r = center_;
       best.u = trialU_;
-      best.residual = residual.max;
-      best.residualRms = residual.rms;
+      best.setResidual(residual);
     }
     if (best.residual <= tolerance) return true;
     ++idle;

@@ -43,17 +43,6 @@ Descent descend(Steps& steps, double enough, int budget) {
   return {least <= enough, made};
 }
 
-/// Puts r into the cones and bounds, and completes its u and residual. `scratch` is of a motion.
-inline void complete(const Problem& problem, const NaturalMap& map, VectorXd& scratch,
-                     Solution& candidate) {
-  makeFeasible(problem, candidate.r);
-  problem.W.multiply(candidate.r, scratch, candidate.u);
-  candidate.u += problem.q;
-  const VelocityResidual residual = map.residual(candidate.r, candidate.u);
-  candidate.residual = residual.max;
-  candidate.residualRms = residual.rms;
-}
-
 /// Moves the center r_k of a proximal method, which takes u + α W_aa (r − r_k) for u: then r_k ← r. The fixed points know nothing of α. It
 /// shrinks where that is slow, and grows where no r is found.
 ///

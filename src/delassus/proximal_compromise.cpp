@@ -52,11 +52,7 @@ void ProximalNewton<Motion>::compromise(const Problem& problem, Solution& best) 
   if ((rows < problem.lower.array()).any() || (rows > problem.upper.array()).any() ||
       std::any_of(problem.disks.begin(), problem.disks.end(), narrow))
     best.r = r_;
-  problem.W.multiply(best.r, felt_, best.u);
-  best.u += problem.q;
-  const VelocityResidual residual = map_->residual(best.r, best.u);
-  best.residual = residual.max;
-  best.residualRms = residual.rms;
+  best.setResidual(map_->measure(best.r, felt_, best.u));
   // Compared in √J: the units of a row must not decide whether it is named.
   shares = scale_.cwiseSqrt().cwiseProduct(d);
   const double largest = shares.cwiseAbs().maxCoeff();
@@ -77,7 +73,7 @@ bool ProximalNewton<Motion>::yield(const Problem& problem, double tolerance, dou
   setWeights(alpha);
   if (solveProximal(problem, regionBudget, best, nullptr) == Inner::Failed) return false;
   best.residual = infinity;
-  moveTo(measure(problem), best);
+  moveTo(measure(), best);
   return true;
 }
 

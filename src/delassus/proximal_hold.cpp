@@ -134,7 +134,7 @@ bool ProximalNewton<Motion>::holdOn(const Problem& problem, double tolerance, in
       continue;
     }
     const double residualBefore = residual;
-    const VelocityResidual measured = measure(problem);
+    const VelocityResidual measured = measure();
     residual = measured.max;
     moveTo(measured, best);
     if (residual <= polishedShare * tolerance || residual > 0.1 * residualBefore) break;

@@ -205,21 +205,13 @@ Outcome ProximalNewton<Motion>::walkFromRegion(const Problem& problem, double to
 }
 
 template <class Motion>
-VelocityResidual ProximalNewton<Motion>::measure(const Problem& problem) {
-  problem.W.multiply(r_, felt_, trialU_);
-  trialU_ += problem.q;
-  return map_->residual(r_, trialU_);
-}
-
-template <class Motion>
 void ProximalNewton<Motion>::moveTo(const VelocityResidual& residual, Solution& best) {
   center_ = r_;
   u_.swap(trialU_);
   if (!(residual.max < best.residual)) return;
   best.r = center_;
   best.u = u_;
-  best.residual = residual.max;
-  best.residualRms = residual.rms;
+  best.setResidual(residual);
 }
 
 template <class Motion>
@@ -231,7 +223,7 @@ void ProximalNewton<Motion>::polish(const Problem& problem, double tolerance, do
   setTolerance(tolerance);
   setWeights(alpha);
   if (solveProximal(problem, regionBudget, best, nullptr) == Inner::Failed) return;
-  moveTo(measure(problem), best);
+  moveTo(measure(), best);
 }
 
 template <class Motion>
@@ -253,7 +245,7 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
     const Solution* region = fromRegion && outer == 0 ? &best : nullptr;
     if (solveProximal(problem, regionBudget, best, region) == Inner::Failed) {
       // Where the budget ends, what is half done may be better than nothing.
-      if (regionBudget <= 0) moveTo(measure(problem), best);
+      if (regionBudget <= 0) moveTo(measure(), best);
       if (best.residual <= tolerance) return Outcome::Reached;
       if (fromRegion || regionBudget <= 0 || alpha >= largest) return Outcome::Lost;
       shrink = std::sqrt(shrink);
@@ -263,7 +255,7 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
     }
     easySteps = regionsBefore - regionBudget <= fewRegions ? easySteps + 1 : 0;
     if (easySteps > 1) shrink = std::max(boldest, shrink * std::sqrt(shrink));
-    const VelocityResidual measured = measure(problem);
+    const VelocityResidual measured = measure();
     const double now = measured.max;
     if (now > std::max(0.5 * residual, tolerance) && alpha <= hardly &&
         growsInVain(problem, tolerance, now)) {

@@ -121,7 +121,7 @@ class ProximalNewton {
   /// The inner accuracy that answers within this tolerance need.
   void setTolerance(double tolerance);
   /// The natural residual of r_, whose u goes to trialU_.
-  VelocityResidual measure(const Problem& problem);
+  VelocityResidual measure() { return map_->measure(r_, felt_, trialU_); }
   /// r_ is the next center, and the best answer if `residual` is the smallest.
   void moveTo(const VelocityResidual& residual, Solution& best);
   void alternateOnce(const Problem& problem);

@@ -149,7 +149,8 @@ bool ProximalNewton<Motion>::react(const Problem& problem, double tolerance, int
     to.takeReactions(from);
     Reactions reactions(*this, problem, alpha, to);
     const Descent descent = descend(reactions, enough, steps);
-    complete(problem, *map_, felt_, to);
+    makeFeasible(problem, to.r);
+    to.setResidual(map_->measure(to.r, felt_, to.u));
     return descent;
   };
   int left = budget;

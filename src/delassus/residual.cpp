@@ -105,28 +105,28 @@ double squareOfContact(const Vec3& r, const Vec3& u, double mu, double size) {
   return Vec3(x[0] - n, x[1] - share * z[1], x[2] - share * z[2]).squaredNorm();
 }
 
-/// Calls `visit(k, first, unknowns, (‖F‖/ρ)²)` with F = r − P(r − ρ v), 1/ρ = size(k), for each contact and then each row k, or
-/// disk whose first row is k, with so many unknowns from `first`.
+/// Calls `visit(k, first, (‖F‖/ρ)²)` with F = r − P(r − ρ v), 1/ρ = size(k), for each contact and then each row k, or
+/// disk whose first row is k; its first unknown is `first`.
 template <class Size, class Visit>
 void visitNaturalMap(const Problem& problem, const VectorXd& r, const VectorXd& u, Size size,
                      Visit visit) {
   const int n = problem.contacts();
   for (int a = 0; a < n; ++a)
-    visit(a, 3 * a, 3,
+    visit(a, 3 * a,
           squareOfContact(r.segment<3>(3 * a), u.segment<3>(3 * a), problem.friction[a], size(a)));
   const int plainRows = problem.disksBegin() - 3 * n;
   for (int i = 0; i < plainRows; ++i) {
     const int at = 3 * n + i;
     const double whole = size(n + i),
                  part = rowResidual(r[at], u[at], problem.lower[i], problem.upper[i], 1 / whole);
-    visit(n + i, at, 1, (whole * part) * (whole * part));
+    visit(n + i, at, (whole * part) * (whole * part));
   }
   for (const Disk& disk : problem.disks) {
     const int k = disk.first - 2 * n;
     const double whole = size(k);
     const Vec2 part =
         disk.of(r) - projectOnDisk(disk.of(r) - 1 / whole * disk.of(u), disk.radiusAt(r));
-    visit(k, disk.first, disk.unknowns, (whole * part).squaredNorm());
+    visit(k, disk.first, (whole * part).squaredNorm());
   }
 }
 
@@ -176,7 +176,7 @@ VelocityResidual NaturalMap::residual(const VectorXd& r, const VectorXd& u) cons
   VelocityResidual residual;
   double largest = 0, sum = 0;
   const auto size = [&](int k) { return sizes_[k]; };
-  visitNaturalMap(*problem_, r, u, size, [&](int, int first, int, double square) {
+  visitNaturalMap(*problem_, r, u, size, [&](int, int first, double square) {
     // A NaN is the worst of all: it must not pass for a small residual.
     if (residual.worst < 0 || square > largest || std::isnan(square)) {
       largest = square;
@@ -189,32 +189,30 @@ VelocityResidual NaturalMap::residual(const VectorXd& r, const VectorXd& u) cons
   return residual;
 }
 
-NaturalResidual NaturalMap::residualWithEnergy(const VectorXd& r, const VectorXd& u) const {
-  NaturalResidual residual{this->residual(r, u)};
-  double energy = 0, freeEnergy = 0;
-  const auto size = [&](int k) { return sizes_[k]; };
-  visitNaturalMap(*problem_, r, u, size, [&](int k, int first, int unknowns, double square) {
-    energy += square / sizes_[k];
-    freeEnergy += problem_->q.segment(first, unknowns).squaredNorm() / sizes_[k];
-  });
-  residual.energy = std::sqrt(ratio(energy, freeEnergy));
-  return residual;
+VelocityResidual NaturalMap::measure(const VectorXd& r, VectorXd& y, VectorXd& u) const {
+  if (r.any()) {
+    problem_->W.multiply(r, y, u);
+    u += problem_->q;
+  } else {
+    u = problem_->q;
+  }
+  return residual(r, u);
 }
 
 void NaturalMap::residuals(const VectorXd& r, const VectorXd& u, VectorXd& each) const {
   each.setZero(sizes_.size());
   const auto size = [&](int k) { return sizes_[k]; };
   visitNaturalMap(*problem_, r, u, size,
-                  [&](int k, int, int, double square) { each[k] = std::sqrt(square); });
+                  [&](int k, int, double square) { each[k] = std::sqrt(square); });
 }
 
-NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r, const VectorXd& u) {
+VelocityResidual naturalResidual(const Problem& problem, const VectorXd& r, const VectorXd& u) {
   NaturalMap map;
   map.setProblem(problem);
-  return map.residualWithEnergy(r, u);
+  return map.residual(r, u);
 }
 
-NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r) {
+VelocityResidual naturalResidual(const Problem& problem, const VectorXd& r) {
   VectorXd u = problem.W * r;
   u += problem.q;
   return naturalResidual(problem, r, u);
@@ -237,18 +235,13 @@ FclibMeasures fclibMeasures(const Problem& problem, const VectorXd& r) {
   double unscaled2 = 0, velocity2 = 0;
   visitNaturalMap(
       problem, r, u, [](int) { return 1.0; },
-      [&](int, int, int, double square) { unscaled2 += square; });
+      [&](int, int, double square) { unscaled2 += square; });
   visitNaturalMap(
       problem, r, u, [&](int k) { return size[k]; },
-      [&](int, int, int, double square) { velocity2 += square; });
+      [&](int, int, double square) { velocity2 += square; });
 
-  const double unscaled = std::sqrt(unscaled2), q = problem.q.norm();
-  FclibMeasures measures;
-  measures.rel = ratio(unscaled, q);
-  measures.merit1 = unscaled / (1 + std::sqrt(q));
-  measures.sic = ratio(unscaled, std::max({q, r.norm(), u.norm()}));
-  measures.vel = ratio(std::sqrt(velocity2), q);
-  return measures;
+  const double q = problem.q.norm();
+  return {ratio(std::sqrt(unscaled2), q), ratio(std::sqrt(velocity2), q)};
 }
 
 }  // namespace delassus

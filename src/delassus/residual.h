@@ -17,10 +17,6 @@ struct VelocityResidual {
   double rms = 0;  ///< root mean square of ‖F‖/ρ over contacts and rows, m/s
   int worst = -1;  ///< first unknown of the contact or row with the largest ‖F‖/ρ
 };
-/// The same with a measure that knows no units.
-struct NaturalResidual : VelocityResidual {
-  double energy = 0;  ///< √( Σ ‖F‖²/ρ  /  Σ ρ‖q‖² ), dimensionless
-};
 
 /// Measures many reactions of one problem: what depends on W alone is found once.
 class NaturalMap {
@@ -31,7 +27,8 @@ class NaturalMap {
   void setProblem(const Problem& problem, std::vector<Mat3> blocks, const VectorXd& norms);
 
   VelocityResidual residual(const VectorXd& r, const VectorXd& u) const;
-  NaturalResidual residualWithEnergy(const VectorXd& r, const VectorXd& u) const;
+  /// The same with u = W r + q, which is worked out; `y` is room for what bodies feel.
+  VelocityResidual measure(const VectorXd& r, VectorXd& y, VectorXd& u) const;
   /// ‖F‖/ρ one by one, m/s: of the contacts, then of the rows (of a disk in the place of its first).
   void residuals(const VectorXd& r, const VectorXd& u, VectorXd& each) const;
   /// What round-off alone leaves in u = W r + q, m/s: a few ε of the largest W_aa r_a. A residual cannot be read finer.
@@ -52,8 +49,8 @@ class NaturalMap {
 };
 
 /// One-off use, with u = W r + q.
-NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r, const VectorXd& u);
-NaturalResidual naturalResidual(const Problem& problem, const VectorXd& r);
+VelocityResidual naturalResidual(const Problem& problem, const VectorXd& r, const VectorXd& u);
+VelocityResidual naturalResidual(const Problem& problem, const VectorXd& r);
 /// ‖W_aa‖ = 1/ρ of one contact, 1/kg, and with it ‖F‖/ρ, m/s.
 double contactSize(const Mat3& W);
 double naturalResidual(double size, double friction, const Vec3& r, const Vec3& u);
@@ -65,10 +62,8 @@ inline double rowResidual(double r, double u, double lower, double upper, double
 
 /// The published measures on problem files: unit-dependent, for comparison only.
 struct FclibMeasures {
-  double rel = 0;     ///< |F(1)| / |q|
-  double merit1 = 0;  ///< |F(1)| / (1 + √|q|)
-  double sic = 0;     ///< |F(1)| / max(|q|, |r|, |u|)
-  double vel = 0;     ///< |(F_i(s_i)/s_i)_i| / |q|, s_i = 3 / trace(W_ii); for rows s_i = 1/|W_ii|
+  double rel = 0;  ///< |F(1)| / |q|
+  double vel = 0;  ///< |(F_i(s_i)/s_i)_i| / |q|, s_i = 3 / trace(W_ii); for rows s_i = 1/|W_ii|
 };
 
 FclibMeasures fclibMeasures(const Problem& problem, const VectorXd& r);

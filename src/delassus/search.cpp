@@ -43,14 +43,7 @@ bool Search::hasNoWalk(const Problem& problem, const Options& options, const Sol
 }
 
 void Search::measure(const Problem& problem, Solution& candidate) {
-  candidate.u = problem.q;
-  if (candidate.r.any()) {
-    problem.W.multiply(candidate.r, felt_, candidate.u);
-    candidate.u += problem.q;
-  }
-  const VelocityResidual residual = map_.residual(candidate.r, candidate.u);
-  candidate.residual = residual.max;
-  candidate.residualRms = residual.rms;
+  candidate.setResidual(map_.measure(candidate.r, felt_, candidate.u));
 }
 
 void Search::consider(const Problem& problem, Solution& candidate, Solution& best) {
@@ -93,9 +86,7 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
   if (result.status != Status::Incompatible) return Outcome::Lost;
   best.r = result.r;
   best.u = result.u;
-  const VelocityResidual residual = map_.residual(best.r, best.u);
-  best.residual = residual.max;
-  best.residualRms = residual.rms;
+  best.setResidual(map_.residual(best.r, best.u));
   best.blamed = result.blamed;
   return Outcome::Incompatible;
 }

@@ -81,7 +81,7 @@ class Search {
   /// Made when they are needed first: a problem that a formula answers needs none.
   Machines& machines() {
     if (!machines_) {
-      own_ = std::make_unique<Machines>();
+      own_.reset(new Machines);  // make_unique would set all its dense matrices to zero first
       machines_ = own_.get();
     }
     return *machines_;

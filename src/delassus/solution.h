@@ -5,6 +5,7 @@
 
 #include "delassus/active_set.h"
 #include "delassus/bytes.h"
+#include "delassus/residual.h"
 #include "delassus/types.h"
 
 namespace delassus {
@@ -62,6 +63,11 @@ struct Solution {
     u = other.u;
     residual = other.residual;
     residualRms = other.residualRms;
+  }
+
+  void setResidual(const VelocityResidual& measured) {
+    residual = measured.max;
+    residualRms = measured.rms;
   }
 
   std::size_t bytes() const {

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "demos/whole_file.h"
+
 namespace demos::report {
 namespace {
 

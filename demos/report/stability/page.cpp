@@ -11,6 +11,7 @@
 #include "demos/report/markdown.h"
 #include "demos/report/stability/strips.h"
 #include "demos/table.h"
+#include "demos/whole_file.h"
 
 namespace demos::report::stability {
 
