@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-1.51091 0.00131116 1.51091 1.51091
+0.060202 0.0012519 0.060202 0.060202
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.724495 0.00271213 0.724495 0.724495
+0.706063 0.00316012 0.706063 0.706063
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.013279 58.5231 0.013279 0.013279
+0.022589 58.5231 0.022589 0.022589
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.043907 52.8113 0.043907 0.043907
+0.0809 52.8113 0.0809 0.0809
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.167201 52.0951 0.167201 0.167201
+0.241094 52.0951 0.241094 0.241094
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.71136 51.863 0.71136 0.71136
+1.52134 51.863 1.52134 1.52134
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.204039 0.0289805 0.204039 0.204039
+0.262521 0.0289805 0.262521 0.262521
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.014204 56.2986 0.014204 0.014204
+0.026652 56.2986 0.026652 0.026652
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.057987 51.9634 0.057987 0.057987
+0.107925 51.9634 0.107925 0.107925
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.173077 53.4827 0.173077 0.173077
+0.22521 53.4827 0.22521 0.22521
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.04403 58.4105 0.04403 0.04403
+0.068914 58.4105 0.068914 0.068914
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.092949 53.9692 0.092949 0.092949
+0.161341 53.9692 0.161341 0.161341
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-12.5059 0.529591 12.5059 12.5059
+25.7785 0.293547 25.7785 25.7785
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-1.51091 0.00124702 1.51091 1.51091
+0.060202 0.000442927 0.060202 0.060202
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.724495 0.00216867 0.724495 0.724495
+0.706063 0.00232112 0.706063 0.706063
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.013279 0.0860226 0.013279 0.013279
+0.022589 0.0860226 0.022589 0.022589
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.043907 0.125669 0.043907 0.043907
+0.0809 0.125669 0.0809 0.0809
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.167201 0.0745132 0.167201 0.167201
+0.241094 0.0745132 0.241094 0.241094
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.71136 0.141876 0.71136 0.71136
+1.52134 0.141876 1.52134 1.52134
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.204039 0.00548533 0.204039 0.204039
+0.262521 0.00548533 0.262521 0.262521
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.014204 0.07651 0.014204 0.014204
+0.026652 0.07651 0.026652 0.026652
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.057987 0.0918368 0.057987 0.057987
+0.107925 0.0918368 0.107925 0.107925
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.173077 0.166559 0.173077 0.173077
+0.22521 0.166559 0.22521 0.22521
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.04403 0.13303 0.04403 0.04403
+0.068914 0.13303 0.068914 0.068914
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.092949 0.0948268 0.092949 0.092949
+0.161341 0.0948268 0.161341 0.161341
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-12.5059 0.00786191 12.5059 12.5059
+25.7785 0.00786191 25.7785 25.7785
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-1.51091 0.0108483 1.51091 1.51091
+0.060202 1e-12 0.060202 0.060202
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.724495 0.0195497 0.724495 0.724495
+0.706063 0.00976497 0.706063 0.706063
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.013279 0.152558 0.013279 0.013279
+0.022589 0.152558 0.022589 0.022589
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.043907 0.180157 0.043907 0.043907
+0.0809 0.180157 0.0809 0.0809
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.167201 0.271838 0.167201 0.167201
+0.241094 0.271838 0.241094 0.241094
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.71136 0.249463 0.71136 0.71136
+1.52134 0.249463 1.52134 1.52134
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.204039 0.0503998 0.204039 0.204039
+0.262521 0.0503998 0.262521 0.262521
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.014204 0.189352 0.014204 0.014204
+0.026652 0.189352 0.026652 0.026652
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.057987 0.172081 0.057987 0.057987
+0.107925 0.172081 0.107925 0.107925
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.173077 0.257695 0.173077 0.173077
+0.22521 0.257695 0.22521 0.22521
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.04403 0.141583 0.04403 0.04403
+0.068914 0.141583 0.068914 0.068914
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.092949 0.156361 0.092949 0.092949
+0.161341 0.156361 0.161341 0.161341
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-12.5059 1e-12 12.5059 12.5059
+25.7785 1e-12 25.7785 25.7785
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00717898:375.733]
+set xrange [0.0120034:852.056]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -223,25 +223,24 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.519263, graph 0.186276 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.451619, graph 0.238885 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.334996, graph 0.410351 left front noenhanced textcolor rgb '#e69f00'
-set label "lemke (cut)" at graph 0.713778, graph 0.620657 left front noenhanced textcolor rgb '#999999'
-set label "si:1000" at graph 0.449935, graph 0.952476 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.219208, graph 0.92934 left front noenhanced textcolor rgb '#009e73'
-set label "si:200" at graph 0.316671, graph 0.871334 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.289729, graph 0.952799 to graph 0.316671, graph 0.871334 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.027467, graph 0.930512 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.131256, graph 0.873237 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.292907, graph 0.954702 to graph 0.265966, graph 0.873237 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.262633, graph 0.815702 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.235691, graph 0.955358 to graph 0.262633, graph 0.815702 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.0897433, graph 0.818761 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0628014, graph 0.958416 to graph 0.0897433, graph 0.818761 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.193866, graph 0.763237 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.166925, graph 0.961082 to graph 0.193866, graph 0.763237 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.0835457, graph 0.705187 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0566038, graph 0.961221 to graph 0.0835457, graph 0.705187 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.171301, graph 0.182928 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.391708, graph 0.24995 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.303136, graph 0.410351 left front noenhanced textcolor rgb '#e69f00'
+set label "lemke (cut)" at graph 0.713778, graph 0.577946 left front noenhanced textcolor rgb '#999999'
+set label "si:1000" at graph 0.46043, graph 0.952476 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.223558, graph 0.92934 left front noenhanced textcolor rgb '#009e73'
+set label "si:200" at graph 0.295513, graph 0.976075 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0316138, graph 0.930512 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.289412, graph 0.873237 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.26247, graph 0.954702 to graph 0.289412, graph 0.873237 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.259554, graph 0.815702 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.232613, graph 0.955358 to graph 0.259554, graph 0.815702 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.098353, graph 0.876951 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0714111, graph 0.958416 to graph 0.098353, graph 0.876951 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.1834, graph 0.763237 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.156458, graph 0.961082 to graph 0.1834, graph 0.763237 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.0835457, graph 0.821566 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0566038, graph 0.961221 to graph 0.0835457, graph 0.821566 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -264,7 +263,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00717898:375.733]
+set xrange [0.0120034:852.056]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -275,23 +274,23 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.519263, graph 0.273968 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.451619, graph 0.334048 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.334996, graph 0.434801 left front noenhanced textcolor rgb '#e69f00'
+set label "delassus" at graph 0.171301, graph 0.161583 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.391708, graph 0.341424 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.303136, graph 0.434801 left front noenhanced textcolor rgb '#e69f00'
 set label "lemke (cut)" at graph 0.713778, graph 0.473882 left front noenhanced textcolor rgb '#999999'
-set label "si:200" at graph 0.316671, graph 0.718058 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.0897433, graph 0.709292 left front noenhanced textcolor rgb '#009e73'
+set label "si:200" at graph 0.295513, graph 0.718058 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.098353, graph 0.709292 left front noenhanced textcolor rgb '#009e73'
 set label "si:10" at graph 0.0835457, graph 0.815119 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.733653 to graph 0.0835457, graph 0.815119 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:50" at graph 0.00816279, graph 0.76403 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig:1e-6" at graph 0.262633, graph 0.662767 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.235691, graph 0.744233 to graph 0.262633, graph 0.662767 nohead lw 0.6 lc rgb '#555555'
-set label "si:50" at graph 0.193609, graph 0.86791 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.166667, graph 0.774807 to graph 0.193609, graph 0.86791 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.193866, graph 0.920642 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.166925, graph 0.780987 to graph 0.193866, graph 0.920642 nohead lw 0.6 lc rgb '#555555'
-set label "si:1000" at graph 0.449935, graph 0.787977 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.319849, graph 0.840306 left front noenhanced textcolor rgb '#cc79a7'
+set label "nncg:50" at graph 0.223558, graph 0.775668 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.259554, graph 0.662767 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.232613, graph 0.744233 to graph 0.259554, graph 0.662767 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.0316138, graph 0.763169 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.1834, graph 0.862453 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.156458, graph 0.780987 to graph 0.1834, graph 0.862453 nohead lw 0.6 lc rgb '#555555'
+set label "si:1000" at graph 0.46043, graph 0.787977 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.289412, graph 0.910133 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.26247, graph 0.805392 to graph 0.289412, graph 0.910133 nohead lw 0.6 lc rgb '#cc79a7'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -314,7 +313,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00717898:375.733]
+set xrange [0.0120034:852.056]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -325,26 +324,24 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
+set label "delassus" at graph 0.171301, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
 set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "delassus" at graph 0.519263, graph 0.848874 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.105864, graph 0.868549 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.334996, graph 0.923463 left front noenhanced textcolor rgb '#e69f00'
-set label "dantzig" at graph 0.193866, graph 0.818314 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.166925, graph 0.934693 to graph 0.193866, graph 0.818314 nohead lw 0.6 lc rgb '#555555'
+set label "delassus:1e-3" at graph 0.391708, graph 0.845359 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.303136, graph 0.900187 left front noenhanced textcolor rgb '#e69f00'
+set label "dantzig" at graph 0.1834, graph 0.853228 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.156458, graph 0.934693 to graph 0.1834, graph 0.853228 nohead lw 0.6 lc rgb '#555555'
 set label "si:10" at graph 0.0835457, graph 0.972101 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.262633, graph 0.763441 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.235691, graph 0.93801 to graph 0.262633, graph 0.763441 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.00816279, graph 0.813193 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.192266, graph 0.94121 to graph 0.165324, graph 0.813193 nohead lw 0.6 lc rgb '#009e73'
-set label "si:50" at graph 0.027467, graph 0.756536 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.166667, graph 0.942742 to graph 0.139725, graph 0.756536 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.0897433, graph 0.700009 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0628014, graph 0.944405 to graph 0.0897433, graph 0.700009 nohead lw 0.6 lc rgb '#009e73'
-set label "si:1000" at graph 0.449935, graph 0.709219 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.422993, graph 0.953616 to graph 0.449935, graph 0.709219 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.131256, graph 0.919787 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.316671, graph 0.653899 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.289729, graph 0.956485 to graph 0.316671, graph 0.653899 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.259554, graph 0.798355 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.232613, graph 0.93801 to graph 0.259554, graph 0.798355 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.0125133, graph 0.906296 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.0316138, graph 0.849639 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.170814, graph 0.942742 to graph 0.143872, graph 0.849639 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.098353, graph 0.793112 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0714111, graph 0.944405 to graph 0.098353, graph 0.793112 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000" at graph 0.46043, graph 0.953616 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.289412, graph 0.9547 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.295513, graph 0.747003 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.268571, graph 0.956485 to graph 0.295513, graph 0.747003 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

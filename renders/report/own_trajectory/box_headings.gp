@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.04648 1e-12 0.04648 0.04648
+0.04863 1e-12 0.04863 0.04863
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.030057 1e-12 0.030057 0.030057
+0.042117 1e-12 0.042117 0.042117
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.018079 1e-12 0.018079 0.018079
+0.019574 1e-12 0.019574 0.019574
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.06537 1e-12 0.06537 0.06537
+0.085457 1e-12 0.085457 0.085457
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.250811 1e-12 0.250811 0.250811
+0.331855 1e-12 0.331855 0.331855
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-1.2014 1e-12 1.2014 1.2014
+1.62174 1e-12 1.62174 1.62174
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.144834 1e-12 0.144834 0.144834
+0.128117 1e-12 0.128117 0.128117
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.032653 1e-12 0.032653 0.032653
+0.028772 1e-12 0.028772 0.028772
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.123943 1e-12 0.123943 0.123943
+0.114266 1e-12 0.114266 0.114266
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.294407 1e-12 0.294407 0.294407
+0.201824 1e-12 0.201824 0.201824
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.055983 1e-12 0.055983 0.055983
+0.068212 1e-12 0.068212 0.068212
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.154245 1e-12 0.154245 0.154245
+0.325564 1e-12 0.325564 0.325564
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-2.34262 1e-12 2.34262 2.34262
+3.97235 1e-12 3.97235 3.97235
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.04648 0.0168827 0.04648 0.04648
+0.04863 0.0168827 0.04863 0.04863
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.030057 0.0135223 0.030057 0.030057
+0.042117 0.0123288 0.042117 0.042117
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.018079 0.0111974 0.018079 0.018079
+0.019574 0.0111974 0.019574 0.019574
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.06537 0.0144332 0.06537 0.06537
+0.085457 0.0144332 0.085457 0.085457
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.250811 0.0144332 0.250811 0.250811
+0.331855 0.0144332 0.331855 0.331855
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-1.2014 0.0144332 1.2014 1.2014
+1.62174 0.0144332 1.62174 1.62174
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.144834 0.0123557 0.144834 0.144834
+0.128117 0.0123557 0.128117 0.128117
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.032653 0.0131251 0.032653 0.032653
+0.028772 0.0131251 0.028772 0.028772
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.123943 0.0129979 0.123943 0.123943
+0.114266 0.0129979 0.114266 0.114266
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.294407 0.0141521 0.294407 0.294407
+0.201824 0.0141521 0.201824 0.201824
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.055983 0.0161089 0.055983 0.055983
+0.068212 0.0161089 0.068212 0.068212
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.154245 0.0122605 0.154245 0.154245
+0.325564 0.0122605 0.325564 0.325564
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-2.34262 0.0469486 2.34262 2.34262
+3.97235 0.0469486 3.97235 3.97235
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.04648 1.05947e-08 0.04648 0.04648
+0.04863 9.57905e-09 0.04863 0.04863
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.030057 0.0001168 0.030057 0.030057
+0.042117 0.000184433 0.042117 0.042117
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.018079 7.46436e-06 0.018079 0.018079
+0.019574 7.46436e-06 0.019574 0.019574
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.06537 7.6924e-09 0.06537 0.06537
+0.085457 7.6924e-09 0.085457 0.085457
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.250811 8.36709e-09 0.250811 0.250811
+0.331855 8.36709e-09 0.331855 0.331855
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-1.2014 1.32551e-08 1.2014 1.2014
+1.62174 1.32551e-08 1.62174 1.62174
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.144834 4.43081e-09 0.144834 0.144834
+0.128117 4.43081e-09 0.128117 0.128117
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.032653 0.000438412 0.032653 0.032653
+0.028772 0.000438412 0.028772 0.028772
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.123943 1.022e-08 0.123943 0.123943
+0.114266 1.022e-08 0.114266 0.114266
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.294407 7.00686e-09 0.294407 0.294407
+0.201824 7.00686e-09 0.201824 0.201824
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.055983 1.25939e-05 0.055983 0.055983
+0.068212 1.25939e-05 0.068212 0.068212
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.154245 7.66175e-09 0.154245 0.154245
+0.325564 7.66175e-09 0.325564 0.325564
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-2.34262 0.26307 2.34262 2.34262
+3.97235 0.26307 3.97235 3.97235
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0125246:8.20361]
+set xrange [0.0131089:15.6153]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -223,24 +223,25 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.229162, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.161938, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.212033, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.191732, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.281755, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.254813, graph 0.5 to graph 0.281755, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.489112, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.730689, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.404433, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.377491, graph 0.5 to graph 0.404433, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.174713, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.147771, graph 0.5 to graph 0.174713, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.380412, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.35347, graph 0.5 to graph 0.380412, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.513826, graph 0.534914 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.0468045, graph 0.418534 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.230908, graph 0.5 to graph 0.203966, graph 0.418534 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.414141, graph 0.371983 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.387199, graph 0.5 to graph 0.414141, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.291631, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.264689, graph 0.5 to graph 0.291631, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.48318, graph 0.488362 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.707184, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.348803, graph 0.593103 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.321861, graph 0.5 to graph 0.348803, graph 0.593103 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.137932, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.11099, graph 0.5 to graph 0.137932, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.121604, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.305707, graph 0.5 to graph 0.278765, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.412967, graph 0.44181 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.386025, graph 0.5 to graph 0.412967, graph 0.44181 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.259808, graph 0.371983 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.232866, graph 0.5 to graph 0.259808, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.480478, graph 0.395259 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.453536, graph 0.5 to graph 0.480478, graph 0.395259 nohead lw 0.6 lc rgb '#555555'
 set label "lemke" at graph 0.833669, graph 0.534914 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -264,7 +265,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0125246:8.20361]
+set xrange [0.0131089:15.6153]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -275,26 +276,26 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.0835457, graph 0.524559 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.414141, graph 0.544254 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.21584, graph 0.545934 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:50" at graph 0.380412, graph 0.603488 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.35347, graph 0.556936 to graph 0.380412, graph 0.603488 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.174713, graph 0.640517 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.147771, graph 0.559051 to graph 0.174713, graph 0.640517 nohead lw 0.6 lc rgb '#009e73'
-set label "delassus:1e-3" at graph 0.161938, graph 0.472423 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.134996, graph 0.565526 to graph 0.161938, graph 0.472423 nohead lw 0.6 lc rgb '#0060a8'
-set label "pgs:50" at graph 0.513826, graph 0.656877 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.486884, graph 0.575411 to graph 0.513826, graph 0.656877 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:50" at graph 0.281755, graph 0.696061 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.254813, graph 0.579682 to graph 0.281755, graph 0.696061 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.489112, graph 0.486578 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.46217, graph 0.579682 to graph 0.489112, graph 0.486578 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.730689, graph 0.579682 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.0468045, graph 0.696637 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.230908, graph 0.603533 to graph 0.203966, graph 0.696637 nohead lw 0.6 lc rgb '#555555'
-set label "delassus" at graph 0.229162, graph 0.753376 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.20222, graph 0.61372 to graph 0.229162, graph 0.753376 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:10" at graph 0.0835457, graph 0.512921 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.480478, graph 0.544254 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.191732, graph 0.463994 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.16479, graph 0.54546 to graph 0.191732, graph 0.463994 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.348803, graph 0.604124 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.321861, graph 0.545934 to graph 0.348803, graph 0.604124 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:50" at graph 0.121604, graph 0.638402 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.305707, graph 0.556936 to graph 0.278765, graph 0.638402 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.137932, graph 0.687068 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.11099, graph 0.559051 to graph 0.137932, graph 0.687068 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.224373, graph 0.517222 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.386025, graph 0.575411 to graph 0.359083, graph 0.517222 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:50" at graph 0.125489, graph 0.579682 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.48318, graph 0.661147 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.456238, graph 0.579682 to graph 0.48318, graph 0.661147 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.707184, graph 0.59132 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.259808, graph 0.743189 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.232866, graph 0.603533 to graph 0.259808, graph 0.743189 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.212033, graph 0.799927 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.185091, graph 0.61372 to graph 0.212033, graph 0.799927 nohead lw 0.6 lc rgb '#0060a8'
 set label "lemke" at graph 0.833669, graph 0.835812 left front noenhanced textcolor rgb '#999999'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -318,7 +319,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0125246:8.20361]
+set xrange [0.0131089:15.6153]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -329,23 +330,22 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "si2:50" at graph 0.21584, graph 0.0718315 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.513826, graph 0.0939471 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.414141, graph 0.14481 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.387199, graph 0.0982586 to graph 0.414141, graph 0.14481 nohead lw 0.6 lc rgb '#555555'
-set label "si:50" at graph 0.281755, graph 0.145003 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.254813, graph 0.0984513 to graph 0.281755, graph 0.145003 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.489112, graph 0.0443186 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.46217, graph 0.102508 to graph 0.489112, graph 0.0443186 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:50" at graph 0.380412, graph 0.193627 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.35347, graph 0.112161 to graph 0.380412, graph 0.193627 nohead lw 0.6 lc rgb '#009e73'
-set label "delassus" at graph 0.229162, graph 0.241916 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.20222, graph 0.113899 to graph 0.229162, graph 0.241916 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:1000" at graph 0.730689, graph 0.124709 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.160209, graph 0.0718315 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.412967, graph 0.0706712 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.157175, graph 0.14481 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.453536, graph 0.0982586 to graph 0.426594, graph 0.14481 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.291631, graph 0.191555 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.264689, graph 0.0984513 to graph 0.291631, graph 0.191555 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.48318, graph 0.125784 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.212033, graph 0.248691 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.185091, graph 0.109036 to graph 0.212033, graph 0.248691 nohead lw 0.6 lc rgb '#0060a8'
+set label "nncg:50" at graph 0.121604, graph 0.193627 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.305707, graph 0.112161 to graph 0.278765, graph 0.193627 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000" at graph 0.707184, graph 0.124709 left front noenhanced textcolor rgb '#d55e00'
 set label "si:10" at graph 0.0835457, graph 0.430333 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.25785, graph 0.455573 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.161938, graph 0.563049 left front noenhanced textcolor rgb '#0060a8'
-set label "nncg:10" at graph 0.174713, graph 0.626876 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.259808, graph 0.455573 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.191732, graph 0.585093 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg:10" at graph 0.137932, graph 0.638514 left front noenhanced textcolor rgb '#009e73'
 set label "lemke" at graph 0.833669, graph 0.935564 left front noenhanced textcolor rgb '#999999'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \

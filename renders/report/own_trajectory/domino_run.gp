@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.125378 1e-12 0.125378 0.125378
+0.095855 1e-12 0.095855 0.095855
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.054033 1e-12 0.054033 0.054033
+0.084914 1e-12 0.084914 0.084914
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.055029 0.0113843 0.055029 0.055029
+0.100218 0.0113843 0.100218 0.100218
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.205915 0.00162683 0.205915 0.205915
+0.364076 0.00162683 0.364076 0.364076
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.767655 1e-12 0.767655 0.767655
+1.35397 1e-12 1.35397 1.35397
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-3.99638 1e-12 3.99638 3.99638
+6.59804 1e-12 6.59804 6.59804
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.341413 0.00162046 0.341413 0.341413
+0.551136 0.00162046 0.551136 0.551136
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.070514 0.00955586 0.070514 0.070514
+0.121599 0.00955586 0.121599 0.121599
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.291672 0.000600458 0.291672 0.291672
+0.479156 0.000600458 0.479156 0.479156
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.900166 0.00162683 0.900166 0.900166
+1.05181 0.00162683 1.05181 1.05181
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-1.77333 0.008131 1.77333 1.77333
+2.41271 0.008131 2.41271 2.41271
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-4.20422 1e-12 4.20422 4.20422
+7.79264 1e-12 7.79264 7.79264
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-2874.51 0.0113843 2874.51 2874.51
+7158.15 0.0113843 7158.15 7158.15
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.125378 0.0787738 0.125378 0.125378
+0.095855 0.0785152 0.095855 0.095855
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.054033 0.0785978 0.054033 0.054033
+0.084914 0.0785306 0.084914 0.084914
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.055029 0.0624788 0.055029 0.055029
+0.100218 0.0624788 0.100218 0.100218
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.205915 0.0810167 0.205915 0.205915
+0.364076 0.0810167 0.364076 0.364076
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.767655 0.0805158 0.767655 0.767655
+1.35397 0.0805158 1.35397 1.35397
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-3.99638 0.0665111 3.99638 3.99638
+6.59804 0.0665111 6.59804 6.59804
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.341413 0.0785494 0.341413 0.341413
+0.551136 0.0785494 0.551136 0.551136
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.070514 0.0790071 0.070514 0.070514
+0.121599 0.0790071 0.121599 0.121599
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.291672 0.0736459 0.291672 0.291672
+0.479156 0.0736459 0.479156 0.479156
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.900166 0.0756228 0.900166 0.900166
+1.05181 0.0756228 1.05181 1.05181
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-1.77333 0.0682672 1.77333 1.77333
+2.41271 0.0682672 2.41271 2.41271
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-4.20422 0.0689653 4.20422 4.20422
+7.79264 0.0689653 7.79264 7.79264
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-2874.51 3.32443e-06 2874.51 2874.51
+7158.15 1.49939e-06 7158.15 7158.15
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.125378 0.122715 0.125378 0.125378
+0.095855 0.122335 0.095855 0.095855
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.054033 0.122365 0.054033 0.054033
+0.084914 0.122366 0.084914 0.084914
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.055029 0.124763 0.055029 0.055029
+0.100218 0.124763 0.100218 0.100218
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.205915 0.141059 0.205915 0.205915
+0.364076 0.141059 0.364076 0.364076
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.767655 0.143825 0.767655 0.767655
+1.35397 0.143825 1.35397 1.35397
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-3.99638 0.140012 3.99638 3.99638
+6.59804 0.140012 6.59804 6.59804
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.341413 0.122349 0.341413 0.341413
+0.551136 0.122349 0.551136 0.551136
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.070514 0.154217 0.070514 0.070514
+0.121599 0.154217 0.121599 0.121599
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.291672 0.120444 0.291672 0.291672
+0.479156 0.120444 0.479156 0.479156
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.900166 0.131988 0.900166 0.900166
+1.05181 0.131988 1.05181 1.05181
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-1.77333 0.119852 1.77333 1.77333
+2.41271 0.119852 2.41271 2.41271
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-4.20422 0.12296 4.20422 4.20422
+7.79264 0.12296 7.79264 7.79264
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-2874.51 1e-12 2874.51 2874.51
+7158.15 1e-12 7158.15 7158.15
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0203332:641027]
+set xrange [0.0306599:2.00656e+06]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -223,22 +223,24 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.132296, graph 0.106609 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0902801, graph 0.106609 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.0600575 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.237241, graph 0.153161 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.210299, graph 0.0833333 to graph 0.237241, graph 0.153161 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.332791, graph 0.106609 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.335727, graph 0.199713 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.308785, graph 0.0833333 to graph 0.335727, graph 0.199713 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.181194, graph 0.814874 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.00172056, graph 0.827527 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.16103, graph 0.885859 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.246463, graph 0.944049 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.219521, graph 0.850945 to graph 0.246463, graph 0.944049 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.285732, graph 0.885903 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.0989639, graph 0.763729 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.072022, graph 0.915022 to graph 0.0989639, graph 0.763729 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.0846036, graph 0.932997 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.237416, graph 0.153161 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.210474, graph 0.0833333 to graph 0.237416, graph 0.153161 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.325417, graph 0.106609 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.334663, graph 0.199713 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.307721, graph 0.0833333 to graph 0.334663, graph 0.199713 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.179696, graph 0.814874 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.187472, graph 0.885717 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.164434, graph 0.944049 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.137492, graph 0.850945 to graph 0.164434, graph 0.944049 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.0347903, graph 0.885859 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.269517, graph 0.757886 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.242575, graph 0.909179 to graph 0.269517, graph 0.757886 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.103499, graph 0.763729 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0765568, graph 0.915022 to graph 0.103499, graph 0.763729 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.0927534, graph 0.711876 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0658115, graph 0.921359 to graph 0.0927534, graph 0.711876 nohead lw 0.6 lc rgb '#d55e00'
 set label "lemke (cut)" at graph 0.713778, graph 0.921359 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -262,40 +264,39 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0203332:641027]
+set xrange [0.0306599:2.00656e+06]
 set xlabel "ms a step" noenhanced
 set logscale y
-set ytics 10 nomirror
-set mytics
+set ytics 100 nomirror
+unset mytics
 set format y "10^{%T}"
-set yrange [1e-06:1]
+set yrange [1e-07:1]
 set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke (cut)" at graph 0.713778, graph 0.0869528 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.0846036, graph 0.787651 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.332791, graph 0.803816 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.285732, graph 0.852254 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.25879, graph 0.805702 to graph 0.285732, graph 0.852254 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.012424, graph 0.85299 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.308785, graph 0.806438 to graph 0.281843, graph 0.85299 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.181194, graph 0.729726 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.154253, graph 0.811191 to graph 0.181194, graph 0.729726 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.246463, graph 0.906212 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.219521, graph 0.813109 to graph 0.246463, graph 0.906212 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si2:50" at graph 0.00172056, graph 0.734392 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.163372, graph 0.815857 to graph 0.13643, graph 0.734392 nohead lw 0.6 lc rgb '#e69f00'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.955557 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566038, graph 0.815902 to graph 0.0835457, graph 0.955557 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.132296, graph 0.676408 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.105354, graph 0.816064 to graph 0.132296, graph 0.676408 nohead lw 0.6 lc rgb '#0060a8'
-set label "nncg:10" at graph 0.0989639, graph 0.618433 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.072022, graph 0.816278 to graph 0.0989639, graph 0.618433 nohead lw 0.6 lc rgb '#009e73'
-set label "si:200" at graph 0.237241, graph 0.561612 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.210299, graph 0.817647 to graph 0.237241, graph 0.561612 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.16103, graph 0.503872 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.134088, graph 0.818096 to graph 0.16103, graph 0.503872 nohead lw 0.6 lc rgb '#d55e00'
+set label "lemke (cut)" at graph 0.713778, graph 0.167988 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.0927534, graph 0.804686 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.325417, graph 0.831842 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.0584714, graph 0.868373 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6" at graph 0.334663, graph 0.880642 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.307721, graph 0.83409 to graph 0.334663, graph 0.880642 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.179696, graph 0.756699 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.152754, graph 0.838164 to graph 0.179696, graph 0.756699 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.0347903, graph 0.921273 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.196442, graph 0.839808 to graph 0.1695, graph 0.921273 nohead lw 0.6 lc rgb '#cc79a7'
+set label "delassus" at graph 0.0902801, graph 0.970154 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0633382, graph 0.842136 to graph 0.0902801, graph 0.970154 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.702493 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566038, graph 0.842148 to graph 0.0835457, graph 0.702493 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.187472, graph 0.644318 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.160531, graph 0.842163 to graph 0.187472, graph 0.644318 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.103499, graph 0.586489 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0765568, graph 0.842524 to graph 0.103499, graph 0.586489 nohead lw 0.6 lc rgb '#009e73'
+set label "si:200" at graph 0.0488223, graph 0.645852 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.210474, graph 0.843697 to graph 0.183532, graph 0.645852 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.164434, graph 0.529858 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.137492, graph 0.844082 to graph 0.164434, graph 0.529858 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -318,7 +319,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0203332:641027]
+set xrange [0.0306599:2.00656e+06]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -330,26 +331,26 @@ unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.285732, graph 0.905851 left front noenhanced textcolor rgb '#555555'
-set label "nncg:50" at graph 0.181194, graph 0.964205 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.00172056, graph 0.90654 left front noenhanced textcolor rgb '#e69f00'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.848354 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566038, graph 0.92982 to graph 0.0835457, graph 0.848354 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.132296, graph 0.79026 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.105354, graph 0.929915 to graph 0.132296, graph 0.79026 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.335727, graph 0.790327 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.308785, graph 0.929982 to graph 0.335727, graph 0.790327 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.0846036, graph 0.732623 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0576616, graph 0.930468 to graph 0.0846036, graph 0.732623 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.246463, graph 0.734504 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.219521, graph 0.932349 to graph 0.246463, graph 0.734504 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:1000" at graph 0.332791, graph 0.678286 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.305849, graph 0.93432 to graph 0.332791, graph 0.678286 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.16103, graph 0.899656 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.048647, graph 0.679184 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.210299, graph 0.935218 to graph 0.183357, graph 0.679184 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.0989639, graph 0.623325 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.072022, graph 0.937549 to graph 0.0989639, graph 0.623325 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.269517, graph 0.905851 left front noenhanced textcolor rgb '#555555'
+set label "nncg:50" at graph 0.179696, graph 0.964205 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.0902801, graph 0.848346 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0633382, graph 0.929811 to graph 0.0902801, graph 0.848346 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.187472, graph 0.79016 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.160531, graph 0.929816 to graph 0.187472, graph 0.79016 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.731975 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566038, graph 0.92982 to graph 0.0835457, graph 0.731975 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.334663, graph 0.848516 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.307721, graph 0.929982 to graph 0.334663, graph 0.848516 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.0927534, graph 0.895554 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.0347903, graph 0.967263 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:1000" at graph 0.325417, graph 0.794665 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.298475, graph 0.93432 to graph 0.325417, graph 0.794665 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.164434, graph 0.678535 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.137492, graph 0.934569 to graph 0.164434, graph 0.678535 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.0488223, graph 0.795563 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.210474, graph 0.935218 to graph 0.183532, graph 0.795563 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.103499, graph 0.623325 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0765568, graph 0.937549 to graph 0.103499, graph 0.623325 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

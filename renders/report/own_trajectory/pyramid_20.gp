@@ -2,167 +2,167 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.276199 1e-12 0.276199 0.276199
+0.336412 1e-12 0.336412 0.336412
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-10.1324 0.000682538 10.1324 10.1324
+12.6959 0.000672063 12.6959 12.6959
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.79932 0.0861536 0.79932 0.79932
+0.92358 0.0861536 0.92358 0.92358
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-2.89192 0.00905939 2.89192 2.89192
+3.47604 0.00905939 3.47604 3.47604
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-9.99806 0.00855399 9.99806 9.99806
+13.583 0.00855399 13.583 13.583
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-48.5239 0.000945325 48.5239 48.5239
+66.6977 0.000699374 66.6977 66.6977
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-4.25794 0.132401 4.25794 4.25794
+6.04519 0.132401 6.04519 6.04519
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.932212 0.0854176 0.932212 0.932212
+1.41362 0.0854176 1.41362 1.41362
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-3.95736 33.2113 3.95736 3.95736
+6.30764 33.2113 6.30764 6.30764
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-243.614 0.00422498 243.614 243.614
+296.07 0.00422498 296.07 296.07
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-153.387 0.0340875 153.387 153.387
+178.973 0.0340875 178.973 178.973
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.276199 1e-12 0.276199 0.276199
+0.336412 1e-12 0.336412 0.336412
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-10.1324 5.79742e-06 10.1324 10.1324
+12.6959 6.61173e-06 12.6959 12.6959
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.79932 0.00611616 0.79932 0.79932
+0.92358 0.00611616 0.92358 0.92358
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-2.89192 0.000726752 2.89192 2.89192
+3.47604 0.000726752 3.47604 3.47604
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-9.99806 6.46454e-05 9.99806 9.99806
+13.583 6.46454e-05 13.583 13.583
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-48.5239 4.75653e-06 48.5239 48.5239
+66.6977 4.75653e-06 66.6977 66.6977
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-4.25794 0.0114209 4.25794 4.25794
+6.04519 0.0114209 6.04519 6.04519
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.932212 0.0209408 0.932212 0.932212
+1.41362 0.0209408 1.41362 1.41362
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-3.95736 0.456277 3.95736 3.95736
+6.30764 0.456277 6.30764 6.30764
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-243.614 0.000726761 243.614 243.614
+296.07 0.000726761 296.07 296.07
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-153.387 0.00611616 153.387 153.387
+178.973 0.00611616 178.973 178.973
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.276199 1e-12 0.276199 0.276199
+0.336412 1e-12 0.336412 0.336412
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-10.1324 0.00081664 10.1324 10.1324
+12.6959 0.000714169 12.6959 12.6959
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.79932 0.00043191 0.79932 0.79932
+0.92358 0.00043191 0.92358 0.92358
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-2.89192 0.000140512 2.89192 2.89192
+3.47604 0.000140512 3.47604 3.47604
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-9.99806 0.000184248 9.99806 9.99806
+13.583 0.000184248 13.583 13.583
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-48.5239 1e-12 48.5239 48.5239
+66.6977 1e-12 66.6977 66.6977
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-4.25794 0.00375766 4.25794 4.25794
+6.04519 0.00375766 6.04519 6.04519
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.932212 0.0556839 0.932212 0.932212
+1.41362 0.0556839 1.41362 1.41362
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-3.95736 0.174073 3.95736 3.95736
+6.30764 0.174073 6.30764 6.30764
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-243.614 1e-12 243.614 243.614
+296.07 1e-12 296.07 296.07
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-153.387 1e-12 153.387 153.387
+178.973 1e-12 178.973 178.973
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -182,7 +182,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.147236:9878.42]
+set xrange [0.179371:11991.1]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -194,16 +194,16 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0666667 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0619249, graph 0.655608 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000 (cut)" at graph 0.548614, graph 0.665039 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50 (cut)" at graph 0.693796, graph 0.720026 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.406479, graph 0.728811 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.128722, graph 0.730473 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig (cut)" at graph 0.652171, graph 0.76884 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.192998, graph 0.783799 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.013018, graph 0.795685 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.329673, graph 0.831402 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:50" at graph 0.323086, graph 0.968086 left front noenhanced textcolor rgb '#009e73'
+set label "delassus:1e-3" at graph 0.0645797, graph 0.655161 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000 (cut)" at graph 0.559647, graph 0.656314 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.693796, graph 0.708388 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.416414, graph 0.728811 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.127599, graph 0.730473 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig (cut)" at graph 0.64849, graph 0.76884 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.212758, graph 0.783799 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.00830398, graph 0.795685 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.343548, graph 0.831402 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:50" at graph 0.347373, graph 0.968086 left front noenhanced textcolor rgb '#009e73'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -224,7 +224,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.147236:9878.42]
+set xrange [0.179371:11991.1]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -236,16 +236,16 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000 (cut)" at graph 0.548614, graph 0.590561 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.0619249, graph 0.597172 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.406479, graph 0.677734 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.294864, graph 0.758568 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000 (cut)" at graph 0.559647, graph 0.590561 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.0645797, graph 0.601563 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.416414, graph 0.677734 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.293741, graph 0.758568 left front noenhanced textcolor rgb '#d55e00'
 set label "pgs:50 (cut)" at graph 0.693796, graph 0.758569 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:10" at graph 0.17916, graph 0.829729 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig (cut)" at graph 0.652171, graph 0.829729 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.329673, graph 0.850592 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.192998, graph 0.905759 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.323086, graph 0.973787 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.174446, graph 0.829729 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig (cut)" at graph 0.64849, graph 0.829729 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.343548, graph 0.850592 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.00171249, graph 0.870846 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.347373, graph 0.973787 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -266,7 +266,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.147236:9878.42]
+set xrange [0.179371:11991.1]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -278,16 +278,16 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000 (cut)" at graph 0.548614, graph 0.100199 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000 (cut)" at graph 0.559647, graph 0.100199 left front noenhanced textcolor rgb '#d55e00'
 set label "pgs:50 (cut)" at graph 0.693796, graph 0.0536472 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.306416, graph 0.0536472 left front noenhanced textcolor rgb '#555555'
-set label "si:50" at graph 0.128722, graph 0.70367 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.406479, graph 0.712723 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.013018, graph 0.741184 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.40768, graph 0.762464 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.329673, graph 0.813455 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.192998, graph 0.903518 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.323086, graph 0.953233 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig (cut)" at graph 0.302735, graph 0.0536472 left front noenhanced textcolor rgb '#555555'
+set label "si:50" at graph 0.127599, graph 0.70367 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.416414, graph 0.712723 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.00830398, graph 0.741184 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.410335, graph 0.769623 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.154955, graph 0.813455 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.212758, graph 0.903518 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.347373, graph 0.953233 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.003973 1e-12 0.003973 0.003973
+0.005153 1e-12 0.005153 0.005153
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.002328 1e-12 0.002328 0.002328
+0.004294 1e-12 0.004294 0.004294
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.000768 1e-12 0.000768 0.000768
+0.001255 1e-12 0.001255 0.001255
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.001332 1e-12 0.001332 0.001332
+0.002455 1e-12 0.002455 0.002455
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.001563 1e-12 0.001563 0.001563
+0.002667 1e-12 0.002667 0.002667
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.00156 1e-12 0.00156 0.00156
+0.002716 1e-12 0.002716 0.002716
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.001477 1e-12 0.001477 0.001477
+0.00158 1e-12 0.00158 0.00158
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.001325 1e-12 0.001325 0.001325
+0.001131 1e-12 0.001131 0.001131
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.001527 1e-12 0.001527 0.001527
+0.001546 1e-12 0.001546 0.001546
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.005521 1e-12 0.005521 0.005521
+0.005922 1e-12 0.005922 0.005922
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.001557 1e-12 0.001557 0.001557
+0.001675 1e-12 0.001675 0.001675
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.001564 1e-12 0.001564 0.001564
+0.001705 1e-12 0.001705 0.001705
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-0.793509 3.08263 0.793509 0.793509
+0.633546 3.08263 0.633546 0.633546
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.003973 0.0709823 0.003973 0.003973
+0.005153 0.0709823 0.005153 0.005153
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.002328 0.0709822 0.002328 0.002328
+0.004294 0.0709823 0.004294 0.004294
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.000768 0.0709823 0.000768 0.000768
+0.001255 0.0709823 0.001255 0.001255
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.001332 0.0709823 0.001332 0.001332
+0.002455 0.0709823 0.002455 0.002455
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.001563 0.0709823 0.001563 0.001563
+0.002667 0.0709823 0.002667 0.002667
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.00156 0.0709823 0.00156 0.00156
+0.002716 0.0709823 0.002716 0.002716
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.001477 0.0709823 0.001477 0.001477
+0.00158 0.0709823 0.00158 0.00158
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.001325 0.0709822 0.001325 0.001325
+0.001131 0.0709822 0.001131 0.001131
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.001527 0.0709823 0.001527 0.001527
+0.001546 0.0709823 0.001546 0.001546
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.005521 0.0709823 0.005521 0.005521
+0.005922 0.0709823 0.005922 0.005922
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.001557 0.0709823 0.001557 0.001557
+0.001675 0.0709823 0.001675 0.001675
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.001564 0.0709882 0.001564 0.001564
+0.001705 0.0709882 0.001705 0.001705
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-0.793509 0.0225015 0.793509 0.793509
+0.633546 0.0225015 0.633546 0.633546
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.003973 2.20986 0.003973 0.003973
+0.005153 2.20986 0.005153 0.005153
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.002328 2.20986 0.002328 0.002328
+0.004294 2.20986 0.004294 0.004294
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.000768 2.20986 0.000768 0.000768
+0.001255 2.20986 0.001255 0.001255
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.001332 2.20986 0.001332 0.001332
+0.002455 2.20986 0.002455 0.002455
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.001563 2.20986 0.001563 0.001563
+0.002667 2.20986 0.002667 0.002667
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.00156 2.20986 0.00156 0.00156
+0.002716 2.20986 0.002716 0.002716
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.001477 2.20986 0.001477 0.001477
+0.00158 2.20986 0.00158 0.00158
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.001325 2.20986 0.001325 0.001325
+0.001131 2.20986 0.001131 0.001131
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.001527 2.20986 0.001527 0.001527
+0.001546 2.20986 0.001546 0.001546
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.005521 2.20986 0.005521 0.005521
+0.005922 2.20986 0.005922 0.005922
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.001557 2.20986 0.001557 0.001557
+0.001675 2.20986 0.001675 0.001675
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.001564 2.20982 0.001564 0.001564
+0.001705 2.20982 0.001705 0.001705
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-0.793509 0.0414571 0.793509 0.793509
+0.633546 0.0414571 0.633546 0.633546
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -211,8 +211,8 @@ set title "energy gained, J" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "10^{%T}"
-set xrange [0.000454896:4.7443]
+set format x "%g"
+set xrange [0.000701579:3.23515]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,27 +223,26 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.261174, graph 0.0947044 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.203404, graph 0.0481527 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.0835457, graph 0.0947044 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.14306, graph 0.141256 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.116118, graph 0.0714286 to graph 0.14306, graph 0.141256 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.160345, graph 0.187808 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.133403, graph 0.0714286 to graph 0.160345, graph 0.187808 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.160137, graph 0.23436 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.133195, graph 0.0714286 to graph 0.160137, graph 0.23436 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.154228, graph 0.280911 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.127286, graph 0.0714286 to graph 0.154228, graph 0.280911 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.14249, graph 0.327463 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.115548, graph 0.0714286 to graph 0.14249, graph 0.327463 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.157826, graph 0.385653 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.130884, graph 0.0714286 to graph 0.157826, graph 0.385653 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.296737, graph 0.141256 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.269795, graph 0.0714286 to graph 0.296737, graph 0.141256 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.159929, graph 0.443842 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.132987, graph 0.0714286 to graph 0.159929, graph 0.443842 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.160414, graph 0.502032 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.133472, graph 0.0714286 to graph 0.160414, graph 0.502032 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.263303, graph 0.0947044 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.241687, graph 0.0481527 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.0958774, graph 0.0947044 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.00927213, graph 0.0481527 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.185232, graph 0.141256 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.15829, graph 0.0714286 to graph 0.185232, graph 0.141256 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.18739, graph 0.187808 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.160448, graph 0.0714286 to graph 0.18739, graph 0.187808 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.123175, graph 0.23436 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.0962331, graph 0.0714286 to graph 0.123175, graph 0.23436 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.0835457, graph 0.280911 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0566038, graph 0.0714286 to graph 0.0835457, graph 0.280911 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.120596, graph 0.327463 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0936544, graph 0.0714286 to graph 0.120596, graph 0.327463 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.279791, graph 0.23436 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.252849, graph 0.0714286 to graph 0.279791, graph 0.23436 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.130096, graph 0.385653 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.103154, graph 0.0714286 to graph 0.130096, graph 0.385653 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.1322, graph 0.443842 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.105258, graph 0.0714286 to graph 0.1322, graph 0.443842 nohead lw 0.6 lc rgb '#555555'
 set label "lemke" at graph 0.833669, graph 0.963494 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -266,8 +265,8 @@ set title "deepest overlap, m" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "10^{%T}"
-set xrange [0.000454896:4.7443]
+set format x "%g"
+set xrange [0.000701579:3.23515]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics nomirror (0.01, 0.02, 0.05, 0.1, 0.2, 0.5)
@@ -279,27 +278,26 @@ unset label
 unset arrow
 unset object
 set label "lemke" at graph 0.833669, graph 0.352212 left front noenhanced textcolor rgb '#999999'
-set label "delassus:1e-3" at graph 0.203404, graph 0.827874 left front noenhanced textcolor rgb '#0060a8'
-set label "nncg:10" at graph 0.14249, graph 0.886063 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.0835457, graph 0.816236 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus" at graph 0.261174, graph 0.932615 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.234232, graph 0.85115 to graph 0.261174, graph 0.932615 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:50" at graph 0.14306, graph 0.932615 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.116118, graph 0.85115 to graph 0.14306, graph 0.932615 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.160345, graph 0.758046 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.133403, graph 0.85115 to graph 0.160345, graph 0.758046 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.160137, graph 0.711495 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.133195, graph 0.85115 to graph 0.160137, graph 0.711495 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.154228, graph 0.653305 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.127286, graph 0.85115 to graph 0.154228, graph 0.653305 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:50" at graph 0.157826, graph 0.606753 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.130884, graph 0.85115 to graph 0.157826, graph 0.606753 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.296737, graph 0.769684 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.269795, graph 0.85115 to graph 0.296737, graph 0.769684 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.159929, graph 0.548564 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.132987, graph 0.85115 to graph 0.159929, graph 0.548564 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.160414, graph 0.490411 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.133472, graph 0.851186 to graph 0.160414, graph 0.490411 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.0835457, graph 0.827874 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.0958774, graph 0.886064 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.263303, graph 0.886064 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.241687, graph 0.816236 left front noenhanced textcolor rgb '#0060a8'
+set label "si:50" at graph 0.00927213, graph 0.932615 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.148472, graph 0.85115 to graph 0.12153, graph 0.932615 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.185232, graph 0.944253 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.15829, graph 0.85115 to graph 0.185232, graph 0.944253 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.18739, graph 0.758046 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.160448, graph 0.85115 to graph 0.18739, graph 0.758046 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.123175, graph 0.711495 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.0962331, graph 0.85115 to graph 0.123175, graph 0.711495 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:50" at graph 0.120596, graph 0.653305 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0936544, graph 0.85115 to graph 0.120596, graph 0.653305 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.279791, graph 0.711495 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.252849, graph 0.85115 to graph 0.279791, graph 0.711495 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.130096, graph 0.606753 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.103154, graph 0.85115 to graph 0.130096, graph 0.606753 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.1322, graph 0.5486 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.105258, graph 0.851186 to graph 0.1322, graph 0.5486 nohead lw 0.6 lc rgb '#555555'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -321,8 +319,8 @@ set title "noise of ground reaction / weight" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "10^{%T}"
-set xrange [0.000454896:4.7443]
+set format x "%g"
+set xrange [0.000701579:3.23515]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -334,28 +332,26 @@ unset label
 unset arrow
 unset object
 set label "lemke" at graph 0.833669, graph 0.205866 left front noenhanced textcolor rgb '#999999'
-set label "dantzig:1e-6" at graph 0.160414, graph 0.758176 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.14249, graph 0.816368 left front noenhanced textcolor rgb '#009e73'
-set label "delassus:1e-3" at graph 0.203404, graph 0.86292 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.176462, graph 0.781455 to graph 0.203404, graph 0.86292 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:10" at graph 0.0835457, graph 0.86292 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0566038, graph 0.781455 to graph 0.0835457, graph 0.86292 nohead lw 0.6 lc rgb '#d55e00'
-set label "delassus" at graph 0.261174, graph 0.699989 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.234232, graph 0.781455 to graph 0.261174, graph 0.699989 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:50" at graph 0.14306, graph 0.699989 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.116118, graph 0.781455 to graph 0.14306, graph 0.699989 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.160345, graph 0.909472 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.133403, graph 0.781455 to graph 0.160345, graph 0.909472 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.160137, graph 0.653437 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.133195, graph 0.781455 to graph 0.160137, graph 0.653437 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.154228, graph 0.956024 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.127286, graph 0.781455 to graph 0.154228, graph 0.956024 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:50" at graph 0.157826, graph 0.606886 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.130884, graph 0.781455 to graph 0.157826, graph 0.606886 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.296737, graph 0.909472 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.269795, graph 0.781455 to graph 0.296737, graph 0.909472 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.159929, graph 0.560334 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.132987, graph 0.781455 to graph 0.159929, graph 0.560334 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.1322, graph 0.758176 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.0835457, graph 0.816368 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.0958774, graph 0.86292 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0689355, graph 0.781455 to graph 0.0958774, graph 0.86292 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.263303, graph 0.816368 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.241687, graph 0.699989 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.214745, graph 0.781455 to graph 0.241687, graph 0.699989 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:50" at graph 0.00927213, graph 0.746541 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.185232, graph 0.909472 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.15829, graph 0.781455 to graph 0.185232, graph 0.909472 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.18739, graph 0.653437 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.160448, graph 0.781455 to graph 0.18739, graph 0.653437 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.123175, graph 0.956024 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.0962331, graph 0.781455 to graph 0.123175, graph 0.956024 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:50" at graph 0.120596, graph 0.606886 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0936544, graph 0.781455 to graph 0.120596, graph 0.606886 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.279791, graph 0.956024 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.252849, graph 0.781455 to graph 0.279791, graph 0.956024 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.130096, graph 0.560334 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.103154, graph 0.781455 to graph 0.130096, graph 0.560334 nohead lw 0.6 lc rgb '#555555'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.00804 1e-12 0.00804 0.00804
+0.013267 1e-12 0.013267 0.013267
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.007838 1e-12 0.007838 0.007838
+0.013517 1e-12 0.013517 0.013517
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.01911 0.129696 0.01911 0.01911
+0.028905 0.129696 0.028905 0.028905
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.071573 0.0193733 0.071573 0.071573
+0.105373 0.0193733 0.105373 0.105373
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.268236 0.00359186 0.268236 0.268236
+0.390662 0.00359186 0.390662 0.390662
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-1.32147 0.00633756 1.32147 1.32147
+1.90352 0.00633756 1.90352 1.90352
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.10596 0.0098553 0.10596 0.10596
+0.15796 0.0098553 0.15796 0.15796
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.02343 0.024797 0.02343 0.02343
+0.036522 0.024797 0.036522 0.036522
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.096501 0.0468525 0.096501 0.096501
+0.155453 0.0468525 0.155453 0.155453
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.288051 0.0200612 0.288051 0.288051
+0.539564 0.0200612 0.539564 0.539564
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.070068 0.0568945 0.070068 0.070068
+0.104167 0.0568945 0.104167 0.104167
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.126871 1.12406e-05 0.126871 0.126871
+0.231384 1.12406e-05 0.231384 0.231384
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-2.38935 0.023201 2.38935 2.38935
+2.98657 0.0212837 2.98657 2.98657
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.00804 1e-12 0.00804 0.00804
+0.013267 1e-12 0.013267 0.013267
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.007838 1e-12 0.007838 0.007838
+0.013517 1e-12 0.013517 0.013517
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.01911 0.00380401 0.01911 0.01911
+0.028905 0.00380401 0.028905 0.028905
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.071573 0.000396081 0.071573 0.071573
+0.105373 0.000396081 0.105373 0.105373
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.268236 0.000105005 0.268236 0.268236
+0.390662 0.000105005 0.390662 0.390662
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-1.32147 3.50737e-06 1.32147 1.32147
+1.90352 3.50737e-06 1.90352 1.90352
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.10596 0.000535392 0.10596 0.10596
+0.15796 0.000535392 0.15796 0.15796
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.02343 0.00816299 0.02343 0.02343
+0.036522 0.00816299 0.036522 0.036522
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.096501 0.0105749 0.096501 0.096501
+0.155453 0.0105749 0.155453 0.155453
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.288051 0.000396081 0.288051 0.288051
+0.539564 0.000396081 0.539564 0.539564
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.070068 0.00461789 0.070068 0.070068
+0.104167 0.00461789 0.104167 0.104167
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.126871 2.04375e-06 0.126871 0.126871
+0.231384 2.04375e-06 0.231384 0.231384
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-2.38935 0.00380401 2.38935 2.38935
+2.98657 0.00380401 2.98657 2.98657
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.00804 1e-12 0.00804 0.00804
+0.013267 1e-12 0.013267 0.013267
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.007838 1e-12 0.007838 0.007838
+0.013517 1e-12 0.013517 0.013517
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.01911 0.000805561 0.01911 0.01911
+0.028905 0.000805561 0.028905 0.028905
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.071573 7.23225e-05 0.071573 0.071573
+0.105373 7.23225e-05 0.105373 0.105373
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.268236 0.00110292 0.268236 0.268236
+0.390662 0.00110292 0.390662 0.390662
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-1.32147 0.00063824 1.32147 1.32147
+1.90352 0.00063824 1.90352 1.90352
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.10596 0.000812162 0.10596 0.10596
+0.15796 0.000812162 0.15796 0.15796
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.02343 0.0531082 0.02343 0.02343
+0.036522 0.0531082 0.036522 0.036522
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.096501 0.3559 0.096501 0.096501
+0.155453 0.3559 0.155453 0.155453
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.288051 0.000442484 0.288051 0.288051
+0.539564 0.000442484 0.539564 0.539564
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.070068 0.239757 0.070068 0.070068
+0.104167 0.239757 0.104167 0.104167
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.126871 1e-12 0.126871 0.126871
+0.231384 1e-12 0.231384 0.231384
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-2.38935 1e-12 2.38935 2.38935
+2.98657 1e-12 2.98657 2.98657
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00468922:40.9848]
+set xrange [0.00815632:44.0641]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,23 +223,21 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0863494, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566038, graph 0.0769231 to graph 0.0835457, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.39032, graph 0.619292 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.472815, graph 0.811948 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.648518, graph 0.830917 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.181881, graph 0.834029 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.161103, graph 0.90316 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.480667, graph 0.869412 left front noenhanced textcolor rgb '#cc79a7'
-set label "lemke (cut)" at graph 0.713778, graph 0.885908 left front noenhanced textcolor rgb '#999999'
-set label "nncg:10" at graph 0.204201, graph 0.957958 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.177259, graph 0.876492 to graph 0.204201, graph 0.957958 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.149126, graph 0.781369 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.33323, graph 0.897749 to graph 0.306288, graph 0.781369 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.324903, graph 0.764581 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.297961, graph 0.904236 to graph 0.324903, graph 0.764581 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.0156033, graph 0.931764 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0857178, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0587759, graph 0.0769231 to graph 0.0857178, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.416173, graph 0.619292 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.477114, graph 0.811948 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.661371, graph 0.830917 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.183163, graph 0.834029 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.158512, graph 0.90316 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.514686, graph 0.869412 left front noenhanced textcolor rgb '#cc79a7'
+set label "lemke (cut)" at graph 0.713778, graph 0.883026 left front noenhanced textcolor rgb '#999999'
+set label "nncg:10" at graph 0.201368, graph 0.957958 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.174426, graph 0.876492 to graph 0.201368, graph 0.957958 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.369895, graph 0.921025 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.323314, graph 0.869322 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.00801115, graph 0.931764 left front noenhanced textcolor rgb '#d55e00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -262,7 +260,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00468922:40.9848]
+set xrange [0.00815632:44.0641]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -273,23 +271,20 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0863494, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.129885 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566038, graph 0.0833333 to graph 0.0835457, graph 0.129885 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.0670166, graph 0.609202 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.648518, graph 0.628748 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.472815, graph 0.751768 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.161103, graph 0.799815 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.480667, graph 0.799815 left front noenhanced textcolor rgb '#cc79a7'
-set label "si2:50" at graph 0.370475, graph 0.857274 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.343533, graph 0.810723 to graph 0.370475, graph 0.857274 nohead lw 0.6 lc rgb '#e69f00'
-set label "si:10" at graph 0.181745, graph 0.881687 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.0835457, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0857178, graph 0.129885 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0587759, graph 0.0833333 to graph 0.0857178, graph 0.129885 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.0928695, graph 0.609202 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.661371, graph 0.628748 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.477114, graph 0.751768 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.158512, graph 0.799815 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.514686, graph 0.799815 left front noenhanced textcolor rgb '#cc79a7'
+set label "si2:50" at graph 0.371757, graph 0.833999 left front noenhanced textcolor rgb '#e69f00'
+set label "si:10" at graph 0.174153, graph 0.881687 left front noenhanced textcolor rgb '#d55e00'
 set label "lemke (cut)" at graph 0.713778, graph 0.881687 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.113858, graph 0.935255 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.297961, graph 0.888704 to graph 0.271019, graph 0.935255 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.204201, graph 0.74639 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.177259, graph 0.909321 to graph 0.204201, graph 0.74639 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.360171, graph 0.91869 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.323314, graph 0.888704 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.201368, graph 0.944235 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.369895, graph 0.941965 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -312,7 +307,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00468922:40.9848]
+set xrange [0.00815632:44.0641]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -323,21 +318,20 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0863494, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566038, graph 0.0769231 to graph 0.0835457, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.39032, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0857178, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0587759, graph 0.0769231 to graph 0.0857178, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.416173, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
 set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.327244, graph 0.681483 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.480667, graph 0.741992 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:1000" at graph 0.648518, graph 0.75423 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.181745, graph 0.762008 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.370475, graph 0.797194 left front noenhanced textcolor rgb '#e69f00'
-set label "si:200" at graph 0.472815, graph 0.853969 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.445873, graph 0.772503 to graph 0.472815, graph 0.853969 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.204201, graph 0.901936 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig" at graph 0.113858, graph 0.95229 left front noenhanced textcolor rgb '#555555'
-set label "nncg:50" at graph 0.360171, graph 0.965487 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.324653, graph 0.681483 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.514686, graph 0.730354 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:1000" at graph 0.661371, graph 0.75423 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.174153, graph 0.762008 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.371757, graph 0.797194 left front noenhanced textcolor rgb '#e69f00'
+set label "si:200" at graph 0.28852, graph 0.73759 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.201368, graph 0.901936 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.112269, graph 0.95229 left front noenhanced textcolor rgb '#555555'
+set label "nncg:50" at graph 0.369895, graph 0.965487 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -1,429 +1,424 @@
 # Draws overview.svg and overview.png: gnuplot overview.gp
 $line0_0 << EOD
-0.000703333 1e-13 0.000693333 0.000720333
+0.000615 1e-13 0.000593 0.000732
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.000713333 1e-13 0.000713333 0.000713333
+0.000754333 1e-13 0.000754333 0.000754333
 EOD
 $line0_2 << EOD
-0.00215767 1e-13 0.00210767 0.00221333
+0.001508 1e-13 0.001494 0.00157567
 EOD
 $marks0_2 << EOD
 EOD
 $line1_0 << EOD
-0.010047 0.0386222 0.010012 0.010251
-0.0594657 0.0328426 0.0573703 0.061934
-0.065334 0.0216557 0.0638407 0.068068
-0.0884967 0.0216508 0.0877617 0.093211
-0.162288 0.0216508 0.158826 0.169916
+0.0140283 0.0403056 0.0138923 0.014149
+0.0606367 0.0298954 0.0576903 0.0648903
+0.0700467 0.0227675 0.0679987 0.0717037
+0.096961 0.0227624 0.094368 0.102884
+0.17236 0.0227624 0.16705 0.181591
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.014571 0.0390852 0.014571 0.014571
+0.021567 0.0407875 0.021567 0.021567
 EOD
 $line1_2 << EOD
-0.0312027 0.305549 0.0305893 0.0337017
-0.045924 0.075815 0.0453283 0.0468953
-0.0558183 0.018206 0.051147 0.058532
-0.0718837 0.000448577 0.0715253 0.0744447
-0.0824527 2.17732e-07 0.079499 0.0867707
-0.0939187 1.55421e-09 0.09051 0.0974457
-0.096578 1e-13 0.0963323 0.097603
+0.035715 0.295052 0.0354573 0.0360663
+0.0447997 0.0791592 0.0418297 0.0459363
+0.0592033 0.0171232 0.0542697 0.0624717
+0.0746167 5.54303e-06 0.0742163 0.0769277
+0.074791 2.26459e-07 0.0740817 0.0768347
+0.0873053 1e-13 0.0868617 0.0884927
 EOD
 $marks1_2 << EOD
 EOD
 $line2_0 << EOD
-0.0177787 0.716912 0.0174223 0.0180263
-0.02114 0.605739 0.0206577 0.0212793
-0.0267093 0.579252 0.025983 0.0279233
-0.0318483 0.339693 0.031568 0.0331143
-0.055301 0.197973 0.0541543 0.0564143
-0.102525 0.130868 0.100844 0.105695
-0.113952 0.0427981 0.113588 0.116841
-0.164887 0.00061836 0.162565 0.173085
+0.0186163 0.605739 0.0181477 0.0202097
+0.0337777 0.579252 0.027884 0.0345567
+0.034668 0.339693 0.0345097 0.0349307
+0.062002 0.197973 0.061766 0.064883
+0.099846 0.130868 0.0993197 0.101944
+0.121197 0.0427981 0.120819 0.13032
+0.187888 0.0368787 0.186858 0.192867
+0.213684 0.00061836 0.208111 0.221722
 EOD
 $marks2_0 << EOD
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.0267093 0.579252 0.0267093 0.0267093
+0.0337777 0.579252 0.0337777 0.0337777
 EOD
 $line2_2 << EOD
-0.00963767 1e-13 0.009471 0.00991333
+0.012175 1e-13 0.0120207 0.013744
 EOD
 $marks2_2 << EOD
 EOD
 $line3_0 << EOD
-0.0148407 0.997126 0.0146917 0.0150093
-0.0217333 0.995724 0.0214457 0.023097
-0.0233563 0.992397 0.0233247 0.024806
-0.049931 0.990153 0.0434233 0.0514427
-0.0944843 0.985269 0.0874587 0.0988117
-0.095553 0.976647 0.0937653 0.104895
-0.175576 0.972416 0.17015 0.185089
-0.17882 0.130574 0.173949 0.187027
+0.016548 0.997126 0.016333 0.01708
+0.0229497 0.997124 0.0223943 0.0245673
+0.0249517 0.995724 0.024778 0.0251857
+0.0334933 0.992397 0.0322647 0.038196
+0.0578347 0.990153 0.0552703 0.0607023
+0.0951707 0.985269 0.0942967 0.0960727
+0.129466 0.976647 0.124618 0.146033
+0.189656 0.972416 0.185543 0.19795
+0.242577 0.130574 0.220461 0.290975
 EOD
 $marks3_0 << EOD
 EOD
 $line3_1 << EOD
 EOD
 $marks3_1 << EOD
-0.0217333 0.995724 0.0217333 0.0217333
+0.0249517 0.995724 0.0249517 0.0249517
 EOD
 $line3_2 << EOD
-0.00828167 5.86019e-09 0.00819867 0.008394
-0.00863467 1.05342e-11 0.008598 0.008754
+0.00903867 1.05342e-11 0.008989 0.009716
 EOD
 $marks3_2 << EOD
 EOD
 $line4_0 << EOD
-0.060005 0.926036 0.059913 0.0601537
-0.0600597 0.904292 0.0590937 0.0693887
-0.093029 0.894835 0.092898 0.0934773
-0.093513 0.822127 0.0934087 0.09475
-0.168467 0.801754 0.168062 0.173676
-0.367155 0.750351 0.365072 0.375164
-0.398196 0.671472 0.391454 0.403818
-0.586524 0.626558 0.572537 0.719981
-0.775442 0.465567 0.766576 0.79192
-1.35969 0.447062 1.33089 1.40122
-1.66127 0.278849 1.62479 1.68482
-3.31352 0.182198 3.26669 3.37266
-4.12857 0.0703965 4.09703 4.16041
-4.74525 0.00895085 4.60908 5.00203
+0.068881 0.904292 0.0683667 0.0696447
+0.110866 0.894835 0.107479 0.116011
+0.123736 0.822127 0.120902 0.12965
+0.217375 0.801754 0.21061 0.223729
+0.480783 0.750351 0.441537 0.514046
+0.481645 0.671472 0.446692 0.493413
+0.695667 0.626558 0.666691 0.813377
+0.944048 0.465567 0.930612 0.957576
+1.59787 0.447062 1.55934 1.63837
+1.86348 0.278849 1.8428 1.89407
+3.25661 0.182198 3.13944 3.32185
+4.80802 0.0703965 4.76598 4.83259
+5.68692 0.00895085 5.64776 5.82672
 EOD
 $marks4_0 << EOD
 EOD
 $line4_1 << EOD
 EOD
 $marks4_1 << EOD
-0.093029 0.894835 0.093029 0.093029
+0.110866 0.894835 0.110866 0.110866
 EOD
 $line4_2 << EOD
-0.0286747 1.51462e-08 0.028624 0.0287543
-0.028936 3.92716e-12 0.028849 0.0291043
+0.02999 1.51462e-08 0.0294033 0.0317467
+0.0390877 3.92716e-12 0.0389843 0.039245
 EOD
 $marks4_2 << EOD
 EOD
 $line5_0 << EOD
-0.155613 0.44258 0.148612 0.164285
-0.156283 0.245927 0.155888 0.161353
-0.250269 0.0597601 0.247891 0.262044
-0.759589 0.00779958 0.742243 0.774638
-1.05755 0.00165521 1.04358 1.07784
-1.48132 0.00119107 1.45553 1.51265
-2.08873 0.000651464 2.07314 2.11401
-2.76564 0.000531489 2.71421 2.85375
-4.13981 0.000162197 4.09609 4.19969
-7.20639 6.25643e-05 7.155 7.26552
-10.2179 2.79536e-06 10.0637 10.2679
-14.2966 1.97618e-06 14.2769 14.3156
-20.2688 2.81392e-09 20.2688 20.5193
-28.2499 2.54829e-09 28.2499 28.8207
-41.1218 2.11222e-13 41.1218 41.86
+0.144129 0.44258 0.14139 0.149182
+0.1715 0.245927 0.170131 0.176608
+0.269546 0.0597601 0.264698 0.286797
+0.700336 0.00779958 0.693534 0.715886
+1.07301 0.00165521 1.05907 1.08989
+1.34946 0.00119107 1.31842 1.38382
+2.19553 0.000651464 2.15229 2.25623
+2.83059 0.000531489 2.78991 2.85788
+4.59612 0.000162152 4.55915 4.67886
+6.8355 6.25643e-05 6.79402 6.85421
+10.4846 2.56568e-06 10.4689 10.568
+16.4035 1.97618e-06 16.4035 16.8128
+23.8085 3.47997e-09 23.8085 24.872
+28.0653 2.54829e-09 28.0653 28.8299
+38.9564 2.10483e-13 38.9564 40.4463
 EOD
 $marks5_0 << EOD
 EOD
 $line5_1 << EOD
 EOD
 $marks5_1 << EOD
-0.229858 0.253641 0.229858 0.229858
+0.222411 0.253641 0.222411 0.222411
 EOD
 $line5_2 << EOD
-0.0721287 2.11222e-13 0.071932 0.0723897
+0.0797703 2.10483e-13 0.0794747 0.0802247
 EOD
 $marks5_2 << EOD
 EOD
 $line6_0 << EOD
-0.481878 0.704545 0.470926 0.490765
-0.579734 0.591319 0.57323 0.59537
-0.730053 0.583607 0.720515 0.737555
-0.943405 0.32907 0.93583 0.951842
-2.68525 0.181015 2.65454 2.71509
-3.90725 0.082558 3.84852 3.94597
-5.17217 0.0514512 5.12734 5.22316
-7.32813 0.0129409 7.28448 7.49649
-10.7583 0.00834562 10.3718 10.7682
-14.7511 0.00335433 14.7511 15.036
-26.6997 0.00200145 26.6997 27.0286
-35.4706 0.000738151 35.4706 35.8476
-46.0868 0.000537575 46.0868 47.2878
-73.4466 0.000129243 73.4466 77.9777
-108.061 8.87081e-05 108.061 111.013
-145.142 5.07895e-06 145.142 149.202
+0.686679 0.704545 0.672201 0.702372
+0.696143 0.591319 0.68889 0.716448
+1.01111 0.583607 0.993945 1.03962
+1.18741 0.32907 1.17343 1.20277
+4.03199 0.181015 3.95006 4.1291
+5.13132 0.082558 5.10724 5.28453
+8.16973 0.0514512 8.04053 8.19129
+9.93543 0.0129409 9.88173 10.0018
+12.8117 0.00834562 12.7987 12.8623
+18.058 0.00335433 18.058 18.465
+32.3231 0.00200145 32.3231 32.5408
+49.9953 0.000741706 49.9953 50.9978
+62.7712 0.000537575 62.7712 64.14
+95.5684 0.00012963 95.5684 107.944
+127.6 8.87081e-05 127.6 128.447
+217.78 4.70778e-06 217.78 220.394
 EOD
 $marks6_0 << EOD
 EOD
 $line6_1 << EOD
 EOD
 $marks6_1 << EOD
-0.730053 0.583607 0.730053 0.730053
+1.01111 0.583607 1.01111 1.01111
 EOD
 $line6_2 << EOD
-0.277978 1.78629e-13 0.276177 0.287264
+0.389074 8.79252e-09 0.382106 0.403526
+0.395392 1.79855e-13 0.35143 0.404882
 EOD
 $marks6_2 << EOD
 EOD
 $line7_0 << EOD
-0.492149 0.636535 0.485557 0.508386
-0.639248 0.545973 0.61133 0.688721
-0.669186 0.454878 0.661352 0.692848
-0.892011 0.23761 0.879923 0.908409
-1.56603 0.107182 1.5556 1.5803
-2.62314 0.0562172 2.56888 2.68795
-3.59801 0.0153793 3.52304 3.6554
-4.98019 0.0122348 4.95546 5.05287
-8.83159 0.00297643 8.67827 8.87706
-9.58745 0.00273334 9.51338 9.65738
-16.3091 0.000788542 16.3091 16.4376
-26.2971 0.000240205 26.2971 28.596
-37.194 2.32129e-05 37.194 41.4179
-50.6361 5.26856e-06 50.6361 51.3715
-73.5506 6.08211e-08 73.5506 75.8492
-98.6365 2.56564e-09 98.6365 102.926
-133.483 2.89324e-10 133.483 137.995
+0.606659 0.636535 0.592567 0.614716
+0.717635 0.633993 0.705297 0.732786
+0.762387 0.545973 0.719269 0.781735
+0.892281 0.454878 0.869234 0.943683
+1.03499 0.45052 1.02386 1.07363
+1.14602 0.23761 1.10069 1.17182
+2.25336 0.107182 2.21262 2.27698
+3.1984 0.0562172 3.17092 3.93355
+4.87922 0.0550979 4.78091 4.95737
+5.17964 0.0153793 5.105 5.29479
+5.57075 0.0122348 5.55057 5.76903
+9.7393 0.00297643 9.69035 9.7738
+11.31 0.00273334 11.1604 11.3297
+18.5628 0.000788542 18.5628 19.7311
+27.4337 0.000240205 27.4337 27.9064
+47.511 2.32129e-05 47.511 51.3876
+54.2107 5.26856e-06 54.2107 64.2448
+91.1941 6.12024e-08 91.1941 91.9893
+113.802 2.56564e-09 113.802 119.733
+175.127 2.10036e-11 175.127 180.318
 EOD
 $marks7_0 << EOD
 EOD
 $line7_1 << EOD
 EOD
 $marks7_1 << EOD
-0.669186 0.454878 0.669186 0.669186
+0.892281 0.454878 0.892281 0.892281
 EOD
 $line7_2 << EOD
-0.269151 5.11432e-13 0.265693 0.278491
+0.291424 8.65609e-09 0.282836 0.300747
+0.298452 5.11659e-13 0.292342 0.327664
 EOD
 $marks7_2 << EOD
 EOD
 $line8_0 << EOD
-0.0276767 0.737711 0.0272163 0.0290393
-0.0428493 0.648511 0.0428027 0.0429197
-0.0585357 0.594598 0.05726 0.0611077
-0.073591 0.544216 0.072444 0.081005
-0.124381 0.497296 0.121978 0.129827
-0.170062 0.424193 0.159492 0.178479
-0.244644 0.39148 0.236665 0.264755
-0.280116 0.301916 0.27518 0.29329
-0.495705 0.163139 0.48902 0.505905
-1.03743 0.062366 0.995475 1.10619
-2.35802 0.0306382 2.32247 2.6804
-9.60628 0.0199354 9.54218 9.71856
+0.0370003 0.742924 0.0368223 0.03983
+0.0594883 0.651451 0.0587787 0.062683
+0.0765177 0.606529 0.075915 0.0775853
+0.0971123 0.551414 0.0949863 0.10173
+0.165883 0.511838 0.16189 0.174038
+0.240494 0.44663 0.232486 0.250097
+0.309686 0.427292 0.303649 0.317126
+0.327167 0.313588 0.319293 0.336798
+0.616523 0.178071 0.600328 0.644917
+1.32988 0.10762 1.27604 1.49302
+3.31773 0.0877662 3.27211 3.40704
+5.59881 0.0730841 5.46933 5.84822
+10.9277 0.055098 10.7569 10.9277
 EOD
 $marks8_0 << EOD
 EOD
 $line8_1 << EOD
 EOD
 $marks8_1 << EOD
-0.0428493 0.648511 0.0428493 0.0428493
+0.0594883 0.651451 0.0594883 0.0594883
 EOD
 $line8_2 << EOD
-0.0901087 1 0.088855 0.09279
-0.091517 0.830721 0.0903183 0.0929007
-0.0971457 0.696619 0.0961997 0.099983
-0.108247 0.503017 0.106989 0.111433
-0.134642 0.340713 0.13354 0.139558
-0.215903 0.131996 0.214749 0.228524
-0.642293 0.0346343 0.632481 0.654369
-0.951037 0.0066968 0.922815 1.11189
-1.76806 0.00143395 1.75504 1.78437
-2.25192 5.78433e-05 2.23417 2.29835
-2.46092 9.44324e-06 2.42685 2.50905
-3.2475 5.6994e-07 3.20252 3.27885
-3.72977 5.37043e-08 3.67252 3.84893
-4.0582 4.6439e-10 3.99489 4.09359
+0.105313 1 0.104319 0.110329
+0.109645 0.838513 0.108479 0.113241
+0.118631 0.709627 0.115612 0.128565
+0.133894 0.523701 0.132503 0.143839
+0.171741 0.346651 0.163279 0.183348
+0.307897 0.17003 0.296645 0.319286
+0.782579 0.100295 0.75874 0.811801
+1.46646 0.00548672 1.44762 1.49323
+1.87178 0.000199442 1.84979 1.917
+2.5301 0.00017942 2.48863 2.58256
+2.869 4.78472e-06 2.83657 2.89989
+3.11366 4.67245e-07 3.04566 4.10456
+3.48001 6.15907e-08 3.44307 3.49701
+6.8196 1.8823e-08 6.33382 6.86107
 EOD
 $marks8_2 << EOD
 EOD
 $line9_0 << EOD
-0.0145357 0.28168 0.0137907 0.0156763
-0.0204877 0.148776 0.0204497 0.020525
-0.034538 0.0568471 0.0344977 0.0349367
-0.075531 0.00976809 0.0754973 0.075686
-0.117018 0.00956268 0.116861 0.120683
-0.14793 0.00638199 0.143135 0.157463
-0.223555 0.00618908 0.22298 0.230101
-0.282329 0.00415143 0.281929 0.289125
-0.694783 0.00169026 0.690601 0.702332
-1.42802 0.000460191 1.40748 1.43839
-2.82346 5.0438e-05 2.76203 2.83296
+0.0205063 0.28168 0.0202493 0.0223163
+0.028751 0.148776 0.0286133 0.0290693
+0.0480447 0.0568471 0.0478823 0.0501403
+0.115467 0.00976809 0.114881 0.116961
+0.151102 0.00956268 0.146174 0.165957
+0.224263 0.00638199 0.217742 0.229808
+0.331351 0.00618908 0.32573 0.343981
+0.408046 0.00415143 0.393449 0.453196
+0.927968 0.00169026 0.909466 0.947027
+2.17886 0.000460191 2.13513 2.20179
+3.67199 5.0438e-05 3.61165 3.9159
 EOD
 $marks9_0 << EOD
 EOD
 $line9_1 << EOD
 EOD
 $marks9_1 << EOD
-0.0204877 0.148776 0.0204877 0.0204877
+0.028751 0.148776 0.028751 0.028751
 EOD
 $line9_2 << EOD
-0.0115283 2.77086e-09 0.0114933 0.0115723
-0.013665 2.33504e-09 0.0135047 0.0137177
-0.033729 2.74804e-10 0.0335357 0.03438
-0.0728047 1.37555e-10 0.0724117 0.0744243
+0.0144113 2.33509e-09 0.014285 0.0155897
+0.036554 2.74741e-10 0.035895 0.0382343
+0.0630103 1.378e-10 0.0598427 0.0703663
 EOD
 $marks9_2 << EOD
 EOD
 $line10_0 << EOD
-0.042796 0.122965 0.04274 0.042893
-0.066042 0.0324326 0.065971 0.066652
-0.090228 0.0311424 0.090163 0.090426
-0.10765 0.0139361 0.107579 0.108
-0.151349 0.00651607 0.150999 0.151543
-0.334786 0.00411026 0.333603 0.339831
-0.647494 0.00347718 0.641088 0.659803
-1.28331 0.00339097 1.27827 1.28667
+0.067067 0.121814 0.066914 0.067377
+0.103721 0.028702 0.103326 0.10401
+0.175747 0.00514601 0.175253 0.176625
+0.252131 0.00413177 0.25134 0.258135
+0.378213 0.00362837 0.376918 0.387582
+0.577202 0.000951448 0.568564 0.585892
+1.1097 0.000192907 1.10603 1.14719
+2.18419 3.9176e-06 2.17618 2.19634
+5.40139 1.00211e-10 5.39658 5.41512
+10.751 1e-13 10.7253 10.751
 EOD
 $marks10_0 << EOD
 EOD
 $line10_1 << EOD
 EOD
 $marks10_1 << EOD
-0.066042 0.0324326 0.066042 0.066042
+0.103721 0.028702 0.103721 0.103721
 EOD
 $line10_2 << EOD
-0.07101 0.0657867 0.070748 0.071115
-0.077602 0.0199282 0.075767 0.077962
-0.096847 0.00515088 0.096596 0.097349
-0.152394 0.00357821 0.151745 0.162051
-0.628229 0.00355366 0.624712 0.638287
-0.840122 0.00329634 0.837558 0.85648
+0.119504 0.638867 0.118536 0.123529
+0.12 0.0641117 0.116758 0.124202
+0.130962 0.0196566 0.128181 0.135958
+0.158423 0.00103102 0.153101 0.162979
+0.254965 0.000709173 0.250726 0.265719
+0.546982 2.14876e-08 0.539406 0.586776
+0.65303 1e-13 0.645438 0.672226
 EOD
 $marks10_2 << EOD
 EOD
 $line11_0 << EOD
-0.006595 0.579987 0.006522 0.007433
-0.010636 0.369353 0.009583 0.0112653
-0.0134777 0.246505 0.0132057 0.0137273
-0.0155187 0.0448947 0.015372 0.015638
-0.0329193 0.0352883 0.0328473 0.033001
-0.0476587 0.000309292 0.0471063 0.0540693
+0.00800467 0.579538 0.007931 0.00810933
+0.0134163 0.368124 0.0132157 0.013751
+0.0204077 0.246505 0.020106 0.0207183
+0.020936 0.0446838 0.0207717 0.0211257
+0.0366037 0.0352882 0.0359287 0.0382703
+0.0607253 0.000309291 0.0581443 0.069786
 EOD
 $marks11_0 << EOD
 EOD
 $line11_1 << EOD
 EOD
 $marks11_1 << EOD
-0.010636 0.369353 0.010636 0.010636
+0.0134163 0.368124 0.0134163 0.0134163
 EOD
 $line11_2 << EOD
-0.0205827 0.957854 0.0199857 0.02081
-0.021647 0.853283 0.021486 0.021835
-0.0276343 0.531844 0.0274897 0.0286527
-0.044247 7.15907e-08 0.0439557 0.04494
-0.048392 5.73968e-08 0.0464343 0.0489637
-0.051563 5.73962e-08 0.051137 0.0523503
+0.0270557 0.957854 0.026093 0.0279847
+0.0305973 0.853267 0.0284487 0.0314777
+0.0350583 0.598187 0.0337827 0.036784
+0.0577193 7.15918e-08 0.0571757 0.0587487
+0.0619427 7.68569e-09 0.061317 0.0671807
+0.066057 7.67742e-09 0.06549 0.066923
 EOD
 $marks11_2 << EOD
 EOD
 $line12_0 << EOD
-0.275895 10 0.273542 0.284479
-0.315148 0.634339 0.279796 0.322745
-0.429208 0.58368 0.417251 0.447362
-0.440965 0.506586 0.433536 0.455367
-0.550477 0.384054 0.540733 0.558931
-0.888278 0.266206 0.862776 0.915258
-1.88959 0.145264 1.84589 1.90428
-3.59171 0.12545 3.55853 3.64991
+0.308087 0.58368 0.306346 0.317778
+0.449269 0.384054 0.436751 0.46203
+0.803152 0.264631 0.680213 0.843766
+1.8606 0.144753 1.73103 1.94414
+3.21634 0.124215 3.06612 3.45049
 EOD
 $marks12_0 << EOD
 EOD
 $line12_1 << EOD
 EOD
 $marks12_1 << EOD
-0.440965 0.506586 0.440965 0.440965
+0.531131 0.506586 0.531131 0.531131
 EOD
 $line12_2 << EOD
-0.89169 0.935348 0.871424 0.920731
-0.939549 0.675258 0.91863 0.973486
-1.50751 0.120699 1.47038 1.54502
-1.83059 0.064917 1.80222 1.85374
-2.8159 0.0211196 2.74995 2.87846
-4.38455 0.00145979 4.30523 4.40537
-5.04792 0.000278862 4.86683 5.06489
-5.52882 3.97773e-05 5.51363 5.56955
-5.63574 1.00717e-06 5.61447 5.66969
-6.31386 9.80427e-07 6.26012 6.81992
-7.13675 7.45895e-08 7.12205 7.19139
-7.52951 4.11297e-08 7.51044 7.56208
-7.85629 6.30361e-10 7.84126 7.93282
-8.42339 6.19887e-10 8.36716 8.62653
+0.925863 0.968221 0.915594 0.93931
+1.0767 0.943178 1.02179 1.12168
+1.19476 0.791489 1.16489 1.22222
+1.83797 0.0751995 1.82411 1.8805
+2.21665 0.0403099 2.20303 2.23281
+2.41122 0.0113937 2.40464 2.42273
+2.53818 0.000202098 2.52274 2.58314
+3.24116 0.000159904 3.22461 3.26508
+3.53199 5.7131e-06 3.46681 3.5403
+3.71747 5.38596e-08 3.66917 3.73345
+3.86173 4.48328e-10 3.84589 3.86664
 EOD
 $marks12_2 << EOD
 EOD
 $line13_0 << EOD
-0.032077 1.36504 0.03187 0.0325313
-0.0366867 0.972584 0.0363083 0.0371203
-0.041627 0.970775 0.0409673 0.04245
-0.0476947 0.970587 0.0466507 0.048181
-0.0492923 0.964453 0.0477083 0.0522423
-0.174147 0.962597 0.169981 0.180295
-0.197651 0.960247 0.192802 0.204633
-0.320693 0.953939 0.316949 0.330971
-0.363034 0.95157 0.353945 0.371022
-0.572795 0.937362 0.559665 0.591303
-0.716707 0.934952 0.697426 0.733014
-0.72684 0.141183 0.704759 0.741397
+0.0329997 0.960264 0.0326013 0.0364547
+0.0533493 0.957952 0.0477377 0.068428
+0.079936 0.956189 0.0759207 0.0904367
+0.100236 0.956142 0.0956487 0.104801
+0.180612 0.95361 0.177409 0.192234
+0.213358 0.952329 0.211469 0.22241
+0.326206 0.946357 0.312194 0.359262
+0.638009 0.249129 0.629152 0.664466
 EOD
 $marks13_0 << EOD
 EOD
 $line13_1 << EOD
 EOD
 $marks13_1 << EOD
-0.0476947 0.970587 0.0476947 0.0476947
+0.056696 0.959118 0.056696 0.056696
 EOD
 $line13_2 << EOD
-0.0979223 0.184781 0.0954437 0.105004
-0.103645 0.15059 0.102685 0.110554
-0.12052 0.0948051 0.118125 0.125781
-0.145957 0.0765022 0.143439 0.155721
-0.184947 0.0301135 0.182732 0.19871
-0.208048 0.00124727 0.20498 0.215513
-0.257455 0.00124727 0.251637 0.266702
-0.354423 9.88309e-05 0.349024 0.37253
+0.0846483 0.15095 0.083849 0.0934063
+0.0938647 0.138258 0.0910373 0.108817
+0.121438 0.110892 0.118005 0.129069
+0.128299 0.000869645 0.126414 0.132455
+0.139634 0.000864136 0.137387 0.144652
+0.155175 0.000155567 0.152738 0.167493
 EOD
 $marks13_2 << EOD
 EOD
 $line14_0 << EOD
-0.764775 0.440483 0.756709 0.782669
-1.09731 0.427065 1.05191 1.14166
-1.10525 0.369479 1.07381 1.14719
-1.33653 0.350223 1.31212 1.40391
-1.5589 0.336309 1.48877 1.70315
-1.72354 0.319476 1.69764 1.76415
-2.22037 0.312908 2.17821 2.23172
-2.30132 0.24302 2.27775 2.39443
-4.95196 0.104262 4.86126 4.99944
-10.3017 0.04871 10.0454 10.3017
-21.5504 0.0453047 21.5504 25.5329
+1.34822 0.790601 1.31692 1.43505
+1.47247 0.752846 1.39844 1.82081
+1.99989 0.750699 1.9735 2.04392
+2.20958 0.720347 2.15226 2.34865
+2.34522 0.675845 2.31076 2.39497
+3.98974 0.583347 3.58826 4.04188
+8.01002 0.43323 7.97916 8.29697
+19.431 0.31923 19.3003 19.6917
+25.5934 0.247404 25.5934 25.8883
+86.7086 0.198875 86.7086 87.9613
+121.34 0.173894 121.34 121.837
+208.002 0.168604 208.002 212.067
 EOD
 $marks14_0 << EOD
 EOD
 $line14_1 << EOD
 EOD
 $marks14_1 << EOD
-1.10525 0.369479 1.10525 1.10525
+1.47247 0.752846 1.47247 1.47247
 EOD
 $line14_2 << EOD
-1.08386 0.694844 1.0753 1.09791
-1.18313 0.568134 1.16122 1.21046
-1.1922 0.361384 1.15933 1.24751
-1.37067 0.219845 1.34383 1.41119
-1.63639 0.116037 1.62562 1.6715
-2.63761 0.0208941 2.59944 2.71787
-4.52747 0.000612143 4.43127 4.55896
-5.25012 4.69973e-05 5.18804 5.35906
-5.49717 4.6876e-08 5.44952 5.51299
-5.8286 4.57134e-09 5.76548 6.04148
-6.97741 5.50911e-10 6.7849 7.17561
-7.59649 5.32962e-11 7.55818 7.65652
-14.0471 4.33296e-12 14.0471 14.3862
+1.76969 0.831122 1.65518 1.86856
+2.15457 0.58518 2.12995 2.21085
+2.60144 0.473306 2.20319 2.83043
+3.74838 0.296111 3.60476 3.82845
+17.1876 0.0113478 17.1758 19.9386
+28.0196 0.0025557 28.0005 29.4517
+45.2794 0.00021467 45.1089 45.9956
+63.3423 2.11738e-05 63.1959 63.9267
+78.914 2.12794e-06 78.8711 79.5527
+95.121 2.13983e-07 95.0291 95.2878
+109.665 2.17691e-08 109.612 110.095
+121.523 2.15229e-09 121.523 130.767
+135.672 2.16286e-10 135.672 145.953
 EOD
 $marks14_2 << EOD
 EOD
@@ -445,7 +440,7 @@ set logscale x
 set xtics nomirror (0.0001, 0.0002, 0.0005, 0.001, 0.002, 0.005)
 set mxtics
 set format x "%g"
-set xrange [0.000636042:0.00375908]
+set xrange [0.00056679:0.00239749]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -457,9 +452,9 @@ unset label
 unset arrow
 unset object
 set label "best of Bullet's" at graph 0.0914038, graph 0.037156 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.0993501, graph 0.130046 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0645501, graph 0 to graph 0.0993501, graph 0.130046 nohead lw 0.6 lc rgb '#555555'
-set label "delassus" at graph 0.722335, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.233002, graph 0.130046 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.198202, graph 0 to graph 0.233002, graph 0.130046 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.713317, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line0_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line0_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -476,7 +471,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00693862:4.80199]
+set xrange [0.0100474:3.6551]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -487,9 +482,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.437457, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.516822, graph 0.809677 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.14825, graph 0.772267 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.401471, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.516822, graph 0.81123 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.164342, graph 0.940791 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.129542, graph 0.829323 to graph 0.164342, graph 0.940791 nohead lw 0.6 lc rgb '#555555'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line1_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line1_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -506,7 +502,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00660522:5.23255]
+set xrange [0.00831589:6.99523]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -519,7 +515,7 @@ unset arrow
 unset object
 set label "delassus" at graph 0.0914038, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.699374 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.244118, graph 0.948789 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.242917, graph 0.930211 left front noenhanced textcolor rgb '#555555'
 plot $line2_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line2_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line2_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -536,7 +532,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0055028:7.53391]
+set xrange [0.0058345:13.3184]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -548,9 +544,9 @@ unset label
 unset arrow
 unset object
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.05342e-11 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.0971835, graph 0.144471 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0914038, graph 0.144471 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.865418 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.0103976, graph 0.891283 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.00811294, graph 0.891283 left front noenhanced textcolor rgb '#555555'
 plot $line3_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line3_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line3_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -567,7 +563,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0145306:2386.5]
+set xrange [0.0149242:3375.89]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -579,9 +575,9 @@ unset label
 unset arrow
 unset object
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 3.92716e-12 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.0921592, graph 0.113863 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.112893, graph 0.113863 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.782276 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.189404, graph 0.96228 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.19745, graph 0.96228 left front noenhanced textcolor rgb '#555555'
 plot $line4_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line4_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line4_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -598,7 +594,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0310038:93252.2]
+set xrange [0.035002:73166.8]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -609,10 +605,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 2.11222e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 2.10483e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
 set label "best of Bullet's" at graph 0.516822, graph 0.037156 left front noenhanced textcolor rgb '#d55e00'
 set label "delassus" at graph 0.0914038, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.169103, graph 0.886016 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.161863, graph 0.886016 left front noenhanced textcolor rgb '#555555'
 plot $line5_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line5_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line5_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -629,7 +625,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.120892:295728]
+set xrange [0.167649:482940]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -640,10 +636,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.78629e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.0914038, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.516822, graph 0.550412 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.157044, graph 0.930444 left front noenhanced textcolor rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.79855e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.0924868, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.516822, graph 0.548058 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.155614, graph 0.930444 left front noenhanced textcolor rgb '#555555'
 plot $line6_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line6_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line6_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -660,7 +656,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.117857:255454]
+set xrange [0.124391:423429]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -671,10 +667,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 5.11432e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.0914038, graph 0.0506277 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.516822, graph 0.247242 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.153833, graph 0.922713 left front noenhanced textcolor rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 5.11659e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.0929882, graph 0.0506415 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.516822, graph 0.165878 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.165803, graph 0.922713 left front noenhanced textcolor rgb '#555555'
 plot $line7_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line7_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line7_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -691,7 +687,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0127086:11905]
+set xrange [0.0173587:11125.7]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -702,11 +698,11 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 4.6439e-10 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.454155, graph 0.26192 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.516822, graph 0.807116 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.123192, graph 0.785091 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0883925, graph 0.915137 to graph 0.123192, graph 0.785091 nohead lw 0.6 lc rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 6.14704e-11 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.481558, graph 0.376764 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.516822, graph 0.838653 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.126918, graph 0.822387 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0921183, graph 0.915277 to graph 0.126918, graph 0.822387 nohead lw 0.6 lc rgb '#555555'
 plot $line8_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line8_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line8_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -723,7 +719,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00554495:2288.66]
+set xrange [0.00689523:3123.36]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -734,9 +730,9 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.233932, graph 0.224177 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.204682, graph 0.224232 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.621626 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.135873, graph 0.906623 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.144435, graph 0.906623 left front noenhanced textcolor rgb '#555555'
 plot $line9_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line9_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line9_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -752,8 +748,8 @@ set title "domino_run" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.0272202:80.6488]
+set format x "10^{%T}"
+set xrange [0.0341296:5201.49]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -764,10 +760,9 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 0.00329634 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.463826, graph 0.714132 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.516822, graph 0.789322 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.145676, graph 0.859369 left front noenhanced textcolor rgb '#555555'
+set label "best of Bullet's" at graph 0.516822, graph 0.037156 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.282109, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.127938, graph 0.855578 left front noenhanced textcolor rgb '#555555'
 plot $line10_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line10_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line10_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -784,7 +779,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00506609:0.534861]
+set xrange [0.00610909:0.723527]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -795,11 +790,11 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.84006e-12 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.532765, graph 0.411349 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.515866, graph 0.677883 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.193977, graph 0.786206 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.159177, graph 0.897674 to graph 0.193977, graph 0.786206 nohead lw 0.6 lc rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.3769e-11 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.533451, graph 0.348944 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.515824, graph 0.677883 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.199575, graph 0.786103 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.164775, graph 0.897571 to graph 0.199575, graph 0.786103 nohead lw 0.6 lc rgb '#555555'
 plot $line11_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line11_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line11_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -816,7 +811,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.194831:90.9542]
+set xrange [0.225183:57.2346]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -827,11 +822,11 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 7.75536e-11 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.647661, graph 0.270879 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.508972, graph 0.864176 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.167705, graph 0.833163 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.132905, graph 0.907475 to graph 0.167705, graph 0.833163 nohead lw 0.6 lc rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 4.48328e-10 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.547974, graph 0.260828 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.514953, graph 0.86387 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.189747, graph 0.833163 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.154947, graph 0.907475 to graph 0.189747, graph 0.833163 nohead lw 0.6 lc rgb '#555555'
 plot $line12_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line12_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line12_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -848,7 +843,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0211774:32.475]
+set xrange [0.0222515:23.497]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -859,11 +854,11 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 9.88309e-05 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.41891, graph 0.642492 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.516822, graph 0.867842 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.145482, graph 0.779021 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.110682, graph 0.927645 to graph 0.145482, graph 0.779021 nohead lw 0.6 lc rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 0.000155567 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.313754, graph 0.656565 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.516822, graph 0.885459 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.169139, graph 0.574295 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.134339, graph 0.927277 to graph 0.169139, graph 0.574295 nohead lw 0.6 lc rgb '#555555'
 plot $line13_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line13_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line13_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -879,8 +874,8 @@ set title "spheres_bin" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.490473:1255.58]
+set format x "10^{%T}"
+set xrange [0.689599:96048.8]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -891,9 +886,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.462287, graph 0.116913 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.516822, graph 0.832582 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.138327, graph 0.934841 left front noenhanced textcolor rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 8.61347e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.480745, graph 0.238216 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.516822, graph 0.873348 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.0988467, graph 0.956921 left front noenhanced textcolor rgb '#555555'
 plot $line14_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line14_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line14_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \

@@ -64,10 +64,10 @@ $marks2_4 << EOD
 EOD
 $line2_5 << EOD
 2.08333 0.000199392 2.08333 2.08333
-4.16667 0.000398805 4.16667 4.16667
-8.33333 0.000797636 8.33333 8.33333
-16.6667 0.00160057 16.6667 16.6667
-33.3333 0.00361618 33.3333 33.3333
+4.16667 0.000648786 4.16667 4.16667
+8.33333 0.000797569 8.33333 8.33333
+16.6667 0.00669879 16.6667 16.6667
+33.3333 0.0189343 33.3333 33.3333
 EOD
 $marks2_5 << EOD
 EOD
@@ -192,14 +192,15 @@ set ylabel "error, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.821968, graph 0.51165 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.821968, graph 0.558774 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.802545, graph 0.512223 to graph 0.821968, graph 0.558774 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:10" at graph 0.821968, graph 0.512223 left front noenhanced textcolor rgb '#d55e00'
 set label "si:50" at graph 0.821968, graph 0.615958 left front noenhanced textcolor rgb '#d55e00'
 set label "dantzig" at graph 0.821968, graph 0.664865 left front noenhanced textcolor rgb '#555555'
 set arrow from graph 0.802545, graph 0.618313 to graph 0.821968, graph 0.664865 nohead lw 0.6 lc rgb '#555555'
-set label "si2:10" at graph 0.686005, graph 0.680531 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.821968, graph 0.719459 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.653633, graph 0.678725 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:10" at graph 0.821968, graph 0.715444 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.802545, graph 0.657255 to graph 0.821968, graph 0.715444 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.821968, graph 0.766011 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.802545, graph 0.707821 to graph 0.821968, graph 0.766011 nohead lw 0.6 lc rgb '#009e73'
 plot $line2_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line2_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line2_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
