@@ -42,19 +42,19 @@ bool Search::hasNoWalk(const Problem& problem, const Options& options, const Sol
   return isHurried_ && options.newtonBudget - best.regions < least;
 }
 
-void Search::measure(const Problem& problem, Solution& candidate) {
+void Search::measure(Solution& candidate) {
   candidate.setResidual(map_.measure(candidate.r, felt_, candidate.u));
 }
 
-void Search::consider(const Problem& problem, Solution& candidate, Solution& best) {
-  measure(problem, candidate);
+void Search::consider(Solution& candidate, Solution& best) {
+  measure(candidate);
   if (candidate.residual < best.residual) best.takeReactions(candidate);
 }
 
 void Search::offer(const Problem& problem, const VectorXd& r, Solution& best) {
   trial_.r = r;
   makeFeasible(problem, trial_.r);
-  consider(problem, trial_, best);
+  consider(trial_, best);
 }
 
 void Search::startBetter(const Problem& problem, Solution& best) {
@@ -63,14 +63,14 @@ void Search::startBetter(const Problem& problem, Solution& best) {
   if (guessed <= hopeless * leastRmsFromNothing(problem)) return;
   trial_.r.setZero(problem.size());
   makeFeasible(problem, trial_.r);
-  measure(problem, trial_);
+  measure(trial_);
   const bool isHopeless = !(guessed <= hopeless * trial_.residualRms);
   if (isHopeless && !(best.residual <= trial_.residual)) best.takeReactions(trial_);
 }
 
 void Search::allow(const Problem& problem, Solution& best) {
   makeFeasible(problem, best.r);
-  measure(problem, best);
+  measure(best);
 }
 
 Outcome Search::pivotRows(const Problem& problem, const Options& options, double tolerance,
@@ -81,7 +81,7 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
   best.regions += result.regions;
   best.factorisations += result.factorisations;
   trial_.r = result.r;
-  consider(problem, trial_, best);
+  consider(trial_, best);
   if (best.residual <= tolerance) return Outcome::Reached;
   if (result.status != Status::Incompatible) return Outcome::Lost;
   best.r = result.r;
@@ -176,7 +176,7 @@ void Search::setOutApart(const Problem& problem, const VectorXd* guess, Solution
   apart_.start(problem.q);
   if (guess) apart_.r = *guess;
   makeFeasible(problem, apart_.r);
-  consider(problem, apart_, best);
+  consider(apart_, best);
   apart_.regions = best.regions;
   apart_.factorisations = best.factorisations;
   apart_.sweeps = best.sweeps;

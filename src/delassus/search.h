@@ -161,9 +161,9 @@ class Search {
   static double proximalWeight(const Problem& problem, const Solution& from, double least);
 
   /// Completes u and the residuals of a candidate r.
-  void measure(const Problem& problem, Solution& candidate);
+  void measure(Solution& candidate);
   /// Measures it, and takes it as the best answer if its residual is smaller.
-  void consider(const Problem& problem, Solution& candidate, Solution& best);
+  void consider(Solution& candidate, Solution& best);
   /// Puts the answer of a walk back into the cones and bounds that rounding, or a compromise, left.
   void allow(const Problem& problem, Solution& best);
 

@@ -108,7 +108,7 @@ Outcome Search::harden(ProximalNewton<Motion>& newton, const Problem& problem,
       if (!path.descend(compliance, budget - (best.factorisations - begun), best))
         return Outcome::Lost;
       wandering_.r = path.reactions();
-      consider(problem, wandering_, best);
+      consider(wandering_, best);
       newton.motion();  // its factor is that of the path
       const double weight = std::max(compliance, finest);
       const Outcome outcome =
@@ -146,7 +146,7 @@ Outcome Search::outlast(ProximalNewton<Motion>& newton, const Problem& problem,
     else
       machines().sweeps.sweepPlainly(problem, sweepsLeft, wandering_.r);
     apart_.sweeps += sweepsLeft;
-    consider(problem, wandering_, apart_);
+    consider(wandering_, apart_);
     const double before = apart_.residual;
     newton.setProblem(problem, map_);
     outcome = newton.walkFrom(wandering_, problem, tolerance,
@@ -217,7 +217,7 @@ Outcome Search::wander(Engines<Motion>& engines, const Problem& problem, const O
     machines().sweeps.setProblem(problem, map_);
     machines().sweeps.sweep(problem, count, wandering_.r);
     best.sweeps += count;
-    consider(problem, wandering_, best);
+    consider(wandering_, best);
     outcome =
         newton.walkFrom(wandering_, problem, tolerance, proximalWeight(problem, wandering_, 1e-4),
                         regionsLeft(tryFromAfar), best);

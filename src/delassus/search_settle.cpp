@@ -22,7 +22,7 @@ bool Search::sweepAndLearn(const Problem& problem, const Options& options, doubl
        burst = std::min(2 * burst, longest)) {
     machines().sweeps.sweepOn(problem, burst, memory, trial_.r);
     best.sweeps += burst;
-    consider(problem, trial_, best);
+    consider(trial_, best);
     if (best.residual <= tolerance) return true;
     idle += burst;
     if (trial_.residualRms < gain * mark) mark = trial_.residualRms, idle = 0;
@@ -50,7 +50,7 @@ void Search::sweepAll(const Problem& problem, const Options& options, double tol
     else
       machines().sweeps.sweep(problem, count, trial_.r);
     best.sweeps += count;
-    consider(problem, trial_, best);
+    consider(trial_, best);
   }
 }
 
@@ -72,7 +72,7 @@ void Search::sweepWhileItGains(const Problem& problem, const Options& options, d
     else
       machines().sweeps.sweep(problem, burst, trial_.r);
     best.sweeps += made;
-    consider(problem, trial_, best);
+    consider(trial_, best);
   }
 }
 
@@ -88,7 +88,7 @@ void Search::settle(const Problem& problem, const Options& options, double toler
   const int burst = byColour ? manySweeps : fewSweeps;
   double change = tolerance;  // of a velocity, that is worth a sweep by colour
   trial_.r = best.r;
-  measure(problem, trial_);
+  measure(trial_);
   double lowest = infinity;
   for (int failures = 0; failures < patience;) {
     bool gains;
@@ -101,7 +101,7 @@ void Search::settle(const Problem& problem, const Options& options, double toler
       else
         machines().sweeps.sweepOn(problem, burst, memory, trial_.r);
       best.sweeps += made;
-      consider(problem, trial_, best);
+      consider(trial_, best);
       if (best.residual <= tolerance) return;
       if (made < burst) change *= gain * gain;
       gains = trial_.residualRms < gain * before;
@@ -111,7 +111,7 @@ void Search::settle(const Problem& problem, const Options& options, double toler
     // What does not help is tried with more around it.
     if (!mendPatches(problem, options, tolerance, 3.0 / (1 + failures), trial_, best)) return;
     setSweeps(problem, byColour);  // since patches may have been swept
-    consider(problem, trial_, best);
+    consider(trial_, best);
   }
 }
 
