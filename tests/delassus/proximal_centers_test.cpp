@@ -1,8 +1,9 @@
-/// Descents that may miss more before they gain.
+/// Descents that may miss more before they gain, and centers that move as long as that gains.
 #include "delassus/proximal_centers.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -61,6 +62,36 @@ TEST(ProximalCenters, TheBudgetEndsADescent) {
   EXPECT_FALSE(descent.isFound);
   EXPECT_EQ(descent.steps, 2);
   EXPECT_EQ(script.at, 0U);
+}
+
+/// How many moves are made where they lead to these residuals, one after the other, from 1.
+std::size_t movesThrough(const std::vector<double>& residuals) {
+  Problem problem;
+  problem.W = DelassusMatrix(DelassusMatrix::Sparse(MatrixXd::Identity(1, 1).sparseView()));
+  problem.q = problem.lower = VectorXd::Zero(1);
+  problem.upper = VectorXd::Ones(1);
+  NaturalMap map;
+  map.setProblem(problem);
+  Solution best, next;
+  best.start(problem.q);
+  best.residual = 1;
+  std::size_t moves = 0;
+  const auto moveOn = [&](const Solution& center, double, double, int, Solution& to) {
+    to.takeReactions(center);
+    to.residual = residuals[moves++];
+    return Descent{true, 1};
+  };
+  int budget = static_cast<int>(residuals.size());
+  moveCenters(moveOn, map, 1e-9, budget, next, best);
+  EXPECT_EQ(best.residual, *std::min_element(residuals.begin(), residuals.begin() + moves));
+  return moves;
+}
+
+TEST(ProximalCenters, TwoMovesThatGainLittleAreTheLast) {
+  EXPECT_EQ(movesThrough({0.9, 0.6, 0.01}), 2U);
+  EXPECT_EQ(movesThrough({0.9, 2, 0.01}), 2U);
+  EXPECT_EQ(movesThrough({0.9, 0.4, 0.39, 0.38, 0.01}), 4U);
+  EXPECT_EQ(movesThrough({0.4, 0.1, 0.02, 0.005}), 4U);
 }
 
 }  // namespace
