@@ -1,6 +1,5 @@
 #include "bullet_ext/memory.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -14,6 +13,7 @@
 #include "bullet_ext/write_back.h"
 #include "delassus/bytes.h"
 #include "delassus/cone.h"
+#include "delassus/wrench_share.h"
 
 namespace delassus::bullet {
 namespace {
@@ -100,72 +100,32 @@ void Memory::claim(Group& group, int begin, int end, const Owner& owner, bool fr
   }
 }
 
-/// Changes the guesses, within their cones, so that their wrench (J_iᵀ r_i, summed) comes as near as it can to that of the
-/// last step, in the norm of S⁻¹, S = Σ J_iᵀ J_i: first the least change that keeps the wrench, then, where that has left a
-/// cone, rounds over the points, each of which takes what the others leave.
-void Memory::keepWrench(Group& group, int begin, int end, const Owner& owner) const {
-  using Mat63 = Eigen::Matrix<double, 6, 3>;
-  using Mat6 = Eigen::Matrix<double, 6, 6>;
-  double length = 0;  // of the arms, m: moments are counted in its unit
+/// Changes the guesses so that they push and turn as the reactions of the last step did (wrench_share.h).
+void Memory::matchWrench(Group& group, int begin, int end, const Owner& owner) const {
+  double length = 0;  // of the arms, m
   for (int k = owner.begin; k < owner.end; ++k)
     length = std::max(length, last_.points[k].arm.norm());
   for (int i = begin; i < end; ++i)
     length = std::max(length, armOf(group, group.contacts[i]).norm());
   if (!(length > 0)) return;
 
-  const auto wrenchPerReaction = [&](int i) {
-    const Contact& c = group.contacts[i];
-    const Vec3 arm = armOf(group, c) / length;
-    Mat63 g = Mat63::Zero();
-    for (int k = 0; k < (c.friction > 0 ? 3 : 1); ++k)
-      g.col(k) << c.frame.col(k), arm.cross(c.frame.col(k));
-    return g;
-  };
-  Vec6 missing = Vec6::Zero();
+  Vec6 wanted = Vec6::Zero();
   for (int k = owner.begin; k < owner.end; ++k) {
     const Point& p = last_.points[k];
-    missing.head<3>() += p.impulse;
-    missing.tail<3>() += (p.arm / length).cross(p.impulse);
+    wanted.head<3>() += p.impulse;
+    wanted.tail<3>() += (p.arm / length).cross(p.impulse);
   }
-  Mat6 sum = Mat6::Zero();
-  std::array<Mat63, MANIFOLD_CACHE_SIZE> wrenches, answers;  // S⁻¹ J_iᵀ
+  static_assert(MANIFOLD_CACHE_SIZE <= mostFeltPoints);
+  std::array<FeltPoint, mostFeltPoints> points;
   for (int i = begin; i < end; ++i) {
-    Mat63& g = wrenches[i - begin];
-    g = wrenchPerReaction(i);
-    missing -= g * group.guess[i];
-    sum += g * g.transpose();
+    const Contact& c = group.contacts[i];
+    points[i - begin] = {c.frame, armOf(group, c) / length, c.friction};
   }
-  // Two points cannot make every wrench.
-  constexpr double negligible = 1e-10;
-  sum.diagonal().array() += negligible * sum.trace();
-  const Eigen::LDLT<Mat6> factor = sum.ldlt();
-  const Vec6 share = factor.solve(missing);
-  Vec6 left = share;  // S⁻¹ of what is missing
-  for (int i = begin; i < end; ++i) answers[i - begin] = factor.solve(wrenches[i - begin]);
-  // How far the guess moves, squared.
-  const auto add = [&](int i, const Vec6& wanted) {
-    Vec3& r = group.guess[i];
-    const Vec3 before = r;
-    r = projectOnCone(r + wrenches[i - begin].transpose() * wanted, group.contacts[i].friction);
-    const Vec3 change = r - before;
-    left -= answers[i - begin] * change;
-    return change.squaredNorm();
-  };
-  for (int i = begin; i < end; ++i) add(i, share);
-  constexpr int mostRounds = 20;
-  constexpr double still = 1e-8;  // (1e-4)²
-  double moved = 1, size = 0;
-  for (int k = 0; k < mostRounds && moved > still * size; ++k) {
-    moved = size = 0;
-    for (int i = begin; i < end; ++i) {
-      moved += add(i, left);
-      size += group.guess[i].squaredNorm();
-    }
-  }
+  shareWrench(points.data(), end - begin, wanted, &group.guess[begin]);
 }
 
 /// A point that is alone, as those of spheres are: it takes over the force, and its moment follows.
-void Memory::keepForce(Group& group, int contact, const Owner& owner) const {
+void Memory::matchForce(Group& group, int contact, const Owner& owner) const {
   Vec3 impulse = Vec3::Zero();
   for (int k = owner.begin; k < owner.end; ++k) impulse += last_.points[k].impulse;
   const Contact& c = group.contacts[contact];
@@ -208,11 +168,11 @@ void Memory::recallPoints(Group& group, int begin, int end) {
   if (!owner) return;
   if (losesDigits) recallDigits(group, begin, end, *owner);
   if (fresh == 0) return;
-  if (end - begin == 1) return keepForce(group, begin, *owner);
+  if (end - begin == 1) return matchForce(group, begin, *owner);
   // Points that stayed claim their own past; what is left goes to the fresh ones.
   claim(group, begin, end, *owner, false);
   claim(group, begin, end, *owner, true);
-  keepWrench(group, begin, end, *owner);
+  matchWrench(group, begin, end, *owner);
 }
 
 /// Marks the contacts of those bodies. A body that is new where another one was has only fresh points.

@@ -89,8 +89,8 @@ class Memory {
   void recallTurns(Group& group);
   void keepTurns(const Group& group, const Answer& answer);
   void claim(Group& group, int begin, int end, const Owner& owner, bool fresh);
-  void keepWrench(Group& group, int begin, int end, const Owner& owner) const;
-  void keepForce(Group& group, int contact, const Owner& owner) const;
+  void matchWrench(Group& group, int begin, int end, const Owner& owner) const;
+  void matchForce(Group& group, int contact, const Owner& owner) const;
 
   bool announced_ = false;
   Step last_, now_;

@@ -24,8 +24,6 @@ void Pushes::clear() {
 std::size_t Pushes::bytes() const { return bytesOf(bodies, contacts) + assembler.bytes(); }
 
 void solvePushes(const Group& group, bool all, Workshop& workshop, Pushes& pushes) {
-  // Unknowns whose solution takes longer than it takes to call another thread.
-  constexpr int worthwhile = 50;
   pushes.clear();
   const std::vector<Contact>& contacts = pushes.contacts;
   findContacts(group, all, pushes.contacts);
@@ -38,7 +36,7 @@ void solvePushes(const Group& group, bool all, Workshop& workshop, Pushes& pushe
   pushes.islands = pushes.assembler.islands();
   workshop.clearCounts();
   const auto weight = [&](int i) { return pushes.assembler.island(i).unknowns(); };
-  workshop.shareSolving(pushes.islands, worthwhile, weight, [&](Bench& bench, int i) {
+  workshop.shareSolving(pushes.islands, weight, [&](Bench& bench, int i) {
     const Island& island = pushes.assembler.island(i);
     const Problem& problem = bench.assembler.assemble(pushes.bodies, contacts, noRows, island);
     bench.solver.solve(problem, fromRest, bench.solution);

@@ -170,12 +170,10 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
 
 /// Solves the islands that the check has left.
 void solveOpenIslands(const Group& group, Workshop& workshop, Answer& answer) {
-  // Unknowns whose solution takes longer than it takes to call another thread.
-  constexpr int worthwhile = 100;
   const auto island = [&](int k) -> const Island& { return answer.island(answer.open[k]); };
   answer.matrices += static_cast<int>(answer.open.size());
   workshop.shareSolving(
-      static_cast<int>(answer.open.size()), worthwhile, [&](int k) { return island(k).unknowns(); },
+      static_cast<int>(answer.open.size()), [&](int k) { return island(k).unknowns(); },
       [&](Bench& bench, int k) {
         solveIsland(group, island(k), bench, answer, answer.islands[answer.open[k]]);
       });

@@ -90,7 +90,9 @@ class Workshop {
   /// The same where a bench's solver is at work. What weighs three times as much as all else would keep one hand busy while the others
   /// wait: it comes first, with all of them.
   template <class Weight, class Work>
-  void shareSolving(int count, int worthwhile, const Weight& weight, const Work& work) {
+  void shareSolving(int count, const Weight& weight, const Work& work) {
+    // Unknowns whose solution takes longer than it takes to call another thread.
+    constexpr int worthwhile = 100;
     const int heaviest = crew_.count() > 1 ? predominant(count, weight) : -1;
     if (heaviest >= 0) {
       const Lent lent(benches_[0]->solver, crew_);

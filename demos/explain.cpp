@@ -6,7 +6,7 @@ namespace demos {
 
 std::vector<Need> needsOf(const StepTotals& totals) {
   const delassus::Plan& plan = totals.sum.plan;
-  const auto need = [&](const char* key, const char* name, int sum, const char* there,
+  const auto need = [&](const char* key, const char* name, int sum, const std::string& there,
                         const char* none) {
     return Need{key, name, totals.aStep(sum), sum > 0 ? there : none};
   };
@@ -28,7 +28,9 @@ std::vector<Need> needsOf(const StepTotals& totals) {
       need("obsolete", "constraints without rows", plan.obsolete, "turns with the rest",
            "no turns"),
       need("listeners", "listeners", plan.heard ? totals.steps : 0, "events", noEvents),
-      need("islands", "islands", plan.islands, "each on its own", "nothing to solve"),
+      need("islands", "islands", plan.islands,
+           "each on its own, of " + std::to_string(plan.largestIsland) + " unknowns at most",
+           "nothing to solve"),
       need("unknowns", "unknowns", plan.unknowns, "", ""),
   };
 }

@@ -47,11 +47,5 @@ void finishPart(const std::string& file);
 
 /// Writes `image` at once or not at all. The same image gives the same bytes. Throws OutputError.
 void savePng(const std::string& file, const Image& image);
-/// Reads what `savePng` wrote. Throws std::runtime_error.
-Image loadPng(const std::string& file);
-
-/// Mean structural similarity of the brightness of two images of one size, over windows of 8 x 8 pixels (Wang, Bovik,
-/// Sheikh, Simoncelli 2004): 1 for equal ones.
-double structuralSimilarity(const Image& a, const Image& b);
 
 }  // namespace demos::render

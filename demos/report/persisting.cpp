@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "demos/report/comparison.h"
+#include "demos/report/scene_view.h"
 #include "demos/report/figure.h"
 #include "demos/report/markdown.h"
 #include "demos/report/part.h"

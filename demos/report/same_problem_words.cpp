@@ -1,7 +1,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "demos/report/comparison.h"
+#include "demos/report/scene_view.h"
 #include "demos/report/figure.h"
 #include "demos/report/markdown.h"
 #include "demos/report/part.h"

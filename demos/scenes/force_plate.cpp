@@ -103,17 +103,6 @@ FootStatics staticsOfWeights(const World& world, double timeStep) {
   return sum;
 }
 
-FootForces leastNormShare(const FootStatics& statics) {
-  FootForces forces{};
-  for (int foot = 0; foot < 4; ++foot) {
-    const auto [x, z] = placeOfFoot(foot);
-    forces[foot] = (statics.force + x * statics.momentX / (legX * legX) +
-                    z * statics.momentZ / (legZ * legZ)) /
-                   4;
-  }
-  return forces;
-}
-
 double footForceError(const World& world, double timeStep) {
   const FootStatics measured = staticsOf(measuredFootForces(world, timeStep)),
                     expected = staticsOfWeights(world, timeStep);

@@ -29,11 +29,6 @@ struct FootStatics {
 FootStatics staticsOf(const FootForces& forces);
 FootStatics staticsOfWeights(const World& world, double timeStep);
 
-/// The share of least norm among all that have these statics: no self-stress. Feet at (±a, ±b) carry
-///
-///     N_i = ¼ (F + x_i M_x/a² + z_i M_z/b²)
-FootForces leastNormShare(const FootStatics& statics);
-
 /// The largest error of the measured force, and of its moments by the distance of the feet from the middle; as a share of
 /// the weight.
 double footForceError(const World& world, double timeStep);

@@ -37,20 +37,20 @@ const KeptList<Island>& IslandJoiner::join(const Assembler& assembler,
                                            const Articulation& articulation) {
   constexpr int unseen = -1;
   const int count = assembler.islands();
-  links_.reset(count);
+  sets_.reset(count);
   islandOf_.assign(articulation.trees.size(), unseen);
   for (int i = 0; i < count; ++i)
     for (int body : assembler.island(i).bodies)
       if (const Articulation::Limb* limb = articulation.limbOf(body)) {
         int& island = islandOf_[limb->tree];
         if (island == unseen) island = i;
-        links_.join(island, i);
+        sets_.join(island, i);
       }
 
   joined_.clear();
   place_.resize(count);
   for (int i = 0; i < count; ++i) {
-    const int root = links_.root(i);
+    const int root = sets_.root(i);
     if (root == i) {
       place_[i] = static_cast<int>(joined_.size());
       joined_.add() = assembler.island(i);

@@ -3,9 +3,9 @@
 #include <Eigen/Cholesky>
 #include <vector>
 
+#include "delassus/disjoint_sets.h"
 #include "delassus/island.h"
 #include "delassus/kept_list.h"
-#include "delassus/links.h"
 
 namespace delassus {
 
@@ -68,13 +68,13 @@ class IslandJoiner {
   /// As they were joined last.
   const KeptList<Island>& islands() const { return joined_; }
   std::size_t bytes() const {
-    return joined_.bytes([](const Island& island) { return island.bytes(); }) + links_.bytes() +
+    return joined_.bytes([](const Island& island) { return island.bytes(); }) + sets_.bytes() +
            bytesOf(islandOf_, place_);
   }
 
  private:
   KeptList<Island> joined_;
-  Links links_;
+  DisjointSets sets_;
   std::vector<int> islandOf_;  ///< the first island of each tree
   std::vector<int> place_;     ///< of each island that is the first of its set, among the joined
 };

@@ -28,6 +28,13 @@ Vec3 reactionIn(Mode mode, const Vec3& z, double mu, Mat3& derivative) {
   return slidingReaction(z, zt, mu, &derivative);
 }
 
+/// The length in δ that counts as much as one in ln c where this is dδ/d ln c. Motions count for much: where the curve turns back in c they
+/// go on.
+double unitOf(const VectorXd& drive) {
+  constexpr double share = 0.1, least = 1e-12;
+  return std::max(share * drive.norm(), least);
+}
+
 Mode modeAt(const Vec3& z, double mu) {
   return z[0] <= 0 ? Mode::Open : lengthOf(z[1], z[2]) <= mu * z[0] ? Mode::Stick : Mode::Slide;
 }
@@ -138,11 +145,10 @@ double CompliancePath::findTangent() {
 
 /// Goes on along the tangent that was found.
 void CompliancePath::takeTangent() {
-  // Motions count for much: where the curve turns back in c they go on.
-  constexpr double share = 0.1, slowly = 0.3, least = 1e-12;
+  constexpr double slowly = 0.3;
   tangent_.swap(newTangent_);
   tangentTau_ = newTangentTau_;
-  unit_ = (1 - slowly) * unit_ + slowly * std::max(share * drive_.norm(), least);
+  unit_ = (1 - slowly) * unit_ + slowly * unitOf(drive_);
   const double length = distance(tangent_, tangentTau_);
   tangent_ /= length;
   tangentTau_ /= length;
@@ -188,7 +194,7 @@ bool CompliancePath::stand(bool upward, Solution& count) {
   if (!factorise(count)) return false;
   downward_ = motion_->isDeterminantNegative() != upward;
   findDrive();
-  unit_ = std::max(0.1 * drive_.norm(), 1e-12);
+  unit_ = unitOf(drive_);
   tangent_.setZero(delta_.size());
   tangentTau_ = 0;
   findTangent();

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "delassus/links.h"
+#include "delassus/disjoint_sets.h"
 
 namespace delassus {
 namespace {
@@ -84,13 +84,13 @@ void eliminate(const Sparse& W, const std::vector<Image>& images, const std::vec
 /// All equations, those together that feel each other.
 void eliminateEquations(Sparse& W, const std::vector<Image>& images, VectorXd& q) {
   const auto size = static_cast<int>(images.size());
-  Links links(size);
+  DisjointSets coupled(size);
   for (int i = 0; i < size; ++i)
     for (Sparse::InnerIterator w(W, i); w && images[i].place < 0; ++w)
-      if (images[w.col()].place < 0 && w.value() != 0) links.join(i, static_cast<int>(w.col()));
+      if (images[w.col()].place < 0 && w.value() != 0) coupled.join(i, static_cast<int>(w.col()));
   std::vector<std::vector<int>> sets(size);
   for (int i = 0; i < size; ++i)
-    if (images[i].place < 0) sets[links.root(i)].push_back(i);
+    if (images[i].place < 0) sets[coupled.root(i)].push_back(i);
   Triplets changes;
   for (const std::vector<int>& set : sets)
     if (!set.empty()) eliminate(W, images, set, q, changes);

@@ -76,7 +76,7 @@ void Assembler::addIsland() {
 
 std::size_t Assembler::bytes() const {
   std::size_t sum =
-      bytesOf(islands_, islandOf_, placeOf_, roots_) + links_.bytes() + problem_.bytes();
+      bytesOf(islands_, islandOf_, placeOf_, roots_) + sets_.bytes() + problem_.bytes();
   for (const Island& island : islands_) sum += island.bytes();
   return sum;
 }
@@ -85,9 +85,9 @@ void Assembler::split(const std::vector<Body>& bodies, const std::vector<Contact
                       const std::vector<Row>& rows, bool allTangents) {
   constexpr int untouched = -2, unnumbered = -1;
   const int bodyCount = static_cast<int>(bodies.size());
-  links_.reset(bodyCount);
+  sets_.reset(bodyCount);
   const auto join = [&](int a, int b) {
-    if (movable(bodies, a) && movable(bodies, b)) links_.join(a, b);
+    if (movable(bodies, a) && movable(bodies, b)) sets_.join(a, b);
   };
   // Most contacts come after another of the same two bodies.
   const auto comesAfterItsLike = [&](std::size_t i) {
@@ -100,7 +100,7 @@ void Assembler::split(const std::vector<Body>& bodies, const std::vector<Contact
   // Bodies that nothing touches make no island.
   islandOf_.assign(bodyCount, untouched);
   const auto touch = [&](int i) {
-    if (movable(bodies, i)) islandOf_[links_.root(i)] = unnumbered;
+    if (movable(bodies, i)) islandOf_[sets_.root(i)] = unnumbered;
   };
   for (std::size_t i = 0; i < contacts.size(); ++i)
     if (!comesAfterItsLike(i)) touch(contacts[i].a), touch(contacts[i].b);
@@ -109,7 +109,7 @@ void Assembler::split(const std::vector<Body>& bodies, const std::vector<Contact
   // The root of an island is its first body.
   count_ = 0;
   for (int i = 0; i < bodyCount; ++i) {
-    const int root = links_.root(i);
+    const int root = sets_.root(i);
     if (!movable(bodies, i) || islandOf_[root] == untouched) continue;
     if (root == i) {
       islandOf_[i] = count_;

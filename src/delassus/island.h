@@ -4,7 +4,7 @@
 
 #include "delassus/body.h"
 #include "delassus/contact.h"
-#include "delassus/links.h"
+#include "delassus/disjoint_sets.h"
 #include "delassus/problem.h"
 #include "delassus/row.h"
 
@@ -75,7 +75,7 @@ class Assembler {
 
   std::vector<Island> islands_;  ///< the first count_ are of this step
   int count_ = 0;
-  Links links_;
+  DisjointSets sets_;
   std::vector<int> islandOf_;  ///< of each body
   std::vector<int>
       placeOf_;  ///< of each body of the island that is being assembled, among its bodies

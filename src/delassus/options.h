@@ -20,12 +20,13 @@ struct Options {
   /// takes its region all the same.
   int newtonBudget = 1800;
   /// Most block Gauss-Seidel sweeps, alternations, and steps on few contacts without their joints (condensed_newton.h), per island. Who
-  /// allows fewer than 300 is in a hurry: where joints leave few contacts (and there are ten sweeps or more) these are solved at once for one
-  /// region, by up to 20 steps that are not counted. Elsewhere, where nothing slid, and there are more than 12 contacts and no heap
-  /// (pile_kind.h), all is held at once for one region, its up to 40 steps uncounted; without reactions to start from, up to 16 regions of a
-  /// walk from the forced motion may come next, but in large piles. If that is no answer, all sweeps are made, as sequential impulses make
-  /// theirs, and a walk comes after them. There are no alternations, no second start and no path of compliance.
+  /// allows few of them is in a hurry (isHurried): where joints leave few contacts (and there are ten sweeps or more) these are solved at once
+  /// for one region, by some tens of steps that are not counted. Elsewhere, where nothing slid, and there are more than a dozen contacts and
+  /// no heap (pile_kind.h), all is held at once for one region, its steps uncounted; without reactions to start from, a short walk from the
+  /// forced motion may come next, but in large piles. If that is no answer, all sweeps are made, as sequential impulses make theirs, and a
+  /// walk comes after them. There are no alternations, no second start and no path of compliance. The numbers are in search_start_out.cpp.
   int sweepBudget = 64000;
+  bool isHurried() const { return sweepBudget < 300; }
   /// Most factorisations along a path of compliance (compliance_path.h), of an island of up to 600 contacts and rows; of larger ones, in
   /// which each costs more, as many fewer. There is no path in islands of more than 200 contacts and rows that are no heaps
   /// (pile_kind.h), with rolling or spinning friction, or where W is explicit. It is looked at between strides, of which one may make a

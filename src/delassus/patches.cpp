@@ -42,7 +42,7 @@ void Patches::spread(const Problem& problem, const VectorXd& residuals, double u
 /// Contacts and rows whose bodies all belong to a patch, and the patches that they make of them.
 void Patches::join(const Problem& problem) {
   const int count = problem.contacts() + problem.rows();
-  links_.reset(static_cast<int>(reach_.size()));
+  sets_.reset(static_cast<int>(reach_.size()));
   owner_.assign(count, -1);
   for (int k = 0; k < count; ++k) {
     int first = -1;
@@ -53,10 +53,10 @@ void Patches::join(const Problem& problem) {
     });
     if (first < 0 || !inside) continue;
     owner_[k] = first;
-    visitBodies(problem, k, [&](int body) { links_.join(body, first); });
+    visitBodies(problem, k, [&](int body) { sets_.join(body, first); });
   }
   for (int& owner : owner_)
-    if (owner >= 0) owner = links_.root(owner);
+    if (owner >= 0) owner = sets_.root(owner);
 }
 
 /// A disk whose governor is held has no law of its own in a patch.

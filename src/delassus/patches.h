@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "delassus/links.h"
+#include "delassus/disjoint_sets.h"
 #include "delassus/problem.h"
 
 namespace delassus {
@@ -29,7 +29,7 @@ class Patches {
   void putBack(int patch, const Problem& problem, const VectorXd& reactions, VectorXd& r) const;
 
   std::size_t bytes() const {
-    return bytesOf(reach_, owner_, parts_, begin_, place_, felt_, moved_) + links_.bytes();
+    return bytesOf(reach_, owner_, parts_, begin_, place_, felt_, moved_) + sets_.bytes();
   }
 
  private:
@@ -40,7 +40,7 @@ class Patches {
 
   std::vector<char>
       reach_;               ///< of bodies: touched by an unsettled part, or a neighbour, or neither
-  Links links_;             ///< of bodies that are in one patch
+  DisjointSets sets_;       ///< of bodies that are in one patch
   std::vector<int> owner_;  ///< of contacts and rows: the root of its patch, or −1
   std::vector<int> parts_;  ///< contacts and rows, patch by patch, ascending in each
   std::vector<int> begin_;  ///< patch -> its first among parts_

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "delassus/disjoint_sets.h"
 #include "delassus/lemke.h"
 #include "delassus/proximal_point.h"
 #include "delassus/region.h"
@@ -34,21 +35,19 @@ constexpr int shiftBudget = 3;
 /// Rows linked through W, in ascending order.
 std::vector<std::vector<int>> linkedRows(const MatrixXd& W) {
   const int n = static_cast<int>(W.rows());
+  DisjointSets linked(n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < i; ++j)
+      if (W(i, j) != 0 || W(j, i) != 0) linked.join(i, j);
   std::vector<std::vector<int>> groups;
-  std::vector<char> seen(n, 0);
-  for (int first = 0; first < n; ++first) {
-    if (seen[first]) continue;
-    std::vector<int> group = {first};
-    seen[first] = 1;
-    for (size_t k = 0; k < group.size(); ++k) {
-      for (int j = 0; j < n; ++j) {
-        if (seen[j] || (W(group[k], j) == 0 && W(j, group[k]) == 0)) continue;
-        seen[j] = 1;
-        group.push_back(j);
-      }
+  std::vector<int> groupOf(n);
+  for (int i = 0; i < n; ++i) {
+    const int root = linked.root(i);  // the first of its group
+    if (root == i) {
+      groupOf[i] = static_cast<int>(groups.size());
+      groups.emplace_back();
     }
-    std::sort(group.begin(), group.end());
-    groups.push_back(std::move(group));
+    groups[groupOf[root]].push_back(i);
   }
   return groups;
 }
@@ -210,9 +209,6 @@ PivotResult pivotLinked(const MatrixXd& W, const VectorXd& q, const VectorXd& lo
   return result;
 }
 
-/// Solved < out of budget < incompatible: the news a user must hear.
-Status graver(Status a, Status b) { return std::max(a, b); }
-
 }  // namespace
 
 PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
@@ -245,7 +241,7 @@ PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
     result.u(group) = part.u;
     for (size_t k = 0; k < group.size(); ++k) result.rows[group[k]] = part.rows[k];
     for (const int k : part.blamed) result.blamed.push_back(group[k]);
-    result.status = graver(result.status, part.status);
+    result.status = std::max(result.status, part.status);
     result.regions += part.regions;
     result.factorisations += part.factorisations;
   }

@@ -5,6 +5,7 @@
 
 #include "delassus/options.h"
 #include "delassus/problem.h"
+#include "delassus/proximal_weight.h"
 #include "delassus/residual.h"
 #include "delassus/solution.h"
 
@@ -56,19 +57,18 @@ Descent descend(Steps& steps, double enough, int budget) {
 template <class MoveOn>
 bool moveCenters(const MoveOn& moveOn, const NaturalMap& map, double tolerance, int& budget,
                  Solution& next, Solution& best) {
-  constexpr double unknownRegion = 1e-3, least = 1e-10, most = 1e-1, growth = 10;
-  // How the weight shrinks: less boldly after a failure, and more so again once two moves in a row were found.
-  constexpr double boldest = 1e-2;
+  constexpr double unknownRegion = 1e-3, least = 1e-10, most = 1e-1;
   constexpr double fine = 1e-2, slow = 1e-2, tooSlow = 0.3;  // shares of the residual
   constexpr double gain = 0.5;
   constexpr int patience = 2;
-  double shrink = boldest, mark = best.residual;
-  int foundInARow = 0, idle = 0;
-  for (double alpha = unknownRegion; budget > 0;) {
+  ProximalWeight alpha(unknownRegion, least, most);
+  double mark = best.residual;
+  int idle = 0;
+  while (budget > 0) {
     const double before = best.residual;
     const double enough =
         std::max(fine * std::max(before, polishedShare * tolerance), map.roundOff(best.r));
-    const Descent descent = moveOn(best, alpha, enough, budget, next);
+    const Descent descent = moveOn(best, alpha.value(), enough, budget, next);
     budget -= descent.steps;
     const double now = next.residual;
     if (now < before) best.takeReactions(next);
@@ -79,15 +79,13 @@ bool moveCenters(const MoveOn& moveOn, const NaturalMap& map, double tolerance, 
     if (best.residual < gain * mark) mark = best.residual, idle = 0;
     if (idle >= patience) break;
     if (!descent.isFound || !(now < before)) {
-      if (alpha >= most) break;
-      alpha *= growth;
-      shrink = std::sqrt(shrink);
-      foundInARow = 0;
+      if (alpha.isMost()) break;
+      alpha.grow();
       continue;
     }
-    if (now > tooSlow * before && alpha <= least) break;
-    if (++foundInARow > 1) shrink = std::max(boldest, shrink * std::sqrt(shrink));
-    if (now > slow * before) alpha = std::max(least, shrink * alpha);
+    if (now > tooSlow * before && alpha.isLeast()) break;
+    alpha.learn(true);
+    if (now > slow * before) alpha.shrink();
   }
   return best.residual <= tolerance;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "delassus/options.h"
+#include "delassus/proximal_weight.h"
 #include "delassus/residual.h"
 #include "delassus/wall.h"
 
@@ -227,48 +228,45 @@ void ProximalNewton<Motion>::polish(const Problem& problem, double tolerance, do
 }
 
 template <class Motion>
-Outcome ProximalNewton<Motion>::converge(const Problem& problem, double tolerance, double alpha,
-                                         int regionBudget, bool fromRegion, double residual,
-                                         Solution& best) {
-  constexpr double smallest = 1e-12, largest = 10, hardly = 1e-7, growth = 10;
-  // How the weight shrinks: less boldly after a failure, and more so again once two steps in a row were easy.
-  constexpr double boldest = 0.01;
+Outcome ProximalNewton<Motion>::converge(const Problem& problem, double tolerance,
+                                         double firstWeight, int regionBudget, bool fromRegion,
+                                         double residual, Solution& best) {
+  constexpr double smallest = 1e-12, largest = 10, hardly = 1e-7;
+  // Shares of the residual. A step that leaves more than `slow` asks for a smaller weight; more than `tooSlow`, and no digits come by
+  // themselves; more than `atItsEnd` with the smallest weight, and nothing more is to come; `stuck`: reactions may grow in vain.
+  constexpr double slow = 1e-2, tooSlow = 0.3, atItsEnd = 0.1, stuck = 0.5;
   constexpr int fewRegions = 6;
   constexpr int mostOuters = 1000;  // budgets end before, unless steps take no regions
   setTolerance(tolerance);
   r_ = center_;
-  double shrink = boldest;
-  int easySteps = 0;
+  ProximalWeight alpha(firstWeight, smallest, largest);
   for (int outer = 0; outer < mostOuters; ++outer) {
-    setWeights(alpha);
+    setWeights(alpha.value());
     const int regionsBefore = regionBudget;
     const Solution* region = fromRegion && outer == 0 ? &best : nullptr;
     if (solveProximal(problem, regionBudget, best, region) == Inner::Failed) {
       // Where the budget ends, what is half done may be better than nothing.
       if (regionBudget <= 0) moveTo(measure(), best);
       if (best.residual <= tolerance) return Outcome::Reached;
-      if (fromRegion || regionBudget <= 0 || alpha >= largest) return Outcome::Lost;
-      shrink = std::sqrt(shrink);
-      easySteps = 0;
-      alpha *= growth;
+      if (fromRegion || regionBudget <= 0 || alpha.isMost()) return Outcome::Lost;
+      alpha.grow();
       continue;
     }
-    easySteps = regionsBefore - regionBudget <= fewRegions ? easySteps + 1 : 0;
-    if (easySteps > 1) shrink = std::max(boldest, shrink * std::sqrt(shrink));
+    alpha.learn(regionsBefore - regionBudget <= fewRegions);
     const VelocityResidual measured = measure();
     const double now = measured.max;
-    if (now > std::max(0.5 * residual, tolerance) && alpha <= hardly &&
+    if (now > std::max(stuck * residual, tolerance) && alpha.value() <= hardly &&
         growsInVain(problem, tolerance, now)) {
       compromise(problem, best);
       return Outcome::Incompatible;
     }
     moveTo(measured, best);
     // Some digits more if they come by themselves: then the next step may stand on these reactions.
-    const double aim = now > 0.3 * residual ? tolerance : polishedShare * tolerance;
+    const double aim = now > tooSlow * residual ? tolerance : polishedShare * tolerance;
     if (now <= std::max(aim, map_->roundOff(center_))) return Outcome::Reached;
     // A region that is known needs a small weight to finish; one that still changes needs a larger one.
-    if (now > 0.1 * residual && alpha <= smallest) return Outcome::Lost;
-    if (now > 0.01 * residual) alpha = std::max(smallest, shrink * alpha);
+    if (now > atItsEnd * residual && alpha.isLeast()) return Outcome::Lost;
+    if (now > slow * residual) alpha.shrink();
     residual = now;
   }
   return Outcome::Lost;

@@ -116,7 +116,7 @@ class ProximalNewton {
   double nextWallAlong(const Problem& problem, double after) const;
   Inner solveProximal(const Problem& problem, int& budget, Solution& count, const Solution* region);
   /// From the reactions center_ with the natural residual `residual`.
-  Outcome converge(const Problem& problem, double tolerance, double alpha, int regionBudget,
+  Outcome converge(const Problem& problem, double tolerance, double firstWeight, int regionBudget,
                    bool fromRegion, double residual, Solution& best);
   /// The inner accuracy that answers within this tolerance need.
   void setTolerance(double tolerance);

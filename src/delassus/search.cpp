@@ -31,15 +31,15 @@ bool isTooLargeToFactor(const Problem& problem) {
 
 }  // namespace
 
-double Search::proximalWeight(const Problem& problem, const Solution& from, double least) {
-  return std::clamp(std::sqrt(from.residual / problem.q.cwiseAbs().maxCoeff()), least,
+double Search::firstWeight(const Solution& from, double least) const {
+  return std::clamp(std::sqrt(from.residual / problem_->q.cwiseAbs().maxCoeff()), least,
                     unknownRegion);
 }
 
 /// A few regions settle a small island; where there are many contacts, and no time, they only take some.
-bool Search::hasNoWalk(const Problem& problem, const Options& options, const Solution& best) const {
-  const int least = isHeap(problem) || isLargePile(problem) ? shortWalk : 1;
-  return isHurried_ && options.newtonBudget - best.regions < least;
+bool Search::hasNoWalk(const Task& task, const Solution& best) const {
+  const int least = isHeap(*problem_) || isLargePile(*problem_) ? shortWalk : 1;
+  return isHurried_ && task.regionsLeft(best) < least;
 }
 
 void Search::measure(Solution& candidate) {
@@ -51,38 +51,37 @@ void Search::consider(Solution& candidate, Solution& best) {
   if (candidate.residual < best.residual) best.takeReactions(candidate);
 }
 
-void Search::offer(const Problem& problem, const VectorXd& r, Solution& best) {
+void Search::offer(const VectorXd& r, Solution& best) {
   trial_.r = r;
-  makeFeasible(problem, trial_.r);
+  makeFeasible(*problem_, trial_.r);
   consider(trial_, best);
 }
 
-void Search::startBetter(const Problem& problem, Solution& best) {
+void Search::startBetter(Solution& best) {
   constexpr double hopeless = 30;
   const double guessed = best.residualRms;
-  if (guessed <= hopeless * leastRmsFromNothing(problem)) return;
-  trial_.r.setZero(problem.size());
-  makeFeasible(problem, trial_.r);
+  if (guessed <= hopeless * leastRmsFromNothing(*problem_)) return;
+  trial_.r.setZero(problem_->size());
+  makeFeasible(*problem_, trial_.r);
   measure(trial_);
   const bool isHopeless = !(guessed <= hopeless * trial_.residualRms);
   if (isHopeless && !(best.residual <= trial_.residual)) best.takeReactions(trial_);
 }
 
-void Search::allow(const Problem& problem, Solution& best) {
-  makeFeasible(problem, best.r);
+void Search::allow(Solution& best) {
+  makeFeasible(*problem_, best.r);
   measure(best);
 }
 
-Outcome Search::pivotRows(const Problem& problem, const Options& options, double tolerance,
-                          Solution& best) {
-  if (isTooLargeToFactor(problem)) return Outcome::Lost;
-  const PivotResult result =
-      pivot(problem.W.dense(), problem.q, problem.lower, problem.upper, options.newtonBudget);
+Outcome Search::pivotRows(const Task& task, Solution& best) {
+  if (isTooLargeToFactor(*problem_)) return Outcome::Lost;
+  const PivotResult result = pivot(problem_->W.dense(), problem_->q, problem_->lower,
+                                   problem_->upper, task.options.newtonBudget);
   best.regions += result.regions;
   best.factorisations += result.factorisations;
   trial_.r = result.r;
   consider(trial_, best);
-  if (best.residual <= tolerance) return Outcome::Reached;
+  if (best.residual <= task.tolerance) return Outcome::Reached;
   if (result.status != Status::Incompatible) return Outcome::Lost;
   best.r = result.r;
   best.u = result.u;
@@ -91,7 +90,7 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
   return Outcome::Incompatible;
 }
 
-/// From the likeliest way to the surest, where joints leave more than few contacts (`condense` comes before).
+/// From the likeliest way to the surest.
 ///
 /// Without reactions of a last step:
 ///   - the paper's forced motion, every approaching contact held, from zero; in large piles, whose contacts share loads in many ways,
@@ -108,74 +107,66 @@ Outcome Search::pivotRows(const Problem& problem, const Options& options, double
 ///   - a proof that nothing can meet the demands; a second walk, but in large islands, as bold as what the first has left allows;
 ///     an interior point, which comes down between the walls; a longer walk from there; and `wander`.
 template <class Motion>
-Outcome Search::walkOnce(Engines<Motion>& engines, const Problem& problem, const Options& options,
-                         double tolerance, const VectorXd* guess, Solution& best) {
-  const auto left = [&](int most) { return std::min(most, options.newtonBudget - best.regions); };
+Outcome Search::walkOnce(Engines<Motion>& engines, const Task& task, Solution& best) {
   ProximalNewton<Motion>& newton = engines.walk;
-  newton.setProblem(problem, map_);
-  newton.keepFactors(options.economies.factors);
-  const bool isRushed = hasNoWalk(problem, options, best);
-  Outcome outcome = startOut(newton, problem, options, tolerance, guess, best);
-  if (outcome != Outcome::Lost || isRushed || left(1) <= 0) return outcome;
-  const double weight = best.residual <= nearly * problem.q.cwiseAbs().maxCoeff()
+  newton.setProblem(*problem_, map_);
+  newton.keepFactors(task.options.economies.factors);
+  const bool isRushed = hasNoWalk(task, best);
+  Outcome outcome = startOut(newton, task, best);
+  if (outcome != Outcome::Lost || isRushed || task.regionsLeft(best) <= 0) return outcome;
+  const double weight = best.residual <= nearly * problem_->q.cwiseAbs().maxCoeff()
                             ? knownRegion
-                            : proximalWeight(problem, best, 1e-2);
+                            : firstWeight(best, leastAtFirst);
   // In large piles what else finds back is dear and seldom helps.
-  const int most = guess && isLargePile(problem) && !isHurried_ ? pileWalk : fairWalk;
-  outcome = newton.walk(problem, tolerance, weight, left(most), best);
+  const int most = task.guess && isLargePile(*problem_) && !isHurried_ ? pileWalk : fairWalk;
+  outcome = newton.walk(*problem_, task.tolerance, weight, task.regionsLeft(best, most), best);
   // In small heaps regions cost no more than tens of sweeps: there that is left for the end.
-  if (outcome == Outcome::Lost && isLargeHeap(problem))
-    outcome = outlast(newton, problem, options, tolerance, guess, best);
-  return outcome == Outcome::Lost ? findBack(engines, problem, options, tolerance, guess, best)
-                                  : outcome;
+  if (outcome == Outcome::Lost && isLargeHeap(*problem_)) outcome = outlast(newton, task, best);
+  return outcome == Outcome::Lost ? findBack(engines, task, best) : outcome;
 }
 
 template <class Motion>
-void Search::polishWith(Engines<Motion>& engines, const Problem& problem, const Options& options,
-                        double aim, Solution& best) {
+void Search::polishWith(Engines<Motion>& engines, const Task& task, Solution& best) {
   constexpr double weight = polishedShare;
-  const int most = std::min(fewRegions, options.newtonBudget - best.regions);
-  engines.walk.setProblem(problem, map_);
-  engines.walk.keepFactors(options.economies.factors);
-  engines.walk.polish(problem, aim, weight, most, best);
+  const int most = task.regionsLeft(best, fewRegions);
+  engines.walk.setProblem(*problem_, map_);
+  engines.walk.keepFactors(task.options.economies.factors);
+  engines.walk.polish(*problem_, task.tolerance, weight, most, best);
 }
 
 /// From the last reactions, then from nothing. In large heaps the path of compliance comes between, as far as it is short: it is
 /// where what sweeps have left is small, and costs less then than to begin anew.
 template <class Motion>
-Outcome Search::walkTwice(Engines<Motion>& engines, const Problem& problem, const Options& options,
-                          double tolerance, const VectorXd* guess, Solution& best) {
-  if (isHurried_) return walkOnce(engines, problem, options, tolerance, guess, best);
+Outcome Search::walkTwice(Engines<Motion>& engines, const Task& task, Solution& best) {
+  if (isHurried_) return walkOnce(engines, task, best);
   constexpr int shortPath = 8;  // one part in so many
-  Options rest = options;
+  Task rest = task;
   Outcome outcome;
-  if (guess) {
-    Options share = options;
-    share.newtonBudget -= options.newtonBudget / 8 * 3;
-    share.sweepBudget -= options.sweepBudget / 2;
-    outcome = walkOnce(engines, problem, share, tolerance, guess, best);
-    if (outcome == Outcome::Lost && isLargeHeap(problem)) {
-      share.pathBudget = options.pathBudget / shortPath;
-      rest.pathBudget -= share.pathBudget;
-      outcome = harden(engines.walk, problem, share, tolerance, guess, best);
-      if (outcome == Outcome::Lost)
-        outcome = outlast(engines.walk, problem, options, tolerance, nullptr, best);
+  if (task.guess) {
+    Task share = task;
+    share.options.newtonBudget -= task.options.newtonBudget / 8 * 3;
+    share.options.sweepBudget -= task.options.sweepBudget / 2;
+    outcome = walkOnce(engines, share, best);
+    if (outcome == Outcome::Lost && isLargeHeap(*problem_)) {
+      share.options.pathBudget = task.options.pathBudget / shortPath;
+      rest.options.pathBudget -= share.options.pathBudget;
+      outcome = harden(engines.walk, share, best);
+      if (outcome == Outcome::Lost) outcome = outlast(engines.walk, task.fromNothing(), best);
     } else if (outcome == Outcome::Lost) {
-      outcome = walkCold(engines, problem, options, tolerance, best);
+      outcome = walkCold(engines, task, best);
     }
   } else {
-    outcome = walkOnce(engines, problem, options, tolerance, nullptr, best);
+    outcome = walkOnce(engines, task, best);
   }
-  return outcome == Outcome::Lost ? harden(engines.walk, problem, rest, tolerance, guess, best)
-                                  : outcome;
+  return outcome == Outcome::Lost ? harden(engines.walk, rest, best) : outcome;
 }
 
 /// A way of its own begins in apart_, from `guess`, or without one (null) from nothing, on what is left of the budget: what it takes for
 /// progress does not depend on what was found before.
-void Search::setOutApart(const Problem& problem, const VectorXd* guess, Solution& best) {
-  apart_.start(problem.q);
+void Search::setOutApart(const VectorXd* guess, Solution& best) {
+  apart_.start(problem_->q);
   if (guess) apart_.r = *guess;
-  makeFeasible(problem, apart_.r);
+  makeFeasible(*problem_, apart_.r);
   consider(apart_, best);
   apart_.regions = best.regions;
   apart_.factorisations = best.factorisations;
@@ -197,43 +188,40 @@ Outcome Search::comeBack(Outcome outcome, Solution& best) const {
 
 /// As if there were no guess.
 template <class Motion>
-Outcome Search::walkCold(Engines<Motion>& engines, const Problem& problem, const Options& options,
-                         double tolerance, Solution& best) {
-  setOutApart(problem, nullptr, best);
-  return comeBack(walkOnce(engines, problem, options, tolerance, nullptr, apart_), best);
+Outcome Search::walkCold(Engines<Motion>& engines, const Task& task, Solution& best) {
+  setOutApart(nullptr, best);
+  return comeBack(walkOnce(engines, task.fromNothing(), apart_), best);
 }
 
-Outcome Search::walk(const Problem& problem, const Options& options, double tolerance,
-                     const VectorXd* guess, Solution& best) {
-  isHurried_ = options.sweepBudget < alternations;
-  if (!problem.W.inBodySpace() && problem.size() > fewUnknowns &&
-      sweepAndLearn(problem, options, tolerance, best))
+/// What is small or simple first: explicit entries by sweeps, if these lead far enough, and by Newton's method on a dense W; joints that
+/// leave few contacts, without them (`condense`). Where there is no room for a factor, or no time for a walk, sweeps alone. All else by
+/// `walkTwice`.
+Outcome Search::walk(const Task& task, Solution& best) {
+  isHurried_ = task.options.isHurried();
+  if (!problem_->W.inBodySpace() && problem_->size() > fewUnknowns &&
+      sweepAndLearn(task, task.tolerance, best))
     return Outcome::Reached;
-  if (fitsDenseNewton(problem, map_) &&
-      dense_.solve(problem, map_, tolerance, options.newtonBudget - best.regions, Start::Best,
-                   best))
+  if (fitsDenseNewton(*problem_, map_) &&
+      dense_.solve(*problem_, map_, task.tolerance, task.regionsLeft(best), Start::Best, best))
     return Outcome::Reached;
-  if (condense(problem, options, tolerance, best)) return Outcome::Reached;
-  if (isTooLargeToFactor(problem) ||
-      (hasNoWalk(problem, options, best) && !mayHold(problem, options, guess, best))) {
-    sweepAll(problem, options, keptShare * tolerance, guess, best);
-    return best.residual <= tolerance ? Outcome::Reached : Outcome::Lost;
+  if (condense(task, best)) return Outcome::Reached;
+  if (isTooLargeToFactor(*problem_) || (hasNoWalk(task, best) && !mayHold(task, best))) {
+    sweepAll(task, keptShare * task.tolerance, best);
+    return best.residual <= task.tolerance ? Outcome::Reached : Outcome::Lost;
   }
-  const Outcome outcome =
-      problem.W.inBodySpace()
-          ? walkTwice(machines().bodies, problem, options, tolerance, guess, best)
-          : walkTwice(machines().factored, problem, options, tolerance, guess, best);
-  allow(problem, best);
+  const Outcome outcome = problem_->W.inBodySpace() ? walkTwice(machines().bodies, task, best)
+                                                    : walkTwice(machines().factored, task, best);
+  allow(best);
   return outcome;
 }
 
-void Search::polish(const Problem& problem, const Options& options, double aim, Solution& best) {
-  if (isTooLargeToFactor(problem)) return;
-  if (problem.W.inBodySpace())
-    polishWith(machines().bodies, problem, options, aim, best);
+void Search::polish(const Task& task, Solution& best) {
+  if (isTooLargeToFactor(*problem_)) return;
+  if (problem_->W.inBodySpace())
+    polishWith(machines().bodies, task, best);
   else
-    polishWith(machines().factored, problem, options, aim, best);
-  allow(problem, best);
+    polishWith(machines().factored, task, best);
+  allow(best);
 }
 
 }  // namespace delassus

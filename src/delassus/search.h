@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 
 #include "delassus/coloured_sweeps.h"
@@ -20,35 +22,51 @@ namespace delassus {
 
 class Hands;
 
+/// What a search is asked for, and what it may cost.
+struct Task {
+  Options options;        ///< the budgets, of all that `best` counts
+  double tolerance;       ///< natural residual to reach, m/s
+  const VectorXd* guess;  ///< reactions of a last step; null: there are none
+
+  int regionsLeft(const Solution& best, int most = std::numeric_limits<int>::max()) const {
+    return std::min(most, options.newtonBudget - best.regions);
+  }
+  int sweepsLeft(const Solution& best, int most = std::numeric_limits<int>::max()) const {
+    return std::min(most, options.sweepBudget - best.sweeps);
+  }
+  Task fromNothing() const { return {options, tolerance, nullptr}; }
+};
+
 /// The search for the reactions of one problem after the other: by sweeps, by patches, from region to region. What has been found
 /// so far is `best`; nothing is lost that was better. Storage is used again.
 class Search {
  public:
   Search() = default;
 
-  /// Before all else.
-  void setProblem(const Problem& problem) { map_.setProblem(problem); }
+  /// Before all else. Keeps a pointer to `problem`, which must outlive the search for its reactions.
+  void setProblem(const Problem& problem) {
+    problem_ = &problem;
+    map_.setProblem(problem);
+  }
   const NaturalMap& map() const { return map_; }
   /// Who helps from now on; null: none.
   void setHands(Hands* hands) { hands_ = hands; }
 
   /// Takes `r`, moved into the cones and bounds, as the best answer if its residual is smaller.
-  void offer(const Problem& problem, const VectorXd& r, Solution& best);
+  void offer(const VectorXd& r, Solution& best);
 
   /// Starts from no reactions at all if those in `best` are no start. They are compared as a whole: where few contacts came
   /// or went, a guess is far wrong only there, and what was learnt of all the others is worth more.
-  void startBetter(const Problem& problem, Solution& best);
+  void startBetter(Solution& best);
 
   /// Rows alone with an explicit W are the paper's own ground: regions of any W, symmetric or not.
-  Outcome pivotRows(const Problem& problem, const Options& options, double tolerance,
-                    Solution& best);
+  Outcome pivotRows(const Task& task, Solution& best);
 
-  /// Walks from `guess`, or without one (null) from nothing, and further as far as the budget goes (walkTwice).
-  Outcome walk(const Problem& problem, const Options& options, double tolerance,
-               const VectorXd* guess, Solution& best);
+  /// By the cheapest way that leads to the tolerance, as far as the budgets go.
+  Outcome walk(const Task& task, Solution& best);
 
-  /// Brings reactions that keep the law already towards the residual `aim`, or leaves them as they are.
-  void polish(const Problem& problem, const Options& options, double aim, Solution& best);
+  /// Brings reactions that keep the law already towards the tolerance, or leaves them as they are.
+  void polish(const Task& task, Solution& best);
 
   std::size_t bytes() const {
     return map_.bytes() + dense_.bytes() + (own_ ? own_->bytes() : 0) + trial_.bytes() +
@@ -89,87 +107,79 @@ class Search {
   /// For the patches of another search, or its bodies if they were compliant: it takes turns with that one.
   explicit Search(Machines& machines) : machines_(&machines) {}
 
+  // search.cpp: the order of ways.
   template <class Motion>
-  Outcome walkTwice(Engines<Motion>& engines, const Problem& problem, const Options& options,
-                    double tolerance, const VectorXd* guess, Solution& best);
+  Outcome walkTwice(Engines<Motion>& engines, const Task& task, Solution& best);
   template <class Motion>
-  Outcome walkOnce(Engines<Motion>& engines, const Problem& problem, const Options& options,
-                   double tolerance, const VectorXd* guess, Solution& best);
-  void setOutApart(const Problem& problem, const VectorXd* guess, Solution& best);
+  Outcome walkOnce(Engines<Motion>& engines, const Task& task, Solution& best);
+  template <class Motion>
+  Outcome walkCold(Engines<Motion>& engines, const Task& task, Solution& best);
+  void setOutApart(const VectorXd* guess, Solution& best);
   Outcome comeBack(Outcome outcome, Solution& best) const;
+  bool hasNoWalk(const Task& task, const Solution& best) const;
   template <class Motion>
-  Outcome walkCold(Engines<Motion>& engines, const Problem& problem, const Options& options,
-                   double tolerance, Solution& best);
+  void polishWith(Engines<Motion>& engines, const Task& task, Solution& best);
+
+  // search_start_out.cpp: before the first walk.
   template <class Motion>
-  Outcome startOut(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
-                   double tolerance, const VectorXd* guess, Solution& best);
+  Outcome startOut(ProximalNewton<Motion>& newton, const Task& task, Solution& best);
+  bool condense(const Task& task, Solution& best);
+  bool mayHold(const Task& task, const Solution& best) const;
   template <class Motion>
-  Outcome outlast(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
-                  double tolerance, const VectorXd* guess, Solution& best);
+  bool hold(ProximalNewton<Motion>& newton, const Task& task, Solution& best);
   template <class Motion>
-  Outcome harden(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
-                 double tolerance, const VectorXd* guess, Solution& best);
-  bool setOutOnPath(ProximalNewton<BodyMotion>& newton, const Problem& problem,
-                    const Options& options, int budget, const VectorXd* guess, Solution& best);
-  double soften(const Problem& problem, const Options& options, Solution& best);
+  bool react(ProximalNewton<Motion>& newton, const Task& task, Solution& best);
   template <class Motion>
-  Outcome findBack(Engines<Motion>& engines, const Problem& problem, const Options& options,
-                   double tolerance, const VectorXd* guess, Solution& best);
-  bool hasNoWalk(const Problem& problem, const Options& options, const Solution& best) const;
-  bool condense(const Problem& problem, const Options& options, double tolerance, Solution& best);
+  bool alternate(ProximalNewton<Motion>& newton, const Task& task, Solution& best);
   template <class Motion>
-  bool react(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
-             double tolerance, const VectorXd* guess, Solution& best);
-  bool mayHold(const Problem& problem, const Options& options, const VectorXd* guess,
-               const Solution& best) const;
+  Outcome finish(ProximalNewton<Motion>& newton, const Task& task, Solution& best);
+
+  // search_sweeps.cpp: each until `tolerance`, which may be finer than the task's.
+  bool sweepAndLearn(const Task& task, double tolerance, Solution& best);
+  void sweepAll(const Task& task, double tolerance, Solution& best);
+  void sweepWhileItGains(const Task& task, double tolerance, Solution& best);
+  void settle(const Task& task, double tolerance, Solution& best);
+  bool setSweeps(bool mayGoByColour);
+  void findPatches(double tolerance, double outstanding, const Solution& unsettled);
+  bool mendPatches(const Task& task, double tolerance, double outstanding, Solution& unsettled,
+                   Solution& best);
+
+  // search_find_back.cpp: after a walk that has lost its way.
   template <class Motion>
-  bool hold(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
-            double tolerance, const VectorXd* guess, Solution& best);
+  Outcome findBack(Engines<Motion>& engines, const Task& task, Solution& best);
   template <class Motion>
-  bool alternate(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
-                 double tolerance, Solution& best);
+  bool compromise(Engines<Motion>& engines, double tolerance, int regionBudget, Solution& best);
   template <class Motion>
-  Outcome finish(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
-                 double tolerance, Solution& best);
+  Outcome wander(Engines<Motion>& engines, const Task& task, Solution& best);
   template <class Motion>
-  bool compromise(Engines<Motion>& engines, const Problem& problem, double tolerance,
-                  int regionBudget, Solution& best);
+  Outcome outlast(ProximalNewton<Motion>& newton, const Task& task, Solution& best);
+
+  // search_path.cpp: the last resort.
   template <class Motion>
-  Outcome wander(Engines<Motion>& engines, const Problem& problem, const Options& options,
-                 double tolerance, const VectorXd* guess, Solution& best);
-  template <class Motion>
-  void polishWith(Engines<Motion>& engines, const Problem& problem, const Options& options,
-                  double aim, Solution& best);
-  bool sweepAndLearn(const Problem& problem, const Options& options, double tolerance,
-                     Solution& best);
-  void settle(const Problem& problem, const Options& options, double tolerance, Solution& best);
-  bool setSweeps(const Problem& problem, bool mayGoByColour);
-  void sweepAll(const Problem& problem, const Options& options, double tolerance,
-                const VectorXd* guess, Solution& best);
-  void sweepWhileItGains(const Problem& problem, const Options& options, double tolerance,
-                         Solution& best);
-  void findPatches(const Problem& problem, double tolerance, double outstanding,
-                   const Solution& unsettled);
-  bool mendPatches(const Problem& problem, const Options& options, double tolerance,
-                   double outstanding, Solution& unsettled, Solution& best);
+  Outcome harden(ProximalNewton<Motion>& newton, const Task& task, Solution& best);
+  bool setOutOnPath(ProximalNewton<BodyMotion>& newton, const Task& task, int budget,
+                    Solution& best);
+  double soften(const Task& task, Solution& best);
 
   static constexpr double unknownRegion = 1e-1, knownRegion = 1e-6;  ///< proximal weights
+  /// The least of a walk that begins with the best answer of quick ways, and of one that others have not led to an end.
+  static constexpr double leastAtFirst = 1e-2, leastAfar = 1e-4;
   static constexpr int shortWalk = 16, fewRegions = 8;
-  static constexpr int alternations = 300;  ///< what brings a large pile to rest
-  static constexpr int fairWalk = 80;       ///< regions that find most ways there are
-  /// How far a walk from here must look, by what is left to correct; at least `least`.
-  static double proximalWeight(const Problem& problem, const Solution& from, double least);
+  static constexpr int fairWalk = 80;  ///< regions that find most ways there are
+  /// The proximal weight of a walk's first step from here, by what is left to correct; at least `least`.
+  double firstWeight(const Solution& from, double least) const;
 
   /// Completes u and the residuals of a candidate r.
   void measure(Solution& candidate);
   /// Measures it, and takes it as the best answer if its residual is smaller.
   void consider(Solution& candidate, Solution& best);
   /// Puts the answer of a walk back into the cones and bounds that rounding, or a compromise, left.
-  void allow(const Problem& problem, Solution& best);
+  void allow(Solution& best);
 
   /// With so few sweeps none are to be lost on what may gain nothing: as the user has it, whatever share of them a walk has.
   bool isHurried_ = false;
   Hands* hands_ = nullptr;
+  const Problem* problem_ = nullptr;
   NaturalMap map_;
   DenseNewton<Eigen::Dynamic> dense_;
   std::unique_ptr<Machines> own_;  ///< none in a search for patches

@@ -62,45 +62,40 @@ constexpr double disturbed = 1e-3;  ///< share of the demands that reactions lea
 
 /// What comes before the first walk. Lost: the walk finishes.
 template <class Motion>
-Outcome Search::startOut(ProximalNewton<Motion>& newton, const Problem& problem,
-                         const Options& options, double tolerance, const VectorXd* guess,
-                         Solution& best) {
-  const double demand = problem.q.cwiseAbs().maxCoeff(), aim = keptShare * tolerance;
-  const auto left = [&](int most) { return std::min(most, options.newtonBudget - best.regions); };
-  const auto isReached = [&] { return best.residual <= tolerance; };
+Outcome Search::startOut(ProximalNewton<Motion>& newton, const Task& task, Solution& best) {
+  const double demand = problem_->q.cwiseAbs().maxCoeff(), aim = keptShare * task.tolerance;
+  const auto isReached = [&] { return best.residual <= task.tolerance; };
   wandering_.residual = infinity;  // of what a hold leaves
-  if (isHurried_ && hold(newton, problem, options, tolerance, guess, best)) return Outcome::Reached;
-  if (!guess && !isLargePile(problem)) {
-    forceActiveSet(problem, best.activeSet);
-    const Outcome outcome =
-        newton.walkFromRegion(problem, tolerance, forcedRegion, left(shortWalk), best);
+  if (isHurried_ && hold(newton, task, best)) return Outcome::Reached;
+  if (!task.guess && !isLargePile(*problem_)) {
+    forceActiveSet(*problem_, best.activeSet);
+    const Outcome outcome = newton.walkFromRegion(*problem_, task.tolerance, forcedRegion,
+                                                  task.regionsLeft(best, shortWalk), best);
     if (outcome != Outcome::Lost) return outcome;
   }
-  if (!isHurried_ && hold(newton, problem, options, tolerance, guess, best))
-    return Outcome::Reached;
-  if (options.economies.oneRegion && hasOneRegion(problem)) {
-    const Outcome outcome = newton.walk(problem, tolerance, knownRegion, left(shortWalk), best);
+  if (!isHurried_ && hold(newton, task, best)) return Outcome::Reached;
+  if (task.options.economies.oneRegion && hasOneRegion(*problem_)) {
+    const Outcome outcome = newton.walk(*problem_, task.tolerance, knownRegion,
+                                        task.regionsLeft(best, shortWalk), best);
     if (outcome != Outcome::Lost) return outcome;
-  } else if (react(newton, problem, options, tolerance, guess, best)) {
+  } else if (react(newton, task, best)) {
     return Outcome::Reached;
-  } else if (!guess && alternate(newton, problem, options, tolerance, best)) {
-    return finish(newton, problem, options, tolerance, best);
+  } else if (!task.guess && alternate(newton, task, best)) {
+    return finish(newton, task, best);
   }
   if (isHurried_) {
-    sweepAll(problem, options, aim, guess, best);
+    sweepAll(task, aim, best);
     if (wandering_.residual < best.residual) best.takeReactions(wandering_);
     if (isReached()) return Outcome::Reached;
-  } else if (best.residual > disturbed * demand && isHeap(problem)) {
-    settle(problem, options, aim, best);
-    newton.setProblem(problem, map_);  // patches were at work here
-    if (isReached())
-      return isLargeHeap(problem) ? Outcome::Reached
-                                  : finish(newton, problem, options, tolerance, best);
+  } else if (best.residual > disturbed * demand && isHeap(*problem_)) {
+    settle(task, aim, best);
+    newton.setProblem(*problem_, map_);  // patches were at work here
+    if (isReached()) return isLargeHeap(*problem_) ? Outcome::Reached : finish(newton, task, best);
   } else if (best.residual > disturbed * demand) {
-    if (isLargePile(problem))
-      sweepWhileItGains(problem, options, aim, best);
+    if (isLargePile(*problem_))
+      sweepWhileItGains(task, aim, best);
     else
-      sweepAndLearn(problem, options, aim, best);
+      sweepAndLearn(task, aim, best);
     if (isReached()) return Outcome::Reached;
   }
   return Outcome::Lost;
@@ -108,30 +103,28 @@ Outcome Search::startOut(ProximalNewton<Motion>& newton, const Problem& problem,
 
 /// Whether it is worth a region to hold all that touches. Not where the last reactions slid somewhere and regions are cheap, or few:
 /// then something will again.
-bool Search::mayHold(const Problem& problem, const Options& options, const VectorXd* guess,
-                     const Solution& best) const {
+bool Search::mayHold(const Task& task, const Solution& best) const {
   constexpr int fewContacts = 12;
-  if (isHeap(problem) || best.regions >= options.newtonBudget) return false;
+  if (isHeap(*problem_) || task.regionsLeft(best) <= 0) return false;
   // Explicit entries of this size cost more to factor than few sweeps are worth.
-  if (isHurried_ && isLargePile(problem) && !problem.W.inBodySpace()) return false;
-  if (!isHurried_ && isLargePile(problem)) return true;
+  if (isHurried_ && isLargePile(*problem_) && !problem_->W.inBodySpace()) return false;
+  if (!isHurried_ && isLargePile(*problem_)) return true;
   // Small islands without reactions of a last step hold all in their first region, if there may be others.
-  return (guess || isHurried_) && problem.contacts() > fewContacts &&
-         slidesNowhere(problem, best.r);
+  return (task.guess || isHurried_) && problem_->contacts() > fewContacts &&
+         slidesNowhere(*problem_, best.r);
 }
 
 /// Holds all that touches. Who has few sweeps pays a region for it and no sweeps; these are made as if it had not been tried, and what it
 /// has come to waits in wandering_.
 template <class Motion>
-bool Search::hold(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
-                  double tolerance, const VectorXd* guess, Solution& best) {
+bool Search::hold(ProximalNewton<Motion>& newton, const Task& task, Solution& best) {
   constexpr int mostSteps = 40;
   const int sweeps = best.sweeps;
-  const int most = isHurried_ ? mostSteps : std::min(mostSteps, options.sweepBudget - sweeps);
-  if (most <= 0 || !mayHold(problem, options, guess, best)) return false;
+  const int most = isHurried_ ? mostSteps : task.sweepsLeft(best, mostSteps);
+  if (most <= 0 || !mayHold(task, best)) return false;
   if (isHurried_) trial_.takeReactions(best);
-  holdActiveSet(problem, best.r, best.activeSet);
-  const bool isHeld = newton.holdAll(problem, tolerance, most, best);
+  holdActiveSet(*problem_, best.r, best.activeSet);
+  const bool isHeld = newton.holdAll(*problem_, task.tolerance, most, best);
   if (!isHurried_) return isHeld;
   best.sweeps = sweeps;
   if (!isHeld && best.residual < trial_.residual) {
@@ -143,16 +136,15 @@ bool Search::hold(ProximalNewton<Motion>& newton, const Problem& problem, const 
 
 /// Newton's method on what is left without the joints, in few contacts. Who has few sweeps pays a region for it, and no sweeps, as for
 /// `hold`.
-bool Search::condense(const Problem& problem, const Options& options, double tolerance,
-                      Solution& best) {
+bool Search::condense(const Task& task, Solution& best) {
   constexpr int worthCondensing = 10;  // sweeps; they cost as much
   constexpr int few = 60;              // unknowns
-  const int sweeps = best.sweeps, most = options.sweepBudget - sweeps;
-  if (!options.economies.joints || most < worthCondensing || best.regions >= options.newtonBudget)
+  const int sweeps = best.sweeps, most = task.sweepsLeft(best);
+  if (!task.options.economies.joints || most < worthCondensing || task.regionsLeft(best) <= 0)
     return false;
   CondensedNewton& newton = machines().condensed;
-  if (!newton.setProblem(problem, map_, best.r, few) || !newton.hasHeld()) return false;
-  const bool isReached = newton.solve(tolerance, most, best);
+  if (!newton.setProblem(*problem_, map_, best.r, few) || !newton.hasHeld()) return false;
+  const bool isReached = newton.solve(task.tolerance, most, best);
   if (isHurried_) best.sweeps = sweeps;
   return isReached;
 }
@@ -160,44 +152,41 @@ bool Search::condense(const Problem& problem, const Options& options, double tol
 /// Newton's method on reactions: on a dense matrix where nothing is known and so few touch that it costs no more than the factor of
 /// their bodies; and else with such factors, where contacts are not so many that some of them are always in a wrong region.
 template <class Motion>
-bool Search::react(ProximalNewton<Motion>& newton, const Problem& problem, const Options& options,
-                   double tolerance, const VectorXd* guess, Solution& best) {
+bool Search::react(ProximalNewton<Motion>& newton, const Task& task, Solution& best) {
   constexpr int few = 36;  // unknowns
   constexpr int mostContacts = 300, fewSteps = 30, manySteps = 40;
-  const auto left = [&](int most) { return std::min(most, options.newtonBudget - best.regions); };
-  if (isHurried_ || left(1) <= 0) return false;
+  if (isHurried_ || task.regionsLeft(best) <= 0) return false;
   CondensedNewton& condensed = machines().condensed;
-  if (!guess && condensed.setProblem(problem, map_, best.r, few))
-    return condensed.solve(tolerance, options.sweepBudget - best.sweeps, best);
+  if (!task.guess && condensed.setProblem(*problem_, map_, best.r, few))
+    return condensed.solve(task.tolerance, task.sweepsLeft(best), best);
   // Where contacts share loads in many ways, joints leave fewer.
-  const bool isTooLarge = problem.contacts() > mostContacts || isLargeHeap(problem) ||
-                          (isLargePile(problem) && (!guess || problem.rows() < problem.contacts()));
-  if (isTooLarge || !problem.disks.empty()) return false;
-  return newton.react(problem, tolerance, left(guess ? fewSteps : manySteps), trial_, best);
+  const bool isTooLarge =
+      problem_->contacts() > mostContacts || isLargeHeap(*problem_) ||
+      (isLargePile(*problem_) && (!task.guess || problem_->rows() < problem_->contacts()));
+  if (isTooLarge || !problem_->disks.empty()) return false;
+  return newton.react(*problem_, task.tolerance,
+                      task.regionsLeft(best, task.guess ? fewSteps : manySteps), trial_, best);
 }
 
 /// Alternating directions. False if they do not reach the tolerance.
 template <class Motion>
-bool Search::alternate(ProximalNewton<Motion>& newton, const Problem& problem,
-                       const Options& options, double tolerance, Solution& best) {
+bool Search::alternate(ProximalNewton<Motion>& newton, const Task& task, Solution& best) {
+  constexpr int alternations = 300;  // bring a large pile to rest
   if (isHurried_) return false;
-  const int most = std::min(alternations, options.sweepBudget - best.sweeps);
-  return newton.alternate(problem, keptShare * tolerance, most, best);
+  const int most = task.sweepsLeft(best, alternations);
+  return newton.alternate(*problem_, keptShare * task.tolerance, most, best);
 }
 
 /// What is left after a few steps is slow to go; one in the region that has been found takes it away.
 template <class Motion>
-Outcome Search::finish(ProximalNewton<Motion>& newton, const Problem& problem,
-                       const Options& options, double tolerance, Solution& best) {
-  const int most = std::min(fewRegions, options.newtonBudget - best.regions);
-  const double aim = polishedShare * tolerance;
-  if (best.residual > aim) newton.polish(problem, aim, knownRegion, most, best);
+Outcome Search::finish(ProximalNewton<Motion>& newton, const Task& task, Solution& best) {
+  const int most = task.regionsLeft(best, fewRegions);
+  const double aim = polishedShare * task.tolerance;
+  if (best.residual > aim) newton.polish(*problem_, aim, knownRegion, most, best);
   return Outcome::Reached;
 }
 
-template Outcome Search::startOut(ProximalNewton<BodyMotion>&, const Problem&, const Options&,
-                                  double, const VectorXd*, Solution&);
-template Outcome Search::startOut(ProximalNewton<FactoredMotion>&, const Problem&, const Options&,
-                                  double, const VectorXd*, Solution&);
+template Outcome Search::startOut(ProximalNewton<BodyMotion>&, const Task&, Solution&);
+template Outcome Search::startOut(ProximalNewton<FactoredMotion>&, const Task&, Solution&);
 
 }  // namespace delassus

@@ -10,6 +10,7 @@
 
 namespace delassus {
 
+/// From good to grave: of the parts of a problem the gravest is that of the whole.
 enum class Status : unsigned char {
   Solved,  ///< the natural residual is within the tolerance, or within what rounding leaves of it
   OutOfBudget,   ///< best answer found within the budget; see its residual

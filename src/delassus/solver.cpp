@@ -64,7 +64,7 @@ void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best
   const double tolerance = std::max(options_.toleranceFor(widest) * demand, problem.roundOff);
   bool warm =
       guess.size() == problem.size() && problem.size() > 0 && guess.any() && guess.allFinite();
-  if (warm) search.offer(problem, guess, best);
+  if (warm) search.offer(guess, best);
   best.startResidual = best.residual;
   const Economies& economies = options_.economies;
   if (best.residual <= tolerance && !economies.keptIslands) {
@@ -78,26 +78,25 @@ void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best
   if (best.residual <= aim) {
     best.tier = Tier::Kept;
   } else if (best.residual > tolerance) {
-    search.startBetter(problem, best);
+    search.startBetter(best);
   }
   if (best.residual > aim && economies.closedForms && solveAlone(problem, search.map(), formula_)) {
     ++best.regions;
     best.tier = Tier::ClosedForm;
-    search.offer(problem, formula_, best);
+    search.offer(formula_, best);
   }
   Outcome outcome = Outcome::Lost;
   if (best.residual > tolerance && problem.contacts() == 0 && problem.disks.empty() &&
       !problem.W.inBodySpace()) {
     best.tier = Tier::Pivoting;
-    outcome = search.pivotRows(problem, options_, tolerance, best);
+    outcome = search.pivotRows({options_, tolerance, nullptr}, best);
   }
-  const VectorXd* start = warm ? &guess : nullptr;
   if (best.residual > tolerance && outcome == Outcome::Lost) {
     best.tier = Tier::Walk;
-    outcome = search.walk(problem, options_, tolerance, start, best);
+    outcome = search.walk({options_, tolerance, warm ? &guess : nullptr}, best);
   } else if (best.residual > aim && best.tier == Tier::Free) {
     best.tier = Tier::Walk;
-    search.polish(problem, options_, aim, best);
+    search.polish({options_, aim, nullptr}, best);
   }
 
   // A compromise that misses no demand by more than the tolerance is none.

@@ -11,7 +11,8 @@ namespace delassus {
 class Hands;
 class Search;
 
-/// Walks from region to region until one holds its own answer. Owns its storage; not thread-safe, one per thread.
+/// Finds the reactions of problems by the cheapest way that leads to the tolerance: those of the last step, a formula, the forced motion,
+/// steps and walks from region to region, sweeps (search.cpp has their order). Owns its storage; not thread-safe, one per thread.
 class Solver {
  public:
   /// Throws std::invalid_argument where check(options) does. (Budgets may be any: less than 0 is none.)

@@ -1,6 +1,6 @@
 #include "delassus/split_problem.h"
 
-#include "delassus/links.h"
+#include "delassus/disjoint_sets.h"
 
 namespace delassus {
 namespace {
@@ -12,36 +12,36 @@ int leaderOf(int unknown, int contacts) {
   return unknown < 3 * contacts ? unknown - unknown % 3 : unknown;
 }
 
-Links coupled(const Problem& problem) {
+DisjointSets coupled(const Problem& problem) {
   const int n = problem.contacts();
   const Sparse& W = problem.W.entries();
-  Links links(problem.size());
-  for (int i = 0; i < 3 * n; i += 3) links.join(i, i + 1), links.join(i, i + 2);
+  DisjointSets sets(problem.size());
+  for (int i = 0; i < 3 * n; i += 3) sets.join(i, i + 1), sets.join(i, i + 2);
   for (const Disk& disk : problem.disks)
-    for (int i = 0; i < disk.unknowns; ++i) links.join(disk.first + i, leaderOf(disk.governor, n));
+    for (int i = 0; i < disk.unknowns; ++i) sets.join(disk.first + i, leaderOf(disk.governor, n));
   for (int i = 0; i < problem.size(); ++i) {
     const int leader = leaderOf(i, n);
     int joined = leader;  // the last that was: entries of a block follow each other
     for (Sparse::InnerIterator it(W, i); it; ++it) {
       const int other = leaderOf(static_cast<int>(it.col()), n);
       if (other == joined || it.value() == 0) continue;
-      links.join(leader, other);
+      sets.join(leader, other);
       joined = other;
     }
   }
-  return links;
+  return sets;
 }
 
 }  // namespace
 
 ProblemParts::ProblemParts(const Problem& whole) : whole_(whole) {
   const int size = whole.size();
-  Links links = coupled(whole);
+  DisjointSets sets = coupled(whole);
   partOf_.resize(size);
   place_.resize(size);
   std::vector<int> sizes;
   for (int i = 0; i < size; ++i) {
-    const int root = links.root(i);  // the first of its part
+    const int root = sets.root(i);  // the first of its part
     if (root == i) {
       partOf_[i] = static_cast<int>(sizes.size());
       sizes.push_back(0);

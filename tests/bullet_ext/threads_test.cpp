@@ -187,11 +187,11 @@ TEST(Threads, APredominantIslandComesFirst) {
   bullet::Workshop workshop({}, {});
   for (int threads : {1, 3}) {
     workshop.setThreads(threads);
-    for (int weightOfHeavy : {1, 4 * islands}) {
+    for (int weightOfHeavy : {1, 40 * islands}) {
       std::atomic<int> turn{0};
       std::vector<int> turnOf(islands, -1);
-      const auto weight = [&](int i) { return i == heavy ? weightOfHeavy : 1; };
-      workshop.shareSolving(islands, 0, weight, [&](bullet::Bench&, int i) {
+      const auto weight = [&](int i) { return i == heavy ? weightOfHeavy : 10; };
+      workshop.shareSolving(islands, weight, [&](bullet::Bench&, int i) {
         EXPECT_EQ(turnOf[i], -1) << i;
         turnOf[i] = turn++;
       });

@@ -125,16 +125,19 @@ TEST(CondensedNewton, MovesAsTheWalkDoes) {
 // From the answer of a like problem, and from a wrong one, to the same motion.
 TEST(CondensedNewton, BeginsAnywhere) {
   Random random(213);
+  int compared = 0;
   for (int k = 0; k < 50; ++k) {
     const PileIsland chain(makeChain(3, 0, 0.2, 10, random));
     const CondensedAttempt rest = condenseFromRest(chain.problem);
     const CondensedAttempt far = condense(chain.problem, randomReactions(chain.problem, 1, random));
     if (!rest.reached || !far.reached) continue;
+    ++compared;
     EXPECT_LE(motionDistance(chain, rest.solution.r, far.solution.r), 1e-6);
     const CondensedAttempt again = condense(chain.problem, rest.solution.r);
     EXPECT_TRUE(again.reached);
     EXPECT_LE(again.solution.sweeps, rest.solution.sweeps);
   }
+  EXPECT_GE(compared, 40);
 }
 
 // Two joints in one place, which give by next to nothing: what they share is not told, what they hold is.

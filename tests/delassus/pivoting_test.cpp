@@ -281,15 +281,18 @@ TEST(Pivoting, NumbersThatAreNotFiniteAreNotPassedOn) {
 // Two contacts with |W_01| > √(W_00 W_11) are not the same one twice.
 TEST(Pivoting, SolvedIsNotSaidOfWhatIsNot) {
   Random random(28);
+  int solved = 0;
   for (int k = 0; k < 200; ++k) {
     MatrixXd W = MatrixXd::Identity(2, 2);
     W(0, 1) = W(1, 0) = k == 0 ? 2 : uniform(random, -3, 3);
     const VectorXd q = k == 0 ? VectorXd(VectorXd::Constant(2, -1)) : normalVector(2, random);
     const PivotResult answer = pivotContacts(W, q);
     if (answer.status != Status::Solved) continue;
+    ++solved;
     const VectorXd u = W * answer.r + q;
     EXPECT_LE(answer.r.cwiseMin(u).cwiseAbs().maxCoeff(), 1e-9) << W << "\n" << q.transpose();
   }
+  EXPECT_GE(solved, 100);
 }
 
 TEST(Pivoting, ASpentBudgetIsSaid) {

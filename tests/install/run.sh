@@ -20,11 +20,15 @@ for program in consumer_core consumer_float consumer_float64; do
   "build/$program" || { echo "find_package: $program failed" >&2; exit 1; }
 done
 
+# Every header that is installed finds all that it includes.
+(cd prefix/include && find delassus bullet_ext -name '*.h' | sort) | sed 's/.*/#include "&"/' >consumer/box_with_all.cpp
+cat consumer/box.cpp >>consumer/box_with_all.cpp
+
 PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name delassus-bullet.pc)")
 export PKG_CONFIG_PATH
 for module in delassus-bullet delassus-bullet-float64; do
   # shellcheck disable=SC2046 # the flags are words
-  g++ -std=c++17 consumer/box.cpp $(pkg-config --cflags --libs "$module") -o "$module"
+  g++ -std=c++17 consumer/box_with_all.cpp $(pkg-config --cflags --libs "$module") -o "$module"
   "./$module" || { echo "pkg-config: $module failed" >&2; exit 1; }
 done
 

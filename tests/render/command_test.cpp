@@ -1,8 +1,8 @@
 // `delassus render` as its users meet it.
 #include <gtest/gtest.h>
 
-#include "demos/render/image.h"
 #include "tests/command_call.h"
+#include "tests/render/image_file.h"
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <limits>
 
+#include "tests/render/image_file.h"
 #include "tests/render/shot.h"
 
 namespace demos::render {

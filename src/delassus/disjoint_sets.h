@@ -8,9 +8,9 @@
 namespace delassus {
 
 /// Union-find. The smallest index of a set is its root, so the result has no memory of the order of joins.
-class Links {
+class DisjointSets {
  public:
-  explicit Links(int n = 0) { reset(n); }
+  explicit DisjointSets(int n = 0) { reset(n); }
 
   /// Everything apart again.
   void reset(int n) {

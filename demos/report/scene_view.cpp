@@ -1,4 +1,4 @@
-#include "demos/report/comparison.h"
+#include "demos/report/scene_view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-/// What the search does before a walk: sweeps, and patches where they do not help.
+/// The sweeps of the search, before walks and between them, and patches where they do not help.
 #include <algorithm>
 #include <cmath>
 
@@ -9,18 +9,17 @@ namespace delassus {
 
 /// Sweeps that remember a few steps, as long as they halve the residual soon: a factor costs as much as tens of them, where W is explicit
 /// as hundreds. With a longer memory more regions are needed after a blow. True if they reach the tolerance.
-bool Search::sweepAndLearn(const Problem& problem, const Options& options, double tolerance,
-                           Solution& best) {
+bool Search::sweepAndLearn(const Task& task, double tolerance, Solution& best) {
   constexpr int shortest = 3, longest = 10;  // from one look at the residual to the next
   constexpr int patience = 20, memory = 5;
   constexpr double gain = 0.5;
-  machines().sweeps.setProblem(problem, map_);
+  machines().sweeps.setProblem(*problem_, map_);
   trial_.r = best.r;
   double mark = best.residualRms;
   int idle = 0;
-  for (int burst = shortest; best.sweeps + burst <= options.sweepBudget && idle < patience;
+  for (int burst = shortest; burst <= task.sweepsLeft(best) && idle < patience;
        burst = std::min(2 * burst, longest)) {
-    machines().sweeps.sweepOn(problem, burst, memory, trial_.r);
+    machines().sweeps.sweepOn(*problem_, burst, memory, trial_.r);
     best.sweeps += burst;
     consider(trial_, best);
     if (best.residual <= tolerance) return true;
@@ -33,44 +32,42 @@ bool Search::sweepAndLearn(const Problem& problem, const Options& options, doubl
 /// All sweeps that there are, one after the other, whether or not they gain, as sequential impulses do. Like these they begin from a
 /// little less than the reactions of the last step, if nothing has bettered them yet: where errors remain, all of them would have a
 /// pile swing for ever. Many contacts go by colour.
-void Search::sweepAll(const Problem& problem, const Options& options, double tolerance,
-                      const VectorXd* guess, Solution& best) {
+void Search::sweepAll(const Task& task, double tolerance, Solution& best) {
   constexpr int burst = 10, many = 50, worthColours = 3;
   constexpr double trusted = 0.8;
   const double share =
-      guess && best.sweeps == 0 && !(best.residual < best.startResidual) ? trusted : 1;
+      task.guess && best.sweeps == 0 && !(best.residual < best.startResidual) ? trusted : 1;
   trial_.r = share * best.r;
-  trial_.u = problem.q + share * (best.u - problem.q);
-  const bool byColour = setSweeps(
-      problem, problem.contacts() > many && options.sweepBudget - best.sweeps >= worthColours);
-  while (best.sweeps < options.sweepBudget && best.residual > tolerance) {
-    const int count = std::min(burst, options.sweepBudget - best.sweeps);
+  trial_.u = problem_->q + share * (best.u - problem_->q);
+  const bool byColour =
+      setSweeps(problem_->contacts() > many && task.sweepsLeft(best) >= worthColours);
+  while (task.sweepsLeft(best) > 0 && best.residual > tolerance) {
+    const int count = task.sweepsLeft(best, burst);
     if (byColour)
-      machines().coloured.sweep(problem, count, 0, trial_.u, trial_.r);
+      machines().coloured.sweep(*problem_, count, 0, trial_.u, trial_.r);
     else
-      machines().sweeps.sweep(problem, count, trial_.r);
+      machines().sweeps.sweep(*problem_, count, trial_.r);
     best.sweeps += count;
     consider(trial_, best);
   }
 }
 
 /// By colour where that goes, whose sweeps cost a third.
-void Search::sweepWhileItGains(const Problem& problem, const Options& options, double tolerance,
-                               Solution& best) {
+void Search::sweepWhileItGains(const Task& task, double tolerance, Solution& best) {
   constexpr int fewSweeps = 20, manySweeps = 100;
   constexpr double gain = 0.7;
-  const bool byColour = setSweeps(problem, true);
+  const bool byColour = setSweeps(true);
   const int burst = byColour ? manySweeps : fewSweeps;
   double before = infinity;
   while (best.residual < gain * before && best.residual > tolerance &&
-         best.sweeps + burst <= options.sweepBudget) {
+         burst <= task.sweepsLeft(best)) {
     before = best.residual;
     trial_.r = best.r;
     int made = burst;
     if (byColour)
-      made = machines().coloured.sweep(problem, burst, tolerance, best.u, trial_.r);
+      made = machines().coloured.sweep(*problem_, burst, tolerance, best.u, trial_.r);
     else
-      machines().sweeps.sweep(problem, burst, trial_.r);
+      machines().sweeps.sweep(*problem_, burst, trial_.r);
     best.sweeps += made;
     consider(trial_, best);
   }
@@ -78,13 +75,12 @@ void Search::sweepWhileItGains(const Problem& problem, const Options& options, d
 
 /// Sweeps as long as they gain, and where they do not, patches: what settles in this way needs no factor of the whole island.
 /// The residual may rise on the way, since a wall that is met lets others go. In large heaps they go by colour.
-void Search::settle(const Problem& problem, const Options& options, double tolerance,
-                    Solution& best) {
+void Search::settle(const Task& task, double tolerance, Solution& best) {
   constexpr int patience = 6, fewSweeps = 20, manySweeps = 100;
   constexpr double gain = 0.7;
   // Half as many sweeps where all is remembered; elsewhere the memory is worth more than the time.
-  const int memory = isHeap(problem) ? Anderson::longest : 4;
-  const bool byColour = setSweeps(problem, isLargeHeap(problem));
+  const int memory = isHeap(*problem_) ? Anderson::longest : 4;
+  const bool byColour = setSweeps(isLargeHeap(*problem_));
   const int burst = byColour ? manySweeps : fewSweeps;
   double change = tolerance;  // of a velocity, that is worth a sweep by colour
   trial_.r = best.r;
@@ -93,13 +89,13 @@ void Search::settle(const Problem& problem, const Options& options, double toler
   for (int failures = 0; failures < patience;) {
     bool gains;
     do {
-      if (best.sweeps + burst > options.sweepBudget) return;
+      if (burst > task.sweepsLeft(best)) return;
       const double before = trial_.residualRms;
       int made = burst;
       if (byColour)
-        made = machines().coloured.sweep(problem, burst, change, trial_.u, trial_.r);
+        made = machines().coloured.sweep(*problem_, burst, change, trial_.u, trial_.r);
       else
-        machines().sweeps.sweepOn(problem, burst, memory, trial_.r);
+        machines().sweeps.sweepOn(*problem_, burst, memory, trial_.r);
       best.sweeps += made;
       consider(trial_, best);
       if (best.residual <= tolerance) return;
@@ -109,26 +105,25 @@ void Search::settle(const Problem& problem, const Options& options, double toler
     failures = trial_.residualRms < gain * lowest ? 0 : failures + 1;
     lowest = std::min(lowest, trial_.residualRms);
     // What does not help is tried with more around it.
-    if (!mendPatches(problem, options, tolerance, 3.0 / (1 + failures), trial_, best)) return;
-    setSweeps(problem, byColour);  // since patches may have been swept
+    if (!mendPatches(task, tolerance, 3.0 / (1 + failures), trial_, best)) return;
+    setSweeps(byColour);  // since patches may have been swept
     consider(trial_, best);
   }
 }
 
 /// Makes ready for sweeps by colour, if they may and can go so, or else for others; true: by colour.
-bool Search::setSweeps(const Problem& problem, bool mayGoByColour) {
+bool Search::setSweeps(bool mayGoByColour) {
   if (mayGoByColour) {
     machines().coloured.setHands(hands_);
-    if (machines().coloured.setProblem(problem, map_)) return true;
+    if (machines().coloured.setProblem(*problem_, map_)) return true;
   }
-  machines().sweeps.setProblem(problem, map_);
+  machines().sweeps.setProblem(*problem_, map_);
   return false;
 }
 
 /// The patches about the contacts whose residual is `outstanding` times the mean, or so many times more that no patch is as good as
 /// the island.
-void Search::findPatches(const Problem& problem, double tolerance, double outstanding,
-                         const Solution& unsettled) {
+void Search::findPatches(double tolerance, double outstanding, const Solution& unsettled) {
   constexpr double largestShare = 0.25;
   map_.residuals(unsettled.r, unsettled.u, residuals_);
   const double largest = largestShare * static_cast<double>(residuals_.size());
@@ -139,7 +134,7 @@ void Search::findPatches(const Problem& problem, double tolerance, double outsta
     return true;
   };
   for (;; threshold *= 2) {
-    patches_.find(problem, residuals_, threshold);
+    patches_.find(*problem_, residuals_, threshold);
     if (areSmall()) return;
   }
 }
@@ -147,34 +142,34 @@ void Search::findPatches(const Problem& problem, double tolerance, double outsta
 /// Solves the patches, and puts their reactions in the place of those in `unsettled`. Their work is counted in `best`: a sweep by the
 /// patch's share of the island, a region by its share to the power 3/2, as a factor costs in a flat pile (George 1973). False if
 /// there were no patches, or no work is left; in islands of few parts, with explicit W, and in patches themselves there are none.
-bool Search::mendPatches(const Problem& problem, const Options& options, double tolerance,
-                         double outstanding, Solution& unsettled, Solution& best) {
+bool Search::mendPatches(const Task& task, double tolerance, double outstanding,
+                         Solution& unsettled, Solution& best) {
   constexpr double accuracy = 0.1;
   constexpr int fewParts = 20;  // whose walk costs no more than that of their patches
   constexpr double mostRegions = 300, mostSweeps = 1000;
-  const int parts = problem.contacts() + problem.rows();
-  if (!own_ || parts <= fewParts || !problem.W.inBodySpace()) return false;
-  findPatches(problem, tolerance, outstanding, unsettled);
+  const int parts = problem_->contacts() + problem_->rows();
+  if (!own_ || parts <= fewParts || !problem_->W.inBodySpace()) return false;
+  findPatches(tolerance, outstanding, unsettled);
   if (!patchSearch_) patchSearch_.reset(new Search(machines()));
   double regions = 0, factorisations = 0, sweeps = 0;
   int mended = 0;
   for (int k = 0; k < patches_.count(); ++k) {
     const double share = static_cast<double>(patches_.partsOf(k)) / parts;
     const double factorShare = share * std::sqrt(share);
-    const double regionsLeft = options.newtonBudget - best.regions - regions;
-    const double sweepsLeft = options.sweepBudget - best.sweeps - sweeps;
+    const double regionsLeft = task.regionsLeft(best) - regions;
+    const double sweepsLeft = task.sweepsLeft(best) - sweeps;
     if (!(regionsLeft > 0 && sweepsLeft > 0)) break;
-    Options few = options;
-    few.pathBudget =
-        0;  // a patch that is not mended is tried again with more around it, which costs less
-    few.newtonBudget = static_cast<int>(std::min(mostRegions, regionsLeft / factorShare));
-    few.sweepBudget = static_cast<int>(std::min(mostSweeps, sweepsLeft / share));
-    patches_.cutOut(k, problem, unsettled.r, unsettled.u, patch_, patchStart_);
+    Task few{task.options, accuracy * tolerance, &patchStart_};
+    // A patch that is not mended is tried again with more around it, which costs less than a path.
+    few.options.pathBudget = 0;
+    few.options.newtonBudget = static_cast<int>(std::min(mostRegions, regionsLeft / factorShare));
+    few.options.sweepBudget = static_cast<int>(std::min(mostSweeps, sweepsLeft / share));
+    patches_.cutOut(k, *problem_, unsettled.r, unsettled.u, patch_, patchStart_);
     patchSearch_->setProblem(patch_);
     patchAnswer_.start(patch_.q);
-    patchSearch_->offer(patch_, patchStart_, patchAnswer_);
-    patchSearch_->walk(patch_, few, accuracy * tolerance, &patchStart_, patchAnswer_);
-    patches_.putBack(k, problem, patchAnswer_.r, unsettled.r);
+    patchSearch_->offer(patchStart_, patchAnswer_);
+    patchSearch_->walk(few, patchAnswer_);
+    patches_.putBack(k, *problem_, patchAnswer_.r, unsettled.r);
     regions += factorShare * patchAnswer_.regions;
     factorisations += factorShare * patchAnswer_.factorisations;
     sweeps += share * patchAnswer_.sweeps;

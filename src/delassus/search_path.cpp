@@ -1,0 +1,101 @@
+/// The last resort of the search: bodies that are soft where they touch, and the path of compliance from them to rigid ones.
+#include <algorithm>
+#include <type_traits>
+
+#include "delassus/pile_kind.h"
+#include "delassus/search.h"
+
+namespace delassus {
+
+/// The answer, in softAnswer_, for bodies that are as little compliant where they touch as sweeps and a short walk can find it;
+/// returns how compliant, in W_aa, or 0 if they find none.
+double Search::soften(const Task& task, Solution& best) {
+  constexpr double softest = 1, hardest = 1e-5, finer = 0.3162, tolerance = 1e-10;
+  constexpr int sweeps = 1000, regions = 60;
+  soft_.q = problem_->q;
+  soft_.friction = problem_->friction;
+  soft_.lower = problem_->lower;
+  soft_.upper = problem_->upper;
+  soft_.disks = problem_->disks;
+  soft_.roundOff = problem_->roundOff;
+  BodySpace& space = soft_.W.refill(problem_->size());
+  space = problem_->W.bodySpace();
+  map_.meanDiagonal(felt_);
+  Task few{task.options, tolerance * problem_->q.cwiseAbs().maxCoeff(), &softStart_};
+  few.options.sweepBudget = sweeps;
+  few.options.newtonBudget = regions;
+  few.options.pathBudget = 0;
+  if (!softSearch_) softSearch_.reset(new Search(machines()));
+  double found = 0;
+  for (double compliance = softest; compliance > hardest; compliance *= finer) {
+    space.compliance = problem_->W.bodySpace().compliance + compliance * felt_;
+    softSearch_->setProblem(soft_);
+    softAnswer_.start(soft_.q);
+    softSearch_->offer(softStart_, softAnswer_);
+    const Outcome outcome = softSearch_->walk(few, softAnswer_);
+    best.factorisations += softAnswer_.factorisations;
+    best.sweeps += softAnswer_.sweeps;
+    if (outcome != Outcome::Reached) break;
+    softStart_ = softAnswer_.r;
+    found = compliance;
+  }
+  return found;
+}
+
+/// Stands on the path of compliance: at bodies that are so compliant where they touch that their answer is found. In islands of
+/// thousands that one compliance would have to turn back and forth for each of the places where something is wedged, whatever the others
+/// do; there it begins at the best answer so far.
+bool Search::setOutOnPath(ProximalNewton<BodyMotion>& newton, const Task& task, int budget,
+                          Solution& best) {
+  constexpr double moderate = 1e-2, soft = 1;
+  const bool isLarge = isLargeHeap(*problem_);
+  double softness = moderate;
+  if (!isLarge) {
+    softStart_.setZero(problem_->size());
+    if (task.guess) softStart_ = *task.guess;
+    softness = soften(task, best);
+    if (softness == 0) return false;
+  }
+  newton.setProblem(*problem_, map_);
+  CompliancePath& path = machines().path;
+  path.setProblem(newton.motion(), *problem_, map_);
+  if (!isLarge) return path.setOut(softStart_, softness, budget, best);
+  path.setCenter(best);
+  return path.setOut(best.r, softness, budget, best) || path.setOut(best.r, soft, budget, best);
+}
+
+/// Along the path of compliance to rigid bodies, and a walk from the answers of those that are nearly rigid. Not in large piles, where it
+/// takes ten thousands of factors and gains next to nothing.
+template <class Motion>
+Outcome Search::harden(ProximalNewton<Motion>& newton, const Task& task, Solution& best) {
+  constexpr double nearlyRigid = 1e-5, rigid = 1e-8, finest = 1e-7;
+  constexpr int few = 600, regions = 60;
+  if constexpr (std::is_same_v<Motion, BodyMotion>) {
+    const int parts = problem_->contacts() + problem_->rows();
+    const int budget =
+        static_cast<int>(task.options.pathBudget * std::min(1.0, double(few) / parts));
+    if (budget <= 0 || isLargePile(*problem_) || !CompliancePath::canFollow(*problem_))
+      return Outcome::Lost;
+    const int begun = best.factorisations, walked = best.regions;
+    if (!setOutOnPath(newton, task, budget, best)) return Outcome::Lost;
+    CompliancePath& path = machines().path;
+    for (double compliance = nearlyRigid; compliance >= rigid; compliance *= 0.1) {
+      if (!path.descend(compliance, budget - (best.factorisations - begun), best))
+        return Outcome::Lost;
+      wandering_.r = path.reactions();
+      consider(wandering_, best);
+      newton.motion();  // its factor is that of the path
+      const double weight = std::max(compliance, finest);
+      const Outcome outcome =
+          newton.walkFrom(wandering_, *problem_, task.tolerance, weight, regions, best);
+      best.regions = walked;
+      if (outcome != Outcome::Lost) return outcome;
+    }
+  }
+  return Outcome::Lost;
+}
+
+template Outcome Search::harden(ProximalNewton<BodyMotion>&, const Task&, Solution&);
+template Outcome Search::harden(ProximalNewton<FactoredMotion>&, const Task&, Solution&);
+
+}  // namespace delassus
