@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "bullet_ext/extension.h"
@@ -14,6 +15,7 @@
 #include "bullet_ext/solve_group.h"
 #include "bullet_ext/workshop.h"
 #include "bullet_ext/write_back.h"
+#include "delassus/quiet_arithmetic.h"
 
 using namespace delassus;
 using namespace delassus::bullet;
@@ -151,6 +153,7 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::Workspace::countSol
   addTo(report.obsoleteConstraints, answer.obsoleteConstraints);
   addTo(report.pushIslands, pushes.islands);
   addTo(report.pushUnsolved, pushes.counts.unsolved);
+  addTo(report.pushSoftened, pushes.softened);
   return work;
 }
 
@@ -181,6 +184,7 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(
     btCollisionObject** bodies, int bodyCount, btPersistentManifold** manifolds, int manifoldCount,
     btTypedConstraint** constraints, int constraintCount, const btContactSolverInfo& info,
     btDispatcher* dispatcher, Extension* extension) {
+  std::optional<QuietArithmetic> quiet(std::in_place);
   Workspace& w = *workspace_;
   if (!(info.m_timeStep > 0) || !std::isfinite(info.m_timeStep)) {
     report_.leaveOut("step", "its time step is not a positive number");
@@ -241,6 +245,7 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(
   addTo(report_.events, static_cast<int>(w.events.size()));
   laps.end(report_.secondsWriteBack);
 
+  quiet.reset();
   if (plan.heard && !w.events.empty()) {
     const auto listener = listener_, troubleListener = troubleListener_,
                turningListener = turningListener_;

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "delassus/quiet_arithmetic.h"
+
 namespace delassus::bullet {
 
 Crew::Crew() : parts_(std::make_unique<Part[]>(1)) {}
@@ -33,6 +35,7 @@ void Crew::setHands(int hands) {
 }
 
 void Crew::attend(int hand) {
+  const QuietArithmetic quiet;
   unsigned seen = 0;
   while (true) {
     {

@@ -85,7 +85,12 @@ std::string nameOf(const PointSource& source) {
 }
 
 std::string nameOf(const btTypedConstraint& joint) {
-  return "a joint of " + nameOf(joint.getRigidBodyA()) + " and " + nameOf(joint.getRigidBodyB());
+  // Bullet's partner of those that hold a body to the world, which is in no world.
+  const btRigidBody& world = btTypedConstraint::getFixedBody();
+  const auto partner = [&](const btRigidBody& body) {
+    return &body == &world ? std::string("the world") : nameOf(body);
+  };
+  return "a joint of " + partner(joint.getRigidBodyA()) + " and " + partner(joint.getRigidBodyB());
 }
 
 std::string nameOf(btMultiBodyConstraint& constraint) {

@@ -147,6 +147,13 @@ void MultiBodyParts::findMotion(const btMultiBodyLinkCollider& collider, Matrix6
                                         data_.scratch_v, data_.scratch_m);
     for (int j = 0; j < n; ++j) L(i, j) = unit_[j];
   }
+  // Bullet leaves out of the angular rows how planar joints turn.
+  for (int link = collider.m_link; link >= 0; link = body.getLink(link).m_parent) {
+    const btMultibodyLink& joint = body.getLink(link);
+    if (joint.m_jointType == btMultibodyLink::ePlanar)
+      L.col(6 + joint.m_dofOffset).tail<3>() +=
+          toCore(body.localDirToWorld(link, joint.getAxisTop(0)));
+  }
 }
 
 void MultiBodyParts::addLink(Group& group, const btMultiBodyLinkCollider& collider,

@@ -1,7 +1,40 @@
 #include "bullet_ext/push.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
+
 namespace delassus::bullet {
 namespace {
+
+/// How far bodies may slip past each other, in largest p: out of a wedge of 28 degrees they are pushed exactly.
+constexpr double reach = 4;
+/// Of contacts that give a little, s' in what they answer if no axis is locked: pinched as above, with one contact a face, a body goes
+/// p ε/(ε²/2 + s') ≤ p/√(2 s').
+constexpr double softness = 0.5 / (reach * reach);
+
+Vec3 velocityAt(const Body& body, const Vec3& arm) {
+  return body.velocity.head<3>() + body.velocity.tail<3>().cross(arm);
+}
+
+/// How fast two bodies slip past each other, m/s.
+double slipOf(const std::vector<Body>& bodies, const Contact& c) {
+  Vec3 v = Vec3::Zero();
+  if (c.a != fixedWorld) v += velocityAt(bodies[c.a], c.armA);
+  if (c.b != fixedWorld) v -= velocityAt(bodies[c.b], c.armB);
+  const Vec3 n = c.frame.col(0);
+  return (v - n.dot(v) * n).norm();
+}
+
+/// W_nn of the contact if no axis of a body that moves were locked, 1/kg.
+double unlockedResponse(const std::vector<Body>& bodies, const Contact& c) {
+  const auto share = [&](int index, const Vec3& arm) {
+    if (index == fixedWorld) return 0.0;
+    const Body& body = bodies[index];
+    const Vec3 turn = arm.cross(Vec3(c.frame.col(0)));
+    return body.inverseMass.maxCoeff() + turn.dot(body.inverseInertia * turn);
+  };
+  return share(c.a, c.armA) + share(c.b, c.armB);
+}
 
 void findContacts(const Group& group, bool all, std::vector<Contact>& found) {
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {
@@ -17,15 +50,17 @@ void findContacts(const Group& group, bool all, std::vector<Contact>& found) {
 void Pushes::clear() {
   contacts.clear();
   bodies.clear();
-  islands = 0;
+  islands = softened = 0;
   counts = {};
 }
 
-std::size_t Pushes::bytes() const { return bytesOf(bodies, contacts) + assembler.bytes(); }
+std::size_t Pushes::bytes() const {
+  return bytesOf(bodies, contacts, isSoftened) + assembler.bytes();
+}
 
 void solvePushes(const Group& group, bool all, Workshop& workshop, Pushes& pushes) {
   pushes.clear();
-  const std::vector<Contact>& contacts = pushes.contacts;
+  std::vector<Contact>& contacts = pushes.contacts;
   findContacts(group, all, pushes.contacts);
   pushes.bodies = group.bodies;
   for (Body& body : pushes.bodies) body.velocity.setZero();
@@ -36,14 +71,34 @@ void solvePushes(const Group& group, bool all, Workshop& workshop, Pushes& pushe
   pushes.islands = pushes.assembler.islands();
   workshop.clearCounts();
   const auto weight = [&](int i) { return pushes.assembler.island(i).unknowns(); };
-  workshop.shareSolving(pushes.islands, weight, [&](Bench& bench, int i) {
-    const Island& island = pushes.assembler.island(i);
+  const auto push = [&](Bench& bench, const Island& island) {
     const Problem& problem = bench.assembler.assemble(pushes.bodies, contacts, noRows, island);
     bench.solver.solve(problem, fromRest, bench.solution);
     bench.counts.add(bench.solution);
     const VectorXd& r = bench.solution.r;
     if (r.allFinite()) applyReaction(pushes.bodies, contacts, noRows, island, r);
+  };
+  const auto throwsOne = [&](const Island& island) {
+    double largest = 0, fastest = 0;
+    for (const int k : island.frictionless) {
+      largest = std::max(largest, contacts[k].target[0]);
+      fastest = std::max(fastest, slipOf(pushes.bodies, contacts[k]));
+    }
+    return fastest > reach * largest;
+  };
+  pushes.isSoftened.assign(pushes.islands, 0);
+  workshop.shareSolving(pushes.islands, weight, [&](Bench& bench, int i) {
+    const Island& island = pushes.assembler.island(i);
+    push(bench, island);
+    if (!throwsOne(island)) return;
+    pushes.isSoftened[i] = 1;
+    for (const int k : island.frictionless)
+      contacts[k].compliance += softness * unlockedResponse(pushes.bodies, contacts[k]);
+    for (const int body : island.bodies) pushes.bodies[body].velocity.setZero();
+    push(bench, island);
   });
+  pushes.softened =
+      static_cast<int>(std::count(pushes.isSoftened.begin(), pushes.isSoftened.end(), 1));
   pushes.counts = workshop.counts();
 }
 

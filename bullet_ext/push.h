@@ -11,15 +11,21 @@ namespace delassus::bullet {
 
 /// Split impulse: how the bodies have to be moved out of each other, as velocities over one step.
 ///
-///     0 ≤ r' ⟂ W r' + s r' − p ≥ 0
+///     0 ≤ r' ⟂ W r' + s' r' − p ≥ 0
 ///
 /// Bodies start from rest; the contacts with p > 0 alone take part, without friction or joints.
+///
+/// What is pinched between faces that lean against each other by ε would leave them at p/ε, and what may move along a small part of a
+/// normal alone, in a plane world, just so. Where bodies would slip past each other by several times the largest p of their island, it is
+/// solved again as if contacts gave a little, s' > 0: by no more than some times p then, however small ε is.
 struct Pushes {
   std::vector<Contact> contacts;  ///< those that take part, without friction
   std::vector<Body> bodies;       ///< push velocities; empty if nothing has to move
   int islands = 0;
+  int softened = 0;  ///< islands that were solved again
   Bench::Counts counts;
-  Assembler assembler;  ///< has split them
+  Assembler assembler;           ///< has split them
+  std::vector<char> isSoftened;  ///< by island
 
   void clear();
   std::size_t bytes() const;

@@ -35,6 +35,8 @@ struct StepReport {
   int stiffened = 0;     ///< bodies that setGeometricStiffness had turn more slowly
   int pushIslands = 0;   ///< islands of the split-impulse problem, not counted in `islands`
   int pushUnsolved = 0;  ///< those of them that ended without status solved
+  int pushSoftened =
+      0;  ///< those whose exact answer would throw a body, solved as if what touches gave a little (push.h)
   /// Constraints without rows that moved something in their own solveConstraintObsolete.
   int obsoleteConstraints = 0;
   double secondsGather =

@@ -54,7 +54,8 @@ std::vector<Cost> costsOf(const StepTotals& totals) {
                count(", walked", sum.walks) + count("; sweeps", sum.sweeps) +
                count(", patches", sum.patches) + count(", regions", sum.regions) +
                count(", factorisations", sum.factorisations)),
-      cost("push", "push", sum.secondsPush, count("islands", sum.pushIslands)),
+      cost("push", "push", sum.secondsPush,
+           count("islands", sum.pushIslands) + count(", softened", sum.pushSoftened)),
       cost("write_back", "write back", sum.secondsWriteBack, count("events", sum.events)),
       cost("listener", "listener", sum.secondsListener, ""),
   };

@@ -2,7 +2,7 @@
 # Who may include whom. An arrow points at what is included; every include that no arrow allows is printed.
 #
 #   Eigen <-- src/delassus <-- bullet_ext <-- demos/scenes <-- demos/{hello, main, render, atlas, report}
-#   (src/delassus also reads the processor's control word: xmmintrin.h)
+#   (src/delassus also sets the processor's control word: xmmintrin.h)
 #   demos/whole_file <-- {atlas, report}, which do not know each other, nor render; tests may include everything, nothing includes tests.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

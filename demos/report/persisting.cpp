@@ -1,9 +1,9 @@
 #include <cmath>
 
-#include "demos/report/scene_view.h"
 #include "demos/report/figure.h"
 #include "demos/report/markdown.h"
 #include "demos/report/part.h"
+#include "demos/report/scene_view.h"
 #include "demos/table.h"
 
 namespace demos::report {

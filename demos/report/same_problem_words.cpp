@@ -1,11 +1,11 @@
 #include <cmath>
 #include <cstdio>
 
-#include "demos/report/scene_view.h"
 #include "demos/report/figure.h"
 #include "demos/report/markdown.h"
 #include "demos/report/part.h"
 #include "demos/report/same_problem.h"
+#include "demos/report/scene_view.h"
 #include "demos/scenes/catalogue.h"
 #include "demos/table.h"
 

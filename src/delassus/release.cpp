@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "delassus/pivoting.h"
+#include "delassus/quiet_arithmetic.h"
 
 namespace delassus {
 namespace {
@@ -63,6 +64,7 @@ void lookAtWalls(const Walls& walls, const Walls& others, double zero, ReleaseAn
 }  // namespace
 
 ReleaseAnalysis analyseRelease(const MatrixXd& W, const VectorXd& q) {
+  const QuietArithmetic quiet;
   const auto n = q.size();
   const VectorXd infinite = VectorXd::Constant(n, infinity);
   const PivotResult motion = pivot(W, q, VectorXd::Zero(n), infinite);

@@ -6,6 +6,7 @@
 #include "delassus/cone.h"
 #include "delassus/one_contact.h"
 #include "delassus/quick_answer.h"
+#include "delassus/quiet_arithmetic.h"
 #include "delassus/read_mode.h"
 #include "delassus/residual.h"
 #include "delassus/solver.h"
@@ -131,6 +132,7 @@ bool answerByFormula(const Problem& problem, const Options& options, Solution& a
 
 Solution solve(const Problem& problem, const Options& options) {
   check(options);  // many answers need no Solver
+  const QuietArithmetic quiet;
   if (problem.W.inBodySpace() || !disksAreInside(problem)) return Solver(options).solve(problem);
   Solution solution;
   std::optional<QuickAnswer> quick;

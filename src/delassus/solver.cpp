@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "delassus/one_contact.h"
+#include "delassus/quiet_arithmetic.h"
 #include "delassus/read_mode.h"
 #include "delassus/search.h"
 
@@ -47,6 +48,7 @@ void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best
     guess_ = guess;
     return solve(problem, guess_, best);
   }
+  const QuietArithmetic quiet;
   Search& search = *search_;
   best.start(problem.q);
   if (std::vector<int> unfit = unfitParts(problem); !unfit.empty()) {

@@ -45,6 +45,32 @@ TEST(MultiBodyContacts, FreeBoxCarriesItsWeight) {
   EXPECT_EQ(world.report().solved, 1);
 }
 
+/// The turn, rad, of a plank after so many steps that falls, on a joint that lets it move in its plane, with one end on a block.
+double turnOfPlank(MultiBodyWorld& world, int steps) {
+  const btVector3 half(1, btScalar(0.1), 0.5);
+  world.addGround();
+  world.addBox({btScalar(0.1), 0.25, 1}, {btScalar(0.8), 0.25, 0}, 0);
+  btMultiBody& tree = world.addTree(1, 1, {1, 1, 1}, true, {0, 0, 0});
+  tree.setupPlanar(0, 1, boxInertia(half, 1), -1, btQuaternion::getIdentity(), {0, 0, 1}, {0, 0, 0},
+                   true);
+  world.addCollider(tree, 0, std::make_unique<btBoxShape>(half));
+  world.finish(tree);
+  btScalar start[] = {0, btScalar(0.65), 0};
+  tree.setJointPosMultiDof(0, start);
+  MultiBodyWorld::place(tree);
+  world.advance(steps);
+  return tree.getJointPosMultiDof(0)[0];
+}
+
+// Bullet's Jacobian of the angular velocity leaves out this joint's.
+TEST(MultiBodyContacts, PlankOnAPlanarJointTipsAsInStock) {
+  DelassusMultiBodyWorld ours;
+  StockMultiBodyWorld stock(1000);
+  const double turn = turnOfPlank(ours, 20);
+  EXPECT_GT(std::abs(turn), 0.02);
+  EXPECT_NEAR(turn, turnOfPlank(stock, 20), tolerance(1e-4, 1e-3));
+}
+
 /// A collider that no articulated body has, as where its body was deleted, is ground.
 TEST(MultiBodyContacts, ColliderWithoutABody) {
   DelassusMultiBodyWorld world;

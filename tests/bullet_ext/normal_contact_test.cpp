@@ -158,6 +158,83 @@ TEST(Parity, Row11DepthFromWhichItIsPushedIsThatOfTheInfo) {
     }
 }
 
+/// The furthest that a body between a floor and a shelf goes in one of some steps, m: deep in both, which lean against each other.
+double furthestStep(BulletWorld& world, bool isBall, double lean, double depth) {
+  constexpr double half = 0.25;
+  world.addBox({50, 1, 50}, {0, -1, 0}, 0);
+  const btQuaternion turn({0, 0, 1}, btScalar(lean));
+  const btVector3 up = quatRotate(turn, btVector3(0, 1, 0));
+  const double gap = 2 * (half - depth);
+  world.addBody(std::make_unique<btBoxShape>(btVector3(2, 0.25, 2)),
+                btTransform(turn, btVector3(0, btScalar(gap), 0) + up * btScalar(0.25)), 0);
+  const btVector3 middle(0, btScalar(gap / 2), 0);
+  const btRigidBody& body =
+      isBall ? world.addSphere(half, middle, 1) : world.addBox({half, half, half}, middle, 1);
+  double furthest = 0;
+  for (int step = 0; step < 20; ++step) {
+    const btVector3 before = body.getWorldTransform().getOrigin();
+    world.advance();
+    const double moved = (body.getWorldTransform().getOrigin() - before).length();
+    furthest = std::max(furthest, moved);
+  }
+  return furthest;
+}
+
+// Out of a wedge the exact push is in proportion to 1/lean.
+TEST(Push, WhatIsPinchedIsNotThrown) {
+  constexpr double depth = 0.06, recovery = 0.2 * depth;
+  for (const bool isBall : {true, false})
+    for (const double lean : {0.3, 1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 0.0}) {
+      SCOPED_TRACE(testing::Message() << (isBall ? "ball, lean " : "box, lean ") << lean);
+      DelassusWorld world;
+      EXPECT_LT(furthestStep(world, isBall, lean, depth), 20 * recovery);
+    }
+}
+
+TEST(Push, WhatIsPinchedIsReported) {
+  DelassusWorld pinched;
+  furthestStep(pinched, true, 1e-3, 0.06);
+  EXPECT_EQ(pinched.report().pushSoftened, 1);
+}
+
+// In a plane world, what lies behind a body touches it with a small part of its normal.
+TEST(Push, WhatIsBehindAPlaneWorldThrowsNothing) {
+  for (const double lean : {1e-5, 1e-3, 1e-2}) {
+    SCOPED_TRACE(lean);
+    DelassusWorld world;
+    world.addGround();
+    const btTransform behind(btQuaternion({0, 1, 0}, btScalar(lean)),
+                             {0, btScalar(2.1), btScalar(-0.9)});
+    world.addBody(std::make_unique<btBoxShape>(btVector3(10, 2, 0.5)), behind, 0);
+    btRigidBody& player = world.addBox({0.5, 0.5, 0.5}, {0, 0.5, 0}, 1);
+    player.setLinearFactor({1, 1, 0});
+    player.setAngularFactor(btVector3(0, 0, 1));
+    for (int step = 0; step < 20; ++step) {
+      const btVector3 before = player.getWorldTransform().getOrigin();
+      world.advance();
+      EXPECT_LT((player.getWorldTransform().getOrigin() - before).length(), 20 * 0.2 * 0.1) << step;
+    }
+  }
+}
+
+// Those above go as far as all below them together: exactly, since none slips past the others.
+TEST(Push, StacksThatOverlapArePushedExactly) {
+  constexpr int boxes = 10;
+  constexpr double depth = 0.05;
+  DelassusWorld world;
+  world->setGravity({0, 0, 0});
+  world.addGround();
+  std::vector<btRigidBody*> stack;
+  for (int i = 0; i < boxes; ++i)
+    stack.push_back(&world.addBox({0.5, 0.5, 0.5}, {0, btScalar(0.5 + i - (i + 1) * depth), 0}, 1));
+  world.advance();
+  EXPECT_EQ(world.report().pushSoftened, 0);
+  for (int i = 0; i < boxes; ++i)
+    EXPECT_NEAR(stack[i]->getWorldTransform().getOrigin().y(), 0.5 + i - 0.8 * (i + 1) * depth,
+                tolerance(1e-9, 1e-5))
+        << i;
+}
+
 /// What a push does in one step to a cube that leans over and is deep in the ground with an edge.
 struct Pushed {
   double rise, turn;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cfenv>
 #include <cmath>
 
 #include "tests/support/bullet_world.h"
@@ -20,6 +21,29 @@ TEST(Parity, Row33RedundantContactsShareTheLoadEvenly) {
   for (const btManifoldPoint* point : world.points())
     EXPECT_NEAR(point->m_appliedImpulse, g * h / 4, tolerance(1e-8, 1e-4)) << "the least norm";
 }
+
+#ifdef __GLIBC__
+// Who has his processor stop at x/0 and numbers that are none means his own code.
+TEST(Robustness, TrapsOfTheUserStayHisOwn) {
+  constexpr int traps = FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW;
+  for (const int threads : {1, 2}) {
+    DelassusWorld world;
+    world.delassus().setThreads(threads);
+    world.addGround();
+    for (int i = 0; i < 12; ++i) {
+      const btTransform pose(btQuaternion({0, 0, 1}, btScalar(0.3 * i)),
+                             {btScalar(0.05 * i), btScalar(1 + 1.1 * i), btScalar(0.03 * i)});
+      world.addBody(std::make_unique<btBoxShape>(btVector3(0.5, btScalar(0.3), btScalar(0.4))),
+                    pose, 1);
+    }
+    ASSERT_NE(feenableexcept(traps), -1);
+    world.advance(180);
+    EXPECT_EQ(fegetexcept(), traps);
+    fedisableexcept(traps);
+    EXPECT_GT(world.report().contacts, 0);
+  }
+}
+#endif
 
 TEST(Parity, Row33DoubledHingesAndABoxInACorner) {
   DelassusWorld world;
