@@ -6,6 +6,7 @@
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
+#include "bullet_ext/yielding_joints.h"
 #include "delassus/island.h"
 #include "delassus/residual.h"
 
@@ -52,6 +53,22 @@ Trouble troubleOf(Status status) {
       break;
   }
   return Trouble::None;
+}
+
+/// The first unknown that is no contact's.
+int firstRowOf(const Island& island) {
+  return static_cast<int>(3 * island.frictional.size() + island.frictionless.size());
+}
+
+/// Of the heaviest body to the lightest.
+double massRatioOf(const Group& group, const Island& island) {
+  double least = infinity, most = 0;
+  for (const int i : island.bodies) {
+    const double perMass = group.bodies[i].inverseMass.maxCoeff();
+    least = std::min(least, perMass);
+    most = std::max(most, perMass);
+  }
+  return most / least;
 }
 
 /// The contact or the row whose first unknown is `unknown`; the other is −1. A contact's turning friction is the contact.
@@ -140,6 +157,10 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
   collectGuess(island, answer, bench.guess);
   Solution& solution = bench.solution;
   bench.solver.solve(problem, bench.guess, solution);
+  if (const std::vector<int> rows =
+          yieldingRows(problem, firstRowOf(island), massRatioOf(group, island), solution.r);
+      !rows.empty())
+    letYield(problem, rows, bench.solver, solution);
   bench.counts.add(solution);
 
   note(solution, partsOf(island), result);

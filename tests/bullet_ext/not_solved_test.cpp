@@ -37,6 +37,35 @@ TEST(NotSolved, OutOfBudgetNamesTheContactThatIsFurthestFromItsLaw) {
   EXPECT_EQ(events[0].trouble, Trouble::OutOfBudget);
 }
 
+// As Bullet has it by default, a joint's bodies collide: what is bolted to a wall that it overlaps is asked to stay and to leave.
+TEST(NotSolved, AJointAndAContactThatContradictEachOther) {
+  for (const bool fixed : {true, false}) {
+    SCOPED_TRACE(fixed ? "fixed" : "point to point");
+    DelassusWorld world;
+    btRigidBody& wall = world.addBox({1, 1, 1}, {0, 0, 0}, 0);
+    btRigidBody& box =
+        world.addBox({btScalar(0.25), btScalar(0.25), btScalar(0.25)}, {0, btScalar(1.23), 0});
+    const btTransform place = box.getWorldTransform();
+    btTypedConstraint& joint =
+        fixed ? static_cast<btTypedConstraint&>(
+                    world.addJoint<btFixedConstraint>(wall, box, place, btTransform::getIdentity()))
+              : world.addJoint<btPoint2PointConstraint>(box, wall, btVector3(0, 0, 0),
+                                                        place.getOrigin());
+    btJointFeedback feedback;
+    joint.setJointFeedback(&feedback);
+    for (int step = 0; step < 60; ++step) {
+      world.advance();
+      ASSERT_EQ(world.report().incompatible, 1) << step;
+      ASSERT_THAT(world.report().messages, testing::Contains(StartsWith("a joint of body")));
+      ASSERT_THAT(world.report().messages, testing::Contains(StartsWith("contact ")));
+      // As hard as some hundred times its weight, not 1e9.
+      ASSERT_LT(feedback.m_appliedForceBodyA.length(), 1e4);
+    }
+    EXPECT_LT(box.getLinearVelocity().length(), 0.01);
+    EXPECT_LT((box.getWorldTransform().getOrigin() - place.getOrigin()).length(), 0.021);
+  }
+}
+
 TEST(NotSolved, IncompatibleContactsAreToldInEveryStep) {
   // The walls of a press close on a ball.
   btSphereShape shape(1);
