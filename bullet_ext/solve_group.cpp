@@ -6,7 +6,7 @@
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
-#include "bullet_ext/yielding_joints.h"
+#include "bullet_ext/yielding.h"
 #include "delassus/island.h"
 #include "delassus/residual.h"
 
@@ -157,10 +157,10 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
   collectGuess(island, answer, bench.guess);
   Solution& solution = bench.solution;
   bench.solver.solve(problem, bench.guess, solution);
-  if (const std::vector<int> rows =
-          yieldingRows(problem, firstRowOf(island), massRatioOf(group, island), solution.r);
-      !rows.empty())
-    letYield(problem, rows, bench.solver, solution);
+  if (const std::vector<int> yielding =
+          whatYields(problem, firstRowOf(island), massRatioOf(group, island), solution.r);
+      !yielding.empty())
+    letYield(problem, yielding, bench.solver, solution);
   bench.counts.add(solution);
 
   note(solution, partsOf(island), result);
