@@ -60,15 +60,16 @@ int firstRowOf(const Island& island) {
   return static_cast<int>(3 * island.frictional.size() + island.frictionless.size());
 }
 
-/// Of the heaviest body to the lightest.
-double massRatioOf(const Group& group, const Island& island) {
-  double least = infinity, most = 0;
+IslandScales scalesOf(const Group& group, const Island& island) {
+  double least = infinity, most = 0, speed = 0;
   for (const int i : island.bodies) {
-    const double perMass = group.bodies[i].inverseMass.maxCoeff();
+    const Body& body = group.bodies[i];
+    const double perMass = body.inverseMass.maxCoeff();
     least = std::min(least, perMass);
     most = std::max(most, perMass);
+    speed = std::max(speed, body.velocity.head<3>().norm());
   }
-  return most / least;
+  return {most / least, speed};
 }
 
 /// The contact or the row whose first unknown is `unknown`; the other is −1. A contact's turning friction is the contact.
@@ -158,7 +159,7 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
   Solution& solution = bench.solution;
   bench.solver.solve(problem, bench.guess, solution);
   if (const std::vector<int> yielding =
-          whatYields(problem, firstRowOf(island), massRatioOf(group, island), solution.r);
+          whatYields(problem, firstRowOf(island), scalesOf(group, island), solution.r);
       !yielding.empty())
     letYield(problem, yielding, bench.solver, solution);
   bench.counts.add(solution);

@@ -18,18 +18,20 @@ double responseOf(const Problem& problem, int unknown) {
 
 }  // namespace
 
-std::vector<int> whatYields(const Problem& problem, int firstRow, double massRatio,
+std::vector<int> whatYields(const Problem& problem, int firstRow, const IslandScales& scales,
                             const VectorXd& r) {
-  constexpr double pinched = 1e4, large = 0.1;  // shares of the demands
+  constexpr double shot = 100, large = 0.1;  // shares of speeds
   // Slip by the masses alone; leaves four digits for levers.
   constexpr double telling = 1e-5;
   constexpr double rounding = 2;
   std::vector<int> yielding;
   if (3 * problem.contacts() >= problem.disksBegin()) return yielding;
   const double demand = problem.q.cwiseAbs().maxCoeff();
+  const double fastest = shot * std::max(demand, scales.speed);
+  const double mostWork = scales.massRatio * fastest * fastest;
   for (int i = 3 * problem.contacts(); i < firstRow; ++i)
-    if (responseOf(problem, i) * r[i] > pinched * massRatio * demand) yielding.push_back(i);
-  if (massRatio * leastSoftness > telling) return yielding;
+    if (-r[i] * problem.q[i] * responseOf(problem, i) > mostWork) yielding.push_back(i);
+  if (scales.massRatio * leastSoftness > telling) return yielding;
   const VectorXd& compliance = problem.W.bodySpace().compliance;
   VectorXd diagonal;
   for (int i = firstRow; i < problem.disksBegin(); ++i) {
