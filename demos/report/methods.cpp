@@ -1,7 +1,7 @@
 #include "demos/report/methods.h"
 
 #include <algorithm>
-#include <chrono>
+#include <type_traits>
 
 #include "bullet_ext/btDelassusConstraintSolver.h"
 #include "demos/report/memory_peak.h"
@@ -15,9 +15,24 @@ using delassus::Vec6;
 
 namespace {
 
-/// The numbers of a MethodRun before the motion and the memory begin.
-constexpr std::size_t headLength = 12;
 constexpr std::size_t pointLength = 10;
+
+/// The numbers of a run before its motion and memory, in the order in which they come from the process apart.
+template <class Run, class Visit>
+void visitNumbers(Run& run, const Visit& visit) {
+  visit(run.seconds);
+  visit(run.secondsLow);
+  visit(run.secondsHigh);
+  visit(run.repeats);
+  visit(run.residualMax);
+  visit(run.residualRms);
+  visit(run.fallbacks);
+  visit(run.regions);
+  visit(run.factorisations);
+  visit(run.solveSeconds);
+  visit(run.aroundSeconds);
+  visit(run.peakBytes);
+}
 
 void append(std::vector<double>& numbers, const StepMemory& memory) {
   for (const PointMemory& point : memory) {
@@ -27,17 +42,20 @@ void append(std::vector<double>& numbers, const StepMemory& memory) {
   }
 }
 
+std::vector<double> packed(const MethodRun& run) {
+  std::vector<double> numbers;
+  visitNumbers(run, [&](auto number) { numbers.push_back(double(number)); });
+  for (const Vec6& velocity : run.motion)
+    numbers.insert(numbers.end(), velocity.begin(), velocity.end());
+  append(numbers, run.memory);
+  return numbers;
+}
+
 MethodRun unpacked(const std::vector<double>& numbers, std::size_t bodies) {
   MethodRun run;
   run.ending = Ending::Done;
   auto at = numbers.begin();
-  for (double* field : {&run.seconds, &run.secondsLow, &run.secondsHigh}) *field = *at++;
-  run.repeats = int(*at++);
-  for (double* field : {&run.residualMax, &run.residualRms}) *field = *at++;
-  run.fallbacks = int(*at++);
-  for (double* field :
-       {&run.regions, &run.factorisations, &run.solveSeconds, &run.aroundSeconds, &run.peakBytes})
-    *field = *at++;
+  visitNumbers(run, [&](auto& number) { number = std::decay_t<decltype(number)>(*at++); });
   for (std::size_t i = 0; i < bodies; ++i, at += 6)
     run.motion.push_back(Eigen::Map<const Vec6>(&*at));
   for (; at + pointLength <= numbers.end(); at += pointLength) {
@@ -53,9 +71,10 @@ MethodRun unpacked(const std::vector<double>& numbers, std::size_t bodies) {
 }
 
 /// Work of the process apart.
-std::vector<double> solveRepeatedly(const Method& method, const CapturedStep& step,
-                                    const StepProblem& problem, const StepMemory& memory,
-                                    const Timing& timing) {
+MethodRun solveRepeatedly(const Method& method, const CapturedStep& step,
+                          const StepProblem& problem, const StepMemory& memory,
+                          const Timing& timing) {
+  MethodRun run;
   NamedSolver named(method.name);
   btContactSolverInfo info = *step.info;
   named.configure(info);
@@ -68,9 +87,11 @@ std::vector<double> solveRepeatedly(const Method& method, const CapturedStep& st
   step.solve(judged, info);
   const double firstSeconds = timed.takeSeconds();
   const Verdict verdict = judged.takeVerdict();
-  const Motion motion = problem.currentMotion();
-  const StepMemory written = readMemory(step);
-  const int fallbacks = named.fallbacks();
+  run.residualMax = verdict.max;
+  run.residualRms = verdict.rms();
+  run.motion = problem.currentMotion();
+  run.memory = readMemory(step);
+  run.fallbacks = named.fallbacks();
 
   // Steps are not announced to the solver (prepareSolve): so ours keeps nothing beside the points, or a repeat would begin from
   // the answer of the run before. The first run warms caches and workspaces; it counts only where there is no time for another.
@@ -93,22 +114,16 @@ std::vector<double> solveRepeatedly(const Method& method, const CapturedStep& st
 
   delassus::StepReport all;
   if (named.delassus() != nullptr) all = named.delassus()->report();
-  std::vector<double> numbers{median(seconds),
-                              quantile(seconds, 0.25),
-                              quantile(seconds, 0.75),
-                              double(seconds.size()),
-                              verdict.max,
-                              verdict.rms(),
-                              double(fallbacks),
-                              all.regions / runs,
-                              all.factorisations / runs,
-                              (all.secondsPlan + all.secondsSolve + all.secondsPush) / runs,
-                              (all.secondsGather + all.secondsWriteBack) / runs,
-                              peak.bytes()};
-  for (const Vec6& velocity : motion)
-    numbers.insert(numbers.end(), velocity.begin(), velocity.end());
-  append(numbers, written);
-  return numbers;
+  run.seconds = median(seconds);
+  run.secondsLow = quantile(seconds, 0.25);
+  run.secondsHigh = quantile(seconds, 0.75);
+  run.repeats = int(seconds.size());
+  run.regions = all.regions / runs;
+  run.factorisations = all.factorisations / runs;
+  run.solveSeconds = (all.secondsPlan + all.secondsSolve + all.secondsPush) / runs;
+  run.aroundSeconds = (all.secondsGather + all.secondsWriteBack) / runs;
+  run.peakBytes = peak.bytes();
+  return run;
 }
 
 }  // namespace
@@ -127,11 +142,10 @@ std::vector<Method> methodsNamed(const std::vector<std::string>& names) {
 
 MethodRun runMethod(const Method& method, const CapturedStep& step, const StepProblem& problem,
                     const StepMemory& memory, const Timing& timing) {
-  static_assert(headLength == 12);
   // The judge takes its time too, outside the method's own.
   const Limits limits{2 * timing.secondsLimit + 1};
-  const ApartResult apart =
-      runApart([&] { return solveRepeatedly(method, step, problem, memory, timing); }, limits);
+  const ApartResult apart = runApart(
+      [&] { return packed(solveRepeatedly(method, step, problem, memory, timing)); }, limits);
   MethodRun run;
   run.ending = apart.ending;
   run.seconds = apart.seconds;
