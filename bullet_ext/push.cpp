@@ -6,8 +6,8 @@
 namespace delassus::bullet {
 namespace {
 
-/// How far bodies may slip past each other, in largest p: out of a wedge of 28 degrees they are pushed exactly.
-constexpr double reach = 4;
+/// How far bodies may slip past each other, in largest p: out of a wedge of 11 degrees they are pushed exactly.
+constexpr double reach = 10;
 /// Of contacts that give a little, s' in what they answer if no axis is locked: pinched as above, with one contact a face, a body goes
 /// p ε/(ε²/2 + s') ≤ p/√(2 s').
 constexpr double softness = 0.5 / (reach * reach);

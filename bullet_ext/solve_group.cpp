@@ -6,7 +6,6 @@
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
-#include "bullet_ext/yielding.h"
 #include "delassus/island.h"
 #include "delassus/residual.h"
 
@@ -53,23 +52,6 @@ Trouble troubleOf(Status status) {
       break;
   }
   return Trouble::None;
-}
-
-/// The first unknown that is no contact's.
-int firstRowOf(const Island& island) {
-  return static_cast<int>(3 * island.frictional.size() + island.frictionless.size());
-}
-
-IslandScales scalesOf(const Group& group, const Island& island) {
-  double least = infinity, most = 0, speed = 0;
-  for (const int i : island.bodies) {
-    const Body& body = group.bodies[i];
-    const double perMass = body.inverseMass.maxCoeff();
-    least = std::min(least, perMass);
-    most = std::max(most, perMass);
-    speed = std::max(speed, body.velocity.head<3>().norm());
-  }
-  return {most / least, speed};
 }
 
 /// The contact or the row whose first unknown is `unknown`; the other is −1. A contact's turning friction is the contact.
@@ -158,10 +140,6 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
   collectGuess(island, answer, bench.guess);
   Solution& solution = bench.solution;
   bench.solver.solve(problem, bench.guess, solution);
-  if (const std::vector<int> yielding =
-          whatYields(problem, firstRowOf(island), scalesOf(group, island), solution.r);
-      !yielding.empty())
-    letYield(problem, yielding, bench.solver, solution);
   bench.counts.add(solution);
 
   note(solution, partsOf(island), result);

@@ -37,62 +37,6 @@ TEST(NotSolved, OutOfBudgetNamesTheContactThatIsFurthestFromItsLaw) {
   EXPECT_EQ(events[0].trouble, Trouble::OutOfBudget);
 }
 
-// As Bullet has it by default, a joint's bodies collide: what is bolted to a wall that it overlaps is asked to stay and to leave.
-TEST(NotSolved, AJointAndAContactThatContradictEachOther) {
-  for (const bool fixed : {true, false}) {
-    SCOPED_TRACE(fixed ? "fixed" : "point to point");
-    DelassusWorld world;
-    btRigidBody& wall = world.addBox({1, 1, 1}, {0, 0, 0}, 0);
-    btRigidBody& box =
-        world.addBox({btScalar(0.25), btScalar(0.25), btScalar(0.25)}, {0, btScalar(1.23), 0});
-    const btTransform place = box.getWorldTransform();
-    btTypedConstraint& joint =
-        fixed ? static_cast<btTypedConstraint&>(
-                    world.addJoint<btFixedConstraint>(wall, box, place, btTransform::getIdentity()))
-              : world.addJoint<btPoint2PointConstraint>(box, wall, btVector3(0, 0, 0),
-                                                        place.getOrigin());
-    btJointFeedback feedback;
-    joint.setJointFeedback(&feedback);
-    for (int step = 0; step < 60; ++step) {
-      world.advance();
-      ASSERT_EQ(world.report().incompatible, 1) << step;
-      ASSERT_THAT(world.report().messages, testing::Contains(StartsWith("a joint of body")));
-      ASSERT_THAT(world.report().messages, testing::Contains(StartsWith("contact ")));
-      // As hard as some hundred times its weight, not 1e9.
-      ASSERT_LT(feedback.m_appliedForceBodyA.length(), 1e4);
-    }
-    EXPECT_LT(box.getLinearVelocity().length(), 0.01);
-    EXPECT_LT((box.getWorldTransform().getOrigin() - place.getOrigin()).length(), 0.021);
-  }
-}
-
-// Faces that are parallel but for rounding ask a ball that overlaps both, without friction, to leave them at p/ε.
-TEST(NotSolved, NobodyIsShotOutOfAPinch) {
-  constexpr double radius = 0.25, depth = 0.01;
-  for (const double lean : {0.0, 1e-9, 1e-6, 1e-4})
-    for (int turn = 0; turn < 4; ++turn) {
-      SCOPED_TRACE(testing::Message() << "lean " << lean << ", turn " << turn);
-      const btTransform frame(btQuaternion(btVector3(1, 2, 3).normalized(), btScalar(0.1 * turn)));
-      const auto place = [&](double height, double angle) {
-        return frame * btTransform(btQuaternion(btVector3(0, 0, 1), btScalar(angle)),
-                                   {0, btScalar(height), 0});
-      };
-      DelassusWorld world;
-      const double gap = 2 * (radius - depth);
-      world.addBody(std::make_unique<btBoxShape>(btVector3(50, 1, 50)), place(-1, 0), 0);
-      world.addBody(std::make_unique<btBoxShape>(btVector3(2, 0.25, 2)), place(gap + 0.25, lean),
-                    0);
-      btRigidBody& ball =
-          world.addBody(std::make_unique<btSphereShape>(btScalar(radius)), place(gap / 2, 0), 1);
-      ball.setFriction(0);
-      for (int step = 0; step < 10; ++step) {
-        world.advance();
-        // What was asked is 0.12 m/s from both sides.
-        ASSERT_LT(ball.getLinearVelocity().length(), 10) << step;
-      }
-    }
-}
-
 TEST(NotSolved, IncompatibleContactsAreToldInEveryStep) {
   // The walls of a press close on a ball.
   btSphereShape shape(1);
