@@ -200,6 +200,7 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(
   w.group.clear();
   gatherBodies(w.group, bodies, bodyCount, info, report_);
   if (extension) extension->gatherBodies(w.group, report_);
+  gatherJoined(w.group, constraints, constraintCount);
   gatherContacts(w.group, manifolds, manifoldCount, info, dispatcher, report_);
   gatherJoints(w.group, constraints, constraintCount, info, report_);
   if (extension) extension->gatherRows(w.group, report_);

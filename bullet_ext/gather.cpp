@@ -51,12 +51,14 @@ void Group::clear() {
   articulation.clear();
   multiBodyRows.clear();
   indexOf.clear();
+  joined.clear();
 }
 
 std::size_t Group::bytes() const {
   return bytesOf(bodies, bodySources, contacts, contactSources, pushes, guess, idle, restless, rows,
                  rowGuess, joints, multiBodyRows, asked) +
-         obsolete.capacity() * sizeof(void*) + indexOf.bytes() + articulation.bytes();
+         obsolete.capacity() * sizeof(void*) + indexOf.bytes() + joined.bytes() +
+         articulation.bytes();
 }
 
 const char* faultOfRow(const Row& row) {

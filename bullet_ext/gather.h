@@ -6,6 +6,7 @@
 #include "LinearMath/btScalar.h"
 #include "bullet_ext/address_table.h"
 #include "bullet_ext/contact_event.h"
+#include "bullet_ext/joined_bodies.h"
 #include "bullet_ext/step_report.h"
 #include "delassus/articulation.h"
 #include "delassus/body.h"
@@ -38,6 +39,9 @@ constexpr double leastSoftness = sizeof(btScalar) == sizeof(double) ? 1e-10 : 1e
 /// A push moves a body in vain if that is no more than this share of what it would move if no axis were locked: what leans by less than
 /// 1e-4 rad lies in a locked axis. The exact answer there is an impulse 1e8 times as large as without the lock.
 constexpr double inVain = 1e-8;
+
+/// How much contacts of bodies give that a joint holds to each other, as a share of what the one of them adds to W_nn that adds less.
+constexpr double joinedSoftness = 1e-2;
 
 /// That of a row with Bullet's `cfm` (a fault of which stays one) and this W_ii.
 inline double complianceOf(double cfm, double response) {
@@ -106,6 +110,7 @@ struct Group {
   std::vector<MultiBodyRowSource> multiBodyRows;  ///< the same, in the order of the rows
 
   AddressTable indexOf;
+  JoinedBodies joined;
   std::vector<InfoRow> asked;  ///< of the joint that is being gathered
 
   void clear();
@@ -142,8 +147,13 @@ int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo
 /// A contact with its own softness is never split: the spring would be lost to the push. One whose push moves neither body (inVain), or
 /// that of what keeps its place with what stands, is idle.
 /// Friction: see contact_frame.h.
+///
+/// Bodies that a joint holds to each other (gatherJoined comes first) collide all the same, unless the joint was added to the world as one
+/// whose bodies do not. Their contacts give by joinedSoftness and are never split: where they contradict the joint, both would be met, as
+/// rigid as they are, by 1e9 N·s.
 void gatherBodies(Group& group, btCollisionObject** bodies, int count,
                   const btContactSolverInfo& info, StepReport& report);
+void gatherJoined(Group& group, btTypedConstraint** constraints, int count);
 void gatherContacts(Group& group, btPersistentManifold** manifolds, int count,
                     const btContactSolverInfo& info, btDispatcher* dispatcher, StepReport& report);
 

@@ -50,6 +50,7 @@ struct Pair {
   Vec6 beforeA, beforeB;  ///< velocities before forces; with links: after
   bool stands;            ///< these are zero
   double rounding;        ///< what a distance of its points may be and mean nothing, m
+  bool joined;            ///< by a joint
   ContactFrames frames;
 };
 
@@ -80,6 +81,7 @@ Pair pairOf(const Group& group, btPersistentManifold& manifold, int a, int b,
           beforeB,
           beforeA.isZero(0) && beforeB.isZero(0),
           roundingAt(manifold.getContactPoint(0)),
+          group.joined.areJoined(objectA, objectB),
           ContactFrames(anisotropyOf(objectA, objectB), info)};
 }
 
@@ -98,20 +100,28 @@ double bounceOf(const Pair& pair, const btManifoldPoint& point, const btContactS
   return std::max(0.0, -a * point.m_combinedRestitution);
 }
 
-/// W_ii along a tangent of the contact. The linear factor is left out, as in Bullet's solvers.
+/// What one body adds to W_ii of a contact along `axis`. The linear factor is left out, as in Bullet's solvers.
+double responseOf(const Group& group, int body, const Vec3& arm, const Vec3& axis) {
+  if (!group.movable(body)) return 0;
+  const Vec3 turn = arm.cross(axis);
+  if (const Articulation::Limb* limb = group.articulation.limbOf(body))
+    return (axis.transpose() * limb->motion.topRows<3>() +
+            turn.transpose() * limb->motion.bottomRows<3>())
+        .squaredNorm();
+  return group.bodySources[body].rigid->getInvMass() * axis.squaredNorm() +
+         turn.dot(group.bodies[body].inverseInertia * turn);
+}
+
 double tangentialResponse(const Group& group, const Contact& c, int column) {
   const Vec3 t = c.frame.col(column);
-  const auto share = [&](int body, const Vec3& arm) {
-    if (!group.movable(body)) return 0.0;
-    const Vec3 turn = arm.cross(t);
-    if (const Articulation::Limb* limb = group.articulation.limbOf(body))
-      return (t.transpose() * limb->motion.topRows<3>() +
-              turn.transpose() * limb->motion.bottomRows<3>())
-          .squaredNorm();
-    return group.bodySources[body].rigid->getInvMass() * t.squaredNorm() +
-           turn.dot(group.bodies[body].inverseInertia * turn);
-  };
-  return share(c.a, c.armA) + share(c.b, c.armB);
+  return responseOf(group, c.a, c.armA, t) + responseOf(group, c.b, c.armB, t);
+}
+
+/// Of the contact of joined bodies: by that of them which answers less, so that a heavy one does not sink into a light one.
+double joinedCompliance(const Group& group, const Contact& c) {
+  const Vec3 n = c.frame.col(0);
+  const double a = responseOf(group, c.a, c.armA, n), b = responseOf(group, c.b, c.armB, n);
+  return joinedSoftness * (a > 0 && b > 0 ? std::min(a, b) : a + b);
 }
 
 /// How far the bodies are apart, m: not at all where the rounding of their places tells as much, and no more moves in a step.
@@ -141,11 +151,12 @@ double fillContact(const Group& group, Pair& pair, const btManifoldPoint& point,
   const Softness soft = softnessOf(point, info);
   // The push moves rigid bodies only.
   const bool split = info.m_splitImpulse && d <= info.m_splitImpulsePenetrationThreshold &&
-                     !soft.own && !group.isLimb(c.a) && !group.isLimb(c.b);
+                     !soft.own && !pair.joined && !group.isLimb(c.a) && !group.isLimb(c.b);
   const double recovery = d < 0 ? -d * soft.erp / h : 0;
   c.target = {bounceOf(pair, point, info, c) - std::max(d, 0.0) / h + (split ? 0 : recovery),
               frame.motion1, frame.motion2};
   c.compliance = soft.cfm < 0 ? 0 : soft.cfm / h;
+  if (pair.joined) c.compliance += joinedCompliance(group, c);
   if (group.isLimb(c.a) || group.isLimb(c.b))  // rigid bodies have that of their point alone
     c.slipCompliance = std::max<double>(info.m_frictionCFM, 0) / h;
   if (frame.softness > 0)

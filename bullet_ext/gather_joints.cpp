@@ -131,7 +131,33 @@ void gatherRows(Group& group, btTypedConstraint& joint, double lastImpulse, doub
   group.joints.push_back(source);
 }
 
+/// Whether the joint says where its bodies are relative to each other, in some direction at least.
+bool holds(const btTypedConstraint& joint) {
+  switch (joint.getConstraintType()) {
+    case POINT2POINT_CONSTRAINT_TYPE:
+    case HINGE_CONSTRAINT_TYPE:
+    case CONETWIST_CONSTRAINT_TYPE:
+    case D6_CONSTRAINT_TYPE:
+    case D6_SPRING_CONSTRAINT_TYPE:
+    case D6_SPRING_2_CONSTRAINT_TYPE:
+    case SLIDER_CONSTRAINT_TYPE:
+    case FIXED_CONSTRAINT_TYPE:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
+
+void gatherJoined(Group& group, btTypedConstraint** constraints, int count) {
+  const btRigidBody& world = btTypedConstraint::getFixedBody();
+  for (int i = 0; i < count; ++i) {
+    const btTypedConstraint& joint = *constraints[i];
+    const btRigidBody &a = joint.getRigidBodyA(), &b = joint.getRigidBodyB();
+    if (joint.isEnabled() && holds(joint) && &a != &world && &b != &world) group.joined.add(a, b);
+  }
+}
 
 void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
                   const btContactSolverInfo& info, StepReport& report) {

@@ -45,6 +45,7 @@ class ProblemCatcher : public SolverDecorator {
     bullet::Group group;
     StepReport ignored;
     bullet::gatherBodies(group, arguments.bodies, arguments.bodyCount, arguments.info, ignored);
+    bullet::gatherJoined(group, arguments.constraints, arguments.constraintCount);
     bullet::gatherContacts(group, arguments.manifolds, arguments.manifoldCount, arguments.info,
                            arguments.dispatcher, ignored);
     bullet::gatherJoints(group, arguments.constraints, arguments.constraintCount, arguments.info,

@@ -119,6 +119,7 @@ StepProblem::StepProblem(const CapturedStep& step, double cfm) : cfm_(cfm) {
     bullet::Group group;
     const WatchedJoints watched(open.constraints.data(), int(open.constraints.size()));
     bullet::gatherBodies(group, open.bodies.data(), int(open.bodies.size()), info, ignored);
+    bullet::gatherJoined(group, open.constraints.data(), int(open.constraints.size()));
     bullet::gatherContacts(group, open.manifolds.data(), int(open.manifolds.size()), info,
                            step.dispatcher, ignored);
     bullet::gatherJoints(group, open.constraints.data(), int(open.constraints.size()), info,

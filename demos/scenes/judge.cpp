@@ -44,6 +44,7 @@ void JudgedSolver::beforeGroup(const GroupArguments& arguments) {
   group_.clear();
   const WatchedJoints watched(arguments.constraints, arguments.constraintCount);
   bullet::gatherBodies(group_, arguments.bodies, arguments.bodyCount, info, ignored);
+  bullet::gatherJoined(group_, arguments.constraints, arguments.constraintCount);
   bullet::gatherContacts(group_, arguments.manifolds, arguments.manifoldCount, info,
                          arguments.dispatcher, ignored);
   bullet::gatherJoints(group_, arguments.constraints, arguments.constraintCount, info, ignored);

@@ -78,6 +78,7 @@ TEST(Allocation, GatheringAndWritingBackTakeNoMemoryOnceWarm) {
     const long before = allocations;
     group.clear();
     bullet::gatherBodies(group, bodies.data(), int(bodies.size()), world.info(), report);
+    bullet::gatherJoined(group, joints.data(), int(joints.size()));
     bullet::gatherContacts(group, manifolds.data(), int(manifolds.size()), world.info(),
                            &world.dispatcher(), report);
     bullet::gatherJoints(group, joints.data(), int(joints.size()), world.info(), report);

@@ -39,6 +39,7 @@ class WatchingSolver : public btConstraintSolver {
     StepReport ignored;
     group_.clear();
     bullet::gatherBodies(group_, bodies, bodyCount, info, ignored);
+    bullet::gatherJoined(group_, joints, jointCount);
     bullet::gatherContacts(group_, manifolds, manifoldCount, info, dispatcher, ignored);
     const int islands = inner_.report().islands;
     inner_.solveGroup(bodies, bodyCount, manifolds, manifoldCount, joints, jointCount, info, drawer,

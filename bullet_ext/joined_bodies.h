@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include "bullet_ext/address_table.h"
+
+class btCollisionObject;
+
+namespace delassus::bullet {
+
+/// Which bodies a joint holds to each other; addresses serve to recognise them.
+class JoinedBodies {
+ public:
+  void clear() {
+    first_.clear();
+    partners_.clear();
+  }
+  void add(const btCollisionObject& a, const btCollisionObject& b) {
+    addPartner(a, b);
+    addPartner(b, a);
+  }
+  bool areJoined(const btCollisionObject& a, const btCollisionObject& b) const {
+    if (partners_.empty()) return false;
+    const int* first = first_.find(&a);
+    for (int i = first ? *first : none; i != none; i = partners_[i].next)
+      if (partners_[i].body == &b) return true;
+    return false;
+  }
+  std::size_t bytes() const { return first_.bytes() + partners_.capacity() * sizeof(Partner); }
+
+ private:
+  static constexpr int none = -1;
+  /// One of a body's, and which comes after it.
+  struct Partner {
+    const btCollisionObject* body;
+    int next;
+  };
+  void addPartner(const btCollisionObject& of, const btCollisionObject& body) {
+    const int* first = first_.find(&of);
+    partners_.push_back({&body, first ? *first : none});
+    first_.insert(&of, static_cast<int>(partners_.size()) - 1);
+  }
+
+  AddressTable first_;  ///< partner of each body
+  std::vector<Partner> partners_;
+};
+
+}  // namespace delassus::bullet
