@@ -7,7 +7,6 @@
 #include <cmath>
 #include <string>
 
-#include "bullet_ext/gather.h"
 #include "tests/support/bullet_world.h"
 
 namespace delassus::test {
@@ -350,90 +349,6 @@ TEST(Joints, ARowThatMakesNoSenseIsLeftOut) {
   EXPECT_NEAR(hanging.ball.getLinearVelocity().y(), -g * h, 100 * precision);
   ASSERT_EQ(hanging.world.report().messages.size(), 3u);
   EXPECT_NE(hanging.world.report().messages[0].find("lower bound is above"), std::string::npos);
-}
-
-/// A box that overlaps a wall by so much, and is held to it.
-struct Bolted {
-  DelassusWorld world;
-  btRigidBody *wall, *box;
-  btTypedConstraint* joint;
-  btTransform place;
-  btJointFeedback feedback;
-
-  Bolted(double depth, bool isFixed) {
-    wall = &world.addBox({1, 1, 1}, {0, 0, 0}, 0);
-    box = &world.addBox({0.25, 0.25, 0.25}, {0, btScalar(1.25 - depth), 0});
-    place = box->getWorldTransform();
-    if (isFixed)
-      joint = &world.addJoint<btFixedConstraint>(*wall, *box, place, btTransform::getIdentity());
-    else
-      joint = &world.addJoint<btPoint2PointConstraint>(*box, *wall, btVector3(0, 0, 0),
-                                                       place.getOrigin());
-    joint->setJointFeedback(&feedback);
-  }
-};
-
-// As Bullet has it by default, bodies that a joint links collide: the joint holds, and they press as what gives by joinedSoftness does.
-TEST(JoinedBodies, DoNotPressWithoutBounds) {
-  for (const double depth : {0.02, 0.1})
-    for (const bool isFixed : {true, false}) {
-      SCOPED_TRACE(testing::Message() << depth << (isFixed ? ", fixed" : ", point to point"));
-      Bolted bolted(depth, isFixed);
-      const double push = 0.2 * depth / h / bullet::joinedSoftness / h;  // N
-      for (int step = 0; step < 60; ++step) {
-        bolted.world.advance();
-        ASSERT_EQ(bolted.world.report().solved, 1);
-        ASSERT_LT(bolted.feedback.m_appliedForceBodyA.length(), 1.1 * push);
-      }
-      EXPECT_GT(bolted.feedback.m_appliedForceBodyA.length(), 0.1 * push) << "they do collide";
-      const btVector3 moved =
-          bolted.box->getWorldTransform().getOrigin() - bolted.place.getOrigin();
-      EXPECT_LT(moved.length(), tolerance(1e-6, 1e-4));
-    }
-}
-
-TEST(JoinedBodies, OverlapIsMendedOnceTheJointIsGone) {
-  Bolted bolted(0.1, true);
-  bolted.world.advance(10);
-  bolted.joint->setEnabled(false);
-  bolted.world.advance(120);
-  EXPECT_NEAR(bolted.box->getWorldTransform().getOrigin().y(), 1.25, 1e-3);
-}
-
-// The contact gives by what the heavy one answers.
-TEST(JoinedBodies, AHeavyOneDoesNotSinkIntoALightOne) {
-  DelassusWorld world;
-  world.addGround();
-  btRigidBody& plate = world.addBox({1, btScalar(0.1), 1}, {0, btScalar(0.1), 0}, 1);
-  btRigidBody& load = world.addBox({0.5, 0.5, 0.5}, {0, btScalar(0.7), 0}, 1000);
-  const btQuaternion upright(btVector3(0, 0, 1), SIMD_HALF_PI);
-  auto& slider =
-      world.addJoint<btSliderConstraint>(plate, load, btTransform(upright, {0, btScalar(0.1), 0}),
-                                         btTransform(upright, {0, btScalar(-0.5), 0}), true);
-  slider.setLowerLinLimit(-5);
-  slider.setUpperLinLimit(5);
-  world.advance(120);
-  EXPECT_NEAR(load.getWorldTransform().getOrigin().y(), 0.7, 1e-3);
-  EXPECT_LT(load.getLinearVelocity().length(), 1e-3);
-}
-
-// Where the joint leaves them free, the contact stops them and mends what they overlap.
-TEST(JoinedBodies, CollideAsOthersDo) {
-  for (const double overlap : {-0.2, 0.01}) {
-    SCOPED_TRACE(overlap);
-    DelassusWorld world;
-    world->setGravity({0, 0, 0});
-    btRigidBody& wall = world.addBox({0.5, 0.5, 0.5}, {0, 0, 0}, 0);
-    btRigidBody& box = world.addBox({0.5, 0.5, 0.5}, {btScalar(1 - overlap), 0, 0});
-    auto& slider = world.addJoint<btSliderConstraint>(wall, box, btTransform::getIdentity(),
-                                                      btTransform::getIdentity(), true);
-    slider.setLowerLinLimit(-5);
-    slider.setUpperLinLimit(5);
-    box.setLinearVelocity({-1, 0, 0});
-    world.advance(60);
-    EXPECT_GT(box.getWorldTransform().getOrigin().x(), 1);
-    EXPECT_LT(box.getLinearVelocity().length(), 0.2) << "that of a shallow overlap's recovery";
-  }
 }
 
 }  // namespace
