@@ -147,6 +147,19 @@ TEST(Judge, agreesWithOurOwnReport) {
   }
 }
 
+// Where a ball touches in several points, Bullet tells nothing of how they share its rolling friction.
+TEST(Judge, findsTheShareOfRollingFrictionThatKeepsTheLaw) {
+  NamedSolver named("delassus");
+  const auto world = findScene("rolling_balls").build();
+  JudgedSolver judged(named.solver(), 0);
+  world->setSolver(judged);
+  for (int i = 0; i < 80; ++i) {
+    world->step(1.0 / 60);
+    EXPECT_LE(judged.takeVerdict().max, byPrecision(1e-8, 1e-4)) << i;
+  }
+  world->setSolver(named.solver());
+}
+
 TEST(Judge, changesNothing) {
   // Joints begin from their last reactions only if they are recognised.
   NamedSolver alone("delassus"), watched("delassus");
