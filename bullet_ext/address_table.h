@@ -6,8 +6,8 @@
 
 namespace delassus::bullet {
 
-/// The index that each object (a body of a group, a manifold, a joint) has been given, for look-up only: nothing follows the
-/// order of addresses.
+/// The index that each object (a body of a group, a manifold, a joint) has been given, for look-up
+/// only: nothing follows the order of addresses.
 ///
 /// A table of its own, since the scratch number that Bullet keeps in an object is shared by threads
 /// where the object is a kinematic body. Open addressing; allocates only when it grows.

@@ -83,7 +83,8 @@ const char* reasonOf(Status status) {
   return "";
 }
 
-/// Worlds step on from their reactions: what comes to a solver with a guess has been found wanting by the island check.
+/// Worlds step on from their reactions: what comes to a solver with a guess has been found wanting
+/// by the island check.
 Options forWorlds(Options options) {
   options.guessShare = std::min(options.guessShare, polishedShare);
   return options;

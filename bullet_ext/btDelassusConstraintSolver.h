@@ -21,9 +21,10 @@ class Extension;
 ///     btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
 ///
 /// Drop-in for btSequentialImpulseConstraintSolver in a world of rigid bodies. One solver a world:
-/// it owns its workspace; reactions are kept in Bullet's contact points, and for joints, rolling and spinning friction, points that
-/// narrow phase replaced, and the digits that float has no room for, here for one step. That needs
-/// prepareSolve, which Bullet's world calls; without it (a solver pool) float worlds are solved in every step.
+/// it owns its workspace; reactions are kept in Bullet's contact points, and for joints, rolling
+/// and spinning friction, points that narrow phase replaced, and the digits that float has no room
+/// for, here for one step. That needs prepareSolve, which Bullet's world calls; without it (a
+/// solver pool) float worlds are solved in every step.
 class btDelassusConstraintSolver : public btConstraintSolver {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();
@@ -40,25 +41,30 @@ class btDelassusConstraintSolver : public btConstraintSolver {
                       int manifoldCount, btTypedConstraint** constraints, int constraintCount,
                       const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
                       btDispatcher* dispatcher) override;
-  /// Has islands that do not touch solved side by side by so many threads, the caller's being one of them, and one that is most of a
-  /// group swept over by all of them together if it is large (coloured_sweeps.h): it starts the others at once, and they sleep between
-  /// steps. Until then, and with 1, no thread is started. The motion, the report (but for its seconds and bytes) and the order of events are
-  /// the same for any number; below 1 is 1. Storage that is kept from step to step is given back. Throws std::system_error where no thread
-  /// is to be had; the caller is alone then.
+  /// Has islands that do not touch solved side by side by so many threads, the caller's being one
+  /// of them, and one that is most of a group swept over by all of them together if it is large
+  /// (coloured_sweeps.h): it starts the others at once, and they sleep between steps. Until then,
+  /// and with 1, no thread is started. The motion, the report (but for its seconds and bytes) and
+  /// the order of events are the same for any number; below 1 is 1. Storage that is kept from step
+  /// to step is given back. Throws std::system_error where no thread is to be had; the caller is
+  /// alone then.
   void setThreads(int threads);
-  /// Has rolling and spinning friction of rigid bodies bounded as in Bullet's own solver, for worlds that were tuned with it:
-  /// |τ| ≤ κ min(r_n, 1 N·s) at each point in each step, and no spinning friction where there is no rolling friction. What
-  /// weighs more than 1 N·s of load a step (6 kg on one point at 60 Hz) then rolls on as it does there. Off at first:
-  /// |τ| ≤ κ r_n, whatever the load and the step.
+  /// Has rolling and spinning friction of rigid bodies bounded as in Bullet's own solver, for
+  /// worlds that were tuned with it: |τ| ≤ κ min(r_n, 1 N·s) at each point in each step, and no
+  /// spinning friction where there is no rolling friction. What weighs more than 1 N·s of load a
+  /// step (6 kg on one point at 60 Hz) then rolls on as it does there. Off at first: |τ| ≤ κ r_n,
+  /// whatever the load and the step.
   void setStockRollingFriction(bool on);
-  /// Has light bodies in taut joints (a rope of links under a heavy load) turn no faster than the step can follow: such bodies,
-  /// and no others, turn as if held by implicit springs of their geometric stiffness under the last step's forces
-  /// (geometric_stiffness.h). Joints hold as well; swings lose some energy, in proportion to the step. Needs
-  /// SOLVER_USE_WARMSTARTING and a warm starting factor above 0, has no effect in a solver pool; report().stiffened counts.
-  /// Off at first: such ropes gain energy and tear, with any solver, unless steps are shorter.
+  /// Has light bodies in taut joints (a rope of links under a heavy load) turn no faster than the
+  /// step can follow: such bodies, and no others, turn as if held by implicit springs of their
+  /// geometric stiffness under the last step's forces (geometric_stiffness.h). Joints hold as well;
+  /// swings lose some energy, in proportion to the step. Needs SOLVER_USE_WARMSTARTING and a warm
+  /// starting factor above 0, has no effect in a solver pool; report().stiffened counts. Off at
+  /// first: such ropes gain energy and tear, with any solver, unless steps are shorter.
   void setGeometricStiffness(bool on);
-  /// Forgets the last step's report, the workspace, and the reactions that are kept here; Bullet's contact points keep theirs. Options,
-  /// threads, listeners and what was switched on stay. Throws as setThreads.
+  /// Forgets the last step's report, the workspace, and the reactions that are kept here; Bullet's
+  /// contact points keep theirs. Options, threads, listeners and what was switched on stay. Throws
+  /// as setThreads.
   void reset() override;
   /// BT_MLCP_SOLVER: of Bullet's names the nearest. Contacts and joints are one mixed
   /// complementarity problem, solved from region to region, not by sequential impulses.
@@ -70,14 +76,14 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   const delassus::StepReport& report() const { return report_; }
 
   /// Called at the end of each solveGroup with every contact whose mode changed, in the order of
-  /// Bullet's manifolds: first those that took part, then those that were left out. The listener must
-  /// not add or remove anything in the world, nor reset this solver; it may set listeners, for the steps to come. An empty
-  /// function ends it; then nothing is computed for it.
+  /// Bullet's manifolds: first those that took part, then those that were left out. The listener
+  /// must not add or remove anything in the world, nor reset this solver; it may set listeners, for
+  /// the steps to come. An empty function ends it; then nothing is computed for it.
   void setContactListener(std::function<void(const delassus::ContactEvent&)> listener);
   /// The same for every contact in trouble, in every step in which it is, changed or not.
   void setTroubleListener(std::function<void(const delassus::ContactEvent&)> listener);
-  /// The same for every contact in which rolling or spinning friction acts, in every step in which it does, changed or not:
-  /// Bullet's points have no place for its moment.
+  /// The same for every contact in which rolling or spinning friction acts, in every step in which
+  /// it does, changed or not: Bullet's points have no place for its moment.
   void setTurningListener(std::function<void(const delassus::ContactEvent&)> listener);
 
  private:
@@ -98,7 +104,8 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   std::unique_ptr<Workspace> workspace_;
   delassus::StepReport report_;
   using Listener = std::function<void(const delassus::ContactEvent&)>;
-  // Shared, since who listens may end that while it is called; a copy of the function might take memory in every step.
+  // Shared, since who listens may end that while it is called; a copy of the function might take
+  // memory in every step.
   std::shared_ptr<const Listener> listener_, troubleListener_, turningListener_;
   bool stockRollingFriction_ = false, geometricStiffness_ = false;
 };

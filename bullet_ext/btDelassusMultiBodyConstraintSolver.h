@@ -15,10 +15,11 @@
 ///     btDelassusMultiBodyConstraintSolver solver;
 ///     btMultiBodyDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
 ///
-/// A world without articulated bodies moves as it does with btDelassusConstraintSolver, bit for bit.
-/// One solver a world. Bullet accepts nothing there that is not derived from its own solver; nothing
-/// of that is used but m_analyticsData, which tells of the last group: its bodies and manifolds, as iterations the regions and
-/// sweeps (0: nothing had to be solved), as residual the square of the largest natural residual, (m/s)².
+/// A world without articulated bodies moves as it does with btDelassusConstraintSolver, bit for
+/// bit. One solver a world. Bullet accepts nothing there that is not derived from its own solver;
+/// nothing of that is used but m_analyticsData, which tells of the last group: its bodies and
+/// manifolds, as iterations the regions and sweeps (0: nothing had to be solved), as residual the
+/// square of the largest natural residual, (m/s)².
 class btDelassusMultiBodyConstraintSolver : public btMultiBodyConstraintSolver {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();

@@ -49,8 +49,8 @@ struct ContactFrame {
 ContactFrame contactFrame(const btManifoldPoint& point, const Anisotropy& anisotropy,
                           const btContactSolverInfo& info);
 
-/// Those of the points of one manifold. Most have the same normal, and nothing else that their frames depend on: such a frame is
-/// found once.
+/// Those of the points of one manifold. Most have the same normal, and nothing else that their
+/// frames depend on: such a frame is found once.
 class ContactFrames {
  public:
   ContactFrames(const Anisotropy& anisotropy, const btContactSolverInfo& info)
@@ -66,7 +66,8 @@ class ContactFrames {
   btVector3 normal_{0, 0, 0};  ///< of frame_; zero where that depends on more
 };
 
-/// The axes T D that rolling friction acts about, as those above and whatever directions the user has set for sliding.
+/// The axes T D that rolling friction acts about, as those above and whatever directions the user
+/// has set for sliding.
 Eigen::Matrix<double, 3, 2> rollingAxes(const btManifoldPoint& point, const Anisotropy& anisotropy);
 
 }  // namespace delassus::bullet

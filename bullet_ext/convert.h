@@ -29,7 +29,8 @@ btVector3 toBullet(const Eigen::MatrixBase<Derived>& v) {
   return {static_cast<btScalar>(v[0]), static_cast<btScalar>(v[1]), static_cast<btScalar>(v[2])};
 }
 
-/// A bound on an impulse. "As much as it takes" is written as the build's largest number, or as one that is large enough.
+/// A bound on an impulse. "As much as it takes" is written as the build's largest number, or as one
+/// that is large enough.
 inline double toCoreBound(btScalar bound) {
   if (bound >= BT_LARGE_FLOAT) return infinity;
   if (bound <= -BT_LARGE_FLOAT) return -infinity;

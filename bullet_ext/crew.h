@@ -12,11 +12,12 @@
 
 namespace delassus::bullet {
 
-/// Threads that go through a list of items together with the caller's, or work all at one. Between calls they are parked: they cost
-/// nothing.
+/// Threads that go through a list of items together with the caller's, or work all at one. Between
+/// calls they are parked: they cost nothing.
 ///
-/// Each hand begins with a part of the list of its own, the same in every call with the same weights, so that it finds in
-/// its storage what it left there; who has ended helps the others. Which hand an item falls to is not determined.
+/// Each hand begins with a part of the list of its own, the same in every call with the same
+/// weights, so that it finds in its storage what it left there; who has ended helps the others.
+/// Which hand an item falls to is not determined.
 class Crew final : public Hands {
  public:
   Crew();
@@ -24,13 +25,14 @@ class Crew final : public Hands {
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
 
-  /// One hand is the caller's; each further one is a thread. Throws std::system_error where none is to be had: then the
-  /// caller is alone.
+  /// One hand is the caller's; each further one is a thread. Throws std::system_error where none is
+  /// to be had: then the caller is alone.
   void setHands(int hands);
   int count() const override { return static_cast<int>(threads_.size()) + 1; }
 
-  /// Calls work(hand, item) once for every item below `items`, 0 ≤ hand < count(), no hand twice at a time. Items with
-  /// large weight(item) ≥ 0 count for several. Throws what `work` threw, when all hands have ended.
+  /// Calls work(hand, item) once for every item below `items`, 0 ≤ hand < count(), no hand twice at
+  /// a time. Items with large weight(item) ≥ 0 count for several. Throws what `work` threw, when
+  /// all hands have ended.
   template <class Weight, class Work>
   void share(int items, const Weight& weight, const Work& work) {
     double total = 0;

@@ -26,21 +26,25 @@ namespace delassus::bullet {
 /// Stands where a body index is expected for a body that is not fit to take part.
 constexpr int leftOut = -2;
 
-/// Numbers beyond this (kg, 1/kg, m, s, N) are mistakes: squares of their products, or the answers in Bullet's precision,
-/// would overflow. A mass beyond is Bullet's "infinity".
+/// Numbers beyond this (kg, 1/kg, m, s, N) are mistakes: squares of their products, or the answers
+/// in Bullet's precision, would overflow. A mass beyond is Bullet's "infinity".
 constexpr double largestNumber = sizeof(btScalar) == sizeof(double) ? 1e40 : 1e30;
 
-/// How much rows of joints give at least, as a share of their W_ii. Poses are rounded, and axes are often given in few digits, so that
-/// joints which share a freedom (two hinges of a door) contradict each other a little; taken at their word they would lock it. A
-/// contradiction δ (rad, or relative) slows the freedom by δ²/softness of itself a step, and a joint that carries M times the mass of
-/// its lighter body slips by M times this of what it stops. ODE softens all of its joints alike (its default CFM).
+/// How much rows of joints give at least, as a share of their W_ii. Poses are rounded, and axes are
+/// often given in few digits, so that joints which share a freedom (two hinges of a door)
+/// contradict each other a little; taken at their word they would lock it. A contradiction δ (rad,
+/// or relative) slows the freedom by δ²/softness of itself a step, and a joint that carries M times
+/// the mass of its lighter body slips by M times this of what it stops. ODE softens all of its
+/// joints alike (its default CFM).
 constexpr double leastSoftness = sizeof(btScalar) == sizeof(double) ? 1e-10 : 1e-8;
 
-/// A push moves a body in vain if that is no more than this share of what it would move if no axis were locked: what leans by less than
-/// 1e-4 rad lies in a locked axis. The exact answer there is an impulse 1e8 times as large as without the lock.
+/// A push moves a body in vain if that is no more than this share of what it would move if no axis
+/// were locked: what leans by less than 1e-4 rad lies in a locked axis. The exact answer there is
+/// an impulse 1e8 times as large as without the lock.
 constexpr double inVain = 1e-8;
 
-/// How much contacts of bodies give that a joint holds to each other, as a share of what the one of them adds to W_nn that adds less.
+/// How much contacts of bodies give that a joint holds to each other, as a share of what the one of
+/// them adds to W_nn that adds less.
 constexpr double joinedSoftness = 1e-2;
 
 /// That of a row with Bullet's `cfm` (a fault of which stays one) and this W_ii.
@@ -94,8 +98,9 @@ struct Group {
   std::vector<double> pushes;  ///< wanted normal push velocity of each contact, m/s (split impulse)
   std::vector<Vec3> guess;     ///< reaction of each contact to start from, N·s
   std::vector<PointSource> idle;  ///< points that were passed but take no part
-  std::vector<char>
-      restless;  ///< contacts of one body of each island whose last reactions changed the motion; empty if there are none
+  /// Contacts of one body of each island whose last reactions changed the motion; empty if there
+  /// are none.
+  std::vector<char> restless;
   int bouncing = 0;  ///< contacts with restitution
   int turning = 0;   ///< contacts with rolling or spinning friction
 
@@ -125,8 +130,8 @@ struct Group {
 /// if it were not there, and the report names it.
 ///
 /// Its free velocity over the step h is that of Bullet's solvers, with gyroscopic terms Δω taken at
-/// the start of the step and locked axes kept still (L, A: linear and angular factor; F and T carry them already; [A ≠ 0] is 1 for
-/// an axis that is not locked, else 0):
+/// the start of the step and locked axes kept still (L, A: linear and angular factor; F and T carry
+/// them already; [A ≠ 0] is 1 for an axis that is not locked, else 0):
 ///
 ///     v + h F/m,   ω + [A ≠ 0] (h I⁻¹ T + Δω),   M⁻¹ = diag(L/m, A I⁻¹ A)
 int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo& info,
@@ -140,25 +145,27 @@ int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo
 ///        or:  target = e',  push = erp (−d)/h    where the impulse is split
 ///     compliance = cfm/h;  with stiffness k and damping c:  cfm = 1/(h k + c),  erp = h k cfm
 ///
-/// where a is the relative velocity before forces; with a link, whose velocity has them already, after them, as in Bullet. Of points
-/// that move no further in a step than four roundings of their places in Bullet's precision (in float at 10 m: 1e-5 m), a distance d of
-/// no more than that is none: they touch (but those of links, whose forces move them further). Taken at its word it would have every pile
-/// of boxes that has fallen share its loads anew in every step, at the whim of the last digit.
-/// A contact with its own softness is never split: the spring would be lost to the push. One whose push moves neither body (inVain), or
-/// that of what keeps its place with what stands, is idle.
-/// Friction: see contact_frame.h.
+/// where a is the relative velocity before forces; with a link, whose velocity has them already,
+/// after them, as in Bullet. Of points that move no further in a step than four roundings of their
+/// places in Bullet's precision (in float at 10 m: 1e-5 m), a distance d of no more than that is
+/// none: they touch (but those of links, whose forces move them further). Taken at its word it
+/// would have every pile of boxes that has fallen share its loads anew in every step, at the whim
+/// of the last digit. A contact with its own softness is never split: the spring would be lost to
+/// the push. One whose push moves neither body (inVain), or that of what keeps its place with what
+/// stands, is idle. Friction: see contact_frame.h.
 ///
-/// Bodies that a joint holds to each other (gatherJoined comes first) collide all the same, unless the joint was added to the world as one
-/// whose bodies do not. Their contacts give by joinedSoftness and are never split: where they contradict the joint, both would be met, as
-/// rigid as they are, by 1e9 N·s.
+/// Bodies that a joint holds to each other (gatherJoined comes first) collide all the same, unless
+/// the joint was added to the world as one whose bodies do not. Their contacts give by
+/// joinedSoftness and are never split: where they contradict the joint, both would be met, as rigid
+/// as they are, by 1e9 N·s.
 void gatherBodies(Group& group, btCollisionObject** bodies, int count,
                   const btContactSolverInfo& info, StepReport& report);
 void gatherJoined(Group& group, btTypedConstraint** constraints, int count);
 void gatherContacts(Group& group, btPersistentManifold** manifolds, int count,
                     const btContactSolverInfo& info, btDispatcher* dispatcher, StepReport& report);
 
-/// Whether the step starts from the reactions of the last one. An exact answer needs no damping of where it starts from:
-/// m_warmstartingFactor only says whether to start there.
+/// Whether the step starts from the reactions of the last one. An exact answer needs no damping of
+/// where it starts from: m_warmstartingFactor only says whether to start there.
 bool warmStarts(const btContactSolverInfo& info);
 
 /// Rows of the joints as their getInfo1 and getInfo2 answer. With the joint's damping D and its
@@ -166,28 +173,30 @@ bool warmStarts(const btContactSolverInfo& info);
 ///
 ///     target = error + (1 − D) J v_f,   compliance = max(χ, leastSoftness) W_ii
 ///
-/// W_ii is that of the masses without linear and angular factors, as in Bullet's solvers.
-/// A row whose impulse could move nothing, since its bodies are locked along it, takes no part (Bullet's gains no more than a little
-/// a sweep there). A disabled joint has no rows; its impulse and feedback are cleared.
+/// W_ii is that of the masses without linear and angular factors, as in Bullet's solvers. A row
+/// whose impulse could move nothing, since its bodies are locked along it, takes no part (Bullet's
+/// gains no more than a little a sweep there). A disabled joint has no rows; its impulse and
+/// feedback are cleared.
 void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
                   const btContactSolverInfo& info, StepReport& report);
 
-/// Rows against rolling and spinning, of the contacts that ask for it; call it when all other rows are gathered. With Bullet's
-/// combined coefficients, read from the point and in m:
+/// Rows against rolling and spinning, of the contacts that ask for it; call it when all other rows
+/// are gathered. With Bullet's combined coefficients, read from the point and in m:
 ///
-///     |τ_n| ≤ spinning r_n,   ‖τ_t‖ ≤ rolling r_n        (turning_friction.h; axes: contact_frame.h)
+///     |τ_n| ≤ spinning r_n,   ‖τ_t‖ ≤ rolling r_n   (turning_friction.h; axes: contact_frame.h)
 ///
-/// Bullet's solver bounds these impulses by the coefficients themselves too, in N·m·s, so that a heavy body hardly feels
-/// them, and knows no spinning friction without rolling friction. `asStock` has both of rigid bodies (those of links are as
-/// above in Bullet too). A coefficient that is no number is none: Bullet's rule, κ_A μ_B + κ_B μ_A, makes that of a friction
-/// μ without limit.
+/// Bullet's solver bounds these impulses by the coefficients themselves too, in N·m·s, so that a
+/// heavy body hardly feels them, and knows no spinning friction without rolling friction. `asStock`
+/// has both of rigid bodies (those of links are as above in Bullet too). A coefficient that is no
+/// number is none: Bullet's rule, κ_A μ_B + κ_B μ_A, makes that of a friction μ without limit.
 void gatherTurningFriction(Group& group, bool asStock = false);
 
 /// What is wrong with a row, or null.
 const char* faultOfRow(const Row& row);
 
-/// How messages call an object: by its place in the world. Contacts and joints: by their bodies. A link: by its number and
-/// its multibody too, which is called by the name of its base, or by the place of its first collider.
+/// How messages call an object: by its place in the world. Contacts and joints: by their bodies. A
+/// link: by its number and its multibody too, which is called by the name of its base, or by the
+/// place of its first collider.
 std::string nameOf(const btCollisionObject& object);
 std::string nameOf(const PointSource& source);
 std::string nameOf(const btTypedConstraint& joint);

@@ -16,8 +16,8 @@ bool hasPlace(const btCollisionObject& object) {
          largestNumber;
 }
 
-/// A body of infinite mass given as dynamic. With an inverse mass of zero Bullet finds no finite weight
-/// for it. (Users take the static flag off a body without mass; that one weighs nothing.)
+/// A body of infinite mass given as dynamic. With an inverse mass of zero Bullet finds no finite
+/// weight for it. (Users take the static flag off a body without mass; that one weighs nothing.)
 bool hasInfiniteMass(const btRigidBody& rigid) {
   if (rigid.isStaticOrKinematicObject()) return false;
   return rigid.getInvMass() == 0 ? !toCore(rigid.getTotalForce()).allFinite()

@@ -15,7 +15,8 @@
 namespace delassus::bullet {
 namespace {
 
-// Users write "infinite". In this cone only what leaves by less than a thousandth of a radian slides; wider ones cost digits.
+// Users write "infinite". In this cone only what leaves by less than a thousandth of a radian
+// slides; wider ones cost digits.
 constexpr double largestFriction = 1e3;
 
 /// How hard a contact is: the coefficients that stand for it in Bullet's two descriptions.
@@ -65,7 +66,8 @@ double roundingAt(const btManifoldPoint& point) {
 Pair pairOf(const Group& group, btPersistentManifold& manifold, int a, int b,
             const btContactSolverInfo& info) {
   const btCollisionObject &objectA = *manifold.getBody0(), &objectB = *manifold.getBody1();
-  // Bullet has put forces into the velocities of links already: beside these it takes those of rigid bodies with forces, too.
+  // Bullet has put forces into the velocities of links already: beside these it takes those of
+  // rigid bodies with forces, too.
   const bool withForces = group.isLimb(a) || group.isLimb(b);
   const auto before = [&](int body) -> Vec6 {
     if (body < 0) return Vec6::Zero();
@@ -100,7 +102,8 @@ double bounceOf(const Pair& pair, const btManifoldPoint& point, const btContactS
   return std::max(0.0, -a * point.m_combinedRestitution);
 }
 
-/// What one body adds to W_ii of a contact along `axis`. The linear factor is left out, as in Bullet's solvers.
+/// What one body adds to W_ii of a contact along `axis`. The linear factor is left out, as in
+/// Bullet's solvers.
 double responseOf(const Group& group, int body, const Vec3& arm, const Vec3& axis) {
   if (!group.movable(body)) return 0;
   const Vec3 turn = arm.cross(axis);
@@ -117,14 +120,16 @@ double tangentialResponse(const Group& group, const Contact& c, int column) {
   return responseOf(group, c.a, c.armA, t) + responseOf(group, c.b, c.armB, t);
 }
 
-/// Of the contact of joined bodies: by that of them which answers less, so that a heavy one does not sink into a light one.
+/// Of the contact of joined bodies: by that of them which answers less, so that a heavy one does
+/// not sink into a light one.
 double joinedCompliance(const Group& group, const Contact& c) {
   const Vec3 n = c.frame.col(0);
   const double a = responseOf(group, c.a, c.armA, n), b = responseOf(group, c.b, c.armB, n);
   return joinedSoftness * (a > 0 && b > 0 ? std::min(a, b) : a + b);
 }
 
-/// How far the bodies are apart, m: not at all where the rounding of their places tells as much, and no more moves in a step.
+/// How far the bodies are apart, m: not at all where the rounding of their places tells as much,
+/// and no more moves in a step.
 double distanceOf(const Pair& pair, const btManifoldPoint& point, const btContactSolverInfo& info,
                   const Contact& c) {
   const double d = static_cast<double>(point.getDistance()) + info.m_linearSlop;
@@ -168,7 +173,8 @@ double fillContact(const Group& group, Pair& pair, const btManifoldPoint& point,
 // Float normals are unit to 1e-6; beyond this a normal is a mistake, not rounding.
 constexpr double unitTolerance = 1e-3;
 
-/// Bullet has positions and distance agree: (x_A − x_B)·n = d. Exactly opposite, n points from a to b.
+/// Bullet has positions and distance agree: (x_A − x_B)·n = d. Exactly opposite, n points from a to
+/// b.
 bool isInverted(const btManifoldPoint& point) {
   const Vec3 a = toCore(point.getPositionWorldOnA()), b = toCore(point.getPositionWorldOnB());
   const double gap = (a - b).dot(toCore(point.m_normalWorldOnB)), d = point.getDistance();
@@ -224,7 +230,8 @@ bool isLocked(const Group& group, int body) {
          group.bodies[body].inverseMass.minCoeff() == 0;
 }
 
-/// Whether it moves neither body: in a plane world what lies behind each other, or a link beside its rail.
+/// Whether it moves neither body: in a plane world what lies behind each other, or a link beside
+/// its rail.
 bool pushesNothing(const Group& group, const Contact& c) {
   const Vec3 n = c.frame.col(0);
   const auto isDeaf = [&](int index, const Vec3& arm) {
@@ -304,7 +311,8 @@ bool warmStarts(const btContactSolverInfo& info) {
 
 void gatherContacts(Group& group, btPersistentManifold** manifolds, int count,
                     const btContactSolverInfo& info, btDispatcher* dispatcher, StepReport& report) {
-  // Of most manifolds only the first of their points is there to be read: asked for once their number is.
+  // Of most manifolds only the first of their points is there to be read: asked for once their
+  // number is.
   constexpr int ahead = 6, farAhead = 16;
   for (int i = 0; i < count; ++i) {
     btPersistentManifold& manifold = *manifolds[i];

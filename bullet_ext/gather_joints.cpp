@@ -65,7 +65,8 @@ double relativeVelocity(const Group& group, int body, const Row6& J) {
   return body >= 0 ? J.dot(group.bodies[body].velocity) : 0;
 }
 
-/// Whether an impulse along the row moves nothing: what its bodies are locked along, or have no inertia about, it cannot ask for.
+/// Whether an impulse along the row moves nothing: what its bodies are locked along, or have no
+/// inertia about, it cannot ask for.
 bool movesNothing(const Group& group, const Row& row) {
   const auto isDeaf = [&](int body, const Row6& J) {
     return responseOf(group, body, J) <= inVain * unfactoredResponse(group, body, J);

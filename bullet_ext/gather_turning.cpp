@@ -14,7 +14,8 @@ constexpr double largestCoefficient = 1e3;
 // As in Bullet: a body that resists this little about an axis does not resist.
 constexpr double leastLength = 1e-3;
 
-// Of each point's load, N·s, that counts in Bullet's own solver: |τ| ≤ κ min(r_n, 1 N·s), by the step and not by the second.
+// Of each point's load, N·s, that counts in Bullet's own solver: |τ| ≤ κ min(r_n, 1 N·s), by the
+// step and not by the second.
 constexpr double stockMostLoad = 1;
 
 double coefficient(btScalar value) {

@@ -17,7 +17,8 @@
 namespace delassus::bullet {
 namespace {
 
-/// Where a joint of Bullet's holds its bodies, from their centres, in world axes, m; nowhere if it is one of the user's.
+/// Where a joint of Bullet's holds its bodies, from their centres, in world axes, m; nowhere if it
+/// is one of the user's.
 struct Arms {
   btVector3 onA = btVector3(0, 0, 0), onB = btVector3(0, 0, 0);
 };

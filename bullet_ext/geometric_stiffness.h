@@ -10,24 +10,27 @@ namespace delassus::bullet {
 
 struct Group;
 
-/// What taut joints need of the bodies that hang in them. A step pulls along the directions of its start. So a light body that a
-/// joint pulls with the force f at the arm a turns to and fro too fast for steps of h once ω h > 2, and gains energy, whoever
-/// solves the step. The torque a × f turns it back with the geometric stiffness
+/// What taut joints need of the bodies that hang in them. A step pulls along the directions of its
+/// start. So a light body that a joint pulls with the force f at the arm a turns to and fro too
+/// fast for steps of h once ω h > 2, and gains energy, whoever solves the step. The torque a × f
+/// turns it back with the geometric stiffness
 ///
 ///     K = |a| |f| (|s|² 1 − s sᵀ)/4,   s = a/|a| + f/|f|
 ///
-/// (the symmetric part of (a·f) 1 − a fᵀ where a ∥ f; else its positive part or a little more: what pushes adds nothing). A
-/// body with h² tr(I⁻¹ K) > 1, K summed over its joints, turns in this step as one that is held by implicit springs of that
-/// stiffness (Tournier, Nesme, Gilles, Faure 2015; only where it is needed: Andrews, Teichmann, Kövecses 2017),
+/// (the symmetric part of (a·f) 1 − a fᵀ where a ∥ f; else its positive part or a little more: what
+/// pushes adds nothing). A body with h² tr(I⁻¹ K) > 1, K summed over its joints, turns in this step
+/// as one that is held by implicit springs of that stiffness (Tournier, Nesme, Gilles, Faure 2015;
+/// only where it is needed: Andrews, Teichmann, Kövecses 2017),
 ///
 ///     (I + h² K) ω' = I ω + h T + moments of the reactions,
 ///
 /// K growing to its full size as the trace grows to 2; all others stay as they are.
 class GeometricStiffness {
  public:
-  /// Changes the inertia and the free velocity of such bodies; call it when all is gathered and recalled. The forces are those
-  /// of the last step, Group::rowGuess; the arms those of the joint's pivots or frames, so that only Bullet's own kinds of
-  /// joints count. Answers with the number of bodies changed.
+  /// Changes the inertia and the free velocity of such bodies; call it when all is gathered and
+  /// recalled. The forces are those of the last step, Group::rowGuess; the arms those of the
+  /// joint's pivots or frames, so that only Bullet's own kinds of joints count. Answers with the
+  /// number of bodies changed.
   int stiffen(Group& group, const btContactSolverInfo& info);
 
   std::size_t bytes() const { return stiffness_.capacity() * sizeof(Mat3); }

@@ -100,7 +100,8 @@ void Memory::claim(Group& group, int begin, int end, const Owner& owner, bool fr
   }
 }
 
-/// Changes the guesses so that they push and turn as the reactions of the last step did (wrench_share.h).
+/// Changes the guesses so that they push and turn as the reactions of the last step did
+/// (wrench_share.h).
 void Memory::matchWrench(Group& group, int begin, int end, const Owner& owner) const {
   double length = 0;  // of the arms, m
   for (int k = owner.begin; k < owner.end; ++k)
@@ -138,8 +139,8 @@ void Memory::matchForce(Group& group, int contact, const Owner& owner) const {
   group.guess[contact] = projectOnCone(reaction, c.friction);
 }
 
-/// Gives the points that stayed the digits of their reactions that Bullet's float cannot carry. A reaction that is not what was written is
-/// somebody else's, and stays.
+/// Gives the points that stayed the digits of their reactions that Bullet's float cannot carry. A
+/// reaction that is not what was written is somebody else's, and stays.
 void Memory::recallDigits(Group& group, int begin, int end, const Owner& owner) const {
   const auto isRoundedTo = [](const Vec3& r, const Vec3& rounded) {
     for (int k = 0; k < 3; ++k)
@@ -175,7 +176,8 @@ void Memory::recallPoints(Group& group, int begin, int end) {
   matchWrench(group, begin, end, *owner);
 }
 
-/// Marks the contacts of those bodies. A body that is new where another one was has only fresh points.
+/// Marks the contacts of those bodies. A body that is new where another one was has only fresh
+/// points.
 void Memory::recallRestless(Group& group) {
   if (last_.restless.empty()) return;
   restless_.clear();

@@ -9,20 +9,25 @@ namespace delassus::bullet {
 
 struct Answer;
 
-/// Reactions of the last step, for those who cannot carry their own: rows of joints and of turning friction, points that Bullet's
-/// narrow phase has put in the place of others, and in single precision all points, which round theirs by more than the tolerance: no
-/// island would be kept. Only guesses come from here; the answer does not depend on them.
+/// Reactions of the last step, for those who cannot carry their own: rows of joints and of turning
+/// friction, points that Bullet's narrow phase has put in the place of others, and in single
+/// precision all points, which round theirs by more than the tolerance: no island would be kept.
+/// Only guesses come from here; the answer does not depend on them.
 ///
-/// A fresh point takes over the reaction of the nearest point of its manifold that is gone; then all points of the
-/// manifold share the rest, so that together they push and turn as those of the last step did (a point that is alone: push). Pointers serve to
-/// recognise, in the order of the arrays; nothing is read through them. What a user deletes and makes anew may lie where
-/// the old one lay: it is recognised only if the bodies, and the impulse that a joint carries, are the same too.
+/// A fresh point takes over the reaction of the nearest point of its manifold that is gone; then
+/// all points of the manifold share the rest, so that together they push and turn as those of the
+/// last step did (a point that is alone: push). Pointers serve to recognise, in the order of the
+/// arrays; nothing is read through them. What a user deletes and makes anew may lie where the old
+/// one lay: it is recognised only if the bodies, and the impulse that a joint carries, are the same
+/// too.
 class Memory {
  public:
-  /// What was kept since the last call is what is recalled from now on. Nothing is kept before the first call, nor once a
-  /// group comes again without one: who does not announce steps (a solver pool) would have it grow without end.
+  /// What was kept since the last call is what is recalled from now on. Nothing is kept before the
+  /// first call, nor once a group comes again without one: who does not announce steps (a solver
+  /// pool) would have it grow without end.
   void nextStep();
-  /// Fills the guesses, and the digits of guesses, that `group` lacks. Call once per group, before `keep`.
+  /// Fills the guesses, and the digits of guesses, that `group` lacks. Call once per group, before
+  /// `keep`.
   void recall(Group& group);
   void keep(const Group& group, const Answer& answer);
 
@@ -75,8 +80,8 @@ class Memory {
     std::vector<Point> points;
     std::vector<Turn> turns;
     std::vector<double> rows;
-    std::vector<const btCollisionObject*>
-        restless;  ///< of each restless island, with a contact if it has any
+    /// Of each restless island, with a contact if it has any.
+    std::vector<const btCollisionObject*> restless;
     void clear();
   };
 

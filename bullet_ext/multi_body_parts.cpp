@@ -40,7 +40,8 @@ btMultiBodySolverConstraint blankRow() {
   return row;
 }
 
-/// The object as a link of an articulated body; null if it is none, or has lost its body and is ground.
+/// The object as a link of an articulated body; null if it is none, or has lost its body and is
+/// ground.
 const btMultiBodyLinkCollider* linkOf(const btCollisionObject* object) {
   const btMultiBodyLinkCollider* link = btMultiBodyLinkCollider::upcast(object);
   return link && link->m_multiBody ? link : nullptr;
@@ -57,8 +58,8 @@ void addForce(btMultiBody& body, int link, const btVector3& force, const btVecto
   }
 }
 
-/// Bodies that are not passed, static ones and kinematic ones that touch nothing, carry the numbers −1 and −2, and constraints
-/// look them up as they are.
+/// Bodies that are not passed, static ones and kinematic ones that touch nothing, carry the numbers
+/// −1 and −2, and constraints look them up as they are.
 constexpr int unlent = 2;
 
 constexpr const char* brokenBody = "one of its bodies is left out";
@@ -94,8 +95,8 @@ int MultiBodyParts::addTree(Group& group, TreeSource& source) {
   unit_.resize(n);
   for (int i = 0; i < n; ++i) unit_[i] = 0;
   for (int i = body.hasFixedBase() ? 6 : 0; i < n; ++i) {
-    // Bullet passes over links that are kinematic down to the base: neither their entries here nor their accelerations,
-    // which the next links start from, are written.
+    // Bullet passes over links that are kinematic down to the base: neither their entries here nor
+    // their accelerations, which the next links start from, are written.
     response_.resizeNoInitialize(0);
     response_.resize(n, 0);
     data_.scratch_v.resizeNoInitialize(0);

@@ -12,8 +12,8 @@ namespace delassus::bullet {
 /// What solveMultiBodyGroup brings beside rigid bodies: articulated bodies and their constraints.
 ///
 /// A btMultiBody is a tree whose velocities are those of its base (angular, linear) and of its
-/// joints, the forces of the step included. M⁻¹ is read from its articulated-body algorithm, one unit
-/// force at a time; links that touch something are its limbs.
+/// joints, the forces of the step included. M⁻¹ is read from its articulated-body algorithm, one
+/// unit force at a time; links that touch something are its limbs.
 ///
 /// A btMultiBodyConstraint answers with rows made for sequential impulses, d = 1/W_ii and
 /// rhs = (wanted − relative velocity) d. Here they mean
@@ -21,8 +21,8 @@ namespace delassus::bullet {
 ///     J v⁺ + (cfm/d) r = J v_before + rhs/d,   lower ≤ r ≤ upper
 ///
 /// with the velocity of rigid partners before forces, as these constraints see it. Positional parts
-/// that Bullet would split are taken as velocities, since an articulated body cannot be pushed. A row
-/// that its constraint has switched off (d = 0) has no part.
+/// that Bullet would split are taken as velocities, since an articulated body cannot be pushed. A
+/// row that its constraint has switched off (d = 0) has no part.
 class MultiBodyParts : public Extension {
  public:
   /// What was passed; good until the end of the group.
@@ -83,8 +83,8 @@ class MultiBodyParts : public Extension {
   btMultiBodyJacobianData data_;
   /// Two fixed ones, those of the group, a fixed one, the one that is left out.
   btAlignedObjectArray<btSolverBody> solverBodies_;
-  btAlignedObjectArray<btSolverBody>
-      solverBodyPool_;  ///< the same without the first two; owns nothing
+  /// The same without the first two; owns nothing.
+  btAlignedObjectArray<btSolverBody> solverBodyPool_;
   btAlignedObjectArray<btScalar> unit_, response_;
 };
 

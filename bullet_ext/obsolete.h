@@ -8,8 +8,8 @@
 namespace delassus::bullet {
 
 /// A rigid body of the group as constraints that are written for Bullet's sequential impulse solver
-/// expect it: the velocity of the start of the step, and the gain from forces apart. Anything else is
-/// immovable.
+/// expect it: the velocity of the start of the step, and the gain from forces apart. Anything else
+/// is immovable.
 btSolverBody solverBody(const Group& group, int index);
 
 /// The constraints of a group that have no rows and move bodies themselves, in

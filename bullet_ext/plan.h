@@ -12,8 +12,8 @@ struct Group;
 /// Adds to a count, which stays at the largest number rather than overflow.
 void addTo(int& sum, int more);
 
-/// What a step asks for, counted in what was gathered before anything is solved, and what it is made of therefore. Nothing
-/// else exists in the step: no unknowns, no pass, no events.
+/// What a step asks for, counted in what was gathered before anything is solved, and what it is
+/// made of therefore. Nothing else exists in the step: no unknowns, no pass, no events.
 struct Plan {
   // What there is.
   int frictional = 0;    ///< contacts with friction

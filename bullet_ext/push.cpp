@@ -6,10 +6,11 @@
 namespace delassus::bullet {
 namespace {
 
-/// How far bodies may slip past each other, in largest p: out of a wedge of 11 degrees they are pushed exactly.
+/// How far bodies may slip past each other, in largest p: out of a wedge of 11 degrees they are
+/// pushed exactly.
 constexpr double reach = 10;
-/// Of contacts that give a little, s' in what they answer if no axis is locked: pinched as above, with one contact a face, a body goes
-/// p ε/(ε²/2 + s') ≤ p/√(2 s').
+/// Of contacts that give a little, s' in what they answer if no axis is locked: pinched as above,
+/// with one contact a face, a body goes p ε/(ε²/2 + s') ≤ p/√(2 s').
 constexpr double softness = 0.5 / (reach * reach);
 
 Vec3 velocityAt(const Body& body, const Vec3& arm) {

@@ -54,7 +54,8 @@ Trouble troubleOf(Status status) {
   return Trouble::None;
 }
 
-/// The contact or the row whose first unknown is `unknown`; the other is −1. A contact's turning friction is the contact.
+/// The contact or the row whose first unknown is `unknown`; the other is −1. A contact's turning
+/// friction is the contact.
 struct Part {
   int contact = -1, row = -1;
 };
@@ -87,8 +88,8 @@ int partsOf(const Island& island) {
                           island.rows.size());
 }
 
-/// Reactions that have just been found also stopped what moved, and would set it in motion the other way if they came
-/// again: before they are kept they must be those of the rest.
+/// Reactions that have just been found also stopped what moved, and would set it in motion the
+/// other way if they came again: before they are kept they must be those of the rest.
 double shareToKeep(const Group& group, const Island& island) {
   const auto restless = [&](int i) { return group.restless[i] != 0; };
   const bool settled =
@@ -196,8 +197,8 @@ void checkOpenIslands(const Group& group, Workshop& workshop, Answer& answer) {
                     answer.open.end());
 }
 
-/// Opens the islands with bodies whose free velocity a constraint has changed, as if no reaction had moved them; the others keep
-/// their answers, and their bits.
+/// Opens the islands with bodies whose free velocity a constraint has changed, as if no reaction
+/// had moved them; the others keep their answers, and their bits.
 void reopenIslands(const Group& group, Answer& answer) {
   const std::vector<char>& changed = answer.obsolete.changed();
   for (std::size_t body = 0; body < changed.size(); ++body)

@@ -22,8 +22,8 @@ struct IslandResult {
   int restless;  ///< one of its bodies, if other reactions were found than those of the last
                  ///< step; or −1
   bool open;     ///< the check has left it to be solved
-  std::vector<int>
-      blamed;  ///< first unknowns of the contacts and rows that keep it from being solved
+  /// First unknowns of the contacts and rows that keep it from being solved.
+  std::vector<int> blamed;
 };
 
 /// What the reactions of a group are and what motion they leave.
@@ -69,7 +69,8 @@ void checkIslands(const Group& group, Workshop& workshop, Answer& answer);
 void solveIslands(Group& group, const btContactSolverInfo& info, Workshop& workshop, Answer& answer,
                   StepReport& report);
 
-/// How messages call the contact or joint that island `i` of the answer blames by its first unknown.
+/// How messages call the contact or joint that island `i` of the answer blames by its first
+/// unknown.
 std::string nameOf(const Group& group, const Answer& answer, int i, int unknown);
 
 }  // namespace delassus::bullet

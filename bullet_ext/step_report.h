@@ -8,8 +8,8 @@
 
 namespace delassus {
 
-/// What the last world step was: sums over all its groups and islands. A count that would overflow, as where nobody announces
-/// steps (a solver pool), stays at the largest number.
+/// What the last world step was: sums over all its groups and islands. A count that would overflow,
+/// as where nobody announces steps (a solver pool), stays at the largest number.
 struct StepReport {
   Plan plan;  ///< what the step asked for, and what it was made of
   int islands = 0;
@@ -19,28 +19,30 @@ struct StepReport {
   int open = 0, stick = 0, slide = 0;
   int modeChanges = 0;  ///< contacts whose mode is not what it was after the step before
   int events = 0;       ///< contact events made
-  /// Islands by what answered them: nothing approaches, the last reactions, a formula, anything that has to be searched.
+  /// Islands by what answered them: nothing approaches, the last reactions, a formula, anything
+  /// that has to be searched.
   int freeIslands = 0, keptIslands = 0, closedForms = 0, walks = 0;
   int matrices = 0;        ///< problems whose W was built, no pushes
   int regions = 0;         ///< regions visited, pushes included
   int factorisations = 0;  ///< pushes included
   int sweeps = 0;          ///< and alternations; pushes included
   int patches = 0;         ///< parts of islands that were solved apart on the way, pushes included
-  double residualMax =
-      0;  ///< natural residual (residual.h), m/s; of rows about an axis rad/s; without pushes
+  /// Natural residual (residual.h), m/s; of rows about an axis rad/s; without pushes.
+  double residualMax = 0;
   double residualRms = 0;  ///< m/s, over contacts and rows
   int solved = 0, outOfBudget = 0, incompatible = 0, nonFinite = 0;  ///< islands by status
-  int leftOut =
-      0;  ///< bodies, contacts, rows and steps that were solved around: not finite or absurd
+  /// Bodies, contacts, rows and steps that were solved around: not finite or absurd.
+  int leftOut = 0;
   int stiffened = 0;     ///< bodies that setGeometricStiffness had turn more slowly
   int pushIslands = 0;   ///< islands of the split-impulse problem, not counted in `islands`
   int pushUnsolved = 0;  ///< those of them that ended without status solved
-  int pushSoftened =
-      0;  ///< those whose exact answer would throw a body, solved as if what touches gave a little (push.h)
+  /// Islands of pushes whose exact answer would throw a body: solved as if what touches gave a
+  /// little (push.h).
+  int pushSoftened = 0;
   /// Constraints without rows that moved something in their own solveConstraintObsolete.
   int obsoleteConstraints = 0;
-  double secondsGather =
-      0;                    ///< reading bodies, contacts, joints and what is known of the last step
+  /// Reading bodies, contacts, joints and what is known of the last step.
+  double secondsGather = 0;
   double secondsPlan = 0;   ///< plan, islands, and the check for those that need no solving
   double secondsSolve = 0;  ///< the others, and constraints that solve themselves
   double secondsPush = 0;   ///< split impulse

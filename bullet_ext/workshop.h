@@ -13,8 +13,8 @@
 
 namespace delassus::bullet {
 
-/// All that one thread needs to answer one island after the other. Nothing that is left on it from the last island shows in
-/// the next one's answer.
+/// All that one thread needs to answer one island after the other. Nothing that is left on it from
+/// the last island shows in the next one's answer.
 struct Bench {
   Bench(const Options& forSolver, const Options& forCheck) : solver(forSolver), check(forCheck) {}
 
@@ -50,8 +50,9 @@ struct Bench {
   } counts;
 };
 
-/// Where islands are answered: by the caller alone, or by a crew side by side. They share no body that moves, no contact and
-/// no row, so that each has the same answer, bit for bit, whoever else is at work.
+/// Where islands are answered: by the caller alone, or by a crew side by side. They share no body
+/// that moves, no contact and no row, so that each has the same answer, bit for bit, whoever else
+/// is at work.
 class Workshop {
  public:
   Workshop(const Options& forSolver, const Options& forCheck)
@@ -73,8 +74,8 @@ class Workshop {
       benches_.push_back(std::make_unique<Bench>(forSolver_, forCheck_));
   }
 
-  /// Calls work(bench, i) for all i < count. Others than the caller take part if there is enough for them to do: by the
-  /// sum of weight(i), in unknowns, not by the clock.
+  /// Calls work(bench, i) for all i < count. Others than the caller take part if there is enough
+  /// for them to do: by the sum of weight(i), in unknowns, not by the clock.
   template <class Weight, class Work>
   void share(int count, int worthwhile, const Weight& weight, const Work& work) {
     int total = 0;
@@ -87,8 +88,8 @@ class Workshop {
     }
   }
 
-  /// The same where a bench's solver is at work. What weighs three times as much as all else would keep one hand busy while the others
-  /// wait: it comes first, with all of them.
+  /// The same where a bench's solver is at work. What weighs three times as much as all else would
+  /// keep one hand busy while the others wait: it comes first, with all of them.
   template <class Weight, class Work>
   void shareSolving(int count, const Weight& weight, const Work& work) {
     // Unknowns whose solution takes longer than it takes to call another thread.

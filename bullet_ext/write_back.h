@@ -17,12 +17,14 @@ void writePushes(const Group& group, const Pushes& pushes, const btContactSolver
 
 /// Impulses, the directions they refer to and modes of all points, idle ones included (zero, open).
 /// Counts modes in `report`. Where `events` is given it receives the contacts that changed their
-/// mode or are in trouble, with `turning` those too that a moment acts in, in the order of the group.
+/// mode or are in trouble, with `turning` those too that a moment acts in, in the order of the
+/// group.
 void writeContacts(const Group& group, const Answer& answer, StepReport& report,
                    std::vector<ContactEvent>* events, bool turning);
 
-/// What a joint is left with: the impulse of its last row, for Bullet's joints answer with that alone (the feedback is the
-/// whole record). A zero is negative: by that it differs from the one in a joint that was never solved.
+/// What a joint is left with: the impulse of its last row, for Bullet's joints answer with that
+/// alone (the feedback is the whole record). A zero is negative: by that it differs from the one in
+/// a joint that was never solved.
 btScalar writtenImpulse(const JointSource& joint, const Answer& answer);
 
 /// Impulses and feedback of the joints. A joint with a reaction at its breaking impulse is

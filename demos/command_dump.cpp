@@ -89,8 +89,8 @@ void writeIsland(const std::string& file, const Problem& problem) {
                file.c_str(), contacts, bounds, rows - bounds);
 }
 
-/// The name of the problems of `subject`, to which more words are added: a file's without its folder and suffix, one word of
-/// the format whatever is in it.
+/// The name of the problems of `subject`, to which more words are added: a file's without its
+/// folder and suffix, one word of the format whatever is in it.
 std::string problemName(const std::string& subject) {
   std::string name = std::filesystem::path(subject).stem().string();
   std::replace_if(

@@ -34,7 +34,8 @@ struct Answer {
   bool within;  ///< the tolerance, in both published measures
 };
 
-/// The solver's own measure is another than those of the file format: where it is satisfied too early, it is asked for more.
+/// The solver's own measure is another than those of the file format: where it is satisfied too
+/// early, it is asked for more.
 Answer solveWithin(const Problem& problem, double tolerance) {
   constexpr int most = 2;  // decades
   Options options;

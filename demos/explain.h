@@ -7,7 +7,8 @@
 
 namespace demos {
 
-/// Something that scenes may ask for, how often this one does in a step, and what exists for it therefore.
+/// Something that scenes may ask for, how often this one does in a step, and what exists for it
+/// therefore.
 struct Need {
   std::string key, name;
   double aStep;

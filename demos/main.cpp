@@ -18,7 +18,8 @@ int afterOutput(int status) {
   return exitFailed;
 }
 
-/// What is wrong with the first word; nothing if it is a sub-command, or an option. CLI11 would only say that one is required.
+/// What is wrong with the first word; nothing if it is a sub-command, or an option. CLI11 would
+/// only say that one is required.
 std::string commandFault(const CLI::App& app, int argc, char** argv) {
   if (argc >= 2 && app.get_option_no_throw(argv[1]) != nullptr) return "";
   std::string existing;

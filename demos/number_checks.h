@@ -13,7 +13,8 @@ inline double numberIn(const std::string& text) {
   return !text.empty() && *end == '\0' ? value : std::nan("");
 }
 
-/// Checks of what stands on the command line, for CLI11: an empty answer says that the text is good.
+/// Checks of what stands on the command line, for CLI11: an empty answer says that the text is
+/// good.
 inline std::string finiteNumber(const std::string& text) {
   return std::isfinite(numberIn(text)) ? "" : "'" + text + "' is not a finite number";
 }

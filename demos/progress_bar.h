@@ -10,7 +10,8 @@
 
 namespace demos {
 
-/// "what [####      ]  40 %", in less than `columns`: a line that is too long would not be written over but run on.
+/// "what [####      ]  40 %", in less than `columns`: a line that is too long would not be written
+/// over but run on.
 inline std::string progressLine(std::string what, double fraction, std::size_t columns) {
   constexpr std::size_t around = 10, widest = 40, least = 8;  // of the bar
   const std::size_t room = std::max(columns, std::size_t(1)) - 1;
@@ -31,7 +32,8 @@ inline std::string progressLine(std::string what, double fraction, std::size_t c
   return what + " [" + bar + "] " + percent;
 }
 
-/// A line on a terminal's stderr that shows how far a long job is. Nothing is shown in the first two seconds, nor to a file.
+/// A line on a terminal's stderr that shows how far a long job is. Nothing is shown in the first
+/// two seconds, nor to a file.
 class ProgressBar {
  public:
   explicit ProgressBar(std::string what)

@@ -9,8 +9,8 @@
 
 namespace demos {
 
-/// Whether `file` is what standard output goes to, by whatever name (/dev/stdout). Opened once more it would be written from its
-/// beginning, over what has been printed or under what will be.
+/// Whether `file` is what standard output goes to, by whatever name (/dev/stdout). Opened once more
+/// it would be written from its beginning, over what has been printed or under what will be.
 inline bool isStandardOutput(const std::string& file) {
   struct stat named {
   }, standard{};

@@ -20,11 +20,13 @@ bool isFile(const std::string& name) {
           name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0);
 }
 
-/// Bullet's importer follows what a file says into any memory. Loading and the first steps are tried in a process apart, so
-/// that a damaged file is told, and nothing worse. What lies in that memory may differ here: see blameCrashesOn.
+/// Bullet's importer follows what a file says into any memory. Loading and the first steps are
+/// tried in a process apart, so that a damaged file is told, and nothing worse. What lies in that
+/// memory may differ here: see blameCrashesOn.
 void rehearse(const std::string& file) {
   constexpr double patience = 60;  // seconds
-  // A damaged count asks for any memory; the pages that it gets cost seconds, and other processes theirs.
+  // A damaged count asks for any memory; the pages that it gets cost seconds, and other processes
+  // theirs.
   std::error_code ignored;
   const double size = double(std::filesystem::file_size(file, ignored));
   const double bytes = 5e8 + 100 * (ignored ? 0 : size);

@@ -12,8 +12,8 @@ struct Figure {
   std::string name;
   Point size;
   std::function<void(Canvas&)> draw;
-  std::string
-      measured;  ///< one line: what was simulated for it, and how that agrees with the theory
+  /// One line: what was simulated for it, and how that agrees with the theory.
+  std::string measured;
 };
 
 /// Writes FOLDER/NAME.png and FOLDER/NAME.svg, both by the same drawing. Nothing is left

@@ -68,8 +68,8 @@ Color colorOf(const Vec3& u, double scale) {
   return u[1] < 0 ? keptFirst : keptSecond;
 }
 
-/// Where the regions meet, counter-clockwise, from W and μ: the two edges of Coulomb's cone, and the
-/// line (W f)_n = 0 on which the free motion neither opens the contact nor closes it.
+/// Where the regions meet, counter-clockwise, from W and μ: the two edges of Coulomb's cone, and
+/// the line (W f)_n = 0 on which the free motion neither opens the contact nor closes it.
 std::array<Vector2d, 4> boundariesOf(const Measured& measured) {
   const Vector2d release(measured.W(0, 0), -measured.W(0, 1));
   return {Vector2d(rod.friction, 1), Vector2d(-rod.friction, 1), -release, release};

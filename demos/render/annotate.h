@@ -10,24 +10,27 @@
 
 namespace demos::render {
 
-/// How marks are drawn: as many as one frame has decide how small they are and whether hidden ones help, and arrows have one
-/// scale. Common to all panels of a picture and all frames of a video, so that what looks different is different.
+/// How marks are drawn: as many as one frame has decide how small they are and whether hidden ones
+/// help, and arrows have one scale. Common to all panels of a picture and all frames of a video, so
+/// that what looks different is different.
 struct MarkScale {
   std::size_t most = 0;        ///< marks in one frame
   double metresPerNewton = 0;  ///< 0: nothing carries
   double longest = 0;  ///< N; larger reactions are drawn as long as this, with a double head
 };
 
-/// Long arrows reach from a twentieth to a sixth of a panel's height. A few extremes (impacts) do not shrink all others.
+/// Long arrows reach from a twentieth to a sixth of a panel's height. A few extremes (impacts) do
+/// not shrink all others.
 MarkScale markScale(const std::vector<Film>& films, const View& view, Size panel);
 
-/// Draws the contacts by their mode, the reactions of contacts and joints, and the weights of heavy things. What is hidden
-/// behind a thing is pale. `unit` is the size of a pixel in a picture of 720 rows.
+/// Draws the contacts by their mode, the reactions of contacts and joints, and the weights of heavy
+/// things. What is hidden behind a thing is pale. `unit` is the size of a pixel in a picture of 720
+/// rows.
 void annotate(Drawing& drawing, const Film& film, const Frame& frame, const View& view,
               const Box& stage, const MarkScale& scale, double unit, Font& font);
 
-/// What the marks mean: one line that starts at `place`, for the kinds of marks that `films` have. `right` is where the grid's
-/// spacing and the arrow's scale end.
+/// What the marks mean: one line that starts at `place`, for the kinds of marks that `films` have.
+/// `right` is where the grid's spacing and the arrow's scale end.
 void drawLegend(Image& image, Point place, double right, double unit,
                 const std::vector<Film>& films, const View& view, Size panel,
                 const MarkScale& scale, Font& font);

@@ -92,7 +92,8 @@ std::vector<Mark> thatAreSomewhere(std::vector<Mark> marks) {
   return marks;
 }
 
-/// By our solver's own report, or by the judge of the others. Nothing if nothing was solved: all sleep, or nothing touches.
+/// By our solver's own report, or by the judge of the others. Nothing if nothing was solved: all
+/// sleep, or nothing touches.
 std::optional<double> residual(const NamedSolver& named, const Verdict& verdict) {
   if (named.delassus() == nullptr)
     return verdict.count > 0 ? std::optional(verdict.max) : std::nullopt;

@@ -34,8 +34,8 @@ enum class ContactMode { Sticking, Sliding, Released };
 
 struct ContactMark {
   Eigen::Vector3d place;
-  Eigen::Vector3d
-      force;  ///< N, in the sense that carries: on the body that moves, or against gravity
+  /// N, in the sense that carries: on the body that moves, or against gravity.
+  Eigen::Vector3d force;
   ContactMode mode;
 };
 struct JointMark {
@@ -43,7 +43,8 @@ struct JointMark {
   Eigen::Vector3d force;  ///< N, likewise
 };
 
-/// What ties a body to a point outside it, where a joint holds it: a string or an arm without a shape.
+/// What ties a body to a point outside it, where a joint holds it: a string or an arm without a
+/// shape.
 struct Rope {
   Eigen::Vector3d body, end;
 };
@@ -60,8 +61,8 @@ struct Frame {
   std::vector<ContactMark> contacts;  ///< those that carry or were released in the last step
   std::vector<JointMark> joints;
   std::vector<Rope> ropes;
-  std::optional<double>
-      residual;  ///< natural residual of the last step, largest, m/s; none if nothing was solved
+  /// Natural residual of the last step, largest, m/s; none if nothing was solved.
+  std::optional<double> residual;
   double milliseconds = 0;  ///< solveGroup, median of the steps so far; NaN before the first
   bool lost = false;  ///< a body is nowhere, its pose or velocity not a number: it is not shown
 };
@@ -75,8 +76,9 @@ struct Film {
   std::vector<Frame> frames;
 };
 
-/// Steps `world` with `named` at `hz` and keeps a frame at each of `times` (rising, s), rounded to whole steps.
-/// Throws std::runtime_error where they are too many (stepsIn). `progress` is told the fraction done after each step.
+/// Steps `world` with `named` at `hz` and keeps a frame at each of `times` (rising, s), rounded to
+/// whole steps. Throws std::runtime_error where they are too many (stepsIn). `progress` is told the
+/// fraction done after each step.
 Film record(World& world, NamedSolver& named, double hz, const std::vector<double>& times,
             const std::function<void(double)>& progress);
 

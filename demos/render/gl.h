@@ -1,5 +1,6 @@
 #pragma once
-/// OpenGL 3.3 core off screen, by OSMesa: the library that exports the entry points too, so that no loader is needed.
+/// OpenGL 3.3 core off screen, by OSMesa: the library that exports the entry points too, so that no
+/// loader is needed.
 
 #ifndef GL_GLEXT_PROTOTYPES
 #define GL_GLEXT_PROTOTYPES
@@ -26,7 +27,8 @@ class GlMemoryError : public GlError {
   using GlError::GlError;
 };
 
-/// Throws GlError, or GlMemoryError, if OpenGL has an error to tell since the last call; `where` is part of the message.
+/// Throws GlError, or GlMemoryError, if OpenGL has an error to tell since the last call; `where` is
+/// part of the message.
 void checkGl(const char* where);
 
 /// A context without a window, current as long as it lives. One at a time.

@@ -36,8 +36,8 @@ HalfSpace inWorld(const Plane& plane, const Eigen::Matrix4f& pose) {
   return {normal, plane.offset + normal.dot(matrix.topRightCorner<3, 1>())};
 }
 
-/// Turns e_y to a unit vector. (Eigen's FromTwoVectors has a singular value decomposition for the one that looks straight
-/// down, which takes long to compile.)
+/// Turns e_y to a unit vector. (Eigen's FromTwoVectors has a singular value decomposition for the
+/// one that looks straight down, which takes long to compile.)
 Eigen::Quaterniond turnUpTo(const Vector3d& n) {
   const double s = std::sqrt(2 * std::max(0.0, 1 + n.y()));
   if (s < 1e-6) return {0, 1, 0, 0};
@@ -70,7 +70,8 @@ std::vector<HalfSpace> wallsOf(const Box& box) {
 
 void layPlanes(Film& film, const Box& stage) {
   const double extent = (stage.high - stage.low).maxCoeff();
-  // A slab goes on beyond what stands on it: a little, and at least about as far as a small thing is large.
+  // A slab goes on beyond what stands on it: a little, and at least about as far as a small thing
+  // is large.
   const Vector3d pad = Vector3d::Constant(std::max(0.15 * extent, std::min(0.6, 0.6 * extent)));
   const std::vector<HalfSpace> room = wallsOf({stage.low - pad, stage.high + pad});
 
@@ -94,7 +95,8 @@ void layPlanes(Film& film, const Box& stage) {
     for (const auto& [other, otherSpace] : planes)
       if (other != thing) polygon = clip(polygon, otherSpace);
 
-    // Metres count from the world's origin, so that grids of level ground agree with its coordinates.
+    // Metres count from the world's origin, so that grids of level ground agree with its
+    // coordinates.
     std::vector<Eigen::Vector3f> top;
     for (const Vector3d& corner : polygon) top.push_back((turn.inverse() * corner).cast<float>());
     Eigen::Matrix4f place = Eigen::Matrix4f::Identity();

@@ -27,7 +27,8 @@ struct Image {
   const std::uint8_t* pixel(int x, int y) const {
     return &rgb[3 * (std::size_t(y) * size.width + x)];
   }
-  /// Copies `source` so that its upper left corner is at (x, y); what would lie outside is left out.
+  /// Copies `source` so that its upper left corner is at (x, y); what would lie outside is left
+  /// out.
   void paste(const Image& source, int x, int y);
 };
 
@@ -37,7 +38,8 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Makes `folder` where it is missing and makes sure that files can be written there. Throws OutputError.
+/// Makes `folder` where it is missing and makes sure that files can be written there. Throws
+/// OutputError.
 void prepareFolder(const std::string& folder);
 
 /// The name under which a file is written before it is whole: beside it, hidden.

@@ -25,8 +25,8 @@ struct Batches {
   std::vector<Instance> instances;
 };
 
-/// What is drawn of a frame, sorted by mesh. Colours say what a thing is: movable ones take turns in four calm tones, heavy ones
-/// are dark, fixed ones grey. A plane seen from behind is glass.
+/// What is drawn of a frame, sorted by mesh. Colours say what a thing is: movable ones take turns
+/// in four calm tones, heavy ones are dark, fixed ones grey. A plane seen from behind is glass.
 Batches batchesOf(const Film& film, const Frame& frame, const View& view, const Box& stage);
 
 /// From what mass on a thing counts as heavy, kg: ten times the median of those that move,

@@ -26,7 +26,8 @@ double slidingSpeed(const btPersistentManifold& manifold, const btManifoldPoint&
   return double((u - point.m_normalWorldOnB * u.dot(point.m_normalWorldOnB)).length());
 }
 
-/// Sliding takes both: a reaction on the border of its cone, and speed. What rests with all its friction used still sticks.
+/// Sliding takes both: a reaction on the border of its cone, and speed. What rests with all its
+/// friction used still sticks.
 ContactMode carryingMode(const btPersistentManifold& manifold, const btManifoldPoint& point) {
   // Stock solvers bound friction by a normal impulse that is still on its way.
   constexpr double nearly = 0.999;
@@ -39,7 +40,8 @@ ContactMode carryingMode(const btPersistentManifold& manifold, const btManifoldP
   return slides ? ContactMode::Sliding : ContactMode::Sticking;
 }
 
-/// The reaction as it carries: on the one body that moves, else in the sense against gravity. `force` is that on body 0.
+/// The reaction as it carries: on the one body that moves, else in the sense against gravity.
+/// `force` is that on body 0.
 Vector3d carrying(const Vector3d& force, const btCollisionObject& body0,
                   const btCollisionObject& body1, const Vector3d& gravity) {
   const bool fixed0 = body0.isStaticOrKinematicObject(), fixed1 = body1.isStaticOrKinematicObject();

@@ -11,8 +11,9 @@
 
 namespace demos::render {
 
-/// Looks on while another solver works and remembers which contacts persisted before the step: those whose point still
-/// bears the last reaction, and in a world's first step all that are in touch.
+/// Looks on while another solver works and remembers which contacts persisted before the step:
+/// those whose point still bears the last reaction, and in a world's first step all that are in
+/// touch.
 class PersistenceWatch : public SolverDecorator {
  public:
   explicit PersistenceWatch(btConstraintSolver& inner) : SolverDecorator(inner) {}

@@ -12,7 +12,8 @@ namespace {
 
 constexpr float pi = float(M_PI);
 
-/// Appends the rings of a quarter circle (or half of one) around (0, centre), at angles from the axis.
+/// Appends the rings of a quarter circle (or half of one) around (0, centre), at angles from the
+/// axis.
 void addArc(std::vector<Ring>& rings, float radius, float centre, float from, float to, int steps) {
   for (int i = 0; i <= steps; ++i) {
     const float angle = from + (to - from) * float(i) / float(steps);
@@ -40,7 +41,8 @@ void Mesh::addPolygon(const std::vector<Vector3f>& corners) {
 Mesh boxMesh(const Vector3f& half) {
   const float bevel = 0.05f * half.minCoeff();
   Mesh mesh;
-  // Vertex 3 c + a is that of corner c on the face across axis a; bit k of c says on which side it lies along axis k.
+  // Vertex 3 c + a is that of corner c on the face across axis a; bit k of c says on which side it
+  // lies along axis k.
   const auto side = [](int corner, int axis) { return (corner >> axis & 1) != 0 ? 1.0f : -1.0f; };
   for (int corner = 0; corner < 8; ++corner)
     for (int axis = 0; axis < 3; ++axis) {
@@ -66,7 +68,8 @@ Mesh boxMesh(const Vector3f& half) {
     const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
     const int nextAxis = (axis + 1) % 3, lastAxis = (axis + 2) % 3;
     for (const int low : {0, 1 << axis}) {
-      // The face, then two of the four edges along this axis, whose ends differ in bit `axis` alone.
+      // The face, then two of the four edges along this axis, whose ends differ in bit `axis`
+      // alone.
       addQuad(3 * low + axis, 3 * (low | u) + axis, 3 * (low | u | v) + axis, 3 * (low | v) + axis);
     }
     for (const int edge : {0, u, v, u | v}) {

@@ -25,7 +25,8 @@ struct Drawing {
 /// Metres between the lines of the ground's grid, a power of ten, for a view at this size.
 double gridSpacing(const View& view, Size size);
 
-/// Draws frames of films with OpenGL: sun with a soft shadow, sky light with ambient occlusion, a grid on the ground, outlines.
+/// Draws frames of films with OpenGL: sun with a soft shadow, sky light with ambient occlusion, a
+/// grid on the ground, outlines.
 ///
 /// All pictures of one painter have one size. It owns the OpenGL context; one painter at a time.
 class Painter {

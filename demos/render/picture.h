@@ -32,13 +32,14 @@ class TooLarge : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Makes pictures of films that show one scene at the same times: side by side, with one camera and one scale of arrows.
+/// Makes pictures of films that show one scene at the same times: side by side, with one camera and
+/// one scale of arrows.
 class Studio {
  public:
   /// `columns`: how many frames of a film one picture shows. Throws what `check` throws.
   Studio(std::vector<Film> films, const Wish& wish, const Look& look, int columns);
-  /// Throws where so many films could not be shown, to be asked before they are recorded: TooSmall, TooLarge, GlError where there is
-  /// no OpenGL, std::runtime_error where the font is missing.
+  /// Throws where so many films could not be shown, to be asked before they are recorded: TooSmall,
+  /// TooLarge, GlError where there is no OpenGL, std::runtime_error where the font is missing.
   static void check(const Look& look, int films, int columns);
 
   /// A row of panels, one a film, if there is one frame, else a row a film with a panel a frame.
@@ -68,7 +69,8 @@ class Studio {
 /// What a solver's name stands for, in words.
 std::string solverInWords(const std::string& name);
 
-/// Time and residual of a frame, as its caption has them; with `timing` also the milliseconds of a step.
+/// Time and residual of a frame, as its caption has them; with `timing` also the milliseconds of a
+/// step.
 std::string factsInWords(const Frame& frame, bool timing);
 
 }  // namespace demos::render

@@ -54,7 +54,8 @@ uniform vec3 stageCentre;
 uniform float stageRadius;
 uniform vec3 skyLow, skyHigh;
 
-// Share of a pixel that lies on grid lines, whose width is a share of the spacing (box filter after Quilez).
+// Share of a pixel that lies on grid lines, whose width is a share of the spacing (box filter after
+// Quilez).
 float grid(vec2 metres, float spacing, float width) {
   vec2 p = metres / spacing + 0.5 * width;
   vec2 w = max(abs(dFdx(p)) + abs(dFdy(p)), 1e-4);
@@ -131,7 +132,8 @@ void main() {
 }
 )";
 
-// Scalable ambient obscurance (McGuire, Mara, Luebke 2012): points near this one that stand above its tangent plane.
+// Scalable ambient obscurance (McGuire, Mara, Luebke 2012): points near this one that stand above
+// its tangent plane.
 const char* const occlusionFragment = R"(#version 330 core
 in vec2 place;
 layout(location = 0) out float open;
@@ -208,7 +210,8 @@ uniform sampler2D lights;
 uniform usampler2D numbers;
 uniform int perPixel;             // samples along each side
 uniform float outline;            // how dark, 0 to 1
-// Outlines part things from each other and from the ground, but not the ground (highest bit) from the sky (0).
+// Outlines part things from each other and from the ground, but not the ground (highest bit) from
+// the sky (0).
 bool parted(uint a, uint b) {
   return a != b && !((a == 0u || a >> 31 == 1u) && (b == 0u || b >> 31 == 1u));
 }

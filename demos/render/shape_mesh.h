@@ -15,9 +15,10 @@ struct ShapePart {
   Eigen::Matrix4f place;
 };
 
-/// What Bullet collides with, as triangles: boxes, spheres, capsules, cylinders, cones and hulls exactly (but for the hulls'
-/// margin), other convex shapes by the hull of their support points, concave ones triangle by triangle, compounds part
-/// by part. `segments` is how many a full circle gets.
+/// What Bullet collides with, as triangles: boxes, spheres, capsules, cylinders, cones and hulls
+/// exactly (but for the hulls' margin), other convex shapes by the hull of their support points,
+/// concave ones triangle by triangle, compounds part by part. `segments` is how many a full circle
+/// gets.
 ///
 /// Static planes have no end and are not here: see ground.h.
 std::vector<ShapePart> shapeParts(const btCollisionShape& shape, int segments);

@@ -37,7 +37,8 @@ void forEachMoving(const Film& film, const Visit& visit) {
       if (film.things[std::size_t(pose.thing)].mass > 0) visit(pose);
 }
 
-/// The middle half of `values`, widened on either side by three times its width: what lies outside has left the scene.
+/// The middle half of `values`, widened on either side by three times its width: what lies outside
+/// has left the scene.
 std::pair<double, double> usualRange(std::vector<double> values, double least) {
   std::sort(values.begin(), values.end());
   const double low = values[values.size() / 4], high = values[3 * values.size() / 4];
@@ -171,7 +172,8 @@ View frameView(const std::vector<Film>& films, const Box& stage, const Wish& wis
   const Vector3d direction = wish.direction.normalized();
   const double tanY = std::tan(wish.fov * M_PI / 360), tanX = tanY * size.width / size.height;
 
-  // In axes of the camera at the stage's centre (z towards the camera), a point is in the picture from the distance d if
+  // In axes of the camera at the stage's centre (z towards the camera), a point is in the picture
+  // from the distance d if
   //     |x - cx| ≤ tanX (d - z)   and   |y - cy| ≤ tanY (d - z).
   view.target = stage.centre();
   view.eye = view.target + direction;

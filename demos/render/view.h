@@ -25,7 +25,8 @@ struct View {
 
   Eigen::Matrix4d toEye() const;
   Eigen::Matrix4d projection(double aspect) const;
-  /// Pixel (from the top left) and depth as in the depth buffer, 0 to 1. Nothing for points behind the camera.
+  /// Pixel (from the top left) and depth as in the depth buffer, 0 to 1. Nothing for points behind
+  /// the camera.
   std::optional<Eigen::Vector3d> project(const Eigen::Vector3d& point, Size size) const;
   /// Pixels a metre at the target, across the line of sight.
   double pixelsPerMetre(Size size) const;
@@ -38,8 +39,8 @@ struct Wish {
   std::optional<Eigen::Vector3d> eye, lookAt;
 };
 
-/// Where the action is: the boxes of all that moves in the first film, of what the others show near it, and of small fixed
-/// things. Things that have fallen out of the scene do not count.
+/// Where the action is: the boxes of all that moves in the first film, of what the others show near
+/// it, and of small fixed things. Things that have fallen out of the scene do not count.
 Box stage(const std::vector<Film>& films);
 
 /// True for fixed things that are much larger than the stage: the ground.

@@ -48,8 +48,8 @@ class Variant {
       : solver_(without ? without->name : "all", optionsWithout(without)),
         timed_(solver_.solver()) {}
 
-  /// Solves the step as it stands, timed. Joints are given the impulses that this solver left in them, by which it knows
-  /// them again.
+  /// Solves the step as it stands, timed. Joints are given the impulses that this solver left in
+  /// them, by which it knows them again.
   void solve(const CapturedStep& step) {
     forEachJoint(step, [this](btTypedConstraint& joint) {
       const auto left = impulses_.find(&joint);
@@ -90,8 +90,8 @@ class Variant {
   StepTotals totals_;
 };
 
-/// The trajectory is that of the solver with all economies. Each of its steps is given to all variants in turn, from the
-/// same stored impulses; in each step another one begins.
+/// The trajectory is that of the solver with all economies. Each of its steps is given to all
+/// variants in turn, from the same stored impulses; in each step another one begins.
 class Race {
  public:
   explicit Race(double cfm) : cfm_(cfm) {

@@ -102,8 +102,8 @@ void writeMemory(const CapturedStep& step, const StepMemory& memory) {
   });
 }
 
-// The number lives in the point's user data, which Bullet carries along when it moves or updates a point, and clears
-// in a new one. None of our scenes uses it.
+// The number lives in the point's user data, which Bullet carries along when it moves or updates a
+// point, and clears in a new one. None of our scenes uses it.
 void numberPoints(const CapturedStep& step) {
   std::intptr_t next = 0;
   forEachPoint(step, [&next](btManifoldPoint& point) {

@@ -24,8 +24,9 @@ struct CapturedStep {
   void solve(btConstraintSolver& solver, const btContactSolverInfo& settings) const;
 };
 
-/// Holds the groups of a step back until all are known, shows them to a watcher, then has them solved by `inner`. Groups
-/// share no movable body, so that the order of events makes no difference to the world.
+/// Holds the groups of a step back until all are known, shows them to a watcher, then has them
+/// solved by `inner`. Groups share no movable body, so that the order of events makes no difference
+/// to the world.
 class StepCapture : public btConstraintSolver {
  public:
   explicit StepCapture(btConstraintSolver& inner) : inner_(inner) {}
@@ -46,8 +47,8 @@ class StepCapture : public btConstraintSolver {
   CapturedStep step_;
 };
 
-/// Everything that a solver changes in the groups of a step: motion and poses of bodies, stored impulses of contact points,
-/// state and feedback of joints.
+/// Everything that a solver changes in the groups of a step: motion and poses of bodies, stored
+/// impulses of contact points, state and feedback of joints.
 class SavedState {
  public:
   explicit SavedState(const CapturedStep& step);

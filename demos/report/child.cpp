@@ -57,7 +57,8 @@ void dieWith(pid_t parent, int signal) {
   if (getppid() != parent) _exit(1);
 }
 
-/// The life of the copy. Nothing of this process may run at its end: no destructors, no flushing of streams.
+/// The life of the copy. Nothing of this process may run at its end: no destructors, no flushing of
+/// streams.
 [[noreturn]] void workAndLeave(const std::function<std::vector<double>()>& work, double bytes,
                                int out) {
   signal(SIGINT, SIG_IGN);

@@ -28,11 +28,13 @@ struct ApartResult {
 
 /// Runs `work` in a copy of this process and brings back the numbers it returns.
 ///
-/// Work that takes too long is ended, and work that crashes takes nothing with it: Bullet's pivoting solvers can do both.
-/// Whatever it changes in the world is changed in the copy alone. Throws Interrupted when the user asks to stop.
+/// Work that takes too long is ended, and work that crashes takes nothing with it: Bullet's
+/// pivoting solvers can do both. Whatever it changes in the world is changed in the copy alone.
+/// Throws Interrupted when the user asks to stop.
 ApartResult runApart(const std::function<std::vector<double>()>& work, const Limits& limits);
 
-/// Calls `command` with its arguments, without a shell, and waits for it. Both outputs are returned as one text.
+/// Calls `command` with its arguments, without a shell, and waits for it. Both outputs are returned
+/// as one text.
 struct CommandResult {
   int status = -1;  ///< exit status; 127 if there is no such command
   std::string text;
@@ -63,7 +65,8 @@ class Interrupted : public std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// While one lives, Ctrl-C and a polite kill end the work at the next call of `throwIfAsked` instead of the process.
+/// While one lives, Ctrl-C and a polite kill end the work at the next call of `throwIfAsked`
+/// instead of the process.
 class InterruptWatch {
  public:
   InterruptWatch();

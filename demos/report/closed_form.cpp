@@ -28,7 +28,8 @@ Turn rungeKutta(const Turn& t, double h, const Acceleration& acceleration) {
           t.rate + h / 6 * (k1.rate + 2 * k2.rate + 2 * k3.rate + k4.rate)};
 }
 
-/// Steps `turn` until `left(angle)` changes its sign or `time` is over; the last step ends there. Returns the time passed.
+/// Steps `turn` until `left(angle)` changes its sign or `time` is over; the last step ends there.
+/// Returns the time passed.
 template <class Acceleration, class Left>
 double follow(Turn& turn, double time, const Acceleration& acceleration, const Left& left) {
   const double h = time / substeps;

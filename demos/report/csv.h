@@ -27,7 +27,8 @@ class CsvTable {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// A number as CSV files keep it: nine digits tell a double's first half, which is more than any measure here knows.
+/// A number as CSV files keep it: nine digits tell a double's first half, which is more than any
+/// measure here knows.
 std::string csvNumber(double value);
 
 }  // namespace demos::report

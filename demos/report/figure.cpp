@@ -17,7 +17,8 @@ namespace demos::report {
 namespace {
 
 constexpr int fontSize = 12, titleHeight = 40;
-// Room for tics and names of the axes around a panel, and for the names at the ends of curves, in pixels.
+// Room for tics and names of the axes around a panel, and for the names at the ends of curves, in
+// pixels.
 constexpr int leftRoom = 74, rightRoom = 16, topRoom = 30, bottomRoom = 52;
 
 std::string number(double value) {
@@ -26,7 +27,8 @@ std::string number(double value) {
   return word;
 }
 
-/// What has run away further leaves no room on an axis for the others (and no time: gnuplot counts the tics of 1e128).
+/// What has run away further leaves no room on an axis for the others (and no time: gnuplot counts
+/// the tics of 1e128).
 constexpr double farthest = 1e12;
 
 bool drawable(double value, bool log) { return std::abs(value) < farthest && (!log || value > 0); }

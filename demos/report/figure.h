@@ -40,8 +40,8 @@ struct Figure {
 constexpr const char* noGnuplot =
     "gnuplot is missing: no pictures, only data (apt-get install gnuplot-nox)";
 
-/// Writes `name`.gp into the folder and has gnuplot draw `name`.svg and `name`.png from it. What is wrong, if anything, is
-/// returned as one line; the report is then one without this picture.
+/// Writes `name`.gp into the folder and has gnuplot draw `name`.svg and `name`.png from it. What is
+/// wrong, if anything, is returned as one line; the report is then one without this picture.
 std::string draw(const Figure& figure, const std::filesystem::path& folder,
                  const std::string& name);
 
@@ -55,13 +55,15 @@ void addFault(std::string& faults, const std::string& fault);
 /// Columns for that many small panels: about square, at most four.
 int panelColumns(std::size_t panels);
 
-/// `text` in gnuplot's double quotes, letter by letter: what stands between backticks would be run as a command of the shell.
+/// `text` in gnuplot's double quotes, letter by letter: what stands between backticks would be run
+/// as a command of the shell.
 std::string literal(const std::string& text);
 
 /// The script alone.
 std::string gnuplotScript(const Figure& figure, const std::string& name);
 
-/// Okabe and Ito's colours, told apart by all; ours is the strong blue, everybody keeps one colour in all pictures.
+/// Okabe and Ito's colours, told apart by all; ours is the strong blue, everybody keeps one colour
+/// in all pictures.
 std::string familyColour(const std::string& family);
 
 }  // namespace demos::report

@@ -5,7 +5,8 @@
 
 namespace demos::report {
 
-/// A name for the point (x, y) of a panel, in shares of its width and height, and where the name begins (left, middle).
+/// A name for the point (x, y) of a panel, in shares of its width and height, and where the name
+/// begins (left, middle).
 struct Label {
   std::string text, colour;
   double x, y;
@@ -17,8 +18,8 @@ struct Dot {
   double x, y;
 };
 
-/// Puts every name beside its point, to the right if it can be, and higher or lower where something stands already.
-/// `letter` and `line` are the width of a letter and the height of a line.
+/// Puts every name beside its point, to the right if it can be, and higher or lower where something
+/// stands already. `letter` and `line` are the width of a letter and the height of a line.
 std::vector<Label> placeLabels(std::vector<Label> labels, const std::vector<Dot>& dots,
                                double letter, double line);
 

@@ -4,7 +4,8 @@
 
 namespace demos::report {
 
-/// The resident memory that another solver comes to need while it solves a group: its highest, not its last.
+/// The resident memory that another solver comes to need while it solves a group: its highest, not
+/// its last.
 class MemoryPeak : public SolverDecorator {
  public:
   using SolverDecorator::SolverDecorator;

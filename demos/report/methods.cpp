@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::size_t pointLength = 10;
 
-/// The numbers of a run before its motion and memory, in the order in which they come from the process apart.
+/// The numbers of a run before its motion and memory, in the order in which they come from the
+/// process apart.
 template <class Run, class Visit>
 void visitNumbers(Run& run, const Visit& visit) {
   visit(run.seconds);
@@ -93,8 +94,9 @@ MethodRun solveRepeatedly(const Method& method, const CapturedStep& step,
   run.memory = readMemory(step);
   run.fallbacks = named.fallbacks();
 
-  // Steps are not announced to the solver (prepareSolve): so ours keeps nothing beside the points, or a repeat would begin from
-  // the answer of the run before. The first run warms caches and workspaces; it counts only where there is no time for another.
+  // Steps are not announced to the solver (prepareSolve): so ours keeps nothing beside the points,
+  // or a repeat would begin from the answer of the run before. The first run warms caches and
+  // workspaces; it counts only where there is no time for another.
   std::vector<double> seconds;
   double spent = firstSeconds;
   const auto another = [&] {

@@ -9,7 +9,8 @@
 
 namespace demos::report {
 
-/// One way to solve a step: a solver with its settings. Those of one family differ in how much work they do.
+/// One way to solve a step: a solver with its settings. Those of one family differ in how much work
+/// they do.
 struct Method {
   std::string name;    ///< as in `run`
   std::string family;  ///< delassus, si, si2, nncg, pgs, dantzig or lemke
@@ -40,9 +41,10 @@ struct Timing {
   double seconds;  ///< repeats end early when they have taken that long altogether
 };
 
-/// Gives the step to the method, with `memory` as the impulses stored in its contact points, in a process of its own: the
-/// world stays as it is. The first run is judged, the repeats are timed, each from the same start as the first. What a solver
-/// remembers beside the points is not there: with us, joints and fresh points begin from nothing.
+/// Gives the step to the method, with `memory` as the impulses stored in its contact points, in a
+/// process of its own: the world stays as it is. The first run is judged, the repeats are timed,
+/// each from the same start as the first. What a solver remembers beside the points is not there:
+/// with us, joints and fresh points begin from nothing.
 MethodRun runMethod(const Method& method, const CapturedStep& step, const StepProblem& problem,
                     const StepMemory& memory, const Timing& timing);
 

@@ -5,7 +5,8 @@
 
 namespace demos::report {
 
-/// What one method reaches in which time. Which unit the cost is in, and what the error is of, its owner knows.
+/// What one method reaches in which time. Which unit the cost is in, and what the error is of, its
+/// owner knows.
 struct Effort {
   std::string method, family;
   double cost, costLow, costHigh;
@@ -29,8 +30,9 @@ struct Defeat {
   const Effort* own;  ///< the cheapest of the family that is as good, or null if none is
 };
 
-/// Where the curve of `family` is not on or below the others', for errors below `error`. Every corner of the others' front is
-/// looked at; between them nothing changes for the worse. Costs whose spreads overlap are equal.
+/// Where the curve of `family` is not on or below the others', for errors below `error`. Every
+/// corner of the others' front is looked at; between them nothing changes for the worse. Costs
+/// whose spreads overlap are equal.
 std::vector<Defeat> defeats(const std::vector<Effort>& efforts, const std::string& family,
                             double error);
 

@@ -10,7 +10,8 @@
 
 namespace demos::report {
 
-/// A piece of work that ends in one CSV file. A report that was interrupted goes on with the files that are missing.
+/// A piece of work that ends in one CSV file. A report that was interrupted goes on with the files
+/// that are missing.
 struct Unit {
   std::string file;  ///< in the part's folder, without its ending
   std::function<CsvTable(const Progress&)> measure;
@@ -40,15 +41,18 @@ Part ablationPart(const Plan& plan);
 /// Removes the CSV files of these parts; whatever else is in their folders stays.
 void removeMeasures(const std::filesystem::path& folder, const std::vector<Part>& parts);
 
-/// Makes the folders and notes in the first what command its data are made by, and in what precision: what is to go on must be the same. Removes the parts'
-/// measures unless it is to go on. Throws where the note is somebody else's file, or a folder cannot be made.
+/// Makes the folders and notes in the first what command its data are made by, and in what
+/// precision: what is to go on must be the same. Removes the parts' measures unless it is to go on.
+/// Throws where the note is somebody else's file, or a folder cannot be made.
 void stamp(const std::filesystem::path& folder, const std::string& command, bool resume,
            const std::vector<Part>& parts);
 
-/// Measures what is missing. Returns the number of units that are still missing, if the user stopped it.
+/// Measures what is missing. Returns the number of units that are still missing, if the user
+/// stopped it.
 int measure(const std::vector<Part>& parts, const std::filesystem::path& folder);
 
-/// Measures what is missing, or everything anew, and writes the page. Returns false if it was interrupted.
+/// Measures what is missing, or everything anew, and writes the page. Returns false if it was
+/// interrupted.
 bool makeReport(const ReportArguments& arguments);
 
 }  // namespace demos::report

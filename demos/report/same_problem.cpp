@@ -72,8 +72,9 @@ std::vector<Seen> scout(const SceneDescription& scene, const Plan& plan, const P
   return seen;
 }
 
-/// Cold: the first step with reactions. Impact: the one in which they do most, and settling: the one after it in which most
-/// contacts change their mode, or halfway to the end if none does. Resting: the last.
+/// Cold: the first step with reactions. Impact: the one in which they do most, and settling: the
+/// one after it in which most contacts change their mode, or halfway to the end if none does.
+/// Resting: the last.
 Samples chooseSamples(const std::vector<Seen>& seen) {
   Samples samples;
   const int steps = int(seen.size());
@@ -140,10 +141,10 @@ class Comparison {
                 const std::vector<int>& earlier) {
     const Timing once{plan_.timing.secondsLimit, 0, 0, 0};
     for (std::size_t i = 0; i < plan_.methods.size(); ++i) {
-      if (given_up_.count(i) != 0) continue;
+      if (givenUp_.count(i) != 0) continue;
       MethodRun run =
           runMethod(plan_.methods[i], step, problem, carried(memories_[i], earlier), once);
-      if (run.ending != Ending::Done) given_up_[i] = run.ending;
+      if (run.ending != Ending::Done) givenUp_[i] = run.ending;
       memories_[i] = std::move(run.memory);
     }
   }
@@ -156,12 +157,12 @@ class Comparison {
       for (const char* view : {"cold", "warm"}) {
         const bool cold = view == std::string("cold");
         MethodRun run;
-        if (given_up_.count(i) != 0)
-          run.ending = given_up_[i];
+        if (givenUp_.count(i) != 0)
+          run.ending = givenUp_[i];
         else
           run = runMethod(plan_.methods[i], step, problem,
                           cold ? nothing : carried(memories_[i], earlier), plan_.timing);
-        if (run.ending != Ending::Done) given_up_[i] = run.ending;
+        if (run.ending != Ending::Done) givenUp_[i] = run.ending;
         addRow(phase, view, plan_.methods[i], problem, truth, run);
         if (!cold) memories_[i] = std::move(run.memory);
       }
@@ -213,8 +214,8 @@ class Comparison {
   const Plan& plan_;
   Samples samples_;
   std::vector<StepMemory> memories_;
-  std::map<std::size_t, Ending>
-      given_up_;  ///< methods that took too long or crashed, not asked again
+  /// Methods that took too long or crashed, not asked again.
+  std::map<std::size_t, Ending> givenUp_;
   CsvTable table_ = sameProblemTable();
   int step_ = 0, done_ = 0;
 };

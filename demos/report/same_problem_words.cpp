@@ -61,8 +61,8 @@ std::string workOf(const SceneView& view, const std::string& method) {
   return "";
 }
 
-/// Every place where our curve is not on or below the others. An error counts as below that of ten sweeps if a tenth of it
-/// is gone; elsewhere the two are the same.
+/// Every place where our curve is not on or below the others. An error counts as below that of ten
+/// sweeps if a tenth of it is gone; elsewhere the two are the same.
 std::string defeatTable(const std::vector<SceneView>& views) {
   constexpr double below = 0.9;
   MarkdownTable table({"scene", "start", "error", "faster", "ms", "ours", "ms", "times as long",

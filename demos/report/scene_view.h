@@ -15,8 +15,8 @@ struct SceneView {
   double residual = 0;  ///< of v*, the worst sample's, m/s
   double floor = 0;     ///< errors below it are not told apart: what is known of v*
   int uncertain = 0;    ///< samples left out since v* is not known well enough
-  std::vector<Effort>
-      motion;  ///< error of the motion: the worst of the samples; cost: mean of the samples, ms
+  /// Error of the motion: the worst of the samples; cost: mean of the samples, ms.
+  std::vector<Effort> motion;
   std::vector<Effort> modes;      ///< error: mean share of contacts in a wrong mode
   std::vector<Effort> residuals;  ///< error: the worst natural residual, m/s
   std::vector<std::pair<std::string, std::string>> excluded;  ///< method and why
@@ -29,7 +29,8 @@ struct SceneView {
   std::vector<Work> work;
 };
 
-/// Reads the file of a scene. The warm view leaves out the cold sample, where nothing is remembered yet.
+/// Reads the file of a scene. The warm view leaves out the cold sample, where nothing is remembered
+/// yet.
 SceneView readSceneView(const std::filesystem::path& file, const std::string& scene,
                         const std::string& view);
 

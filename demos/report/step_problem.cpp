@@ -45,7 +45,8 @@ MotionMode modeOf(const Contact& contact, const Motion& motion) {
   return slides ? MotionMode::Slide : MotionMode::Stick;
 }
 
-/// Puts the refined motion of an island in the place of what `reactions` make of it. False if there is none.
+/// Puts the refined motion of an island in the place of what `reactions` make of it. False if there
+/// is none.
 bool moveRefined(std::vector<Body>& bodies, const bullet::Group& group, const Island& island,
                  const VectorXd& reactions, int mostRefined) {
   const auto turns = [&](int row) { return group.rows[std::size_t(row)].governor >= 0; };

@@ -11,7 +11,8 @@ namespace demos::report {
 /// The velocities of the bodies of all groups of a step, in the order in which they were gathered.
 using Motion = std::vector<delassus::Vec6>;
 
-/// How contacts are taken by a motion, read from the motion alone, since reactions of redundant contacts are not unique.
+/// How contacts are taken by a motion, read from the motion alone, since reactions of redundant
+/// contacts are not unique.
 enum class MotionMode : unsigned char { Open, Stick, Slide };
 
 /// All groups of one step as the problem that the law is about.
@@ -32,8 +33,8 @@ class StepProblem {
   Motion currentMotion() const;
   /// |v − w|_M = √( (v − w)ᵀ M (v − w) ), √kg m/s; locked axes do not count.
   double distance(const Motion& v, const Motion& w) const;
-  /// The modes of all contacts: open where u_n > ε, else slide where |u_t| > ε, else stick, ε = 1 mm/s. A contact without
-  /// friction is open or slides.
+  /// The modes of all contacts: open where u_n > ε, else slide where |u_t| > ε, else stick, ε = 1
+  /// mm/s. A contact without friction is open or slides.
   std::vector<MotionMode> modes(const Motion& motion) const;
 
   const std::vector<delassus::bullet::Group>& groups() const { return groups_; }
@@ -60,8 +61,9 @@ struct Certified {
   bool known() const { return ending == Ending::Done && size > 0; }
 };
 
-/// Solves to tolerance 1e-12 twice, from rest and from the stored impulses, and refines the answers of islands of up to
-/// `mostRefined` unknowns. v* is the refined one of both answers, or the one with the smaller residual.
+/// Solves to tolerance 1e-12 twice, from rest and from the stored impulses, and refines the answers
+/// of islands of up to `mostRefined` unknowns. v* is the refined one of both answers, or the one
+/// with the smaller residual.
 Certified certify(const StepProblem& problem, double secondsLimit, int mostRefined = 0);
 
 }  // namespace demos::report

@@ -6,7 +6,8 @@ namespace demos {
 
 namespace {
 
-/// A prism over the quadrilateral `outline` (x, y; about its centre of mass), as a hull that meets others face to face.
+/// A prism over the quadrilateral `outline` (x, y; about its centre of mass), as a hull that meets
+/// others face to face.
 btConvexHullShape& addPrism(World& world, const std::array<btVector3, 4>& outline,
                             btScalar halfDepth) {
   auto hull = std::make_unique<btConvexHullShape>();
@@ -29,7 +30,8 @@ double trapeziumCentre(double low, double high, double height) {
 std::unique_ptr<World> buildArch(int voussoirs, double thickness) {
   constexpr double radius = 5, mu = 0.7;
   constexpr btScalar halfDepth = btScalar(0.5);
-  // Pressed together by this much, so that Bullet sees all corners of every joint from the first step on, m.
+  // Pressed together by this much, so that Bullet sees all corners of every joint from the first
+  // step on, m.
   constexpr double bite = 1e-5;
   auto world = std::make_unique<World>();
   world->dynamics().getDispatchInfo().m_enableSatConvex = true;

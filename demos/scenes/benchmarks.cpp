@@ -1,5 +1,6 @@
-// Scenes 1 to 4 of Bullet's BenchmarkDemo, rebuilt: its counts, sizes, masses, spacings and frictions. Unlike there, nothing
-// sleeps, gravity is that of all scenes, and dolls and barrels are ours.
+// Scenes 1 to 4 of Bullet's BenchmarkDemo, rebuilt: its counts, sizes, masses, spacings and
+// frictions. Unlike there, nothing sleeps, gravity is that of all scenes, and dolls and barrels are
+// ours.
 #include "demos/scenes/benchmarks.h"
 
 #include <cmath>
@@ -81,7 +82,8 @@ void addRoundTower(World& world, btBoxShape& box, double centreX, int storeys, i
     }
 }
 
-/// A barrel of eight staves, 4 m high: rings of radius 1.1, 1.6 and 1.8 m, and the middles of its ends.
+/// A barrel of eight staves, 4 m high: rings of radius 1.1, 1.6 and 1.8 m, and the middles of its
+/// ends.
 btConvexHullShape& makeBarrel(World& world) {
   constexpr int staves = 8;
   constexpr double rings[][2] = {{-2, 1.1}, {-1, 1.6}, {0, 1.8}, {1, 1.6}, {2, 1.1}};  // y, radius

@@ -29,7 +29,8 @@ std::string readBytes(const std::string& path) {
 
 /// Bullet's importer trusts what it reads. A file goes through it only if every chunk of
 ///
-///     "BULLET", f or d, _ or - (4 or 8 byte pointers), v or V (little or big endian), version; chunks; the chunk "DNA1"
+///     "BULLET", f or d, _ or - (4 or 8 byte pointers), v or V (little or big endian), version;
+///     chunks; the chunk "DNA1"
 ///
 /// lies within the file; a chunk begins with its code, its length, a pointer and two counts.
 void checkChunks(const std::string& path, const std::string& bytes) {
@@ -54,7 +55,8 @@ void checkChunks(const std::string& path, const std::string& bytes) {
                         " bytes, without a whole 'DNA1' chunk at its end)");
 }
 
-/// Bullet asks a hull for its farthest point, and reads nowhere where it has none, but only once something comes near.
+/// Bullet asks a hull for its farthest point, and reads nowhere where it has none, but only once
+/// something comes near.
 bool hasPoints(const btCollisionShape& shape) {
   if (shape.isCompound()) {
     const auto& compound = static_cast<const btCompoundShape&>(shape);

@@ -17,14 +17,16 @@ class BulletFileError : public std::runtime_error {
 
 struct LoadedFile {
   std::unique_ptr<World> world;
-  std::vector<std::string>
-      notes;  ///< what was read and which of the file's settings are kept, a line each
+  /// What was read and which of the file's settings are kept, a line each.
+  std::vector<std::string> notes;
 };
 
-/// Reads a world that Bullet serialised, in either precision, into a world like those of the scenes.
+/// Reads a world that Bullet serialised, in either precision, into a world like those of the
+/// scenes.
 ///
-/// Bodies, shapes, joints and gravity are the file's. Its solver settings (iterations, erp, split impulse, ...) are
-/// not kept: worlds are compared under the settings that Bullet gives a new world. Sleeping is Bullet's default.
+/// Bodies, shapes, joints and gravity are the file's. Its solver settings (iterations, erp, split
+/// impulse, ...) are not kept: worlds are compared under the settings that Bullet gives a new
+/// world. Sleeping is Bullet's default.
 LoadedFile loadBulletFile(const std::string& path);
 
 }  // namespace demos

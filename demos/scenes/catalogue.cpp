@@ -15,8 +15,9 @@ namespace {
 
 constexpr double degree = M_PI / 180;
 
-/// Steps that treat a tension T explicitly are stable while h ω < 2. For links of mass m and length L that zigzag,
-/// ω² = 12 T/(m L): at T = 1.6 · 981 N, 0.1 kg and 0.5 m, that asks for 306 Hz of any solver.
+/// Steps that treat a tension T explicitly are stable while h ω < 2. For links of mass m and length
+/// L that zigzag, ω² = 12 T/(m L): at T = 1.6 · 981 N, 0.1 kg and 0.5 m, that asks for 306 Hz of
+/// any solver.
 constexpr double chainRate = 480;
 
 Camera seenFrom(double x, double y, double z, double targetY = 1, double fov = 40) {

@@ -14,7 +14,8 @@ namespace {
 constexpr double legX = 0.75, legZ = 0.5, footRadius = 0.0625, halfTop = 0.0625, height = 0.75;
 constexpr double halfLoad = 0.125, loadZ = 0.125;
 constexpr btScalar tableMass = 20, loadMass = 100;  // kg
-// What touches is sunk in by Bullet's linear slop: a foot a rounding above the ground would have no contact.
+// What touches is sunk in by Bullet's linear slop: a foot a rounding above the ground would have no
+// contact.
 constexpr double slop = 1. / 8192;
 constexpr double speed = 0.2, reach = 0.5;  // m/s, m: from −reach to +reach in 5 s
 

@@ -77,9 +77,9 @@ void JudgedSolver::afterGroup(const GroupArguments& arguments) {
   }
 }
 
-/// The reactions of the disks that bring the rotations from what the reactions `r` of the others leave to what the bodies have
-/// now. Where several disks share them, each takes part in proportion to its radius κ r_n, as far as that goes: Σ (‖r_d‖ / κ r_n)²
-/// is least.
+/// The reactions of the disks that bring the rotations from what the reactions `r` of the others
+/// leave to what the bodies have now. Where several disks share them, each takes part in proportion
+/// to its radius κ r_n, as far as that goes: Σ (‖r_d‖ / κ r_n)² is least.
 void JudgedSolver::addTurning(const Island& island, const Problem& problem, VectorXd& r) const {
   std::vector<Body> after = group_.bodies;
   for (const int i : island.bodies) {
@@ -93,7 +93,8 @@ void JudgedSolver::addTurning(const Island& island, const Problem& problem, Vect
   VectorXd radius(count);
   for (const Disk& disk : problem.disks)
     radius.segment(disk.first - begin, disk.unknowns).setConstant(disk.radiusAt(r));
-  // What presses on nothing may turn as well, in a solver that does not know better: then it shows as an error.
+  // What presses on nothing may turn as well, in a solver that does not know better: then it shows
+  // as an error.
   constexpr double unloaded = 1e-6;
   const double largest = radius.maxCoeff();
   radius = largest > 0 ? VectorXd(radius.cwiseMax(unloaded * largest)) : VectorXd::Ones(count);

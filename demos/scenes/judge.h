@@ -19,13 +19,16 @@ struct Verdict {
 
 /// Judges any Bullet solver by the law that ours is judged by.
 ///
-/// Before a group is solved, the problem (W, q, friction, bounds) is gathered from the same arguments that the solver gets;
-/// after it, the reactions that the solver wrote into Bullet's contact points and joint feedback are put into that problem.
-/// A joint's feedback is all rows together; they are told apart by least squares, exact where the rows are independent. What
-/// rolling and spinning friction did is written nowhere: it is what the others leave unexplained of the rotations.
+/// Before a group is solved, the problem (W, q, friction, bounds) is gathered from the same
+/// arguments that the solver gets; after it, the reactions that the solver wrote into Bullet's
+/// contact points and joint feedback are put into that problem. A joint's feedback is all rows
+/// together; they are told apart by least squares, exact where the rows are independent. What
+/// rolling and spinning friction did is written nowhere: it is what the others leave unexplained of
+/// the rotations.
 class JudgedSolver : public SolverDecorator {
  public:
-  /// `cfm` is the global CFM of the scene: what a solver adds to it for its own sake counts as its error.
+  /// `cfm` is the global CFM of the scene: what a solver adds to it for its own sake counts as its
+  /// error.
   JudgedSolver(btConstraintSolver& inner, btScalar cfm) : SolverDecorator(inner), cfm_(cfm) {}
 
   /// The verdict on all groups since the last call.

@@ -36,7 +36,8 @@ double distance(const JointFrames& frames) {
   return (frames.b.getOrigin() - frames.a.getOrigin()).length();
 }
 
-/// Six-dof joints: how far the displacement, in the frame of `a`, is outside its limits. An axis with lower > upper is free.
+/// Six-dof joints: how far the displacement, in the frame of `a`, is outside its limits. An axis
+/// with lower > upper is free.
 template <class Joint>
 double sixDofError(const Joint& constJoint) {
   Joint& joint = const_cast<Joint&>(constJoint);

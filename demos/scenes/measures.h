@@ -8,7 +8,8 @@
 
 namespace demos {
 
-/// How far a joint is pulled apart along the directions that it locks, m. Zero for joints that are disabled or hold no points.
+/// How far a joint is pulled apart along the directions that it locks, m. Zero for joints that are
+/// disabled or hold no points.
 double jointError(const btTypedConstraint& joint);
 double largestJointError(const btDiscreteDynamicsWorld& world);
 
@@ -22,15 +23,16 @@ double potentialEnergy(const World& world);
 /// Both, J.
 double totalEnergy(const World& world);
 
-/// Whether poses and velocities of all movable bodies are numbers. Where they are not, the world is lost: contacts are found no more, and
-/// nothing that is measured on what is left says anything.
+/// Whether poses and velocities of all movable bodies are numbers. Where they are not, the world is
+/// lost: contacts are found no more, and nothing that is measured on what is left says anything.
 bool isFinite(const World& world);
 
-/// What the immovable bodies carried of the weight in the last step: Σ reactions along −G over |G|, G the weight of all
-/// movable bodies. 1 at rest. Zero in a world without weight.
+/// What the immovable bodies carried of the weight in the last step: Σ reactions along −G over |G|,
+/// G the weight of all movable bodies. 1 at rest. Zero in a world without weight.
 double reactionOverWeight(const World& world, double timeStep);
 
-/// Contacts of the last step by what the solver wrote: without reaction; inside their cone; on its border.
+/// Contacts of the last step by what the solver wrote: without reaction; inside their cone; on its
+/// border.
 struct ModeCounts {
   int open = 0, stick = 0, slide = 0;
 };
@@ -47,13 +49,14 @@ class Drift {
   std::vector<btVector3> start_;
 };
 
-/// Movable bodies whose centre of mass has come into an immovable box or behind an immovable plane and is still there, or has
-/// left the box on its lower side. (What is thin and fast may dip in for some steps and be pushed out again.)
+/// Movable bodies whose centre of mass has come into an immovable box or behind an immovable plane
+/// and is still there, or has left the box on its lower side. (What is thin and fast may dip in for
+/// some steps and be pushed out again.)
 class Tunnelling {
  public:
   explicit Tunnelling(const World& world);
-  /// Looks where the bodies are; call it after every step. Whoever falls through a slab is seen in it, unless a step takes it
-  /// right across.
+  /// Looks where the bodies are; call it after every step. Whoever falls through a slab is seen in
+  /// it, unless a step takes it right across.
   void look();
   int bodies() const;
 
@@ -63,8 +66,8 @@ class Tunnelling {
   std::vector<const btCollisionObject*> entered_;  ///< by each of them, last; or null
 };
 
-/// The reaction on body 0 that a solver wrote into a point, N·s. A stock solver with one friction direction leaves the second
-/// impulse as it was: zero, in a world that it alone has stepped.
+/// The reaction on body 0 that a solver wrote into a point, N·s. A stock solver with one friction
+/// direction leaves the second impulse as it was: zero, in a world that it alone has stepped.
 btVector3 writtenReaction(const btManifoldPoint& point);
 
 }  // namespace demos

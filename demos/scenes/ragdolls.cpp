@@ -11,7 +11,8 @@ const btQuaternion xToUp = aboutZ(M_PI / 2), xToTheLeft = aboutZ(M_PI);
 const btQuaternion zToTheSide(btVector3(0, 1, 0), btScalar(M_PI / 2));
 const btQuaternion zToUp(btVector3(1, 0, 0), btScalar(-M_PI / 2));
 
-/// One limb: a capsule of 1 kg from `from` to `to`, both measured from the feet of a doll of scale 1.
+/// One limb: a capsule of 1 kg from `from` to `to`, both measured from the feet of a doll of scale
+/// 1.
 struct Limb {
   btVector3 from, to;
   btScalar radius;
@@ -41,8 +42,9 @@ class Doll {
     world_.join(std::move(made));
   }
 
-  /// A cone at `joint` around the x axis of `axes`, which is that of the limb: about any other axis a limb that spins
-  /// would run far past its twist, and come back with the speed that the joint's law asks for.
+  /// A cone at `joint` around the x axis of `axes`, which is that of the limb: about any other axis
+  /// a limb that spins would run far past its twist, and come back with the speed that the joint's
+  /// law asks for.
   void coneTwist(btRigidBody& a, btRigidBody& b, const btVector3& joint, const btQuaternion& axes,
                  btScalar swing, btScalar twist) {
     const btTransform frame = place_ * btTransform(axes, scale_ * joint);

@@ -98,7 +98,8 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
     milliseconds.push_back(1e3 * timed.takeSeconds());
     Verdict now = judge.takeVerdict();
     if (!isFinite(world)) {
-      // Lost bodies are left out of contacts and of the problem that is judged: what is left may look sound.
+      // Lost bodies are left out of contacts and of the problem that is judged: what is left may
+      // look sound.
       ++summary.stepsLost;
       now.max = now.sumOfSquares = std::nan("");
       now.count = std::max(now.count, 1L);

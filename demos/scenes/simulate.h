@@ -18,13 +18,16 @@ struct RunSettings {
   std::optional<Law> law = std::nullopt;
 };
 
-/// seconds · hz as a whole number. Throws std::runtime_error above a billion: nobody would see the end of it.
+/// seconds · hz as a whole number. Throws std::runtime_error above a billion: nobody would see the
+/// end of it.
 int stepsIn(double seconds, double hz);
 
-/// One solver on one world: what moved, how well the law was kept, what it cost. The keys of `run --json`.
+/// One solver on one world: what moved, how well the law was kept, what it cost. The keys of `run
+/// --json`.
 ///
-/// Residuals and the error of the law are over the last three quarters of the run, residuals in m/s. Times are of solveGroup alone, per step.
-/// Where a world is lost, the residual, the drift and whatever else is measured on lost bodies are NaN.
+/// Residuals and the error of the law are over the last three quarters of the run, residuals in
+/// m/s. Times are of solveGroup alone, per step. Where a world is lost, the residual, the drift and
+/// whatever else is measured on lost bodies are NaN.
 struct RunSummary {
   static constexpr double strict = 1e-6;  ///< m/s
 

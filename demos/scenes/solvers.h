@@ -24,9 +24,11 @@ class UnknownSolver : public std::runtime_error {
 /// The constraint solver that a name stands for, and the settings of the world that go with it:
 ///
 ///     delassus, delassus:TOL    region selection, to its default tolerance or to TOL
-///     delassus/N                the same with a budget of N sweeps, and a region for every twenty of them, but at least one, an island
-///     si:N, si2:N, nncg:N       Bullet's sequential impulses, the same with two friction directions, and NNCG; N sweeps
-///     dantzig, dantzig:CFM      Bullet's MLCP solver on Dantzig's method, with the global CFM given
+///     delassus/N                the same, an island with N sweeps and a region for every twenty of
+///                               them, but at least one
+///     si:N, si2:N, nncg:N       Bullet's sequential impulses, the same with two friction
+///                               directions, and NNCG; N sweeps
+///     dantzig, dantzig:CFM      Bullet's MLCP solver on Dantzig's method, with the global CFM
 ///     lemke, pgs:N              the same on Lemke's method, and on N projected Gauss-Seidel sweeps
 class NamedSolver {
  public:

@@ -4,7 +4,8 @@
 
 namespace demos {
 
-/// The value that lies `share` of the way from the least to the largest by rank, the nearest that is there. NaN of none.
+/// The value that lies `share` of the way from the least to the largest by rank, the nearest that
+/// is there. NaN of none.
 double quantile(std::vector<double> values, double share);
 /// Of an even number of values, the upper one of the two in the middle.
 double median(std::vector<double> values);

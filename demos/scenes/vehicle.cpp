@@ -10,7 +10,8 @@ constexpr btScalar engineForce = 1000, brakeImpulse = 20;  // N and N·s a step,
 constexpr double drivesUntil = 5;                          // s
 constexpr double startX = 20;                              // m; it drives towards -x
 
-/// Bullet's vehicle with what it needs. It is an action of the world: it pushes the chassis after each step.
+/// Bullet's vehicle with what it needs. It is an action of the world: it pushes the chassis after
+/// each step.
 struct Vehicle {
   Vehicle(btDynamicsWorld& in, btRigidBody& chassis)
       : world(in), raycaster(&in), vehicle(tuning, &chassis, &raycaster) {
@@ -36,7 +37,8 @@ struct Vehicle {
   btRaycastVehicle vehicle;
 };
 
-/// Three layers, each shorter than the one below: steps of an eighth of a metre that the wheels climb.
+/// Three layers, each shorter than the one below: steps of an eighth of a metre that the wheels
+/// climb.
 void addMound(World& world) {
   constexpr double halfThickness = 0.0625, pitch = 0.65;  // m; heights are without rounding
   const btVector3 half = vec3(0.3, halfThickness, 3);

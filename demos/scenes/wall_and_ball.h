@@ -15,8 +15,8 @@ struct Throw {
   double timeOfFlight = 0.4;  ///< until then, s
 };
 
-/// The velocity with which the ball starts from (0, height, distance), m/s: v_y = g t/2 brings it back to its
-/// height, v_z = -distance/t.
+/// The velocity with which the ball starts from (0, height, distance), m/s: v_y = g t/2 brings it
+/// back to its height, v_z = -distance/t.
 btVector3 throwVelocity(const Throw& thrown);
 
 /// `columns` x `rows` bricks of 2 kg and the ball; the ball is the last body.

@@ -6,8 +6,9 @@
 
 namespace demos {
 
-/// What joints were left with in the last step, by which our solver knows them again: to gather their rows clears it. Put back at
-/// the end of its life, so that who only looks on changes nothing.
+/// What joints were left with in the last step, by which our solver knows them again: to gather
+/// their rows clears it. Put back at the end of its life, so that who only looks on changes
+/// nothing.
 class WatchedJoints {
  public:
   WatchedJoints(btTypedConstraint* const* joints, int count) : joints_(joints, joints + count) {

@@ -24,7 +24,8 @@ inline btQuaternion aboutZ(double angle) {
   return btQuaternion(btVector3(0, 0, 1), btScalar(angle));
 }
 
-/// What a surface is made of. Bullet multiplies the frictions of the two surfaces in touch; see `surfaceFriction`.
+/// What a surface is made of. Bullet multiplies the frictions of the two surfaces in touch; see
+/// `surfaceFriction`.
 struct Material {
   btScalar friction = 0;
   btScalar restitution = 0;
@@ -33,10 +34,12 @@ struct Material {
 /// The coefficient of a surface such that two of its kind rub with Coulomb's `mu`: √mu.
 btScalar surfaceFriction(double mu);
 
-/// A Bullet world that owns all it is made of, so that scenes, tests and pictures can pass it around.
+/// A Bullet world that owns all it is made of, so that scenes, tests and pictures can pass it
+/// around.
 ///
-/// Gravity is 9.81 m/s² along −y, nothing sleeps, and pairs are ordered: the same calls give the same bits. The solver is
-/// Bullet's own until `setSolver` names another; it is not owned and must outlive the world.
+/// Gravity is 9.81 m/s² along −y, nothing sleeps, and pairs are ordered: the same calls give the
+/// same bits. The solver is Bullet's own until `setSolver` names another; it is not owned and must
+/// outlive the world.
 class World {
  public:
   World();
@@ -67,10 +70,12 @@ class World {
   /// `linked` bodies do not collide with each other.
   btTypedConstraint& join(std::unique_ptr<btTypedConstraint> joint, bool linkedCollide = false);
 
-  /// Called before every step with the time at its start: what a machine or a hand does in the scene.
+  /// Called before every step with the time at its start: what a machine or a hand does in the
+  /// scene.
   void setScript(std::function<void(double time)> script) { script_ = std::move(script); }
 
-  /// Makes every step of as many substeps, each with collision detection and a solve of its own. Powers of two are exact.
+  /// Makes every step of as many substeps, each with collision detection and a solve of its own.
+  /// Powers of two are exact.
   void setSubsteps(int count) { substeps_ = count; }
 
   /// One step of `dt` seconds, without interpolation.
@@ -82,7 +87,8 @@ class World {
   std::vector<btRigidBody*> movableBodies() const;
   int contactCount() const;
 
-  /// A thing that owns bodies of this world (a loaded file) and takes them out of it when it goes: first of all.
+  /// A thing that owns bodies of this world (a loaded file) and takes them out of it when it goes:
+  /// first of all.
   void keep(std::shared_ptr<void> thing) { kept_.push_back(std::move(thing)); }
 
  private:

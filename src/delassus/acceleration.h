@@ -7,22 +7,26 @@
 
 namespace delassus {
 
-/// Two ways to hurry a fixed-point iteration x ← g(x) along. Both are asked for the next x once g = g(x) is known, and measure
-/// by ‖v‖² = Σ weight_i v_i², weights ≥ 0. `start` keeps a pointer to the weights, which must outlive the steps.
+/// Two ways to hurry a fixed-point iteration x ← g(x) along. Both are asked for the next x once g =
+/// g(x) is known, and measure by ‖v‖² = Σ weight_i v_i², weights ≥ 0. `start` keeps a pointer to
+/// the weights, which must outlive the steps.
 ///
-/// Anderson's settles heaps of spheres ten times sooner. Where contacts are many more than the motions of their bodies it finds
-/// the answer nearest in residual, far away along the self-stress; the conjugate gradient stays near the reactions that it came
-/// from, and a pile at rest rests on (pyramid_50: 2 regions a step, after Anderson's sweeps 119).
+/// Anderson's settles heaps of spheres ten times sooner. Where contacts are many more than the
+/// motions of their bodies it finds the answer nearest in residual, far away along the self-stress;
+/// the conjugate gradient stays near the reactions that it came from, and a pile at rest rests on
+/// (pyramid_50: 2 regions a step, after Anderson's sweeps 119).
 
-/// Nonlinear conjugate gradient of the iteration (Silcowitz-Hansen, Niebe, Erleben 2010; algorithms §7.3):
+/// Nonlinear conjugate gradient of the iteration (Silcowitz-Hansen, Niebe, Erleben 2010; algorithms
+/// §7.3):
 ///
-///     p⁺ = f + β p,    x⁺ = x + p⁺,    f = g(x) − x,    β = ‖f‖² / ‖f_before‖²,    begun anew (β = 0) where it is above 1
+///     p⁺ = f + β p,    x⁺ = x + p⁺,    f = g(x) − x,    β = ‖f‖² / ‖f_before‖²,
+///     begun anew (β = 0) where it is above 1
 class ConjugateGradient {
  public:
   void start(const VectorXd& weights);
   void next(const VectorXd& g, VectorXd& x);
-  /// What `next` has just done, for a linear image of all vectors: from that of g and of the last x, that of x. From the start on
-  /// it is asked for after every step, or never.
+  /// What `next` has just done, for a linear image of all vectors: from that of g and of the last
+  /// x, that of x. From the start on it is asked for after every step, or never.
   void nextImage(const VectorXd& imageOfG, VectorXd& image);
   std::size_t bytes() const { return bytesOf(direction_, imageOfDirection_); }
 
@@ -37,9 +41,10 @@ class ConjugateGradient {
 ///
 ///     x⁺ = g(x) − Σ γ_j Δg_j,    γ = argmin ‖f − Σ γ_j Δf_j‖,    f = g(x) − x
 ///
-/// On a fixed region block Gauss-Seidel is affine, and this is a Krylov method for it. Where the region changes the past tells
-/// wrong: when f grows to more than `growth` times its length, it is forgotten. (With 2 heaps of spheres go round for ever; with 1 a few
-/// contacts forget too much, and need regions where their sweeps would have come to the answer.)
+/// On a fixed region block Gauss-Seidel is affine, and this is a Krylov method for it. Where the
+/// region changes the past tells wrong: when f grows to more than `growth` times its length, it is
+/// forgotten. (With 2 heaps of spheres go round for ever; with 1 a few contacts forget too much,
+/// and need regions where their sweeps would have come to the answer.)
 class Anderson {
  public:
   static constexpr int longest = 16;
@@ -58,7 +63,8 @@ class Anderson {
   const VectorXd* weights_ = nullptr;
   VectorXd g_, f_;     ///< of the last step
   VectorXd weighted_;  ///< scratch
-  // In single precision, for they only tell where to look next: half of what is read of the memory, which is most of the time.
+  // In single precision, for they only tell where to look next: half of what is read of the memory,
+  // which is most of the time.
   std::vector<float> changeG_, changeF_;              ///< one after the other, in units of unit_
   std::vector<float> rough_;                          ///< scratch
   double growth_ = 1;                                 ///< of f, beyond which all is forgotten

@@ -87,7 +87,8 @@ void Coupling::layOut(const Articulation& articulation, const Island& island) {
   }
 }
 
-/// Adds J, in the motion of the tree, to what the contact or row at `at` moves: block(column, width) is a part of it.
+/// Adds J, in the motion of the tree, to what the contact or row at `at` moves: block(column,
+/// width) is a part of it.
 template <class Block>
 void Coupling::addParts(int at, int tree, Eigen::Index columns, const Block& block) {
   using Piece =

@@ -11,8 +11,8 @@ namespace delassus {
 
 using Matrix6X = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
-/// Bodies that move together: articulated trees, in the generalised velocities v of their joints and
-/// of their base.
+/// Bodies that move together: articulated trees, in the generalised velocities v of their joints
+/// and of their base.
 ///
 ///     M⁻¹ = B Bᵀ,   velocity of a limb = L v,   v⁺ = v + M⁻¹ Jᵀ r
 ///
@@ -20,8 +20,8 @@ using Matrix6X = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 /// contacts and rows refer to it as to any other body. Its true inertia is in the tree.
 ///
 /// A row may also act on joints. It refers to the tree's stem, a limb of unit mass with L = 0 that
-/// only says which tree; what it does to the joints is given here, and their part J v of its velocity
-/// belongs into the target of the row.
+/// only says which tree; what it does to the joints is given here, and their part J v of its
+/// velocity belongs into the target of the row.
 struct Articulation {
   struct Tree {
     MatrixXd root;  ///< B
@@ -95,8 +95,8 @@ struct TreeGains {
 /// The problem of an island with trees: W from the whole motion of each tree, in blocks of six.
 class Coupling {
  public:
-  /// `apart` is the island's problem as the assembler writes it, limbs being bodies of unit mass. Good
-  /// until the next call.
+  /// `apart` is the island's problem as the assembler writes it, limbs being bodies of unit mass.
+  /// Good until the next call.
   const Problem& couple(const Articulation& articulation, const Problem& apart,
                         const Island& island);
   /// Adds what the reactions of the island that was coupled last do to the trees.

@@ -11,22 +11,25 @@
 
 namespace delassus {
 
-/// Sparse LU factor of a matrix of 6x6 blocks: one block row a body, an off-diagonal block for each pair of bodies that are
-/// coupled, by contacts or rows that press (BodyMotion) or by all that they share.
+/// Sparse LU factor of a matrix of 6x6 blocks: one block row a body, an off-diagonal block for each
+/// pair of bodies that are coupled, by contacts or rows that press (BodyMotion) or by all that they
+/// share.
 ///
-/// The pattern is symmetric, the values need not be. Blocks are eliminated in minimum-degree order without pivoting
-/// between blocks (with partial pivoting inside the diagonal blocks): the matrices are identity plus a compression.
-/// The patterns that were analysed last are kept: islands of the same shapes are solved in turn.
+/// The pattern is symmetric, the values need not be. Blocks are eliminated in minimum-degree order
+/// without pivoting between blocks (with partial pivoting inside the diagonal blocks): the matrices
+/// are identity plus a compression. The patterns that were analysed last are kept: islands of the
+/// same shapes are solved in turn.
 class BlockFactor {
  public:
   using Edge = BlockPattern::Edge;
 
-  /// Prepares for `bodies` block rows and these couplings (repeated and reversed pairs are welcome).
+  /// Prepares for `bodies` block rows and these couplings (repeated and reversed pairs are
+  /// welcome).
   void analyse(int bodies, const std::vector<Edge>& edges);
 
-  /// Sets the matrix to the identity; then blocks are added: on the diagonal, and for the edge with index `edge` the
-  /// blocks (a, b) and (b, a). `symmetric`: they will make a symmetric matrix, which halves the work. Blocks may be products: these
-  /// are added as they are worked out.
+  /// Sets the matrix to the identity; then blocks are added: on the diagonal, and for the edge with
+  /// index `edge` the blocks (a, b) and (b, a). `symmetric`: they will make a symmetric matrix,
+  /// which halves the work. Blocks may be products: these are added as they are worked out.
   void setIdentity(bool symmetric = false);
   template <class Block>
   void addDiagonal(int body, const Block& block) {
@@ -46,7 +49,8 @@ class BlockFactor {
       upper_[t.at] += Mat6(ab).transpose();
   }
 
-  /// Adds [Ja Jb]ᵀ G [Ja Jb] of a contact; `edge`: that of its two bodies, less than 0 if they are not coupled.
+  /// Adds [Ja Jb]ᵀ G [Ja Jb] of a contact; `edge`: that of its two bodies, less than 0 if they are
+  /// not coupled.
   void addContact(const ContactRows& c, const Mat3& G, int edge);
 
   /// The same of `count` rows of the same two bodies, with the weights `g`.
@@ -64,8 +68,8 @@ class BlockFactor {
     int body;
     Vec6 entries;
   };
-  /// W = J A⁻¹ Jᵀ, for A that was factored as symmetric. Row i of J is blocks[begin[i]] up to blocks[begin[i + 1]], of different
-  /// bodies, and zero elsewhere.
+  /// W = J A⁻¹ Jᵀ, for A that was factored as symmetric. Row i of J is blocks[begin[i]] up to
+  /// blocks[begin[i + 1]], of different bodies, and zero elsewhere.
   void condense(const std::vector<RowBlock>& blocks, const std::vector<int>& begin, KeptMatrix& W);
 
   std::size_t bytes() const;
@@ -79,8 +83,8 @@ class BlockFactor {
   std::vector<int> slot_;  ///< scratch: row -> block of the column being eliminated
 
   std::vector<Mat6> diagonal_, diagonalInverse_;
-  std::vector<Mat6> lower_,
-      upper_;                 ///< block (row, column) of L and block (column, row) of U, transposed
+  /// Block (row, column) of L and block (column, row) of U, transposed.
+  std::vector<Mat6> lower_, upper_;
   mutable VectorXd ordered_;  ///< scratch: a right-hand side in the elimination order
   // Scratch of condense: L⁻¹ Jᵀ, row by row of J, and where it is not zero.
   VectorXd reduced_, sums_;

@@ -5,8 +5,8 @@
 
 namespace delassus {
 
-/// What elimination does to a symmetric pattern of blocks, whatever their values: the order of minimum degree, and where the
-/// factor has blocks.
+/// What elimination does to a symmetric pattern of blocks, whatever their values: the order of
+/// minimum degree, and where the factor has blocks.
 struct BlockPattern {
   struct Edge {
     int a, b;  ///< a ≠ b

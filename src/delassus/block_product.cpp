@@ -16,7 +16,8 @@ DELASSUS_WIDE_INLINE const Four& fourAt(const double* x) {
 }
 DELASSUS_WIDE_INLINE Four& fourAt(double* x) { return *reinterpret_cast<Four*>(x); }
 
-// Twelve entries of two columns are three vectors of four: the first column's, both columns', the second's.
+// Twelve entries of two columns are three vectors of four: the first column's, both columns', the
+// second's.
 
 /// Six numbers, each four times or, where a vector belongs to two columns, twice.
 struct Spread {
@@ -57,7 +58,8 @@ struct Sum {
     for (int v = 0; v < 9; ++v) fourAt(x + 4 * v) = part[v];
   }
 
-  /// Adds A Bᵀ, or takes it away, for A of six rows and `count` columns, and B of as many, which are spread out.
+  /// Adds A Bᵀ, or takes it away, for A of six rows and `count` columns, and B of as many, which
+  /// are spread out.
   template <int count, int sign>
   DELASSUS_WIDE_INLINE void add(const double* a, const Spread* b) {
 #pragma GCC unroll 1  // sums stay in registers
@@ -78,7 +80,8 @@ struct Sum {
   }
 };
 
-/// Six rows of six numbers, the last two in the first half of `end`, that become those of the inverse in place (Gauss and Jordan).
+/// Six rows of six numbers, the last two in the first half of `end`, that become those of the
+/// inverse in place (Gauss and Jordan).
 struct Rows {
   Four begin[6], end[6];
 
@@ -132,8 +135,8 @@ struct Rows {
   }
 };
 
-/// Without pivoting: false where that could cost digits. What is symmetric and positive loses none, and its pivots are no larger than its
-/// diagonal.
+/// Without pivoting: false where that could cost digits. What is symmetric and positive loses none,
+/// and its pivots are no larger than its diagonal.
 DELASSUS_WIDE_INLINE bool invertInOrder(const Mat6& A, Mat6& inverse, bool& isNegative) {
   constexpr double mostGrowth = 2;
   Rows rows(A.data());
@@ -149,7 +152,8 @@ DELASSUS_WIDE_INLINE bool invertInOrder(const Mat6& A, Mat6& inverse, bool& isNe
   return !grows && rows.areFinite();
 }
 
-/// By Gauss's elimination with partial pivoting of the columns. False if A is singular or not finite.
+/// By Gauss's elimination with partial pivoting of the columns. False if A is singular or not
+/// finite.
 DELASSUS_WIDE_INLINE bool invertPivoting(const Mat6& A, Mat6& inverse, bool& isNegative) {
   // Rows of [Aᵀ 1], which are columns of A: what becomes of 1 is A⁻ᵀ by rows, A⁻¹ by columns.
   constexpr int width = 12;

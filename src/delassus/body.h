@@ -6,7 +6,8 @@ namespace delassus {
 
 /// What moves: one rigid body at the start of a step, world axes, about its centre of mass.
 ///
-/// A body whose inverse masses all vanish is immovable; its velocity (a moving platform) still counts.
+/// A body whose inverse masses all vanish is immovable; its velocity (a moving platform) still
+/// counts.
 struct Body {
   Vec3 inverseMass = Vec3::Zero();     ///< 1/kg per world axis; 0 locks that axis
   Mat3 inverseInertia = Mat3::Zero();  ///< 1/(kg m²), symmetric positive semi-definite

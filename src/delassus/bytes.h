@@ -7,7 +7,8 @@
 
 namespace delassus {
 
-/// Storage behind the given lists and vectors, in bytes; what their entries own themselves is not counted.
+/// Storage behind the given lists and vectors, in bytes; what their entries own themselves is not
+/// counted.
 inline std::size_t bytesOf(const VectorXd& vector) { return vector.bytes(); }
 inline std::size_t bytesOf(const MatrixXd& matrix) {
   return sizeof(double) * static_cast<std::size_t>(matrix.size());

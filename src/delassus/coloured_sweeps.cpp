@@ -18,8 +18,8 @@ int partBegin(int count, int k, int parts) {
   return static_cast<int>(static_cast<long long>(count) * k / parts);
 }
 
-/// Empties the groups of some colours. A body that is not there has its place behind the others, one for each share, since hands
-/// write there too.
+/// Empties the groups of some colours. A body that is not there has its place behind the others,
+/// one for each share, since hands write there too.
 template <class Group>
 void clear(int bodies, const std::vector<int>& colours, std::vector<Group>& groups) {
   for (std::size_t k = 1; k < colours.size(); ++k) {
@@ -34,7 +34,8 @@ void clear(int bodies, const std::vector<int>& colours, std::vector<Group>& grou
   }
 }
 
-/// J̃ of the contacts or rows of a group, `count` numbers a body, in their units. What has no body there moves none.
+/// J̃ of the contacts or rows of a group, `count` numbers a body, in their units. What has no body
+/// there moves none.
 template <int count>
 class JacobiansOfLanes {
  public:
@@ -146,8 +147,8 @@ bool ColouredSweeps::setProblem(const Problem& problem, const NaturalMap& map) {
   return true;
 }
 
-/// Finds the places of contacts or rows in groups whose bodies are all different, and which groups have a colour. `of` gives one with its
-/// a and b, or null for what nothing moves and has no place.
+/// Finds the places of contacts or rows in groups whose bodies are all different, and which groups
+/// have a colour. `of` gives one with its a and b, or null for what nothing moves and has no place.
 template <class Of>
 void ColouredSweeps::place(int count, const Problem& problem, const Of& of, Colours& begins) {
   constexpr int colours = 64;  // what a body has more of come one by one, at the end
@@ -295,7 +296,8 @@ void ColouredSweeps::sweepShare(Pass& pass, int colour, int share, const Colours
     sweep(&groups[begin + from], to - from, pass.beta, velocities_.data(), pass.changes[share]);
 }
 
-/// A share of one of the rounds of a sweep: the velocities go on, then each colour of the contacts, then of the rows.
+/// A share of one of the rounds of a sweep: the velocities go on, then each colour of the contacts,
+/// then of the rows.
 void ColouredSweeps::work(Pass& pass, int round, int share) {
   const auto contactColours = static_cast<int>(contactColours_.size()) - 1;
   if (round == 0) {

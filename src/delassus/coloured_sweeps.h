@@ -11,23 +11,26 @@ namespace delassus {
 
 class Hands;
 
-/// Block Gauss-Seidel over the contacts, then the rows, of a problem in body space, eight at a time, with Nesterov's acceleration.
+/// Block Gauss-Seidel over the contacts, then the rows, of a problem in body space, eight at a
+/// time, with Nesterov's acceleration.
 ///
-/// Contacts (rows) of one colour have no body in common: in which order they come does not matter, and eight of them are swept at once, by
-/// several hands if there are. In single precision, but only what the sweeps change (swept_groups.h): r₀ and u₀ are worked out in double
-/// precision when sweeps begin, and so are all differences of them that an answer makes small. Rounding then takes about 1e-7 of what
-/// the sweeps change, and sweeps that begin where others have ended go on as far as double precision does.
+/// Contacts (rows) of one colour have no body in common: in which order they come does not matter,
+/// and eight of them are swept at once, by several hands if there are. In single precision, but
+/// only what the sweeps change (swept_groups.h): r₀ and u₀ are worked out in double precision when
+/// sweeps begin, and so are all differences of them that an answer makes small. Rounding then takes
+/// about 1e-7 of what the sweeps change, and sweeps that begin where others have ended go on as far
+/// as double precision does.
 ///
-/// With g = g(x) swept from x, the next sweep begins from x⁺ = g + β (g − g_before), β as in Nesterov 1983, and β = 0 anew whenever
-/// ‖g(x) − x‖ has grown (O'Donoghue and Candès 2015).
+/// With g = g(x) swept from x, the next sweep begins from x⁺ = g + β (g − g_before), β as in
+/// Nesterov 1983, and β = 0 anew whenever ‖g(x) − x‖ has grown (O'Donoghue and Candès 2015).
 class ColouredSweeps {
  public:
-  /// False, and no sweeps are to be asked for, where there are disks, articulated bodies, or contacts that friction cannot stop in all
-  /// directions.
+  /// False, and no sweeps are to be asked for, where there are disks, articulated bodies, or
+  /// contacts that friction cannot stop in all directions.
   bool setProblem(const Problem& problem, const NaturalMap& map);
 
-  /// Sweeps from r, u = W r + q, till none changes the velocity of its contact by more than `aim`, m/s, and at most `most` times. Returns
-  /// how often. The reactions end in their cones.
+  /// Sweeps from r, u = W r + q, till none changes the velocity of its contact by more than `aim`,
+  /// m/s, and at most `most` times. Returns how often. The reactions end in their cones.
   int sweep(const Problem& problem, int most, double aim, const VectorXd& u, VectorXd& r);
 
   /// As many sweeps with nothing in between.

@@ -10,7 +10,8 @@
 namespace delassus {
 namespace {
 
-/// Coulomb's answer r = P(z) as one mode gives it, whether or not that is the mode of z; and its derivative dr/dz.
+/// Coulomb's answer r = P(z) as one mode gives it, whether or not that is the mode of z; and its
+/// derivative dr/dz.
 Vec3 reactionIn(Mode mode, const Vec3& z, double mu, Mat3& derivative) {
   if (mode == Mode::Open) {
     derivative.setZero();
@@ -28,8 +29,8 @@ Vec3 reactionIn(Mode mode, const Vec3& z, double mu, Mat3& derivative) {
   return slidingReaction(z, zt, mu, &derivative);
 }
 
-/// The length in δ that counts as much as one in ln c where this is dδ/d ln c. Motions count for much: where the curve turns back in c they
-/// go on.
+/// The length in δ that counts as much as one in ln c where this is dδ/d ln c. Motions count for
+/// much: where the curve turns back in c they go on.
 double unitOf(const VectorXd& drive) {
   constexpr double share = 0.1, least = 1e-12;
   return std::max(share * drive.norm(), least);
@@ -55,7 +56,8 @@ void CompliancePath::setProblem(BodyMotion& motion, const Problem& problem, cons
 }
 
 void CompliancePath::setCenter(const Solution& center) {
-  // Of what reactions squeeze: of a change that is smaller, rounding in r − r_k leaves fewer digits than E asks for.
+  // Of what reactions squeeze: of a change that is smaller, rounding in r − r_k leaves fewer digits
+  // than E asks for.
   constexpr double share = 1e-5;
   center_ = center.r;
   u0_ = center.u;
@@ -213,7 +215,8 @@ bool CompliancePath::descend(double compliance, int budget, Solution& count) {
   while (tau_ > aim) {
     if (count.factorisations - begun >= budget) return false;
     if (this->compliance() > unanswered) {
-      // There is but one answer, which has been reached from below: the other way from the start is the one that ends at 0.
+      // There is but one answer, which has been reached from below: the other way from the start is
+      // the one that ends at 0.
       if (hasTurned_ || !stand(true, count)) return false;
       hasTurned_ = true;
     }

@@ -6,28 +6,35 @@
 
 namespace delassus {
 
-/// The way from bodies that are compliant where they touch to rigid ones, along the answers to all compliances in between.
+/// The way from bodies that are compliant where they touch to rigid ones, along the answers to all
+/// compliances in between.
 ///
-/// If every contact and row gives way by c W_aa r, reactions follow from the motion, and the law is one equation there:
+/// If every contact and row gives way by c W_aa r, reactions follow from the motion, and the law is
+/// one equation there:
 ///
 ///     E(δ, c) = δ − J̃ᵀ r = 0,    r = P(z),    z = −u / (compliance + c W_aa),    u = J̃ δ + q
 ///
-/// with P as in ProximalNewton. Its answers are curves. For large c there is but one, and one there is for any c where bodies can part
-/// (Acary, Cadoux, Lemaréchal, Malick 2011). So the curve that begins there ends nowhere but at c = 0, at rigid bodies; but it may
-/// turn back on its way, where what is wedged snaps through, and c grows for a while. A search that only ever takes the next
+/// with P as in ProximalNewton. Its answers are curves. For large c there is but one, and one there
+/// is for any c where bodies can part (Acary, Cadoux, Lemaréchal, Malick 2011). So the curve that
+/// begins there ends nowhere but at c = 0, at rigid bodies; but it may turn back on its way, where
+/// what is wedged snaps through, and c grows for a while. A search that only ever takes the next
 /// region, or only lets c fall, is stuck there.
 ///
-/// The curve is followed by its own length. A stride goes along the tangent, K y = J̃ᵀ ∂r/∂ln c with K = I + J̃ᵀ G J̃, and then by
-/// Newton's method across it, through as many regions as it may. Where that fails, steps go from wall to wall of the regions, one
-/// contact at a time. Which of its two ways a tangent points is told by the sign of det K: along one curve it tells whether c grows
-/// (Eaves and Scarf 1976; Allgower and Georg, Introduction to Numerical Continuation Methods, ch. 2 and 14).
+/// The curve is followed by its own length. A stride goes along the tangent, K y = J̃ᵀ ∂r/∂ln c
+/// with K = I + J̃ᵀ G J̃, and then by Newton's method across it, through as many regions as it may.
+/// Where that fails, steps go from wall to wall of the regions, one contact at a time. Which of its
+/// two ways a tangent points is told by the sign of det K: along one curve it tells whether c grows
+/// (Eaves and Scarf 1976; Allgower and Georg, Introduction to Numerical Continuation Methods, ch. 2
+/// and 14).
 ///
 /// It may also be compliance to what changes at reactions r_k that all but keep the law: then
 ///
-///     E(δ, c) = δ − J̃ᵀ (r − r_k) = 0,    z = r_k − (u_k + J̃ δ) / (compliance + c W_aa),    u_k = W r_k + q
+///     E(δ, c) = δ − J̃ᵀ (r − r_k) = 0,    z = r_k − (u_k + J̃ δ) / (compliance + c W_aa),
+///     u_k = W r_k + q
 ///
-/// and the curve begins at r_k, where c is large, and ends at the same rigid bodies. What is far from where something is wedged has found
-/// its answer there, and follows without turning back: that is the way in islands of thousands.
+/// and the curve begins at r_k, where c is large, and ends at the same rigid bodies. What is far
+/// from where something is wedged has found its answer there, and follows without turning back:
+/// that is the way in islands of thousands.
 ///
 /// For body space without disks.
 class CompliancePath {
@@ -42,12 +49,13 @@ class CompliancePath {
   /// Compliance to what changes at `center`, its r and u, from now on.
   void setCenter(const Solution& center);
 
-  /// Stands on the answer for bodies that are compliant by `compliance` W_aa, looking towards rigid ones. `reactions`: that
-  /// answer, or so near to it that Newton's method finds it: if not, false. Work is counted in `count`, a factorisation
-  /// a region.
+  /// Stands on the answer for bodies that are compliant by `compliance` W_aa, looking towards rigid
+  /// ones. `reactions`: that answer, or so near to it that Newton's method finds it: if not, false.
+  /// Work is counted in `count`, a factorisation a region.
   bool setOut(const VectorXd& reactions, double compliance, int budget, Solution& count);
 
-  /// Goes on until bodies are compliant by `compliance` W_aa or less. False if there is no way on within the budget.
+  /// Goes on until bodies are compliant by `compliance` W_aa or less. False if there is no way on
+  /// within the budget.
   bool descend(double compliance, int budget, Solution& count);
 
   double compliance() const;

@@ -14,8 +14,9 @@ int CompliancePath::wallsOf(int part) const {
              : 1;
 }
 
-/// How far z of a part is from a wall of its mode, positive within; of what slides, the first wall is where it comes to rest, the second
-/// where it parts; of a row that is held, its lower bound, its upper bound.
+/// How far z of a part is from a wall of its mode, positive within; of what slides, the first wall
+/// is where it comes to rest, the second where it parts; of a row that is held, its lower bound,
+/// its upper bound.
 CompliancePath::Gap CompliancePath::gapTo(int part, int side, const VectorXd& change) const {
   const int n = static_cast<int>(region_.contacts.size());
   if (part >= n) {
@@ -56,7 +57,8 @@ void CompliancePath::pass(const Wall& wall) {
   }
 }
 
-/// The walls ahead within this length of tangent, the nearest first. A wall that is passed already is at 0 if it is left behind.
+/// The walls ahead within this length of tangent, the nearest first. A wall that is passed already
+/// is at 0 if it is left behind.
 void CompliancePath::findWalls(double within) {
   changeOfZ(tangent_, tangentTau_, alongZ_);
   walls_.clear();

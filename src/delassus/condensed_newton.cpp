@@ -19,7 +19,8 @@ struct StepsWithin {
 
 }  // namespace
 
-/// Divides the unknowns, with the rows of E those without bounds, or also those that r has within their bounds.
+/// Divides the unknowns, with the rows of E those without bounds, or also those that r has within
+/// their bounds.
 void CondensedNewton::divide(const Problem& problem, const VectorXd& r, bool withinBounds) {
   const int contactsEnd = 3 * problem.contacts();
   left_.clear();
@@ -87,7 +88,8 @@ void CondensedNewton::setWeight(double alpha) {
   steps_.forgetFactor();
 }
 
-/// What E does, around reactions with these u, once C has changed by its part of change_: E's part of it, δ and J̃ δ.
+/// What E does, around reactions with these u, once C has changed by its part of change_: E's part
+/// of it, δ and J̃ δ.
 void CondensedNewton::letHeldAnswer(const VectorXd& u) {
   const int contactsEnd = 3 * problem_->contacts();
   for (const int at : held_) change_[at] = -G_.rows[at - contactsEnd] * u[at];

@@ -13,26 +13,30 @@ namespace delassus {
 
 /// Newton's method on few contacts, from which joints are eliminated first (static condensation).
 ///
-/// Rows without bounds, E, are held in every region. Around reactions r_k they answer to what all others, C, do by
+/// Rows without bounds, E, are held in every region. Around reactions r_k they answer to what all
+/// others, C, do by
 ///
-///     Δr_E = −G (u_E + J̃_E δ),   δ = K⁻¹ (J̃_Cᵀ Δr_C − J̃_Eᵀ G u_E),   K = I + J̃_Eᵀ G J̃_E,   G = 1/(compliance + α W_aa)
+///     Δr_E = −G (u_E + J̃_E δ),   δ = K⁻¹ (J̃_Cᵀ Δr_C − J̃_Eᵀ G u_E),   K = I + J̃_Eᵀ G J̃_E,
+///     G = 1/(compliance + α W_aa)
 ///
 /// so that one factor leaves of a ragdoll its contacts and limits alone,
 ///
 ///     u_C(Δr_C) = u_C − J̃_C K⁻¹ J̃_Eᵀ G u_E + (J̃_C K⁻¹ J̃_Cᵀ + compliance + α W_aa) Δr_C
 ///
-/// whose matrix is small, dense and, thanks to α, regular. This is solved by NewtonSteps, from the region of r_k on. Then r_k ← r, until the
-/// law itself is kept (moveCenters; α is that of C, E has one of its own, with which K is factored once).
+/// whose matrix is small, dense and, thanks to α, regular. This is solved by NewtonSteps, from the
+/// region of r_k on. Then r_k ← r, until the law itself is kept (moveCenters; α is that of C, E has
+/// one of its own, with which K is factored once).
 class CondensedNewton {
  public:
-  /// Whether a problem is for it: in body space, without disks, and but for E with no more than `most` unknowns, and some. Where there are
-  /// more, rows that `r` has within their bounds are taken for held, too. `map` is that of the problem; both must outlive `solve`.
+  /// Whether a problem is for it: in body space, without disks, and but for E with no more than
+  /// `most` unknowns, and some. Where there are more, rows that `r` has within their bounds are
+  /// taken for held, too. `map` is that of the problem; both must outlive `solve`.
   bool setProblem(const Problem& problem, const NaturalMap& map, const VectorXd& r, int most);
   /// Whether there is an E.
   bool hasHeld() const { return !held_.empty(); }
 
-  /// Improves best.r, with its u and residual: true if the law is kept. The factor is counted as a region, and steps, which cost about as
-  /// much, as sweeps.
+  /// Improves best.r, with its u and residual: true if the law is kept. The factor is counted as a
+  /// region, and steps, which cost about as much, as sweeps.
   bool solve(double tolerance, int budget, Solution& best);
 
   std::size_t bytes() const {

@@ -5,7 +5,8 @@
 
 namespace delassus {
 
-/// Euclidean projection on Coulomb's cone K_μ = { r : ‖r_t‖ ≤ μ r_n }, normal first (algorithms §6.1).
+/// Euclidean projection on Coulomb's cone K_μ = { r : ‖r_t‖ ≤ μ r_n }, normal first (algorithms
+/// §6.1).
 inline Vec3 projectOnCone(const Vec3& x, double mu) {
   const double t = lengthOf(x[1], x[2]);
   if (x[0] >= 0 && t <= mu * x[0]) return x;
@@ -15,7 +16,8 @@ inline Vec3 projectOnCone(const Vec3& x, double mu) {
   return {n, scale * x[1], scale * x[2]};
 }
 
-/// What slides: z_t moved along itself to the rim, whether or not it lies beyond it. With t = z_t/‖z_t‖, `zt` = ‖z_t‖ > 0:
+/// What slides: z_t moved along itself to the rim, whether or not it lies beyond it. With t =
+/// z_t/‖z_t‖, `zt` = ‖z_t‖ > 0:
 ///
 ///     r = (z_n, μ z_n t),   dr_t/dz_n = μ t,   dr_t/dz_t = (μ z_n/‖z_t‖) (1 − t tᵀ)
 inline Vec3 slidingReaction(const Vec3& z, double zt, double mu, Mat3* derivative) {
@@ -28,8 +30,8 @@ inline Vec3 slidingReaction(const Vec3& z, double zt, double mu, Mat3* derivativ
   return {z[0], radius * c, radius * s};
 }
 
-/// P(z), Coulomb's law as Alart and Curnier (1991) put it: z_n on [0, ∞), then z_t on the disk of radius μ r_n; and if asked
-/// its derivative dr/dz.
+/// P(z), Coulomb's law as Alart and Curnier (1991) put it: z_n on [0, ∞), then z_t on the disk of
+/// radius μ r_n; and if asked its derivative dr/dz.
 inline Vec3 reactionTo(const Vec3& z, double mu, Mat3* derivative) {
   if (z[0] <= 0) {
     if (derivative) derivative->setZero();
@@ -43,7 +45,8 @@ inline Vec3 reactionTo(const Vec3& z, double mu, Mat3* derivative) {
   return slidingReaction(z, zt, mu, derivative);
 }
 
-/// De Saxcé's corrected velocity u + μ‖u_t‖ n: with it Coulomb's law reads K_μ ∋ r ⟂ corrected ∈ K_μ*.
+/// De Saxcé's corrected velocity u + μ‖u_t‖ n: with it Coulomb's law reads K_μ ∋ r ⟂ corrected ∈
+/// K_μ*.
 inline Vec3 correctedVelocity(const Vec3& u, double mu) {
   return {u[0] + mu * lengthOf(u[1], u[2]), u[1], u[2]};
 }

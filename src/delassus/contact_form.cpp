@@ -41,7 +41,8 @@ std::vector<Image> imagesOf(const Problem& problem, std::vector<double>& frictio
   return images;
 }
 
-/// Puts the reactions of some equations into W and q of the unknowns that they feel: adds −W_ce W_ee⁺ W_ec to `changes`.
+/// Puts the reactions of some equations into W and q of the unknowns that they feel: adds −W_ce
+/// W_ee⁺ W_ec to `changes`.
 void eliminate(const Sparse& W, const std::vector<Image>& images, const std::vector<int>& equations,
                VectorXd& q, Triplets& changes) {
   std::vector<int> others, column(images.size(), -1);

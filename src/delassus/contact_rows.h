@@ -5,8 +5,9 @@
 
 namespace delassus {
 
-/// Two numbers at a time, in which the products here are worked out: whatever goes from contact to contact, or along joints, spends much of
-/// its time on them. The sums of a row are added up once for both bodies, not once for each.
+/// Two numbers at a time, in which the products here are worked out: whatever goes from contact to
+/// contact, or along joints, spends much of its time on them. The sums of a row are added up once
+/// for both bodies, not once for each.
 using Pair = double __attribute__((vector_size(16), aligned(8), may_alias));
 
 /// One row J̃, six columns for each of its two bodies. A body less than 0 is not there.

@@ -9,12 +9,13 @@
 
 namespace delassus {
 
-/// W factored in body space: W = J̃ J̃ᵀ + diag(compliance), with the mass-normalised Jacobian J̃ = J B, M⁻¹ = B Bᵀ.
+/// W factored in body space: W = J̃ J̃ᵀ + diag(compliance), with the mass-normalised Jacobian J̃ =
+/// J B, M⁻¹ = B Bᵀ.
 ///
-/// The generalised velocity y that goes with it has M = I: ½ yᵀy is the kinetic energy that the reactions
-/// add, y = J̃ᵀ r, and a locked axis is a zero column. Body blocks have six columns; an articulated body
-/// has as many blocks as its freedoms fill. J̃ is in 1/√kg, y in √J. For n contacts and m rows: n entries in `contacts`,
-/// m in `rows`, 3n + m in `compliance`.
+/// The generalised velocity y that goes with it has M = I: ½ yᵀy is the kinetic energy that the
+/// reactions add, y = J̃ᵀ r, and a locked axis is a zero column. Body blocks have six columns; an
+/// articulated body has as many blocks as its freedoms fill. J̃ is in 1/√kg, y in √J. For n
+/// contacts and m rows: n entries in `contacts`, m in `rows`, 3n + m in `compliance`.
 struct BodySpace {
   /// Three rows of a contact, or one.
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor, 3, 6>;
@@ -45,10 +46,11 @@ struct BodySpace {
   std::size_t bytes() const { return bytesOf(contacts, rows, parts, compliance); }
 };
 
-/// The Delassus matrix W = J M⁻¹ Jᵀ of one island: n contacts with three rows each, then m scalar rows.
+/// The Delassus matrix W = J M⁻¹ Jᵀ of one island: n contacts with three rows each, then m scalar
+/// rows.
 ///
-/// One type, two storages: factored in body space (worlds), or explicit entries (problem files), which are kept
-/// exactly as read: neither symmetrised nor scaled.
+/// One type, two storages: factored in body space (worlds), or explicit entries (problem files),
+/// which are kept exactly as read: neither symmetrised nor scaled.
 class DelassusMatrix {
  public:
   using Sparse = Eigen::SparseMatrix<double, Eigen::RowMajor>;
@@ -91,8 +93,8 @@ class DelassusMatrix {
   /// The same where contactBlock of each contact is known.
   void diagonal(const std::vector<Mat3>& contactBlocks, VectorXd& d) const;
   MatrixXd dense() const;
-  /// As entries, whatever the storage. Of a factored matrix both triangles sum the same products in the same order: exactly
-  /// symmetric.
+  /// As entries, whatever the storage. Of a factored matrix both triangles sum the same products in
+  /// the same order: exactly symmetric.
   Sparse asEntries() const;
   /// Of the body space, if that is its own.
   std::size_t bytes() const { return space_.bytes(); }

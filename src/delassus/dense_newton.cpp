@@ -33,7 +33,8 @@ void DenseNewton<Most>::start(const Problem& problem, const NaturalMap& map, Sta
   }
 }
 
-/// Whether what the steps have come to keeps the law; rounding may have left a cone by its last digit.
+/// Whether what the steps have come to keeps the law; rounding may have left a cone by its last
+/// digit.
 template <int Most>
 bool DenseNewton<Most>::judge(const Problem& problem, const NaturalMap& map, double tolerance,
                               Solution& best) {

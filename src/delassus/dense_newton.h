@@ -9,13 +9,15 @@ namespace delassus {
 /// Where a search sets out: from the best answer so far, or from no reactions.
 enum class Start : unsigned char { Best, Rest };
 
-/// Newton's method on Coulomb's law (NewtonSteps), for few unknowns, without anything to hold reactions apart that W does not tell from
-/// each other: where F is singular in a region the method gives up.
+/// Newton's method on Coulomb's law (NewtonSteps), for few unknowns, without anything to hold
+/// reactions apart that W does not tell from each other: where F is singular in a region the method
+/// gives up.
 template <int Most>
 class DenseNewton {
  public:
-  /// From the reactions of `best`, or none, to some with a natural residual of at most `tolerance` (m/s): true, and they are the best; or
-  /// until `budget` regions are spent, or they lead nowhere. `map` is that of the problem, which has entries and no disks.
+  /// From the reactions of `best`, or none, to some with a natural residual of at most `tolerance`
+  /// (m/s): true, and they are the best; or until `budget` regions are spent, or they lead nowhere.
+  /// `map` is that of the problem, which has entries and no disks.
   bool solve(const Problem& problem, const NaturalMap& map, double tolerance, int budget,
              Start from, Solution& best);
 

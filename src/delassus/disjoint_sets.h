@@ -7,7 +7,8 @@
 
 namespace delassus {
 
-/// Union-find. The smallest index of a set is its root, so the result has no memory of the order of joins.
+/// Union-find. The smallest index of a set is its root, so the result has no memory of the order of
+/// joins.
 class DisjointSets {
  public:
   explicit DisjointSets(int n = 0) { reset(n); }

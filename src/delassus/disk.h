@@ -7,15 +7,16 @@
 
 namespace delassus {
 
-/// Friction whose largest size another reaction sets: of rolling (two rows, about the tangents of a contact) or of spinning
-/// (one row, about its normal).
+/// Friction whose largest size another reaction sets: of rolling (two rows, about the tangents of a
+/// contact) or of spinning (one row, about its normal).
 ///
 ///     ‖r_d‖ ≤ κ r_n,   and where u_d ≠ 0:  r_d = −κ r_n u_d/‖u_d‖       (maximum dissipation)
 ///
 /// Where `mostLoad` is finite, no more than that of r_n counts: ‖r_d‖ ≤ κ min(r_n, mostLoad).
 ///
-/// That is Coulomb's law with an unknown of its own. Disks come last among the unknowns, so that whoever goes through them
-/// in order knows r_n. In Bullet's contacts u_d is in rad/s, r_d in N·m·s, and κ in m.
+/// That is Coulomb's law with an unknown of its own. Disks come last among the unknowns, so that
+/// whoever goes through them in order knows r_n. In Bullet's contacts u_d is in rad/s, r_d in
+/// N·m·s, and κ in m.
 struct Disk {
   int first;                   ///< its first unknown, a row
   int unknowns;                ///< 1, or 2 that follow each other

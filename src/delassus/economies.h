@@ -2,8 +2,8 @@
 
 namespace delassus {
 
-/// What a step leaves out where its scene does not need it. Each can be switched off (false), to see what it is worth: reactions keep
-/// the law to within the same tolerance.
+/// What a step leaves out where its scene does not need it. Each can be switched off (false), to
+/// see what it is worth: reactions keep the law to within the same tolerance.
 struct Economies {
   /// A contact without friction has one unknown, not three.
   bool tangents = true;
@@ -11,7 +11,8 @@ struct Economies {
   bool freeIslands = true;
   /// Reactions of the last step that still keep the law are checked, no more.
   bool keptIslands = true;
-  /// A contact or a row that is alone is answered by a formula. Problem files also by a few sweeps of that formula, where these suffice.
+  /// A contact or a row that is alone is answered by a formula. Problem files also by a few sweeps
+  /// of that formula, where these suffice.
   bool closedForms = true;
   /// No search where there is one region: joints without limits, motors and contacts.
   bool oneRegion = true;

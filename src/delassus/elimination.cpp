@@ -10,7 +10,8 @@ constexpr int atATime = KeptMatrix::atATime;
 
 DELASSUS_WIDE_INLINE Four& fourAt(double* x) { return *reinterpret_cast<Four*>(x); }
 
-/// Takes four pivot rows from `count` others, from column `first` on. Shares of the pivots stand behind `stride` numbers in each row.
+/// Takes four pivot rows from `count` others, from column `first` on. Shares of the pivots stand
+/// behind `stride` numbers in each row.
 DELASSUS_WIDE_INLINE void subtractRows(double* const* pivots, double* const* rows, int count,
                                        int first, int stride) {
   int i = 0;
@@ -38,7 +39,8 @@ DELASSUS_WIDE_INLINE void subtractRows(double* const* pivots, double* const* row
   }
 }
 
-/// L U = K by rows of `stride` numbers, of which what is behind the n-th is zero, with those of L behind them. False if K is singular.
+/// L U = K by rows of `stride` numbers, of which what is behind the n-th is zero, with those of L
+/// behind them. False if K is singular.
 DELASSUS_WIDE
 bool eliminate(double** row, int* order, int n, int stride) {
   double least = infinity, largest = 0;

@@ -15,12 +15,13 @@ namespace delassus {
 /// Beside the largest pivot, one so small is none.
 constexpr double negligiblePivot = 1e-10;
 
-/// K x = b with at most `Most` unknowns by Gaussian elimination, rows exchanged. For so few, what a library does to be fast for many
-/// takes most of the time.
+/// K x = b with at most `Most` unknowns by Gaussian elimination, rows exchanged. For so few, what a
+/// library does to be fast for many takes most of the time.
 template <int Most>
 class Elimination {
  public:
-  /// Rows of one length, whatever n is, so that loops over them go by so many columns at a time; what is not used is zero.
+  /// Rows of one length, whatever n is, so that loops over them go by so many columns at a time;
+  /// what is not used is zero.
   static constexpr int atATime = 4, width = (Most + atATime - 1) / atATime * atATime;
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, width, Eigen::RowMajor, Most, width>;
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, Most, 1>;
@@ -54,8 +55,8 @@ class Elimination {
   }
 
  private:
-  /// Takes row k, which has the pivot, from those below it, in as many columns as there are from before the pivot on: what is
-  /// left of it is not read again.
+  /// Takes row k, which has the pivot, from those below it, in as many columns as there are from
+  /// before the pivot on: what is left of it is not read again.
   template <int columns>
   static void clearBelow(int k, double perPivot, Matrix& K, Vector& b) {
     const int n = static_cast<int>(b.size()), first = k / atATime * atATime;
@@ -72,7 +73,8 @@ class Elimination {
   }
 };
 
-/// The same for any number of unknowns, by blocks of four pivots, whose rows are taken from the others all at once. The factor is kept.
+/// The same for any number of unknowns, by blocks of four pivots, whose rows are taken from the
+/// others all at once. The factor is kept.
 template <>
 class Elimination<Eigen::Dynamic> {
  public:

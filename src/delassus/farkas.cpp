@@ -52,8 +52,8 @@ double Quarrel::hardestAlone() const {
 bool Quarrel::find(ProximalNewton<BodyMotion>& newton, const Problem& problem,
                    const NaturalMap& map, double tolerance, int& regionBudget, Solution& scratch,
                    Solution& count) {
-  // Times the motion that the hardest demand alone asks for. Less proves nothing: a wedge of a microradian that holds a ball
-  // demands a millionth of what the ball needs.
+  // Times the motion that the hardest demand alone asks for. Less proves nothing: a wedge of a
+  // microradian that holds a ball demands a millionth of what the ball needs.
   constexpr double proportion = 1e8;
   constexpr double coarse = 1e-6, fine = 1e-8;  // compliances relative to W_aa
   setProblem(problem, map);
@@ -65,7 +65,8 @@ bool Quarrel::find(ProximalNewton<BodyMotion>& newton, const Problem& problem,
     count.factorisations += scratch.factorisations;
     return found;
   };
-  // What pushes in vain is in inverse proportion to the compliance; all else hardly depends on it, and is gone in the difference.
+  // What pushes in vain is in inverse proportion to the compliance; all else hardly depends on it,
+  // and is gone in the difference.
   if (!yield(coarse)) return false;
   quarrel_ = scratch.r;
   if (!yield(fine)) return false;

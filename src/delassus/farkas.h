@@ -6,25 +6,30 @@ namespace delassus {
 
 /// Farkas' lemma: a proof that demands are incompatible, for W in body space.
 ///
-/// Whatever friction does, contacts demand u_n ≥ 0, rows with one bound u ≥ 0 or u ≤ 0, and rows without bounds u = 0. Let r push
-/// at such demands alone, in their sense. A motion v that meets them has 0 ≤ r·(J v + q), and therefore
+/// Whatever friction does, contacts demand u_n ≥ 0, rows with one bound u ≥ 0 or u ≤ 0, and rows
+/// without bounds u = 0. Let r push at such demands alone, in their sense. A motion v that meets
+/// them has 0 ≤ r·(J v + q), and therefore
 ///
 ///     |v|_M  ≥  −r·q / √(r·W r)
 ///
-/// with ½|v|²_M the kinetic energy, |v|_M in √J. Reactions that push and move nothing prove that there is no such motion.
+/// with ½|v|²_M the kinetic energy, |v|_M in √J. Reactions that push and move nothing prove that
+/// there is no such motion.
 class Quarrel {
  public:
-  /// The demands alone: no tangents, no motors, no disks. Same unknowns, q = 0 in the place of the others. Refers to W.
+  /// The demands alone: no tangents, no motors, no disks. Same unknowns, q = 0 in the place of the
+  /// others. Refers to W.
   void setProblem(const Problem& problem, const NaturalMap& map);
   const Problem& demands() const { return demands_; }
 
   /// The right side, less what rounding may have added to it; 0 if r proves nothing.
   double leastMotion(const VectorXd& r);
-  /// |v|_M of the motion that meets the hardest of these demands if it is alone: the largest |u_i|/√W_ii missing at u = q.
+  /// |v|_M of the motion that meets the hardest of these demands if it is alone: the largest
+  /// |u_i|/√W_ii missing at u = q.
   double hardestAlone() const;
 
-  /// Looks for reactions that prove that nothing meets the demands of `problem`, or nothing in any proportion to them. Takes
-  /// the region budget and counts in `count`; `newton` forgets its problem. `map` is that of the problem, `scratch` is overwritten.
+  /// Looks for reactions that prove that nothing meets the demands of `problem`, or nothing in any
+  /// proportion to them. Takes the region budget and counts in `count`; `newton` forgets its
+  /// problem. `map` is that of the problem, `scratch` is overwritten.
   bool find(ProximalNewton<BodyMotion>& newton, const Problem& problem, const NaturalMap& map,
             double tolerance, int& regionBudget, Solution& scratch, Solution& count);
   /// Those that were found.

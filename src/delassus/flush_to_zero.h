@@ -6,8 +6,9 @@
 
 namespace delassus {
 
-/// As long as it lives, this thread takes numbers below the smallest normal one for zero where the processor can (x86). In single
-/// precision, changes that die out come there (1e-38, and squares of 1e-19), and each costs a hundred cycles and more.
+/// As long as it lives, this thread takes numbers below the smallest normal one for zero where the
+/// processor can (x86). In single precision, changes that die out come there (1e-38, and squares of
+/// 1e-19), and each costs a hundred cycles and more.
 class FlushToZero {
  public:
 #ifdef __SSE__

@@ -11,17 +11,20 @@ class Hands {
  public:
   virtual ~Hands() = default;
   virtual int count() const = 0;
-  /// Calls work(context, hand) on every hand, 0 ≤ hand < count(), side by side as far as there are processors for them, hand 0 in the
-  /// caller's thread. Returns when all have ended. `work` must not throw.
+  /// Calls work(context, hand) on every hand, 0 ≤ hand < count(), side by side as far as there are
+  /// processors for them, hand 0 in the caller's thread. Returns when all have ended. `work` must
+  /// not throw.
   virtual void together(void (*work)(const void* context, int hand), const void* context) = 0;
 };
 
-/// One round after the other of shares that hands take. One of them leads: it begins with the first share, the others with the last, so
-/// that each finds in its cache what it left there. The leader waits for nobody but those who are at work on a share: who has no processor
-/// is not missed. What was written in one round, all read in the next.
+/// One round after the other of shares that hands take. One of them leads: it begins with the first
+/// share, the others with the last, so that each finds in its cache what it left there. The leader
+/// waits for nobody but those who are at work on a share: who has no processor is not missed. What
+/// was written in one round, all read in the next.
 class Rounds {
  public:
-  /// Calls work(round, share) for all shares, some of them on other hands, and returns when all have ended. For the leader.
+  /// Calls work(round, share) for all shares, some of them on other hands, and returns when all
+  /// have ended. For the leader.
   template <class Work>
   void lead(std::uint32_t round, std::uint16_t shares, const Work& work) {
     done_.store(0, std::memory_order_relaxed);

@@ -18,7 +18,8 @@ template <class Motion>
 void InteriorPoint<Motion>::start(const Problem& problem, const NaturalMap& map) {
   const int n = problem.contacts(), m = problem.rows();
   map.meanDiagonal(scale_);
-  // Smaller, and reactions that squeeze each other run away; larger, and the last digits come slowly.
+  // Smaller, and reactions that squeeze each other run away; larger, and the last digits come
+  // slowly.
   constexpr double proximal = 1e-6;
   weight_ = proximal * scale_;
   if (problem.W.inBodySpace()) weight_ += problem.W.bodySpace().compliance;

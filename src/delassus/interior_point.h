@@ -9,22 +9,24 @@
 
 namespace delassus {
 
-/// A primal-dual interior-point method for the whole law, Coulomb's normality gap included, in a motion space.
+/// A primal-dual interior-point method for the whole law, Coulomb's normality gap included, in a
+/// motion space.
 ///
-/// With x = (μ r_n, r_t) and y = (u_n/μ + ‖u_t‖, u_t) the law reads  L ∋ x ⟂ y ∈ L  for the Lorentz cone L. A row is the
-/// same with half-lines; a disk is the same with x = (κ r_n, r_d) and y = (y_0, u_d), where y_0 is free (a most load is not
-/// seen here: the walk that follows knows of it). Newton's method
-/// follows x ∘ y = τ e, τ → 0, with Nesterov and Todd's scaling and Mehrotra's corrector; ‖u_t‖ is differentiated too,
-/// smoothed by what τ allows to slip. Each step costs one factorisation of K = I + J̃ᵀ G J̃, whatever the number of contacts
-/// that change their mode: it needs 10 to 40 of them from any start, where the walk over regions may need hundreds if many
-/// contacts are at a wall of their region.
-/// A small proximal weight about the last reactions keeps redundant contacts apart and leaves no trace in the answer.
-/// Sources: Acary, Armand, Nguyen, Shpakovych (2024) for frictional contact, algorithms §6.1 and §6.10.
+/// With x = (μ r_n, r_t) and y = (u_n/μ + ‖u_t‖, u_t) the law reads L ∋ x ⟂ y ∈ L for the Lorentz
+/// cone L. A row is the same with half-lines; a disk is the same with x = (κ r_n, r_d) and y =
+/// (y_0, u_d), where y_0 is free (a most load is not seen here: the walk that follows knows of it).
+/// Newton's method follows x ∘ y = τ e, τ → 0, with Nesterov and Todd's scaling and Mehrotra's
+/// corrector; ‖u_t‖ is differentiated too, smoothed by what τ allows to slip. Each step costs one
+/// factorisation of K = I + J̃ᵀ G J̃, whatever the number of contacts that change their mode: it
+/// needs 10 to 40 of them from any start, where the walk over regions may need hundreds if many
+/// contacts are at a wall of their region. A small proximal weight about the last reactions keeps
+/// redundant contacts apart and leaves no trace in the answer. Sources: Acary, Armand, Nguyen,
+/// Shpakovych (2024) for frictional contact, algorithms §6.1 and §6.10.
 template <class Motion>
 class InteriorPoint {
  public:
-  /// Improves `best` from a cold start. Stops at the natural residual `tolerance` (m/s), after `budget` factorisations,
-  /// or when it gains no more. Returns whether the tolerance was reached.
+  /// Improves `best` from a cold start. Stops at the natural residual `tolerance` (m/s), after
+  /// `budget` factorisations, or when it gains no more. Returns whether the tolerance was reached.
   bool solve(Motion& motion, const Problem& problem, const NaturalMap& map, double tolerance,
              int budget, Solution& best);
 
@@ -48,7 +50,8 @@ class InteriorPoint {
   void start(const Problem& problem, const NaturalMap& map);
   void measure(const Problem& problem);
   void linearise(const Problem& problem);
-  /// Solves for the step towards x ∘ y = `tau` e; with `corrector`, the second-order term of the last step is included.
+  /// Solves for the step towards x ∘ y = `tau` e; with `corrector`, the second-order term of the
+  /// last step is included.
   bool step(Motion& motion, const Problem& problem, double tau, bool corrector);
   double longestStep() const;
   double gapAfter(double length) const;

@@ -10,10 +10,11 @@
 
 namespace delassus {
 
-/// Contacts and rows that can feel each other: linked through movable bodies. Indices are in ascending order.
+/// Contacts and rows that can feel each other: linked through movable bodies. Indices are in
+/// ascending order.
 ///
-/// The unknowns of its problem are, in this order: three per frictional contact, one per frictionless contact, one per row.
-/// Rows with a governor make disks; all others come before them.
+/// The unknowns of its problem are, in this order: three per frictional contact, one per
+/// frictionless contact, one per row. Rows with a governor make disks; all others come before them.
 struct Island {
   std::vector<int> bodies;        ///< movable bodies
   std::vector<int> frictional;    ///< contacts with friction > 0, or one that `unfitParts` names
@@ -31,9 +32,9 @@ struct Island {
 /// Splits steps into islands and writes their problems, in storage that it keeps from step to step.
 class Assembler {
  public:
-  /// Finds the islands of a step, ordered by their first body; good until the next call. Contacts and rows between
-  /// immovable bodies have no unknowns and appear in no island. With `allTangents` contacts without friction count as
-  /// frictional ones of μ = 0.
+  /// Finds the islands of a step, ordered by their first body; good until the next call. Contacts
+  /// and rows between immovable bodies have no unknowns and appear in no island. With `allTangents`
+  /// contacts without friction count as frictional ones of μ = 0.
   void split(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
              const std::vector<Row>& rows, bool allTangents = false);
   int islands() const { return count_; }
@@ -77,8 +78,8 @@ class Assembler {
   int count_ = 0;
   DisjointSets sets_;
   std::vector<int> islandOf_;  ///< of each body
-  std::vector<int>
-      placeOf_;  ///< of each body of the island that is being assembled, among its bodies
+  /// Of each body of the island that is being assembled, among its bodies.
+  std::vector<int> placeOf_;
   std::vector<RootOfInverseMass> roots_;
   double largestTerm_ = 0;  ///< of those whose sum is q, m/s
   Problem problem_;

@@ -42,8 +42,8 @@ double relativeVelocity(const std::vector<Body>& bodies, const Row& c) {
   return along(bodies, c.a, c.jacobianA) + along(bodies, c.b, c.jacobianB) - c.target;
 }
 
-/// One body's share in the trace of W_aa of a contact whose axes e_i are orthonormal, whichever they are:
-/// Σ e_iᵀ M⁻¹ e_i + (arm × e_i)ᵀ I⁻¹ (arm × e_i).
+/// One body's share in the trace of W_aa of a contact whose axes e_i are orthonormal, whichever
+/// they are: Σ e_iᵀ M⁻¹ e_i + (arm × e_i)ᵀ I⁻¹ (arm × e_i).
 double traceShare(const std::vector<Body>& bodies, int body, const Vec3& arm) {
   if (body < 0) return 0;
   const Body& b = bodies[body];
@@ -81,8 +81,9 @@ double trace(const std::vector<Body>& bodies, const Contact& c) {
   return hard + c.compliance + 2 * c.slipCompliance;
 }
 
-/// Whether the reaction r sticks, and far enough inside its cone that the law projects r − ρ w to itself for every ρ up to that of the
-/// mode, 3/trace W_aa: that is not more than `rho`, and from r on all up to a point inside lies inside.
+/// Whether the reaction r sticks, and far enough inside its cone that the law projects r − ρ w to
+/// itself for every ρ up to that of the mode, 3/trace W_aa: that is not more than `rho`, and from r
+/// on all up to a point inside lies inside.
 bool sticksFirmly(const Vec3& r, const Vec3& w, double friction, double rho) {
   const Vec3 z = r - rho * w;
   const double radius = friction * z[0];
@@ -152,8 +153,8 @@ double reachOf(const Body& body) {
   return least < infinity ? body.inverseMass.maxCoeff() / least : 0;
 }
 
-/// Whether no body moves faster than that, nor turns so fast that what of the island is furthest from its centre would. A joint does
-/// not tell how far out it holds its bodies.
+/// Whether no body moves faster than that, nor turns so fast that what of the island is furthest
+/// from its centre would. A joint does not tell how far out it holds its bodies.
 bool isSlower(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
               const std::vector<Row>& rows, const Island& island, double speed) {
   if (std::any_of(island.rows.begin(), island.rows.end(),

@@ -6,7 +6,8 @@
 
 namespace delassus {
 
-/// A list that keeps, when it is cleared, the storage that its entries own: filled again with the like it takes no memory.
+/// A list that keeps, when it is cleared, the storage that its entries own: filled again with the
+/// like it takes no memory.
 template <class Entry>
 class KeptList {
  public:

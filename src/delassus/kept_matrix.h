@@ -6,8 +6,9 @@
 
 namespace delassus {
 
-/// A matrix by rows that keeps its storage when its size changes, as KeptVector does. Rows begin a multiple of `atATime` numbers apart:
-/// what runs along them may go that far, and reads and writes there what nobody else does.
+/// A matrix by rows that keeps its storage when its size changes, as KeptVector does. Rows begin a
+/// multiple of `atATime` numbers apart: what runs along them may go that far, and reads and writes
+/// there what nobody else does.
 class KeptMatrix
     : public Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>,
                         Eigen::Aligned16, Eigen::OuterStride<>> {

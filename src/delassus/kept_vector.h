@@ -4,9 +4,10 @@
 
 namespace delassus {
 
-/// A vector that keeps its storage when its size changes: islands of all sizes follow each other in one workspace, and none but
-/// the largest takes memory. (Eigen's own vectors take memory at every change.) To Eigen it is a map of its first entries; it
-/// is made and assigned from any expression, and copies its entries.
+/// A vector that keeps its storage when its size changes: islands of all sizes follow each other in
+/// one workspace, and none but the largest takes memory. (Eigen's own vectors take memory at every
+/// change.) To Eigen it is a map of its first entries; it is made and assigned from any expression,
+/// and copies its entries.
 class KeptVector : public Eigen::Map<Eigen::VectorXd, Eigen::Aligned16> {
  public:
   using Index = Eigen::Index;

@@ -7,12 +7,13 @@
 
 namespace delassus {
 
-/// Numbers in single precision that are worked with at once: four, as all processors can, or eight. Every lane goes its own way: which of
-/// the two it is does not change a bit.
+/// Numbers in single precision that are worked with at once: four, as all processors can, or eight.
+/// Every lane goes its own way: which of the two it is does not change a bit.
 using Lanes4 = float __attribute__((vector_size(16)));
 using Lanes8 = float __attribute__((vector_size(32)));
 
-/// By address, never by value: how eight are handed over depends on the processor that the caller was compiled for.
+/// By address, never by value: how eight are handed over depends on the processor that the caller
+/// was compiled for.
 template <class V>
 DELASSUS_WIDE_INLINE void load(const float* from, V& to) {
   std::memcpy(&to, from, sizeof(V));
@@ -56,7 +57,8 @@ DELASSUS_WIDE_INLINE void transpose(Lanes8& a, Lanes8& b, Lanes8& c, Lanes8& d) 
   d = __builtin_shufflevector(AB, CD, 2, 3, 10, 11, 6, 7, 14, 15);
 }
 
-/// Lanes4 numbers from `offset` on of each of the given places, to lanes and back: of[k] has number k of all places.
+/// Lanes4 numbers from `offset` on of each of the given places, to lanes and back: of[k] has number
+/// k of all places.
 DELASSUS_WIDE_INLINE void gather(const float* const* places, int offset, Lanes4* of) {
   for (int k = 0; k < 4; ++k) load(places[k] + offset, of[k]);
   transpose(of[0], of[1], of[2], of[3]);

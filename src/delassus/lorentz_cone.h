@@ -4,7 +4,8 @@
 
 namespace delassus {
 
-/// Points of the Lorentz cone L = { x : x_0 ≥ ‖(x_1, x_2)‖ } and what an interior point does with them.
+/// Points of the Lorentz cone L = { x : x_0 ≥ ‖(x_1, x_2)‖ } and what an interior point does with
+/// them.
 namespace lorentz {
 
 /// x ∘ y in the Jordan algebra of the cone.
@@ -33,7 +34,8 @@ struct LorentzPair {
 
   /// Nesterov's and Todd's scaling point of x and y.
   void scale();
-  /// Aims the step at x ∘ y = `tau` e; with `corrector`, the second-order term of the last step is included.
+  /// Aims the step at x ∘ y = `tau` e; with `corrector`, the second-order term of the last step is
+  /// included.
   void aim(double tau, bool corrector);
   /// Takes this dx, and the dy that goes with it.
   void follow(const Vec3& step);

@@ -8,7 +8,8 @@ namespace {
 
 constexpr int none = -1;
 
-/// J with J Jᵀ = W for a symmetric positive semi-definite W: Cholesky with diagonal pivoting, stopped at the rank.
+/// J with J Jᵀ = W for a symmetric positive semi-definite W: Cholesky with diagonal pivoting,
+/// stopped at the rank.
 MatrixXd pivotedCholesky(const MatrixXd& W) {
   const int n = static_cast<int>(W.rows());
   // Below this share of its own diagonal a pivot is round-off: the contact is redundant.
@@ -35,8 +36,8 @@ MatrixXd pivotedCholesky(const MatrixXd& W) {
   return J.leftCols(rank);
 }
 
-/// Calls visit(at, a, Ja, b, Jb) for every pair of blocks in one contact or row of which at least one
-/// is a part, always in the same order.
+/// Calls visit(at, a, Ja, b, Jb) for every pair of blocks in one contact or row of which at least
+/// one is a part, always in the same order.
 template <class Visit>
 void forPairsWithParts(const BodySpace& space, const Visit& visit) {
   const auto contactsEnd = static_cast<int>(3 * space.contacts.size());

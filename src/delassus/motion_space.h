@@ -9,9 +9,11 @@
 
 namespace delassus {
 
-/// Derivative −dr/du of the reactions for one region: 3x3 per contact, a number per row. Zero where open or bounded.
+/// Derivative −dr/du of the reactions for one region: 3x3 per contact, a number per row. Zero where
+/// open or bounded.
 ///
-/// A disk answers to its own rows, which are zero among `rows`, and through its radius to those of its governor.
+/// A disk answers to its own rows, which are zero among `rows`, and through its radius to those of
+/// its governor.
 struct Stiffness {
   struct OfDisk {
     Mat2 own = Mat2::Zero();
@@ -40,14 +42,16 @@ struct Stiffness {
   }
 };
 
-/// A motion space is where the reactions of an island are felt: y = J̃ᵀ r with M = I, so that W = J̃ J̃ᵀ + diag(compliance).
-/// Each offers its size, impulse (y = J̃ᵀ r), relativeVelocity (u = J̃ y), and the Newton matrix K = I + J̃ᵀ G J̃ of a region.
+/// A motion space is where the reactions of an island are felt: y = J̃ᵀ r with M = I, so that W =
+/// J̃ J̃ᵀ + diag(compliance). Each offers its size, impulse (y = J̃ᵀ r), relativeVelocity (u = J̃
+/// y), and the Newton matrix K = I + J̃ᵀ G J̃ of a region.
 
 /// Bodies of a world: six columns a body, K is sparse in 6x6 blocks over the body graph.
 ///
-/// Contacts that are open in a region add nothing to K, and in rubble most are: two bodies have blocks in the factor once a contact of theirs
-/// has been held or has slid since the problem was set; where no more than twenty pairs touch, all have at once. In rubble a factor takes a
-/// fifth of the work of one for all that touches.
+/// Contacts that are open in a region add nothing to K, and in rubble most are: two bodies have
+/// blocks in the factor once a contact of theirs has been held or has slid since the problem was
+/// set; where no more than twenty pairs touch, all have at once. In rubble a factor takes a fifth
+/// of the work of one for all that touches.
 class BodyMotion {
  public:
   /// Keeps pointers to the problem, which must outlive the use and stay as it is.
@@ -58,7 +62,8 @@ class BodyMotion {
   void relativeVelocity(const VectorXd& y, VectorXd& u) const { space_->relativeVelocity(y, u); }
   bool factorise(const Stiffness& G);
   void solve(VectorXd& y) const { factor_.solve(y); }
-  /// W = J̃ K⁻¹ J̃ᵀ of these unknowns, after `factorise` of a G that is symmetric. Without their compliance.
+  /// W = J̃ K⁻¹ J̃ᵀ of these unknowns, after `factorise` of a G that is symmetric. Without their
+  /// compliance.
   void condense(const std::vector<int>& unknowns, KeptMatrix& W);
   /// Of K.
   bool isDeterminantNegative() const { return factor_.isDeterminantNegative(); }
@@ -100,8 +105,9 @@ class BodyMotion {
   bool hasRoom_ = false;  ///< for anything yet: many problems need no factor
 };
 
-/// Explicit W: J̃ is its pivoted Cholesky factor, as many columns as W has rank. The asymmetry and the slightly negative
-/// eigenvalues of measured matrices are left out here; the walk sees them through u = W r + q.
+/// Explicit W: J̃ is its pivoted Cholesky factor, as many columns as W has rank. The asymmetry and
+/// the slightly negative eigenvalues of measured matrices are left out here; the walk sees them
+/// through u = W r + q.
 class FactoredMotion {
  public:
   void setProblem(const Problem& problem);

@@ -123,8 +123,8 @@ bool NewtonSteps<Most>::isFactored() const {
          std::equal(active_.begin(), active_.end(), factored_.begin(), factored_.end(), isSame);
 }
 
-/// step_ from error_, and what it does in felt_: what is open or at a bound goes where it must, whatever the others do, and has no place in K_. False if K_ is
-/// singular.
+/// step_ from error_, and what it does in felt_: what is open or at a bound goes where it must,
+/// whatever the others do, and has no place in K_. False if K_ is singular.
 template <int Most>
 bool NewtonSteps<Most>::findStep(const ReactionBounds& bounds) {
   findActive(bounds);

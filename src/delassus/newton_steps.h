@@ -40,11 +40,13 @@ class ShortList {
 template <class Entry>
 class ShortList<Entry, Eigen::Dynamic> : public std::vector<Entry> {};
 
-/// Steps of Newton's method on Coulomb's law as it stands, with all entries of W (Alart and Curnier 1991; algorithms §6.10):
+/// Steps of Newton's method on Coulomb's law as it stands, with all entries of W (Alart and Curnier
+/// 1991; algorithms §6.10):
 ///
 ///     F(r) = P(r − u/ρ) − r = 0,    u = W r + q,    ρ = mean of the diagonal of W_ii
 ///
-/// P as in `reactionTo`, for rows the projection on their bounds. `Most` unknowns or fewer, or any number (Eigen::Dynamic).
+/// P as in `reactionTo`, for rows the projection on their bounds. `Most` unknowns or fewer, or any
+/// number (Eigen::Dynamic).
 template <int Most>
 class NewtonSteps {
  public:
@@ -61,9 +63,10 @@ class NewtonSteps {
   void forgetFactor() { hasFactor_ = false; }
   /// ‖ρ F‖ at r and u, m/s.
   double error(const ReactionBounds& bounds) { return evaluate(bounds, r, u); }
-  /// Solves F in the region of r and u, and goes there, or less far if that is worse: a step that gains nothing is a short one, behind
-  /// the wall there may be a better region. `error` is that at r and u, just found by `error` or the last step, and afterwards that of where
-  /// it has gone. False, and nothing is changed, if F is singular in this region.
+  /// Solves F in the region of r and u, and goes there, or less far if that is worse: a step that
+  /// gains nothing is a short one, behind the wall there may be a better region. `error` is that at
+  /// r and u, just found by `error` or the last step, and afterwards that of where it has gone.
+  /// False, and nothing is changed, if F is singular in this region.
   bool step(const ReactionBounds& bounds, double& error);
   /// The same all the way, whether or not that is worse (for `descend`).
   bool fullStep(const ReactionBounds& bounds, double& error);

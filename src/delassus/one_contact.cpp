@@ -57,7 +57,8 @@ bool OneContact::stops(const Vec2& rt, const Vec2& c, const Vec3& q, double held
 
 /// `slip`: where the search for s begins; 0: anywhere.
 Vec3 OneContact::slide(double held, const Vec2& c, double friction, double slip) const {
-  // φ(s) = μ r_n − ‖r_t‖ is negative where it still sticks too much, at s = 0, and positive for large s.
+  // φ(s) = μ r_n − ‖r_t‖ is negative where it still sticks too much, at s = 0, and positive for
+  // large s.
   double low = 0, high = infinity;
   // Where the reaction would have the size that the normal allows if it braked straight against c.
   const double drift = c.norm(), size = drift / (friction * held);

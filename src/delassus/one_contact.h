@@ -4,12 +4,14 @@
 
 namespace delassus {
 
-/// The exact reaction of one contact with friction: K_μ ∋ r ⟂ u + μ‖u_t‖ n ∈ K_μ*, u = W r + q (algorithms §6.2).
+/// The exact reaction of one contact with friction: K_μ ∋ r ⟂ u + μ‖u_t‖ n ∈ K_μ*, u = W r + q
+/// (algorithms §6.2).
 ///
-/// Regions in fixed order: released (r = 0), stuck, sliding. With u_n = 0 held there is u_t = c + S r_t,
-/// S = W_tt − W_tn W_nt / W_nn: it sticks where r_t = −S⁻¹ c is in the cone, and else slides with u_t = −s r_t, so that
-/// r_t(s) = −(S + s I)⁻¹ c and s is the root of μ r_n(s) = ‖r_t(s)‖, found by a Newton iteration safeguarded by a bracket.
-/// W must have a positive normal entry; the tangential block may be singular: then the shortest of the r_t that stop it is taken. It is
+/// Regions in fixed order: released (r = 0), stuck, sliding. With u_n = 0 held there is u_t = c + S
+/// r_t, S = W_tt − W_tn W_nt / W_nn: it sticks where r_t = −S⁻¹ c is in the cone, and else slides
+/// with u_t = −s r_t, so that r_t(s) = −(S + s I)⁻¹ c and s is the root of μ r_n(s) = ‖r_t(s)‖,
+/// found by a Newton iteration safeguarded by a bracket. W must have a positive normal entry; the
+/// tangential block may be singular: then the shortest of the r_t that stop it is taken. It is
 /// taken apart once for many q.
 class OneContact {
  public:

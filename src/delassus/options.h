@@ -6,39 +6,49 @@
 
 namespace delassus {
 
-/// Shares of the tolerance. Reactions that are kept act again in every step, and a tall pile makes twice the error of each
-/// step in the next, unless it is at rest (island_check.h). So they are kept only as long as they are better than what is solved
-/// (keptShare), and solving again goes on for some digits more where these come by themselves (polishedShare).
+/// Shares of the tolerance. Reactions that are kept act again in every step, and a tall pile makes
+/// twice the error of each step in the next, unless it is at rest (island_check.h). So they are
+/// kept only as long as they are better than what is solved (keptShare), and solving again goes on
+/// for some digits more where these come by themselves (polishedShare).
 constexpr double keptShare = 1e-1, polishedShare = 1e-4;
 
 struct Options {
-  /// Natural residual to reach, relative to the largest |q_i| of the island (m/s, rad/s), but no less than the rounding of q
-  /// (Problem::roundOff); > 0. Where friction is more than 1 it is toleranceFor(friction).
+  /// Natural residual to reach, relative to the largest |q_i| of the island (m/s, rad/s), but no
+  /// less than the rounding of q (Problem::roundOff); > 0. Where friction is more than 1 it is
+  /// toleranceFor(friction).
   double tolerance = 1e-8;
-  /// Most regions visited per island. Budgets count work, never time: the same input takes the same work everywhere. Work in a patch of an
-  /// island counts by its share of what the island costs. 0 or less is none, as for all budgets; what has a formula (one contact, one row)
-  /// takes its region all the same.
+  /// Most regions visited per island. Budgets count work, never time: the same input takes the same
+  /// work everywhere. Work in a patch of an island counts by its share of what the island costs. 0
+  /// or less is none, as for all budgets; what has a formula (one contact, one row) takes its
+  /// region all the same.
   int newtonBudget = 1800;
-  /// Most block Gauss-Seidel sweeps, alternations, and steps on few contacts without their joints (condensed_newton.h), per island. Who
-  /// allows few of them is in a hurry (isHurried): where joints leave few contacts (and there are ten sweeps or more) these are solved at once
-  /// for one region, by some tens of steps that are not counted. Elsewhere, where nothing slid, and there are more than a dozen contacts and
-  /// no heap (pile_kind.h), all is held at once for one region, its steps uncounted; without reactions to start from, a short walk from the
-  /// forced motion may come next, but in large piles. If that is no answer, all sweeps are made, as sequential impulses make theirs, and a
-  /// walk comes after them. There are no alternations, no second start and no path of compliance. The numbers are in search_start_out.cpp.
+  /// Most block Gauss-Seidel sweeps, alternations, and steps on few contacts without their joints
+  /// (condensed_newton.h), per island. Who allows few of them is in a hurry (isHurried): where
+  /// joints leave few contacts (and there are ten sweeps or more) these are solved at once for one
+  /// region, by some tens of steps that are not counted. Elsewhere, where nothing slid, and there
+  /// are more than a dozen contacts and no heap (pile_kind.h), all is held at once for one region,
+  /// its steps uncounted; without reactions to start from, a short walk from the forced motion may
+  /// come next, but in large piles. If that is no answer, all sweeps are made, as sequential
+  /// impulses make theirs, and a walk comes after them. There are no alternations, no second start
+  /// and no path of compliance. The numbers are in search_start_out.cpp.
   int sweepBudget = 64000;
   bool isHurried() const { return sweepBudget < 300; }
-  /// Most factorisations along a path of compliance (compliance_path.h), of an island of up to 600 contacts and rows; of larger ones, in
-  /// which each costs more, as many fewer. There is no path in islands of more than 200 contacts and rows that are no heaps
-  /// (pile_kind.h), with rolling or spinning friction, or where W is explicit. It is looked at between strides, of which one may make a
-  /// hundred. A path's start takes up to 10 000 sweeps and 600 regions, and its end up to 240 regions, that no other budget holds.
+  /// Most factorisations along a path of compliance (compliance_path.h), of an island of up to 600
+  /// contacts and rows; of larger ones, in which each costs more, as many fewer. There is no path
+  /// in islands of more than 200 contacts and rows that are no heaps (pile_kind.h), with rolling or
+  /// spinning friction, or where W is explicit. It is looked at between strides, of which one may
+  /// make a hundred. A path's start takes up to 10 000 sweeps and 600 regions, and its end up to
+  /// 240 regions, that no other budget holds.
   int pathBudget = 30000;
-  /// A guess whose residual is within this share of the tolerance comes back as it is; > 0, ≤ 1. The Bullet solvers take no more than
-  /// polishedShare; before, they keep the last reactions where these are within keptShare.
+  /// A guess whose residual is within this share of the tolerance comes back as it is; > 0, ≤ 1.
+  /// The Bullet solvers take no more than polishedShare; before, they keep the last reactions where
+  /// these are within keptShare.
   double guessShare = 1;
   Economies economies;
 
-  /// A wide cone hides an approach of up to μ times the residual: without reactions, and with ‖u_t‖ = −u_n, that is −u_n/√(1 + μ²).
-  /// With this tolerance nothing approaches by a larger share of the demands than the tolerance, or 1e-5 if that is more:
+  /// A wide cone hides an approach of up to μ times the residual: without reactions, and with ‖u_t‖
+  /// = −u_n, that is −u_n/√(1 + μ²). With this tolerance nothing approaches by a larger share of
+  /// the demands than the tolerance, or 1e-5 if that is more:
   ///
   ///     min(tolerance, max(tolerance, 1e-5)/μ)
   double toleranceFor(double friction) const {

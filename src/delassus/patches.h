@@ -7,15 +7,19 @@
 
 namespace delassus {
 
-/// The parts of an island that are not settled yet, each with its surroundings a problem of its own.
+/// The parts of an island that are not settled yet, each with its surroundings a problem of its
+/// own.
 ///
-/// Sweeps settle most of a heap soon. What they leave is a few contacts, as a rule about a self-stress that grows by the same
-/// little in every sweep until it meets the wall of a cone. There the law is solved exactly while the reactions of all others
-/// are held: nonlinear elimination (Cai and Keyes 2002). A patch is made of the contacts, rows and disks among the bodies that
-/// unsettled ones touch and the neighbours of those bodies. No two patches share a body. For body space only.
+/// Sweeps settle most of a heap soon. What they leave is a few contacts, as a rule about a
+/// self-stress that grows by the same little in every sweep until it meets the wall of a cone.
+/// There the law is solved exactly while the reactions of all others are held: nonlinear
+/// elimination (Cai and Keyes 2002). A patch is made of the contacts, rows and disks among the
+/// bodies that unsettled ones touch and the neighbours of those bodies. No two patches share a
+/// body. For body space only.
 class Patches {
  public:
-  /// Finds them: around the parts whose entry of `residuals` (NaturalMap::residuals) is larger than `unsettled`.
+  /// Finds them: around the parts whose entry of `residuals` (NaturalMap::residuals) is larger than
+  /// `unsettled`.
   void find(const Problem& problem, const VectorXd& residuals, double unsettled);
 
   int count() const { return static_cast<int>(begin_.size()) - 1; }
@@ -38,8 +42,8 @@ class Patches {
   void leaveOutDisks(const Problem& problem);
   void sort();
 
-  std::vector<char>
-      reach_;               ///< of bodies: touched by an unsettled part, or a neighbour, or neither
+  /// Of bodies: touched by an unsettled part, or a neighbour, or neither.
+  std::vector<char> reach_;
   DisjointSets sets_;       ///< of bodies that are in one patch
   std::vector<int> owner_;  ///< of contacts and rows: the root of its patch, or −1
   std::vector<int> parts_;  ///< contacts and rows, patch by patch, ascending in each

@@ -125,7 +125,8 @@ std::vector<RowState> statesAt(const BoundedRows& rows, const VectorXd& r) {
   return states;
 }
 
-/// What a compromise leaves open among redundant rows: proximal steps have it only as exactly as the demands have become compatible.
+/// What a compromise leaves open among redundant rows: proximal steps have it only as exactly as
+/// the demands have become compatible.
 void takeLeastNorm(const BoundedRows& rows, RowAnswer& best) {
   constexpr size_t most = 400;
   constexpr double dependent = 1e-10;

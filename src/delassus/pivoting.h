@@ -10,15 +10,16 @@ namespace delassus {
 
 /// Reactions and motion of rows with bounds, and the region they lie in.
 struct PivotResult {
-  /// N·s, within the bounds; of least norm Σ W_ii r_i² where it is not unique (of a compromise between more than 400 rows: nearly)
+  /// N·s, within the bounds; of least norm Σ W_ii r_i² where it is not unique (of a compromise
+  /// between more than 400 rows: nearly)
   VectorXd r;
   VectorXd u;                  ///< W r + q, m/s: unique
   std::vector<RowState> rows;  ///< the region; on a wall between two regions either name may stand
   Status status = Status::Solved;
   int regions = 0;
   int factorisations = 0;  ///< from scratch; edits of a factor are not counted
-  std::vector<int>
-      blamed;  ///< rows whose demands no motion meets together; u is the least-squares compromise
+  /// Rows whose demands no motion meets together; u is the least-squares compromise.
+  std::vector<int> blamed;
 };
 
 /// Finds the region of rows with bounds, for any number of rows (algorithms 3 to 5):
@@ -28,8 +29,9 @@ struct PivotResult {
 /// Bounds may be infinite: contacts are [0, ∞), joints (−∞, ∞), motors [−m, m]. W = J M⁻¹ Jᵀ is
 /// symmetric positive semi-definite, often singular; a W that is neither is served too, with an
 /// honest status and no promise. Rows that are not linked through W are solved on their own.
-/// `regionBudget`: most regions visited, beside the few of groups of up to six unilateral rows; work, never time. Sizes that do not match, or
-/// bounds that cross, are errors of the caller (asserted). Numbers that are not finite: NonFinite, no reactions, u = 0.
+/// `regionBudget`: most regions visited, beside the few of groups of up to six unilateral rows;
+/// work, never time. Sizes that do not match, or bounds that cross, are errors of the caller
+/// (asserted). Numbers that are not finite: NonFinite, no reactions, u = 0.
 PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
                   const VectorXd& upper, int regionBudget = 1000);
 

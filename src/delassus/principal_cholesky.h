@@ -6,7 +6,8 @@
 
 namespace delassus {
 
-/// A pivot this small beside the diagonal says that a row depends on those before it (algorithms 3.5).
+/// A pivot this small beside the diagonal says that a row depends on those before it (algorithms
+/// 3.5).
 constexpr double dependentPivot = 1e-10;
 
 /// Cholesky factor L Lᵀ = (W + shift I)_SS of the rows S that a region keeps, edited as contacts

@@ -69,7 +69,8 @@ bool isFit(const Problem& problem, const Disk& disk, int next) {
          hasNoBounds(problem, disk.first - contactsEnd, disk.unknowns);
 }
 
-/// Σ |x_i|, in four sums beside each other: to add to one of them takes longer than to read what is added.
+/// Σ |x_i|, in four sums beside each other: to add to one of them takes longer than to read what is
+/// added.
 double sumOfSizes(const double* x, Eigen::Index count) {
   using Two = Eigen::Map<const Eigen::Array2d>;
   Eigen::Array2d a = Eigen::Array2d::Zero(), b = a, c = a, d = a;
@@ -98,8 +99,9 @@ double sumOfContacts(const BodySpace& space) {
          sumOfSizes(space.compliance.data(), static_cast<Eigen::Index>(3 * space.contacts.size()));
 }
 
-/// Whether the numbers of all contacts sum up to one in range: so is then what is summed up of each contact alone. Most problems are
-/// seen to be fit by this, long before one part after the other is. Entries are summed up with those of the rows.
+/// Whether the numbers of all contacts sum up to one in range: so is then what is summed up of each
+/// contact alone. Most problems are seen to be fit by this, long before one part after the other
+/// is. Entries are summed up with those of the rows.
 bool areContactsFit(const Problem& problem) {
   const int contacts = problem.contacts();
   const DelassusMatrix& W = problem.W;

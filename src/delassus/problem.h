@@ -8,12 +8,13 @@
 
 namespace delassus {
 
-/// The problem of one island. Unknown reactions r: three per contact (normal, t1, t2), then one per row.
+/// The problem of one island. Unknown reactions r: three per contact (normal, t1, t2), then one per
+/// row.
 ///
 ///     u = W r + q
 ///     contacts:  K_μ ∋ r ⟂ u + μ‖u_t‖ n ∈ K_μ*          (Signorini and Coulomb; De Saxcé's form)
 ///     rows:      lower ≤ r ≤ upper, u ≥ 0 at lower, u ≤ 0 at upper, u = 0 in between
-///     disks:     ‖r_d‖ ≤ κ r_n, r_d opposite to u_d and on the rim where u_d ≠ 0   (rows too; disk.h)
+///     disks:     ‖r_d‖ ≤ κ r_n, r_d opposite to u_d and on the rim where u_d ≠ 0 (disk.h)
 ///
 /// A contact without friction is a row with bounds [0, ∞). Impulses N·s, velocities m/s.
 struct Problem {
@@ -43,12 +44,14 @@ struct Interval {
 /// That of an unknown of a contact, if it had no friction, or of a row.
 Interval allowedWithoutFriction(const Problem& problem, int unknown);
 
-/// First unknowns of the contacts, rows and disks that no law can be stated for: numbers in their part of q, μ, κ or W, or
-/// bounds, that are none or so large (1e100) that squares overflow, μ < 0, lower > upper, κ ≤ 0, most load ≤ 0, r_n not
-/// before the disks, rows of disks that have bounds of their own. Ascending.
+/// First unknowns of the contacts, rows and disks that no law can be stated for: numbers in their
+/// part of q, μ, κ or W, or bounds, that are none or so large (1e100) that squares overflow, μ < 0,
+/// lower > upper, κ ≤ 0, most load ≤ 0, r_n not before the disks, rows of disks that have bounds of
+/// their own. Ascending.
 std::vector<int> unfitParts(const Problem& problem);
 
-/// Moves reactions into the cones, bounds and disks: each to the nearest that is allowed, those of disks last.
+/// Moves reactions into the cones, bounds and disks: each to the nearest that is allowed, those of
+/// disks last.
 void makeFeasible(const Problem& problem, VectorXd& r);
 
 }  // namespace delassus

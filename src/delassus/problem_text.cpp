@@ -16,7 +16,8 @@ namespace {
 
 using Sparse = DelassusMatrix::Sparse;
 
-// Lists grow with the text, so that a wrong count cannot ask for memory that the text does not fill.
+// Lists grow with the text, so that a wrong count cannot ask for memory that the text does not
+// fill.
 
 VectorXd toVector(const std::vector<double>& numbers) {
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(),
@@ -112,7 +113,8 @@ Sparse readMatrix(WordReader& in, const char* section, int n, int entries, int s
   return matrix;
 }
 
-/// Name, number of contacts or rows (`size`), number of blocks or entries: what both formats begin with.
+/// Name, number of contacts or rows (`size`), number of blocks or entries: what both formats begin
+/// with.
 struct Head {
   std::string name;
   int size, entries;

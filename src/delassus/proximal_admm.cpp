@@ -31,8 +31,8 @@ template <class Motion>
 bool ProximalNewton<Motion>::alternate(const Problem& problem, double tolerance, int budget,
                                        Solution& best) {
   constexpr int between = 5;  // iterations from one look at the residual to the next
-  // Looks at which its mean is not halved: then little more will come. The largest is no measure of that: it stays where it is
-  // while tall piles find out, layer by layer, what they carry.
+  // Looks at which its mean is not halved: then little more will come. The largest is no measure of
+  // that: it stays where it is while tall piles find out, layer by layer, what they carry.
   constexpr int mostIdle = 24;
   if (budget < between) return false;
   setWeights(rho);

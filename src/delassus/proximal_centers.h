@@ -17,12 +17,13 @@ struct Descent {
   int steps;  ///< that were made
 };
 
-/// Newton steps of full length until the error is at most `enough`, or `budget` steps are made. Where reactions have far to go along what
-/// hardly moves anything, with cones that bend the way, a step that ends nearer to the answer misses the law by more than its beginning:
-/// some steps more tell whether it was a good one. If none of these gains, it ends where the error was least.
+/// Newton steps of full length until the error is at most `enough`, or `budget` steps are made.
+/// Where reactions have far to go along what hardly moves anything, with cones that bend the way, a
+/// step that ends nearer to the answer misses the law by more than its beginning: some steps more
+/// tell whether it was a good one. If none of these gains, it ends where the error was least.
 ///
-/// `steps` offers error(), step(error), which is false and changes nothing where the matrix is singular, keepLast(), which keeps what the
-/// last step began from, and goBack() to what was kept.
+/// `steps` offers error(), step(error), which is false and changes nothing where the matrix is
+/// singular, keepLast(), which keeps what the last step began from, and goBack() to what was kept.
 template <class Steps>
 Descent descend(Steps& steps, double enough, int budget) {
   constexpr int patience = 4;
@@ -44,14 +45,17 @@ Descent descend(Steps& steps, double enough, int budget) {
   return {least <= enough, made};
 }
 
-/// Moves the center r_k of a proximal method, which takes u + α W_aa (r − r_k) for u: then r_k ← r. The fixed points know nothing of α. It
-/// shrinks where that is slow, and grows where no r is found.
+/// Moves the center r_k of a proximal method, which takes u + α W_aa (r − r_k) for u: then r_k ← r.
+/// The fixed points know nothing of α. It shrinks where that is slow, and grows where no r is
+/// found.
 ///
-/// From `best`, until its natural residual is at most `tolerance` (m/s), or some digits less where they come by themselves: true; or until
-/// `budget` steps are made, which it is less by then, or two moves gain little. `moveOn` is a descent around a center to the next one, which it
+/// From `best`, until its natural residual is at most `tolerance` (m/s), or some digits less where
+/// they come by themselves: true; or until `budget` steps are made, which it is less by then, or
+/// two moves gain little. `moveOn` is a descent around a center to the next one, which it
 /// completes:
 ///
-///     Descent moveOn(const Solution& center, double alpha, double enough, int budget, Solution& next)
+///     Descent moveOn(const Solution& center, double alpha, double enough, int budget,
+///                    Solution& next)
 ///
 /// `next` is room for it.
 template <class MoveOn>

@@ -7,12 +7,14 @@
 
 namespace delassus {
 
-/// Incompatible demands let the reactions grow without end, by the same d each time, along which no body moves: J̃ᵀ d = 0.
-/// The motion is then the compromise, nearest to the demands in least squares, weighted by the W_aa. Contacts with friction
-/// and disks have no part in it: what is squeezed may slip out, u_n = −μ |u_t| being no demand at all.
+/// Incompatible demands let the reactions grow without end, by the same d each time, along which no
+/// body moves: J̃ᵀ d = 0. The motion is then the compromise, nearest to the demands in least
+/// squares, weighted by the W_aa. Contacts with friction and disks have no part in it: what is
+/// squeezed may slip out, u_n = −μ |u_t| being no demand at all.
 ///
-/// It is proven by Farkas' bound: a motion that meets all demands has an energy norm of at least −d·u/√(d·W d), and that is beyond
-/// any that the demands could ask for. Nearly singular W with compatible demands let reactions grow long, too.
+/// It is proven by Farkas' bound: a motion that meets all demands has an energy norm of at least
+/// −d·u/√(d·W d), and that is beyond any that the demands could ask for. Nearly singular W with
+/// compatible demands let reactions grow long, too.
 template <class Motion>
 bool ProximalNewton<Motion>::growsInVain(const Problem& problem, double tolerance,
                                          double residual) {
@@ -26,7 +28,8 @@ bool ProximalNewton<Motion>::growsInVain(const Problem& problem, double toleranc
   if (open.cwiseAbs().maxCoeff() > 1e-6 * residual) return false;
   motion_.impulse(d, felt_);
   motion_.relativeVelocity(felt_, moved);
-  // Neither a tolerance beside which the residual is small nor the rounding of reactions that are large proves anything.
+  // Neither a tolerance beside which the residual is small nor the rounding of reactions that are
+  // large proves anything.
   const double still = std::min(tolerance, map_->roundOff(r_));
   if (moved.cwiseAbs().maxCoeff() > std::max(still, 1e-6 * residual)) return false;
 

@@ -10,17 +10,18 @@
 namespace delassus {
 namespace {
 
-// Larger, and digits would come in more steps; smaller, and rounding, which 1/alpha magnifies, would take them.
+// Larger, and digits would come in more steps; smaller, and rounding, which 1/alpha magnifies,
+// would take them.
 constexpr double alpha = 1e-7;
-// How easily friction comes beside normal reactions: piles at rest hardly need any. The taller the pile, the smaller it should be; but
-// towers whose corners are wedged need some.
+// How easily friction comes beside normal reactions: piles at rest hardly need any. The taller the
+// pile, the smaller it should be; but towers whose corners are wedged need some.
 constexpr double tangentShare = 0.015;
-// What lies outside its cone is moved beyond the wall of a narrower one that begins a little above the tip: so all lie inside after
-// finitely many steps.
+// What lies outside its cone is moved beyond the wall of a narrower one that begins a little above
+// the tip: so all lie inside after finitely many steps.
 constexpr double innerShare = 0.6, beyond = 1.6, marginShare = 0.15;
 
-/// How a reaction outside its cone moves: to the nearest, where tangents move with that ease, in the cone of `innerShare` of the friction
-/// that begins at `margin`, and beyond that.
+/// How a reaction outside its cone moves: to the nearest, where tangents move with that ease, in
+/// the cone of `innerShare` of the friction that begins at `margin`, and beyond that.
 Vec3 moveInside(const Vec3& r, double mu, double margin) {
   const double root = std::sqrt(tangentShare);
   const Vec3 z(r[0] - margin, r[1] / root, r[2] / root);
@@ -42,7 +43,8 @@ bool isHeld(const ActiveSet& set, int unknown) {
 
 }  // namespace
 
-/// The weights here, without those that are not held, and the Newton matrix. change_ is what those have to lose.
+/// The weights here, without those that are not held, and the Newton matrix. change_ is what those
+/// have to lose.
 template <class Motion>
 void ProximalNewton<Motion>::setHold(const Problem& problem, const ActiveSet& set) {
   const int n = problem.contacts();
@@ -72,7 +74,8 @@ void ProximalNewton<Motion>::setHold(const Problem& problem, const ActiveSet& se
   }
 }
 
-/// How those of r_ that lie outside their cones, bounds and disks are to move, in change_; returns the size of all that, (m/s)².
+/// How those of r_ that lie outside their cones, bounds and disks are to move, in change_; returns
+/// the size of all that, (m/s)².
 template <class Motion>
 double ProximalNewton<Motion>::moveAllInside(const Problem& problem, double demand) {
   const int n = problem.contacts();
@@ -97,7 +100,8 @@ double ProximalNewton<Motion>::moveAllInside(const Problem& problem, double dema
   return change_.cwiseProduct(scale_).squaredNorm();
 }
 
-/// r_ ← r_ + change_ − L u, where u is the relative velocity that goes with the new r_; u_ goes with it.
+/// r_ ← r_ + change_ − L u, where u is the relative velocity that goes with the new r_; u_ goes
+/// with it.
 template <class Motion>
 void ProximalNewton<Motion>::holdOnce() {
   center_ = r_ + change_;

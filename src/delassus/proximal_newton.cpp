@@ -76,10 +76,11 @@ double ProximalNewton<Motion>::tryStep(const Problem& problem, double share) {
   return trialError_.norm();
 }
 
-/// As much of the step as lets the energy norm `error` of the error fall; near a solution that is all of it. Elsewhere it is halved
-/// until the error falls, which it does as far as some wall of the regions, to rise behind it. Halves alone come ever nearer to that wall
-/// and never through it. So the step goes on from wall to wall as long as the error falls, and ends a hair's breadth behind the last:
-/// the next one knows the region there. False if it does not fall.
+/// As much of the step as lets the energy norm `error` of the error fall; near a solution that is
+/// all of it. Elsewhere it is halved until the error falls, which it does as far as some wall of
+/// the regions, to rise behind it. Halves alone come ever nearer to that wall and never through it.
+/// So the step goes on from wall to wall as long as the error falls, and ends a hair's breadth
+/// behind the last: the next one knows the region there. False if it does not fall.
 template <class Motion>
 bool ProximalNewton<Motion>::stepAlong(const Problem& problem, double& error) {
   constexpr int mostHalvings = 10, mostWalls = 4;
@@ -141,7 +142,8 @@ double ProximalNewton<Motion>::nextWallAlong(const Problem& problem, double afte
 template <class Motion>
 typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
     const Problem& problem, int& budget, Solution& count, const Solution* region) {
-  // An inner answer only has to be better than what the outer step corrects anyway; at round-off the line search stalls.
+  // An inner answer only has to be better than what the outer step corrects anyway; at round-off
+  // the line search stalls.
   constexpr double stalled = 1e-2;
   constexpr int mostSteps = 40;
   delta_.setZero(motion_.size());
@@ -232,8 +234,9 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
                                          double firstWeight, int regionBudget, bool fromRegion,
                                          double residual, Solution& best) {
   constexpr double smallest = 1e-12, largest = 10, hardly = 1e-7;
-  // Shares of the residual. A step that leaves more than `slow` asks for a smaller weight; more than `tooSlow`, and no digits come by
-  // themselves; more than `atItsEnd` with the smallest weight, and nothing more is to come; `stuck`: reactions may grow in vain.
+  // Shares of the residual. A step that leaves more than `slow` asks for a smaller weight; more
+  // than `tooSlow`, and no digits come by themselves; more than `atItsEnd` with the smallest
+  // weight, and nothing more is to come; `stuck`: reactions may grow in vain.
   constexpr double slow = 1e-2, tooSlow = 0.3, atItsEnd = 0.1, stuck = 0.5;
   constexpr int fewRegions = 6;
   constexpr int mostOuters = 1000;  // budgets end before, unless steps take no regions
@@ -264,7 +267,8 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
     // Some digits more if they come by themselves: then the next step may stand on these reactions.
     const double aim = now > tooSlow * residual ? tolerance : polishedShare * tolerance;
     if (now <= std::max(aim, map_->roundOff(center_))) return Outcome::Reached;
-    // A region that is known needs a small weight to finish; one that still changes needs a larger one.
+    // A region that is known needs a small weight to finish; one that still changes needs a larger
+    // one.
     if (now > atItsEnd * residual && alpha.isLeast()) return Outcome::Lost;
     if (now > slow * residual) alpha.shrink();
     residual = now;

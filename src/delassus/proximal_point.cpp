@@ -63,7 +63,8 @@ ProximalAnswer proximalPoint(const BoundedRows& problem, RegionWalk& walk, doubl
 
     const VectorXd direction = r - anchor;
     if (provesIncompatible(problem, direction, residual)) {
-      // On the rows that push for ever u tends to −alpha d; that of q along d is the same, and no rounding of large reactions is in it.
+      // On the rows that push for ever u tends to −alpha d; that of q along d is the same, and no
+      // rounding of large reactions is in it.
       answer.shift = -direction.dot(problem.q) / direction.squaredNorm() * direction;
       const double size = direction.cwiseAbs().maxCoeff();
       for (int i = 0; i < problem.size(); ++i)

@@ -8,8 +8,8 @@
 
 namespace delassus {
 
-/// The reaction `r` to center + step. Where the law leaves that as it is, the change is the step to all its digits, of which the
-/// difference of two large reactions keeps few.
+/// The reaction `r` to center + step. Where the law leaves that as it is, the change is the step to
+/// all its digits, of which the difference of two large reactions keeps few.
 template <class Motion>
 void ProximalNewton<Motion>::answer(int at, double step, double r) {
   r_[at] = r;
@@ -48,8 +48,8 @@ void ProximalNewton<Motion>::respond(const Problem& problem, const VectorXd& u, 
   }
 }
 
-/// −dr/du of a disk: of one that slides along `direction`, its own part is across, where it may turn, and its governor moves
-/// the rim along, if the disk still grows with it.
+/// −dr/du of a disk: of one that slides along `direction`, its own part is across, where it may
+/// turn, and its governor moves the rim along, if the disk still grows with it.
 template <class Motion>
 void ProximalNewton<Motion>::answerOfDisk(const Disk& disk, int k, Mode mode, const Vec2& direction,
                                           double turn, bool grows, Stiffness& G) const {

@@ -5,8 +5,9 @@
 
 namespace delassus {
 
-/// The weight α of a proximal method, which shrinks from one center to the next where what is left goes slowly, and grows where no answer
-/// around a center is found. After a failure it shrinks less boldly, and more so again once two answers in a row came easily.
+/// The weight α of a proximal method, which shrinks from one center to the next where what is left
+/// goes slowly, and grows where no answer around a center is found. After a failure it shrinks less
+/// boldly, and more so again once two answers in a row came easily.
 class ProximalWeight {
  public:
   ProximalWeight(double first, double least, double most)

@@ -80,7 +80,8 @@ Vec3 QuickAnswer::velocityOf(int contact) const {
   return u;
 }
 
-/// W_aa. Of a contact that is alone it is all that its rows hold, and if nothing is left out, in one piece.
+/// W_aa. Of a contact that is alone it is all that its rows hold, and if nothing is left out, in
+/// one piece.
 Mat3 QuickAnswer::blockOf(int contact) const {
   const DelassusMatrix::Sparse& W = problem_.W.entries();
   const int* begin = W.outerIndexPtr() + 3 * contact;
@@ -105,14 +106,15 @@ double QuickAnswer::sizeOf(int contact) {
   return a.size;
 }
 
-/// Whether those before it in the first sweep have given a contact nearly as much approach as it had: by then it has come no nearer.
+/// Whether those before it in the first sweep have given a contact nearly as much approach as it
+/// had: by then it has come no nearer.
 bool QuickAnswer::isRocking(int contact, double normalVelocity) const {
   const double approach = problem_.q[3 * contact];
   return best_.sweeps == 0 && isSmall() && approach < 0 && normalVelocity < (2 - gain) * approach;
 }
 
-/// Each contact in turn with the others held. Returns by how much the most changed one changed its own velocity, m/s; infinite if
-/// it would be no use to go on.
+/// Each contact in turn with the others held. Returns by how much the most changed one changed its
+/// own velocity, m/s; infinite if it would be no use to go on.
 double QuickAnswer::sweepOnce() {
   double change = 0;
   for (int i = 0; i < problem_.contacts(); ++i) {
@@ -133,13 +135,14 @@ double QuickAnswer::sweepOnce() {
   return std::sqrt(change);
 }
 
-/// As long as each takes away most of what is left; where regions are cheap, two at most. Contacts that feel little of each other,
-/// or nothing, need no more.
+/// As long as each takes away most of what is left; where regions are cheap, two at most. Contacts
+/// that feel little of each other, or nothing, need no more.
 void QuickAnswer::sweep() {
   constexpr int few = 2;
   const double first = sweepOnce();
   if (!std::isfinite(first)) return;
-  // Those that feel nothing of what is before them are not felt by it either: then one sweep is all.
+  // Those that feel nothing of what is before them are not felt by it either: then one sweep is
+  // all.
   if (isSmall() || felt_ <= toleranceFor(demand_) || best_.sweeps == options_.sweepBudget)
     measure();
   double before = 2 * first;  // as if from nearer: the first sets out from nothing
@@ -175,7 +178,8 @@ void QuickAnswer::measure() {
   best_.residualRms = std::sqrt(squares / problem_.contacts());
 }
 
-/// From region to region: from what the sweeps found, or where the first gained little from no reactions.
+/// From region to region: from what the sweeps found, or where the first gained little from no
+/// reactions.
 bool QuickAnswer::walk() {
   std::vector<Mat3> blocks(problem_.contacts());
   VectorXd sizes(problem_.contacts());

@@ -10,11 +10,13 @@
 
 namespace delassus {
 
-/// The answer of a problem with explicit W that is small, or whose contacts feel little of each other: few sweeps, and few regions,
-/// take less time than making a Solver, or taking W apart. What does not approach is not looked at.
+/// The answer of a problem with explicit W that is small, or whose contacts feel little of each
+/// other: few sweeps, and few regions, take less time than making a Solver, or taking W apart. What
+/// does not approach is not looked at.
 class QuickAnswer {
  public:
-  /// Keeps references. The problem must be fit (unfitParts), with entries, contacts and neither rows nor disks.
+  /// Keeps references. The problem must be fit (unfitParts), with entries, contacts and neither
+  /// rows nor disks.
   QuickAnswer(const Problem& problem, const Options& options);
 
   /// The answer if the law is kept to within the tolerance: true.
@@ -47,7 +49,8 @@ class QuickAnswer {
   bool isReached() const { return best_.residual <= toleranceFor(demand_); }
   bool isSmall() const;
   bool isAlone(int contact) const;
-  /// Whether there is nothing to be done about a contact: it does not approach, and what approaches does not move it.
+  /// Whether there is nothing to be done about a contact: it does not approach, and what approaches
+  /// does not move it.
   bool staysApart(int contact) const {
     const Contact& c = contacts_[contact];
     return c.isAlone && c.place < 0 && problem_.q[3 * contact] >= 0;

@@ -8,8 +8,9 @@
 
 namespace delassus {
 
-/// As long as it lives, no operation of this thread on numbers traps, and none leaves a trace in the flags: here x/0 is a wall that is met
-/// nowhere, and what a user has asked his processor to stop at is in his own code.
+/// As long as it lives, no operation of this thread on numbers traps, and none leaves a trace in
+/// the flags: here x/0 is a wall that is met nowhere, and what a user has asked his processor to
+/// stop at is in his own code.
 class QuietArithmetic {
  public:
 #ifdef __SSE__

@@ -8,8 +8,8 @@
 
 namespace delassus {
 
-/// The mode of a contact, read from the point z = r − v/W_aa that the law projects (from r alone grazing contacts lie).
-/// `weight` stands for W_aa: the mean of its diagonal, 1/kg.
+/// The mode of a contact, read from the point z = r − v/W_aa that the law projects (from r alone
+/// grazing contacts lie). `weight` stands for W_aa: the mean of its diagonal, 1/kg.
 inline Mode modeOf(const Vec3& r, const Vec3& u, double friction, double weight) {
   const double rho = weight > 0 ? 1 / weight : 0;
   const Vec3 z = r - rho * correctedVelocity(u, friction);

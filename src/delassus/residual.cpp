@@ -17,8 +17,9 @@ double symmetricNorm(const Mat2& S) {
   return 0.5 * (std::abs(S(0, 0) + S(1, 1)) + lengthOf(S(0, 0) - S(1, 1), 2 * S(0, 1)));
 }
 
-/// The largest root of y³ − 3y = 2x, |x| ≤ 1: 2 cos(⅔ arccos s) with s = √((1 + x) / 2). From the cubic that has its values and slopes at
-/// s = 0 and 1, twice by Halley's method, which takes the digits left to their third power: two fifths of the time of cos and arccos.
+/// The largest root of y³ − 3y = 2x, |x| ≤ 1: 2 cos(⅔ arccos s) with s = √((1 + x) / 2). From the
+/// cubic that has its values and slopes at s = 0 and 1, twice by Halley's method, which takes the
+/// digits left to their third power: two fifths of the time of cos and arccos.
 double largestRoot(double x) {
   constexpr double slope0 = 1.1547005383792515, slope1 = 8.0 / 9;  // 2/√3
   constexpr double c3 = slope0 + slope1 - 2, c2 = 1 - slope0 - c3;
@@ -32,7 +33,8 @@ double largestRoot(double x) {
   return y;
 }
 
-/// The eigenvalues are m + p y, with the mean m, 6 p² = ‖S − m I‖², and the roots of y³ − 3y = det(S − m I) / p³.
+/// The eigenvalues are m + p y, with the mean m, 6 p² = ‖S − m I‖², and the roots of y³ − 3y =
+/// det(S − m I) / p³.
 double symmetricNorm(const Mat3& S) {
   const double m = S.trace() / 3;
   const double a = S(0, 0) - m, b = S(1, 1) - m, c = S(2, 2) - m;
@@ -47,7 +49,8 @@ double symmetricNorm(const Mat3& S) {
   return std::max(largest, -(m + p * least));
 }
 
-/// ‖W‖₂ = √ λ_max(Wᵀ W), also for blocks that are not symmetric. Scaled first, for squares of tiny masses may vanish.
+/// ‖W‖₂ = √ λ_max(Wᵀ W), also for blocks that are not symmetric. Scaled first, for squares of tiny
+/// masses may vanish.
 template <class Block>
 double spectralNorm(const Block& W) {
   const double scale = W.cwiseAbs().maxCoeff();
@@ -57,8 +60,8 @@ double spectralNorm(const Block& W) {
   return scale * std::sqrt(symmetricNorm(Block(S.transpose() * S)));
 }
 
-/// That of a contact. Where its arms go along its normal, as those of balls do, no normal reaction moves it along its tangents: then
-/// two sizes are compared.
+/// That of a contact. Where its arms go along its normal, as those of balls do, no normal reaction
+/// moves it along its tangents: then two sizes are compared.
 double spectralNorm(const Mat3& W) {
   constexpr double rounding = 1e-14;
   const double coupling = W.row(0).tail<2>().cwiseAbs().sum() + W.col(0).tail<2>().cwiseAbs().sum();
@@ -71,11 +74,12 @@ double spectralNorm(const Mat3& W) {
 /// Nothing compared with nothing is nothing; something compared with nothing is infinite.
 double ratio(double part, double whole) { return part == 0 ? 0 : part / whole; }
 
-/// Sizes of the diagonal blocks of W, 1/kg, one a contact or row (both rows of a disk have that of their block): positive,
-/// so that 1/size is a step.
+/// Sizes of the diagonal blocks of W, 1/kg, one a contact or row (both rows of a disk have that of
+/// their block): positive, so that 1/size is a step.
 ///
-/// A block that vanishes gives no step. It takes the size of the largest block, which at least has the right unit, or
-/// 1 if all vanish: whatever the step, the residual is zero at the same reactions.
+/// A block that vanishes gives no step. It takes the size of the largest block, which at least has
+/// the right unit, or 1 if all vanish: whatever the step, the residual is zero at the same
+/// reactions.
 template <class ContactSize>
 void blockSizes(const Problem& problem, const VectorXd& diagonal, ContactSize contactSize,
                 VectorXd& sizes) {
@@ -94,8 +98,8 @@ void blockSizes(const Problem& problem, const VectorXd& diagonal, ContactSize co
     if (size < std::numeric_limits<double>::min()) size = instead;
 }
 
-/// (‖F‖/ρ)² of a contact with 1/ρ = size: since K_μ is a cone, F/ρ = x − P(x − v) with x = size r. Case by case (projectOnCone), so that a
-/// large r does not swallow v.
+/// (‖F‖/ρ)² of a contact with 1/ρ = size: since K_μ is a cone, F/ρ = x − P(x − v) with x = size r.
+/// Case by case (projectOnCone), so that a large r does not swallow v.
 double squareOfContact(const Vec3& r, const Vec3& u, double mu, double size) {
   const Vec3 x = size * r, v = correctedVelocity(u, mu), z = x - v;
   const double t = lengthOf(z[1], z[2]);
@@ -105,8 +109,8 @@ double squareOfContact(const Vec3& r, const Vec3& u, double mu, double size) {
   return Vec3(x[0] - n, x[1] - share * z[1], x[2] - share * z[2]).squaredNorm();
 }
 
-/// Calls `visit(k, first, (‖F‖/ρ)²)` with F = r − P(r − ρ v), 1/ρ = size(k), for each contact and then each row k, or
-/// disk whose first row is k; its first unknown is `first`.
+/// Calls `visit(k, first, (‖F‖/ρ)²)` with F = r − P(r − ρ v), 1/ρ = size(k), for each contact and
+/// then each row k, or disk whose first row is k; its first unknown is `first`.
 template <class Size, class Visit>
 void visitNaturalMap(const Problem& problem, const VectorXd& r, const VectorXd& u, Size size,
                      Visit visit) {

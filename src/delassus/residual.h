@@ -10,8 +10,8 @@ namespace delassus {
 
 /// How far reactions are from the law, per contact, row or disk and together (algorithms §9.1):
 ///
-///     F = r − P(r − ρ v),  ρ = 1/‖W_aa‖,  v = u + μ‖u_t‖ n for contacts, u for rows and disks; P projects on the cone, the
-///     bounds or the disk of radius κ r_n
+///     F = r − P(r − ρ v),  ρ = 1/‖W_aa‖,  v = u + μ‖u_t‖ n for contacts, u for rows and disks;
+///     P projects on the cone, the bounds or the disk of radius κ r_n
 struct VelocityResidual {
   double max = 0;  ///< largest ‖F‖/ρ, m/s (rad/s where it is an angle)
   double rms = 0;  ///< root mean square of ‖F‖/ρ over contacts and rows, m/s
@@ -29,15 +29,17 @@ class NaturalMap {
   VelocityResidual residual(const VectorXd& r, const VectorXd& u) const;
   /// The same with u = W r + q, which is worked out; `y` is room for what bodies feel.
   VelocityResidual measure(const VectorXd& r, VectorXd& y, VectorXd& u) const;
-  /// ‖F‖/ρ one by one, m/s: of the contacts, then of the rows (of a disk in the place of its first).
+  /// ‖F‖/ρ one by one, m/s: of the contacts, then of the rows (of a disk in the place of its
+  /// first).
   void residuals(const VectorXd& r, const VectorXd& u, VectorXd& each) const;
-  /// What round-off alone leaves in u = W r + q, m/s: a few ε of the largest W_aa r_a. A residual cannot be read finer.
+  /// What round-off alone leaves in u = W r + q, m/s: a few ε of the largest W_aa r_a. A residual
+  /// cannot be read finer.
   double roundOff(const VectorXd& r) const;
   const VectorXd& diagonal() const { return diagonal_; }                    ///< of W
   const Mat3& contactBlock(int contact) const { return blocks_[contact]; }  ///< W_aa
-  /// The mean of W_aa over the unknowns of each contact and disk, one number an unknown: a unit for what answers alike in all
-  /// directions. At least 1e-14 of the largest, and 1 where all W is zero: what moves nothing (W_ii = 0) can do nothing, and any finite
-  /// number is harmless.
+  /// The mean of W_aa over the unknowns of each contact and disk, one number an unknown: a unit for
+  /// what answers alike in all directions. At least 1e-14 of the largest, and 1 where all W is
+  /// zero: what moves nothing (W_ii = 0) can do nothing, and any finite number is harmless.
   void meanDiagonal(VectorXd& mean) const;
   std::size_t bytes() const { return bytesOf(sizes_, diagonal_, blocks_); }
 

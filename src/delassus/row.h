@@ -9,9 +9,10 @@ namespace delassus {
 ///     u = J_a v_a + J_b v_b − target + compliance r,
 ///     lower ≤ r ≤ upper,  u ≥ 0 where r = lower,  u ≤ 0 where r = upper,  u = 0 in between.
 ///
-/// With a governor it is friction that grows with the normal reaction r_n of a contact between the same bodies (disk.h):
-/// |r| ≤ upper r_n, and √(r² + r'²) ≤ upper r_n for two rows that are paired; of r_n no more counts than `mostLoad`.
-/// `upper` is then the κ of disk.h; `lower` and `compliance` are not read. Such rows stand behind all others.
+/// With a governor it is friction that grows with the normal reaction r_n of a contact between the
+/// same bodies (disk.h): |r| ≤ upper r_n, and √(r² + r'²) ≤ upper r_n for two rows that are paired;
+/// of r_n no more counts than `mostLoad`. `upper` is then the κ of disk.h; `lower` and `compliance`
+/// are not read. Such rows stand behind all others.
 ///
 /// Units are those of rows along an axis; of rows about one they are rad/s, N·m·s and 1/(kg·m²).
 struct Row {

@@ -10,8 +10,8 @@
 namespace delassus {
 namespace {
 
-/// A bound from below for what no reactions leave, as a root mean square over contacts and rows, m/s: of an approaching contact
-/// ‖P(−v)‖ ≥ |q_n| / (1 + μ²), which is worked out at once.
+/// A bound from below for what no reactions leave, as a root mean square over contacts and rows,
+/// m/s: of an approaching contact ‖P(−v)‖ ≥ |q_n| / (1 + μ²), which is worked out at once.
 double leastRmsFromNothing(const Problem& problem) {
   const int n = problem.contacts();
   if (n == 0) return 0;
@@ -23,7 +23,8 @@ double leastRmsFromNothing(const Problem& problem) {
 constexpr double nearly = 1e-6;  ///< share of the demands that reactions leave open
 constexpr int pileWalk = 400;
 
-/// Explicit entries that are too many for a dense matrix and its factor are swept over, and no more.
+/// Explicit entries that are too many for a dense matrix and its factor are swept over, and no
+/// more.
 bool isTooLargeToFactor(const Problem& problem) {
   constexpr int most = 10000;
   return !problem.W.inBodySpace() && problem.size() > most;
@@ -36,7 +37,8 @@ double Search::firstWeight(const Solution& from, double least) const {
                     unknownRegion);
 }
 
-/// A few regions settle a small island; where there are many contacts, and no time, they only take some.
+/// A few regions settle a small island; where there are many contacts, and no time, they only take
+/// some.
 bool Search::hasNoWalk(const Task& task, const Solution& best) const {
   const int least = isHeap(*problem_) || isLargePile(*problem_) ? shortWalk : 1;
   return isHurried_ && task.regionsLeft(best) < least;
@@ -93,19 +95,21 @@ Outcome Search::pivotRows(const Task& task, Solution& best) {
 /// From the likeliest way to the surest.
 ///
 /// Without reactions of a last step:
-///   - the paper's forced motion, every approaching contact held, from zero; in large piles, whose contacts share loads in many ways,
-///     with a search for forced reactions that lie inside their cones (`hold`);
-///   - where there is but one region, a walk to it; elsewhere steps in the space of reactions (`react`), on a dense matrix if few touch,
-///     and alternating directions.
+///   - the paper's forced motion, every approaching contact held, from zero; in large piles, whose
+///     contacts share loads in many ways, with a search for forced reactions that lie inside their
+///     cones (`hold`);
+///   - where there is but one region, a walk to it; elsewhere steps in the space of reactions
+///     (`react`), on a dense matrix if few touch, and alternating directions.
 /// With them:
 ///   - piles, and what slid nowhere: `hold`, from the last reactions;
 ///   - up to some hundred contacts, but for large piles: steps in the space of reactions;
 ///   - much is disturbed: accelerated sweeps as long as they gain, in heaps with patches.
-/// Where few sweeps are allowed: `hold` if nothing slid, and all sweeps.
-/// Then a walk, in large piles a long one. Where it loses its way, many contacts are at a wall of their region:
+/// Where few sweeps are allowed: `hold` if nothing slid, and all sweeps. Then a walk, in large
+/// piles a long one. Where it loses its way, many contacts are at a wall of their region:
 ///   - in large heaps plain sweeps, to outlast what hurried ones run past;
-///   - a proof that nothing can meet the demands; a second walk, but in large islands, as bold as what the first has left allows;
-///     an interior point, which comes down between the walls; a longer walk from there; and `wander`.
+///   - a proof that nothing can meet the demands; a second walk, but in large islands, as bold as
+///     what the first has left allows; an interior point, which comes down between the walls; a
+///     longer walk from there; and `wander`.
 template <class Motion>
 Outcome Search::walkOnce(Engines<Motion>& engines, const Task& task, Solution& best) {
   ProximalNewton<Motion>& newton = engines.walk;
@@ -134,8 +138,9 @@ void Search::polishWith(Engines<Motion>& engines, const Task& task, Solution& be
   engines.walk.polish(*problem_, task.tolerance, weight, most, best);
 }
 
-/// From the last reactions, then from nothing. In large heaps the path of compliance comes between, as far as it is short: it is
-/// where what sweeps have left is small, and costs less then than to begin anew.
+/// From the last reactions, then from nothing. In large heaps the path of compliance comes between,
+/// as far as it is short: it is where what sweeps have left is small, and costs less then than to
+/// begin anew.
 template <class Motion>
 Outcome Search::walkTwice(Engines<Motion>& engines, const Task& task, Solution& best) {
   if (isHurried_) return walkOnce(engines, task, best);
@@ -161,8 +166,8 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Task& task, Solution& 
   return outcome == Outcome::Lost ? harden(engines.walk, rest, best) : outcome;
 }
 
-/// A way of its own begins in apart_, from `guess`, or without one (null) from nothing, on what is left of the budget: what it takes for
-/// progress does not depend on what was found before.
+/// A way of its own begins in apart_, from `guess`, or without one (null) from nothing, on what is
+/// left of the budget: what it takes for progress does not depend on what was found before.
 void Search::setOutApart(const VectorXd* guess, Solution& best) {
   apart_.start(problem_->q);
   if (guess) apart_.r = *guess;
@@ -193,9 +198,9 @@ Outcome Search::walkCold(Engines<Motion>& engines, const Task& task, Solution& b
   return comeBack(walkOnce(engines, task.fromNothing(), apart_), best);
 }
 
-/// What is small or simple first: explicit entries by sweeps, if these lead far enough, and by Newton's method on a dense W; joints that
-/// leave few contacts, without them (`condense`). Where there is no room for a factor, or no time for a walk, sweeps alone. All else by
-/// `walkTwice`.
+/// What is small or simple first: explicit entries by sweeps, if these lead far enough, and by
+/// Newton's method on a dense W; joints that leave few contacts, without them (`condense`). Where
+/// there is no room for a factor, or no time for a walk, sweeps alone. All else by `walkTwice`.
 Outcome Search::walk(const Task& task, Solution& best) {
   isHurried_ = task.options.isHurried();
   if (!problem_->W.inBodySpace() && problem_->size() > fewUnknowns &&

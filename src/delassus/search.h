@@ -37,13 +37,15 @@ struct Task {
   Task fromNothing() const { return {options, tolerance, nullptr}; }
 };
 
-/// The search for the reactions of one problem after the other: by sweeps, by patches, from region to region. What has been found
-/// so far is `best`; nothing is lost that was better. Storage is used again.
+/// The search for the reactions of one problem after the other: by sweeps, by patches, from region
+/// to region. What has been found so far is `best`; nothing is lost that was better. Storage is
+/// used again.
 class Search {
  public:
   Search() = default;
 
-  /// Before all else. Keeps a pointer to `problem`, which must outlive the search for its reactions.
+  /// Before all else. Keeps a pointer to `problem`, which must outlive the search for its
+  /// reactions.
   void setProblem(const Problem& problem) {
     problem_ = &problem;
     map_.setProblem(problem);
@@ -55,8 +57,9 @@ class Search {
   /// Takes `r`, moved into the cones and bounds, as the best answer if its residual is smaller.
   void offer(const VectorXd& r, Solution& best);
 
-  /// Starts from no reactions at all if those in `best` are no start. They are compared as a whole: where few contacts came
-  /// or went, a guess is far wrong only there, and what was learnt of all the others is worth more.
+  /// Starts from no reactions at all if those in `best` are no start. They are compared as a whole:
+  /// where few contacts came or went, a guess is far wrong only there, and what was learnt of all
+  /// the others is worth more.
   void startBetter(Solution& best);
 
   /// Rows alone with an explicit W are the paper's own ground: regions of any W, symmetric or not.
@@ -104,7 +107,8 @@ class Search {
     }
     return *machines_;
   }
-  /// For the patches of another search, or its bodies if they were compliant: it takes turns with that one.
+  /// For the patches of another search, or its bodies if they were compliant: it takes turns with
+  /// that one.
   explicit Search(Machines& machines) : machines_(&machines) {}
 
   // search.cpp: the order of ways.
@@ -162,11 +166,13 @@ class Search {
   double soften(const Task& task, Solution& best);
 
   static constexpr double unknownRegion = 1e-1, knownRegion = 1e-6;  ///< proximal weights
-  /// The least of a walk that begins with the best answer of quick ways, and of one that others have not led to an end.
+  /// The least of a walk that begins with the best answer of quick ways, and of one that others
+  /// have not led to an end.
   static constexpr double leastAtFirst = 1e-2, leastAfar = 1e-4;
   static constexpr int shortWalk = 16, fewRegions = 8;
   static constexpr int fairWalk = 80;  ///< regions that find most ways there are
-  /// The proximal weight of a walk's first step from here, by what is left to correct; at least `least`.
+  /// The proximal weight of a walk's first step from here, by what is left to correct; at least
+  /// `least`.
   double firstWeight(const Solution& from, double least) const;
 
   /// Completes u and the residuals of a candidate r.
@@ -176,7 +182,8 @@ class Search {
   /// Puts the answer of a walk back into the cones and bounds that rounding, or a compromise, left.
   void allow(Solution& best);
 
-  /// With so few sweeps none are to be lost on what may gain nothing: as the user has it, whatever share of them a walk has.
+  /// With so few sweeps none are to be lost on what may gain nothing: as the user has it, whatever
+  /// share of them a walk has.
   bool isHurried_ = false;
   Hands* hands_ = nullptr;
   const Problem* problem_ = nullptr;

@@ -28,12 +28,13 @@ Outcome Search::findBack(Engines<Motion>& engines, const Task& task, Solution& b
   return outcome == Outcome::Lost ? wander(engines, task, best) : outcome;
 }
 
-/// Plain sweeps by the thousand from where the step began, or from nothing, and a walk from where they come to; then on from where that
-/// walk came to, if it is nearer than any before it.
+/// Plain sweeps by the thousand from where the step began, or from nothing, and a walk from where
+/// they come to; then on from where that walk came to, if it is nearer than any before it.
 ///
-/// A heap of spheres has as many contacts as motions, and stresses that grow by the same little in every sweep until a contact
-/// slips; which one is next depends on all that slipped before. What hurries sweeps runs past that order and ends far from any
-/// answer, though its residual is small. Plain sweeps go through it slip after slip, as the heap does. Where those from the last
+/// A heap of spheres has as many contacts as motions, and stresses that grow by the same little in
+/// every sweep until a contact slips; which one is next depends on all that slipped before. What
+/// hurries sweeps runs past that order and ends far from any answer, though its residual is small.
+/// Plain sweeps go through it slip after slip, as the heap does. Where those from the last
 /// reactions go round for ever, those from nothing, which squeezes nowhere, may come to an end.
 template <class Motion>
 Outcome Search::outlast(ProximalNewton<Motion>& newton, const Task& task, Solution& best) {
@@ -62,8 +63,9 @@ Outcome Search::outlast(ProximalNewton<Motion>& newton, const Task& task, Soluti
   return comeBack(outcome, best);
 }
 
-/// Where demands are proven incompatible, `best` is the compromise, that of bodies a little compliant where they touch, friction
-/// included, and names those that quarrel. Explicit entries tell it by reactions that grow (ProximalNewton::converge).
+/// Where demands are proven incompatible, `best` is the compromise, that of bodies a little
+/// compliant where they touch, friction included, and names those that quarrel. Explicit entries
+/// tell it by reactions that grow (ProximalNewton::converge).
 template <class Motion>
 bool Search::compromise(Engines<Motion>& engines, double tolerance, int regionBudget,
                         Solution& best) {
@@ -77,7 +79,8 @@ bool Search::compromise(Engines<Motion>& engines, double tolerance, int regionBu
     if (!areIncompatible) return false;
     for (const double compliance : compliances)
       if (newton.yield(*problem_, tolerance, compliance, regionBudget, best)) break;
-    // In the mean over its directions: what moves nothing along its normal may be asked to, and is named then.
+    // In the mean over its directions: what moves nothing along its normal may be asked to, and is
+    // named then.
     map_.meanDiagonal(felt_);
     felt_ = felt_.cwiseSqrt().cwiseProduct(quarrel_.reactions()).cwiseAbs();
     const double least = negligible * felt_.maxCoeff();
@@ -91,9 +94,10 @@ bool Search::compromise(Engines<Motion>& engines, double tolerance, int regionBu
   return false;
 }
 
-/// Two ways on, in turn. Sweeps and patches mend the best answer and the walk goes on from there. And since what is near in
-/// residual may be far from any answer, sweeps set out anew from where the step began, go on whether or not they better
-/// the best answer, further each time, and a short walk is tried from wherever they are.
+/// Two ways on, in turn. Sweeps and patches mend the best answer and the walk goes on from there.
+/// And since what is near in residual may be far from any answer, sweeps set out anew from where
+/// the step began, go on whether or not they better the best answer, further each time, and a short
+/// walk is tried from wherever they are.
 template <class Motion>
 Outcome Search::wander(Engines<Motion>& engines, const Task& task, Solution& best) {
   ProximalNewton<Motion>& newton = engines.walk;

@@ -1,4 +1,5 @@
-/// The last resort of the search: bodies that are soft where they touch, and the path of compliance from them to rigid ones.
+/// The last resort of the search: bodies that are soft where they touch, and the path of compliance
+/// from them to rigid ones.
 #include <algorithm>
 #include <type_traits>
 
@@ -7,8 +8,8 @@
 
 namespace delassus {
 
-/// The answer, in softAnswer_, for bodies that are as little compliant where they touch as sweeps and a short walk can find it;
-/// returns how compliant, in W_aa, or 0 if they find none.
+/// The answer, in softAnswer_, for bodies that are as little compliant where they touch as sweeps
+/// and a short walk can find it; returns how compliant, in W_aa, or 0 if they find none.
 double Search::soften(const Task& task, Solution& best) {
   constexpr double softest = 1, hardest = 1e-5, finer = 0.3162, tolerance = 1e-10;
   constexpr int sweeps = 1000, regions = 60;
@@ -42,9 +43,10 @@ double Search::soften(const Task& task, Solution& best) {
   return found;
 }
 
-/// Stands on the path of compliance: at bodies that are so compliant where they touch that their answer is found. In islands of
-/// thousands that one compliance would have to turn back and forth for each of the places where something is wedged, whatever the others
-/// do; there it begins at the best answer so far.
+/// Stands on the path of compliance: at bodies that are so compliant where they touch that their
+/// answer is found. In islands of thousands that one compliance would have to turn back and forth
+/// for each of the places where something is wedged, whatever the others do; there it begins at the
+/// best answer so far.
 bool Search::setOutOnPath(ProximalNewton<BodyMotion>& newton, const Task& task, int budget,
                           Solution& best) {
   constexpr double moderate = 1e-2, soft = 1;
@@ -64,8 +66,9 @@ bool Search::setOutOnPath(ProximalNewton<BodyMotion>& newton, const Task& task, 
   return path.setOut(best.r, softness, budget, best) || path.setOut(best.r, soft, budget, best);
 }
 
-/// Along the path of compliance to rigid bodies, and a walk from the answers of those that are nearly rigid. Not in large piles, where it
-/// takes ten thousands of factors and gains next to nothing.
+/// Along the path of compliance to rigid bodies, and a walk from the answers of those that are
+/// nearly rigid. Not in large piles, where it takes ten thousands of factors and gains next to
+/// nothing.
 template <class Motion>
 Outcome Search::harden(ProximalNewton<Motion>& newton, const Task& task, Solution& best) {
   constexpr double nearlyRigid = 1e-5, rigid = 1e-8, finest = 1e-7;

@@ -9,7 +9,8 @@
 namespace delassus {
 namespace {
 
-/// The paper's forced motion: all that approach are held, whatever the sign of their reactions will be.
+/// The paper's forced motion: all that approach are held, whatever the sign of their reactions will
+/// be.
 void forceActiveSet(const Problem& problem, ActiveSet& set) {
   // Bodies that fall together touch with q_n = 0 up to round-off: they are held too.
   const double touching = 1e-6 * problem.q.cwiseAbs().maxCoeff();
@@ -53,8 +54,8 @@ bool hasOneRegion(const Problem& problem) {
          problem.upper.array().isInf().all();
 }
 
-/// A proximal weight. From nothing a smaller one needs fewer steps; and were it smaller still, the first would end just within the
-/// tolerance, and none would follow that takes more digits.
+/// A proximal weight. From nothing a smaller one needs fewer steps; and were it smaller still, the
+/// first would end just within the tolerance, and none would follow that takes more digits.
 constexpr double forcedRegion = 1e-7;
 constexpr double disturbed = 1e-3;  ///< share of the demands that reactions leave open
 
@@ -101,21 +102,22 @@ Outcome Search::startOut(ProximalNewton<Motion>& newton, const Task& task, Solut
   return Outcome::Lost;
 }
 
-/// Whether it is worth a region to hold all that touches. Not where the last reactions slid somewhere and regions are cheap, or few:
-/// then something will again.
+/// Whether it is worth a region to hold all that touches. Not where the last reactions slid
+/// somewhere and regions are cheap, or few: then something will again.
 bool Search::mayHold(const Task& task, const Solution& best) const {
   constexpr int fewContacts = 12;
   if (isHeap(*problem_) || task.regionsLeft(best) <= 0) return false;
   // Explicit entries of this size cost more to factor than few sweeps are worth.
   if (isHurried_ && isLargePile(*problem_) && !problem_->W.inBodySpace()) return false;
   if (!isHurried_ && isLargePile(*problem_)) return true;
-  // Small islands without reactions of a last step hold all in their first region, if there may be others.
+  // Small islands without reactions of a last step hold all in their first region, if there may be
+  // others.
   return (task.guess || isHurried_) && problem_->contacts() > fewContacts &&
          slidesNowhere(*problem_, best.r);
 }
 
-/// Holds all that touches. Who has few sweeps pays a region for it and no sweeps; these are made as if it had not been tried, and what it
-/// has come to waits in wandering_.
+/// Holds all that touches. Who has few sweeps pays a region for it and no sweeps; these are made as
+/// if it had not been tried, and what it has come to waits in wandering_.
 template <class Motion>
 bool Search::hold(ProximalNewton<Motion>& newton, const Task& task, Solution& best) {
   constexpr int mostSteps = 40;
@@ -134,8 +136,8 @@ bool Search::hold(ProximalNewton<Motion>& newton, const Task& task, Solution& be
   return isHeld;
 }
 
-/// Newton's method on what is left without the joints, in few contacts. Who has few sweeps pays a region for it, and no sweeps, as for
-/// `hold`.
+/// Newton's method on what is left without the joints, in few contacts. Who has few sweeps pays a
+/// region for it, and no sweeps, as for `hold`.
 bool Search::condense(const Task& task, Solution& best) {
   constexpr int worthCondensing = 10;  // sweeps; they cost as much
   constexpr int few = 60;              // unknowns
@@ -149,8 +151,9 @@ bool Search::condense(const Task& task, Solution& best) {
   return isReached;
 }
 
-/// Newton's method on reactions: on a dense matrix where nothing is known and so few touch that it costs no more than the factor of
-/// their bodies; and else with such factors, where contacts are not so many that some of them are always in a wrong region.
+/// Newton's method on reactions: on a dense matrix where nothing is known and so few touch that it
+/// costs no more than the factor of their bodies; and else with such factors, where contacts are
+/// not so many that some of them are always in a wrong region.
 template <class Motion>
 bool Search::react(ProximalNewton<Motion>& newton, const Task& task, Solution& best) {
   constexpr int few = 36;  // unknowns
@@ -177,7 +180,8 @@ bool Search::alternate(ProximalNewton<Motion>& newton, const Task& task, Solutio
   return newton.alternate(*problem_, keptShare * task.tolerance, most, best);
 }
 
-/// What is left after a few steps is slow to go; one in the region that has been found takes it away.
+/// What is left after a few steps is slow to go; one in the region that has been found takes it
+/// away.
 template <class Motion>
 Outcome Search::finish(ProximalNewton<Motion>& newton, const Task& task, Solution& best) {
   const int most = task.regionsLeft(best, fewRegions);

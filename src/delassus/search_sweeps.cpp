@@ -7,8 +7,9 @@
 
 namespace delassus {
 
-/// Sweeps that remember a few steps, as long as they halve the residual soon: a factor costs as much as tens of them, where W is explicit
-/// as hundreds. With a longer memory more regions are needed after a blow. True if they reach the tolerance.
+/// Sweeps that remember a few steps, as long as they halve the residual soon: a factor costs as
+/// much as tens of them, where W is explicit as hundreds. With a longer memory more regions are
+/// needed after a blow. True if they reach the tolerance.
 bool Search::sweepAndLearn(const Task& task, double tolerance, Solution& best) {
   constexpr int shortest = 3, longest = 10;  // from one look at the residual to the next
   constexpr int patience = 20, memory = 5;
@@ -29,9 +30,10 @@ bool Search::sweepAndLearn(const Task& task, double tolerance, Solution& best) {
   return false;
 }
 
-/// All sweeps that there are, one after the other, whether or not they gain, as sequential impulses do. Like these they begin from a
-/// little less than the reactions of the last step, if nothing has bettered them yet: where errors remain, all of them would have a
-/// pile swing for ever. Many contacts go by colour.
+/// All sweeps that there are, one after the other, whether or not they gain, as sequential impulses
+/// do. Like these they begin from a little less than the reactions of the last step, if nothing has
+/// bettered them yet: where errors remain, all of them would have a pile swing for ever. Many
+/// contacts go by colour.
 void Search::sweepAll(const Task& task, double tolerance, Solution& best) {
   constexpr int burst = 10, many = 50, worthColours = 3;
   constexpr double trusted = 0.8;
@@ -73,8 +75,9 @@ void Search::sweepWhileItGains(const Task& task, double tolerance, Solution& bes
   }
 }
 
-/// Sweeps as long as they gain, and where they do not, patches: what settles in this way needs no factor of the whole island.
-/// The residual may rise on the way, since a wall that is met lets others go. In large heaps they go by colour.
+/// Sweeps as long as they gain, and where they do not, patches: what settles in this way needs no
+/// factor of the whole island. The residual may rise on the way, since a wall that is met lets
+/// others go. In large heaps they go by colour.
 void Search::settle(const Task& task, double tolerance, Solution& best) {
   constexpr int patience = 6, fewSweeps = 20, manySweeps = 100;
   constexpr double gain = 0.7;
@@ -111,7 +114,8 @@ void Search::settle(const Task& task, double tolerance, Solution& best) {
   }
 }
 
-/// Makes ready for sweeps by colour, if they may and can go so, or else for others; true: by colour.
+/// Makes ready for sweeps by colour, if they may and can go so, or else for others; true: by
+/// colour.
 bool Search::setSweeps(bool mayGoByColour) {
   if (mayGoByColour) {
     machines().coloured.setHands(hands_);
@@ -121,8 +125,8 @@ bool Search::setSweeps(bool mayGoByColour) {
   return false;
 }
 
-/// The patches about the contacts whose residual is `outstanding` times the mean, or so many times more that no patch is as good as
-/// the island.
+/// The patches about the contacts whose residual is `outstanding` times the mean, or so many times
+/// more that no patch is as good as the island.
 void Search::findPatches(double tolerance, double outstanding, const Solution& unsettled) {
   constexpr double largestShare = 0.25;
   map_.residuals(unsettled.r, unsettled.u, residuals_);
@@ -139,9 +143,11 @@ void Search::findPatches(double tolerance, double outstanding, const Solution& u
   }
 }
 
-/// Solves the patches, and puts their reactions in the place of those in `unsettled`. Their work is counted in `best`: a sweep by the
-/// patch's share of the island, a region by its share to the power 3/2, as a factor costs in a flat pile (George 1973). False if
-/// there were no patches, or no work is left; in islands of few parts, with explicit W, and in patches themselves there are none.
+/// Solves the patches, and puts their reactions in the place of those in `unsettled`. Their work is
+/// counted in `best`: a sweep by the patch's share of the island, a region by its share to the
+/// power 3/2, as a factor costs in a flat pile (George 1973). False if there were no patches, or no
+/// work is left; in islands of few parts, with explicit W, and in patches themselves there are
+/// none.
 bool Search::mendPatches(const Task& task, double tolerance, double outstanding,
                          Solution& unsettled, Solution& best) {
   constexpr double accuracy = 0.1;

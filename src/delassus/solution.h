@@ -15,7 +15,8 @@ enum class Status : unsigned char {
   Solved,  ///< the natural residual is within the tolerance, or within what rounding leaves of it
   OutOfBudget,   ///< best answer found within the budget; see its residual
   Incompatible,  ///< no motion meets all demands: a compromise was taken; see `blamed`
-  NonFinite,  ///< the problem holds numbers that are none, or that overflow: no reactions in what these touch
+  /// The problem holds numbers that are none, or that overflow: no reactions in what these touch.
+  NonFinite,
 };
 
 /// solved, out_of_budget, incompatible or non_finite.
@@ -40,12 +41,13 @@ struct Solution {
   double startResidual = 0;  ///< natural residual of the guess, m/s; infinite without one
   double residual = 0;       ///< natural residual, largest over contacts, rows and disks, m/s
   double residualRms = 0;    ///< its root mean square, m/s
-  /// Work, that in patches by what it costs beside the island's: regions visited by walks but those at the ends of paths of compliance,
-  /// factors made, by them and along these paths, sweeps, alternations and steps on few contacts over all.
+  /// Work, that in patches by what it costs beside the island's: regions visited by walks but those
+  /// at the ends of paths of compliance, factors made, by them and along these paths, sweeps,
+  /// alternations and steps on few contacts over all.
   int regions = 0, factorisations = 0, sweeps = 0;
   int patches = 0;  ///< parts of the island that were solved apart, on the way
-  /// First unknowns of the contacts and rows that keep it from being solved: those with incompatible
-  /// demands or non-finite numbers; out of budget, the one with the largest residual.
+  /// First unknowns of the contacts and rows that keep it from being solved: those with
+  /// incompatible demands or non-finite numbers; out of budget, the one with the largest residual.
   std::vector<int> blamed;
 
   /// No reactions, u = q, of which nothing is known; no work done. Storage is kept.

@@ -11,26 +11,29 @@ namespace delassus {
 class Hands;
 class Search;
 
-/// Finds the reactions of problems by the cheapest way that leads to the tolerance: those of the last step, a formula, the forced motion,
-/// steps and walks from region to region, sweeps (search.cpp has their order). Owns its storage; not thread-safe, one per thread.
+/// Finds the reactions of problems by the cheapest way that leads to the tolerance: those of the
+/// last step, a formula, the forced motion, steps and walks from region to region, sweeps
+/// (search.cpp has their order). Owns its storage; not thread-safe, one per thread.
 class Solver {
  public:
-  /// Throws std::invalid_argument where check(options) does. (Budgets may be any: less than 0 is none.)
+  /// Throws std::invalid_argument where check(options) does. (Budgets may be any: less than 0 is
+  /// none.)
   explicit Solver(Options options = {});
   ~Solver();
   Solver(Solver&&) noexcept;
   Solver& operator=(Solver&&) noexcept;
 
-  /// Solves `problem`, starting from the reactions `guess` (N·s, in the order of q; empty, of another size, or with what is no number: from
-  /// rest). The best answer is always returned; its status and natural residual (m/s) tell how good it is. With more than 10 000 unknowns
-  /// and explicit entries it is that of sweeps alone: there is no room for a dense factor. Sizes that do not fit each other (Problem)
-  /// are not looked for.
+  /// Solves `problem`, starting from the reactions `guess` (N·s, in the order of q; empty, of
+  /// another size, or with what is no number: from rest). The best answer is always returned; its
+  /// status and natural residual (m/s) tell how good it is. With more than 10 000 unknowns and
+  /// explicit entries it is that of sweeps alone: there is no room for a dense factor. Sizes that
+  /// do not fit each other (Problem) are not looked for.
   Solution solve(const Problem& problem, const VectorXd& guess = {});
   /// The same into storage that is used again; `guess` may be its reactions.
   void solve(const Problem& problem, const VectorXd& guess, Solution& into);
 
-  /// Lends threads for large problems, until another call or null takes them back: the same answer, bit for bit. They must live until then,
-  /// and be at no other work while this solves.
+  /// Lends threads for large problems, until another call or null takes them back: the same answer,
+  /// bit for bit. They must live until then, and be at no other work while this solves.
   void setHands(Hands* hands);
 
   const Options& options() const { return options_; }

@@ -6,8 +6,9 @@
 
 namespace delassus {
 
-/// The connected components of a problem with explicit W, ordered by their first unknown: an entry W_ij or W_ji ≠ 0 connects, and so
-/// does a disk its governor. A problem in body space is an island already and is never split.
+/// The connected components of a problem with explicit W, ordered by their first unknown: an entry
+/// W_ij or W_ji ≠ 0 connects, and so does a disk its governor. A problem in body space is an island
+/// already and is never split.
 class ProblemParts {
  public:
   /// Keeps a reference to `whole`.

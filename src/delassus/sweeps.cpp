@@ -86,8 +86,8 @@ void Sweeps::readEntries(const Problem& problem) {
   }
 }
 
-/// Where all three rows of a contact have entries in the same whole blocks, and no others, as most files do. False, and nothing is
-/// read, if they do not.
+/// Where all three rows of a contact have entries in the same whole blocks, and no others, as most
+/// files do. False, and nothing is read, if they do not.
 bool Sweeps::readContactBlocks(const Problem& problem, int contact) {
   const DelassusMatrix::Sparse& W = problem.W.entries();
   const int *begin = W.outerIndexPtr() + 3 * contact, *columns = W.innerIndexPtr() + begin[0];
@@ -133,7 +133,8 @@ void Sweeps::readContactRows(const Problem& problem, int contact, std::vector<in
 
 Vec2 Sweeps::nextOnDisk(const Problem& problem, int k, const VectorXd& r, const Vec2& u) const {
   const Disk& disk = problem.disks[k];
-  // A contact of friction 1 whose normal reaction is known to be the radius: W_nn = 1, q_n = −radius.
+  // A contact of friction 1 whose normal reaction is known to be the radius: W_nn = 1, q_n =
+  // −radius.
   Mat3 W = Mat3::Identity();
   W.bottomRightCorner<2, 2>() = diskBlocks_[k];
   Vec3 q(-disk.radiusAt(r), 0, 0);
@@ -154,7 +155,8 @@ void Sweeps::sweepPlainly(const Problem& problem, int count, VectorXd& r) {
 }
 
 void Sweeps::sweepOn(const Problem& problem, int count, int memory, VectorXd& r) {
-  // Measured on problem files, whose W is explicit: two of 40 need no regions with 2, and the others as many. Worlds' heaps need 1.
+  // Measured on problem files, whose W is explicit: two of 40 need no regions with 2, and the
+  // others as many. Worlds' heaps need 1.
   const double growth = problem.W.inBodySpace() ? 1 : 2;
   if (!learnt_ || swept_ != r) anderson_.start(*diagonal_, memory, growth);
   learnt_ = true;

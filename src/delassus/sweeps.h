@@ -9,21 +9,22 @@
 
 namespace delassus {
 
-/// Block Gauss-Seidel: each contact, row and disk in turn is solved exactly with the others held (algorithms §6.3).
+/// Block Gauss-Seidel: each contact, row and disk in turn is solved exactly with the others held
+/// (algorithms §6.3).
 class Sweeps {
  public:
   /// Keeps a pointer to the diagonal in `map`, which is that of the problem.
   void setProblem(const Problem& problem, const NaturalMap& map);
 
-  /// `count` sweeps over all contacts and rows, each but the last followed by a step of the conjugate gradient. The reactions
-  /// end in their cones and bounds.
+  /// `count` sweeps over all contacts and rows, each but the last followed by a step of the
+  /// conjugate gradient. The reactions end in their cones and bounds.
   void sweep(const Problem& problem, int count, VectorXd& r);
 
   /// As many sweeps with nothing in between. In body space only.
   void sweepPlainly(const Problem& problem, int count, VectorXd& r);
 
-  /// As `sweep`, with Anderson's acceleration, which remembers so many steps. What its last sweeps of this problem returned is gone
-  /// on from with what they learnt.
+  /// As `sweep`, with Anderson's acceleration, which remembers so many steps. What its last sweeps
+  /// of this problem returned is gone on from with what they learnt.
   void sweepOn(const Problem& problem, int count, int memory, VectorXd& r);
 
   std::size_t bytes() const {
@@ -56,7 +57,8 @@ class Sweeps {
   const VectorXd* diagonal_ = nullptr;  ///< of W
   VectorXd y_;                          ///< J̃ᵀ r, in body space
   VectorXd yBefore_;                    ///< that before the last sweep
-  // Explicit W between different contacts, in blocks: those of `contact` are from couplingBegin_[contact] on.
+  // Explicit W between different contacts, in blocks: those of `contact` are from
+  // couplingBegin_[contact] on.
   std::vector<Mat3> coupling_;
   std::vector<int> coupled_;  ///< with which contact
   std::vector<int> couplingBegin_;

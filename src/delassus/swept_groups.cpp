@@ -32,7 +32,8 @@ struct BodyLanes {
   }
 };
 
-/// μ r_n − ‖r_t‖ of the reactions r₀ + d, worked out from that of r₀: what rounding takes from it is a share of d, not of r. And ‖r_t‖.
+/// μ r_n − ‖r_t‖ of the reactions r₀ + d, worked out from that of r₀: what rounding takes from it
+/// is a share of d, not of r. And ‖r_t‖.
 template <class V>
 DELASSUS_WIDE_INLINE void marginOf(const ContactGroup& g, int at, const V& friction,
                                    const V (&r0)[3], const V (&d)[3], V& margin, V& length) {
@@ -47,8 +48,9 @@ DELASSUS_WIDE_INLINE void marginOf(const ContactGroup& g, int at, const V& frict
            ((t1 + r0[1]) * d[1] + (t2 + r0[2]) * d[2]) / (sum > tiny ? sum : V{} + tiny);
 }
 
-/// The sliding reaction of OneContact for the s that is known, brought to the edge of the cone, and then a Newton step of the search
-/// for s: the next sweep is as good as a second step. u: the velocity with the reactions r₀ + x; the answer is r₀ + next.
+/// The sliding reaction of OneContact for the s that is known, brought to the edge of the cone, and
+/// then a Newton step of the search for s: the next sweep is as good as a second step. u: the
+/// velocity with the reactions r₀ + x; the answer is r₀ + next.
 template <class V, class Flags>
 DELASSUS_WIDE_INLINE void slide(ContactGroup& g, int at, const Flags& slides, const V& friction,
                                 const V (&r0)[3], const V (&x)[3], const V (&u)[3],
@@ -64,7 +66,8 @@ DELASSUS_WIDE_INLINE void slide(ContactGroup& g, int at, const Flags& slides, co
   const V r1 = r0[1] + x[1], r2 = r0[2] + x[2];
   const V v1 = u[1] - w1 * u[0], v2 = u[2] - w2 * u[0];
   if (any(s <= zero)) {
-    // Where the reaction would have the size that the normal allows if it braked straight against c.
+    // Where the reaction would have the size that the normal allows if it braked straight against
+    // c.
     const V held = r0[0] + x[0] + w1 * r1 + w2 * r2 - u[0];
     const V c1 = v1 - (s00 * r1 + s01 * r2), c2 = v2 - (s01 * r1 + s11 * r2);
     V drift;
@@ -78,7 +81,8 @@ DELASSUS_WIDE_INLINE void slide(ContactGroup& g, int at, const Flags& slides, co
   ds = ds < mostSlip ? ds : zero + mostSlip;
   s = s0 + ds;
   const V p = s00 + s, q = s11 + s, perDet = 1 / (p * q - s01 * s01);
-  // What sliding makes zero; from what it was for s₀, where that is near: of v + s r_t the digits that count would cancel.
+  // What sliding makes zero; from what it was for s₀, where that is near: of v + s r_t the digits
+  // that count would cancel.
   const auto isNear = (ds < zero ? -ds : ds) < 0.5f * s0;
   b1 = isNear ? b1 + (du[1] - w1 * du[0] + s0 * x[1] + ds * r1) : v1 + s * r1;
   b2 = isNear ? b2 + (du[2] - w2 * du[0] + s0 * x[2] + ds * r2) : v2 + s * r2;
@@ -108,7 +112,8 @@ DELASSUS_WIDE_INLINE void slide(ContactGroup& g, int at, const Flags& slides, co
   store(ds, g.dslip + at);
 }
 
-/// The contacts of some lanes of a group, from lane `at` on. β: how far their reactions go beyond the last sweep's before this one.
+/// The contacts of some lanes of a group, from lane `at` on. β: how far their reactions go beyond
+/// the last sweep's before this one.
 template <class V>
 DELASSUS_WIDE_INLINE void sweepLanes(ContactGroup& g, int at, float beta, SweptVelocity* velocities,
                                      SweepChange& change) {

@@ -4,8 +4,9 @@
 
 namespace delassus {
 
-/// What block Gauss-Seidel sweeps over eight at a time, in single precision: contacts, or rows, that have no body in common. Each contact
-/// is in units in which W_nn = 1, each row in those of W = 1. Reactions and velocities are r₀ + Δr and u₀ + C Δr + J̃ Δy.
+/// What block Gauss-Seidel sweeps over eight at a time, in single precision: contacts, or rows,
+/// that have no body in common. Each contact is in units in which W_nn = 1, each row in those of W
+/// = 1. Reactions and velocities are r₀ + Δr and u₀ + C Δr + J̃ Δy.
 constexpr int lanes = 8;
 using Lanes = float[lanes];
 constexpr float mostSlip = 1e12f;  ///< s of OneContact for a reaction that hardly slows
@@ -41,7 +42,8 @@ struct RowGroup {
   Lanes dr, drBefore;
 };
 
-/// What a body moves with, Δy: six numbers, and two that are not used; after the last sweep, and the one before.
+/// What a body moves with, Δy: six numbers, and two that are not used; after the last sweep, and
+/// the one before.
 struct SweptVelocity {
   alignas(32) float y[8];
   float before[8];
@@ -70,7 +72,8 @@ struct GroupSweeps {
   SweepGroups<ContactGroup> contacts;
   SweepGroups<RowGroup> rows;
 };
-/// What the processor can do; narrow: half a group at a time, as where it cannot do more. The same bits.
+/// What the processor can do; narrow: half a group at a time, as where it cannot do more. The same
+/// bits.
 GroupSweeps groupSweeps(bool isNarrow);
 
 }  // namespace delassus

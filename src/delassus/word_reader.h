@@ -12,7 +12,8 @@ inline bool isVisible(char c) { return static_cast<unsigned char>(c) > ' ' && c 
 ///
 ///     FILE:LINE: expected WHAT [in entry K of N of 'SECTION'], found WORD
 ///
-/// Independent of the locale. Memory grows with the words asked for, never with what the text announces.
+/// Independent of the locale. Memory grows with the words asked for, never with what the text
+/// announces.
 class WordReader {
  public:
   WordReader(std::istream& in, std::string source);

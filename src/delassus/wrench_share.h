@@ -4,11 +4,13 @@
 
 namespace delassus {
 
-/// A point at which a body is touched, as far as the body feels it: a reaction r there makes the wrench
+/// A point at which a body is touched, as far as the body feels it: a reaction r there makes the
+/// wrench
 ///
-///     Jᵀ r = (F r, a × F r / l)      (N·s), J of three rows, or of the normal alone without friction
+///     Jᵀ r = (F r, a × F r / l)      (N·s), J of three rows, or of r_n alone
 ///
-/// The length l, in whose unit moments are counted, is that of the largest arms: neither forces nor moments prevail then.
+/// The length l, in whose unit moments are counted, is that of the largest arms: neither forces nor
+/// moments prevail then.
 struct FeltPoint {
   Mat3 frame;       ///< F, the columns of Contact::frame
   Vec3 arm;         ///< a/l, from the body's centre
@@ -17,9 +19,10 @@ struct FeltPoint {
 
 constexpr int mostFeltPoints = 4;  ///< as Bullet keeps of two bodies
 
-/// Changes the reactions of `count` points (N·s, in their frames), within the cones of friction, so that their wrench Σ J_iᵀ r_i comes as
-/// near as it can to `wanted`, in the norm of S⁻¹, S = Σ J_iᵀ J_i: first the least change that makes the wrench, then, where that has left
-/// a cone, rounds over the points, each of which takes what the others leave.
+/// Changes the reactions of `count` points (N·s, in their frames), within the cones of friction, so
+/// that their wrench Σ J_iᵀ r_i comes as near as it can to `wanted`, in the norm of S⁻¹, S = Σ J_iᵀ
+/// J_i: first the least change that makes the wrench, then, where that has left a cone, rounds over
+/// the points, each of which takes what the others leave.
 void shareWrench(const FeltPoint* points, int count, const Vec6& wanted, Vec3* reactions);
 
 }  // namespace delassus

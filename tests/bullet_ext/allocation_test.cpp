@@ -1,4 +1,5 @@
-/// A step that is like the one before takes no memory, and what is kept between steps is in proportion to the contacts.
+/// A step that is like the one before takes no memory, and what is kept between steps is in
+/// proportion to the contacts.
 
 #include <gtest/gtest.h>
 #include <malloc.h>
@@ -13,7 +14,8 @@
 #include "tests/support/bullet_world.h"
 #include "tests/support/pressed_piles.h"
 
-// Eigen asks malloc, the standard library new, which asks malloc too. Sanitizers bring a malloc of their own.
+// Eigen asks malloc, the standard library new, which asks malloc too. Sanitizers bring a malloc of
+// their own.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 namespace delassus::test {
 thread_local long allocations = 0;
@@ -121,7 +123,8 @@ class CountingSolver : public btDelassusConstraintSolver {
   long held = 0;  ///< bytes, since the first step
 };
 
-/// Allocations of the last 30 steps of a scene, which is warm by then, `work` done before each of them.
+/// Allocations of the last 30 steps of a scene, which is warm by then, `work` done before each of
+/// them.
 template <class Build, class Work>
 long allocationsOf(const Options& options, const Build& build, const Work& work) {
   BulletWorld world(std::make_unique<CountingSolver>(options));
@@ -192,7 +195,8 @@ TEST(Allocation, AChainTakesNoMemory) {
   EXPECT_GT(walked, 80);
 }
 
-// A joint whose axes are all within their limits has no rows, and is asked whether it solves itself.
+// A joint whose axes are all within their limits has no rows, and is asked whether it solves
+// itself.
 TEST(Allocation, AJointWithoutRowsTakesNoMemory) {
   int withoutRows = 0;
   const auto build = [](BulletWorld& world) {
@@ -286,7 +290,8 @@ TEST(Allocation, IslandsOfSeveralSizesTakeNoMemoryInTurn) {
   EXPECT_GT(walked, 80 * stacks);
 }
 
-/// Bytes that the solver holds per contact of a world that has come to rest, was kept, and pushed again.
+/// Bytes that the solver holds per contact of a world that has come to rest, was kept, and pushed
+/// again.
 template <class Build>
 double bytesPerContact(const Build& build) {
   BulletWorld world(std::make_unique<CountingSolver>(optionsOfPrecision()));

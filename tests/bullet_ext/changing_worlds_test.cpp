@@ -1,5 +1,5 @@
-/// Worlds that change between steps: nothing of what is gone is read, and nothing of it is left. (Run under the address
-/// sanitizer as well.)
+/// Worlds that change between steps: nothing of what is gone is read, and nothing of it is left.
+/// (Run under the address sanitizer as well.)
 
 #include <gtest/gtest.h>
 

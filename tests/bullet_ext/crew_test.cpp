@@ -49,7 +49,8 @@ TEST(Crew, AllHandsWorkAtTheSameTime) {
   });
 }
 
-// In each round every share is done once, by whoever takes it, and sees what was done in the round before.
+// In each round every share is done once, by whoever takes it, and sees what was done in the round
+// before.
 TEST(Crew, AllHandsTakePartInRounds) {
   constexpr int last = 2000, shares = 5;
   Crew crew;
@@ -73,7 +74,8 @@ TEST(Crew, AllHandsTakePartInRounds) {
   }
 }
 
-// One item is as heavy as all the others: it is the part of one hand, which the other does not wait for.
+// One item is as heavy as all the others: it is the part of one hand, which the other does not wait
+// for.
 TEST(Crew, BeginsWithPartsOfTheSameWeight) {
   constexpr int light = 9;
   Crew crew;

@@ -1,4 +1,5 @@
-/// A step does nothing that its scene does not need: counted, and compared with the step that does it all the same.
+/// A step does nothing that its scene does not need: counted, and compared with the step that does
+/// it all the same.
 
 #include <gtest/gtest.h>
 
@@ -33,8 +34,8 @@ double difference(BulletWorld& a, BulletWorld& b) {
   return largest;
 }
 
-/// Steps the scene with all economies, and without `economy`: the motion is the same. The reports are shown to `with` and
-/// `without` after each step.
+/// Steps the scene with all economies, and without `economy`: the motion is the same. The reports
+/// are shown to `with` and `without` after each step.
 void compare(bool Economies::*economy, int steps, const Build& build, const Look& with,
              const Look& without) {
   BulletWorld lean(solverWithout(nullptr)), lavish(solverWithout(economy));
@@ -180,7 +181,8 @@ TEST(Economies, WhatIsDisturbedIsSolvedAgain) {
   }
 }
 
-// A step that is not to start from the last one has nothing to check, whichever of Bullet's two ways says so.
+// A step that is not to start from the last one has nothing to check, whichever of Bullet's two
+// ways says so.
 TEST(Economies, NothingStandsWithoutWarmStarting) {
   for (const bool byFlag : {false, true}) {
     DelassusWorld world;

@@ -291,7 +291,8 @@ TEST(Parity, Row23AnchorPullsBackTheDrift) {
     const double pull = anchored ? -drift * world.info().m_frictionERP / h : 0;
     EXPECT_NEAR(box.getLinearVelocity().x(), pull, tolerance(1e-8, 1e-4)) << anchored;
     world.advance(120);
-    // A point that the narrow phase replaces, as it does now and then in float, forgets what is left.
+    // A point that the narrow phase replaces, as it does now and then in float, forgets what is
+    // left.
     EXPECT_NEAR(box.getWorldTransform().getOrigin().x() - place.x(), anchored ? 0 : drift,
                 tolerance(1e-8, 0.1 * drift))
         << anchored;

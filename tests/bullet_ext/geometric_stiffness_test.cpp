@@ -1,4 +1,5 @@
-/// Light bodies in taut joints: held by an inertia that their step can follow, and only where it could not.
+/// Light bodies in taut joints: held by an inertia that their step can follow, and only where it
+/// could not.
 
 #include "bullet_ext/geometric_stiffness.h"
 
@@ -94,7 +95,8 @@ struct Rope : DelassusWorld {
 };
 
 TEST(GeometricStiffness, HoldsRopesThatStepsCannotFollow) {
-  // ω h = √(12 T/(m l)) h is 8, 800 and 8000. In float joints give a hundred times as much, and the heaviest ball pulls them apart.
+  // ω h = √(12 T/(m l)) h is 8, 800 and 8000. In float joints give a hundred times as much, and the
+  // heaviest ball pulls them apart.
   for (const double ball : {1e3, 1e7, isDouble ? 1e9 : 1e6}) {
     EXPECT_FALSE(Rope(ball, false).holds()) << ball;
     Rope rope(ball, true);

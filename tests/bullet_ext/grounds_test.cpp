@@ -1,4 +1,5 @@
-/// Grounds of all kinds: what the narrow phase makes of them may have many points, or a normal each.
+/// Grounds of all kinds: what the narrow phase makes of them may have many points, or a normal
+/// each.
 
 #include <gtest/gtest.h>
 

@@ -32,7 +32,8 @@ struct Bolted {
   }
 };
 
-// As Bullet has it by default, bodies that a joint links collide: the joint holds, and they press as what gives by joinedSoftness does.
+// As Bullet has it by default, bodies that a joint links collide: the joint holds, and they press
+// as what gives by joinedSoftness does.
 TEST(JoinedBodies, DoNotPressWithoutBounds) {
   for (const double depth : {0.02, 0.1})
     for (const bool isFixed : {true, false}) {

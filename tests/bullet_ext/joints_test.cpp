@@ -1,4 +1,5 @@
-/// What joints do and tell: softness, limits, motors, springs, feedback, breaking, user constraints.
+/// What joints do and tell: softness, limits, motors, springs, feedback, breaking, user
+/// constraints.
 
 #include <BulletDynamics/ConstraintSolver/btFixedConstraint.h>
 #include <gtest/gtest.h>
@@ -105,7 +106,8 @@ TEST(Parity, Row30FeedbackIsTheWeight) {
   EXPECT_EQ(feedback.m_appliedForceBodyA.y(), 0) << "cleared when the joint is disabled";
 }
 
-// A beam that sticks out of a wall bears no moment about its own centre; the wall, whose origin is that of the world, bears all.
+// A beam that sticks out of a wall bears no moment about its own centre; the wall, whose origin is
+// that of the world, bears all.
 TEST(Parity, Row30FeedbackHasTheMomentsAboutTheBodies) {
   DelassusWorld world;
   constexpr double mass = 3, torque = 4;
@@ -148,7 +150,8 @@ TEST(Parity, Row30JointThatBearsNothingBreaksAtOnce) {
   EXPECT_NEAR(hanging.ball.getLinearVelocity().y(), -g * h, 100 * precision);
 }
 
-/// Drives a body along x with an impulse of no more than `strength` a step, and keeps it from falling by its last row.
+/// Drives a body along x with an impulse of no more than `strength` a step, and keeps it from
+/// falling by its last row.
 class Drive : public btTypedConstraint {
  public:
   Drive(btRigidBody& body, btScalar strength)

@@ -1,5 +1,5 @@
-/// Numbers that are none, or absurd: what they are in is named and left out, the rest is solved as if it were not
-/// there.
+/// Numbers that are none, or absurd: what they are in is named and left out, the rest is solved as
+/// if it were not there.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,8 @@ using ::testing::StartsWith;
 
 constexpr btScalar infinity = std::numeric_limits<btScalar>::infinity();
 
-// ---- Bodies --------------------------------------------------------------------------------------------------------
+// ---- Bodies
+// -------------------------------------------------------------------------------------------------
 
 struct BrokenBody {
   const char* why;
@@ -124,7 +125,8 @@ TEST(LeftOut, AStaticBodyWithoutAPlace) {
 }
 
 TEST(LeftOut, ABodyWithoutMassAndWithoutTheStaticFlagIsAWall) {
-  // Users clear the flag by mistake: that body has no weight, and nothing is wrong with its numbers.
+  // Users clear the flag by mistake: that body has no weight, and nothing is wrong with its
+  // numbers.
   DelassusWorld world;
   btRigidBody& wall = world.addBox({5, 1, 5}, {0, -1, 0}, 0);
   wall.setCollisionFlags(0);
@@ -134,9 +136,11 @@ TEST(LeftOut, ABodyWithoutMassAndWithoutTheStaticFlagIsAWall) {
   EXPECT_NEAR(box.getWorldTransform().getOrigin().y(), 0.5, tolerance(1e-9, 1e-4));
 }
 
-// ---- Contacts ------------------------------------------------------------------------------------------------------
+// ---- Contacts
+// -------------------------------------------------------------------------------------------------
 
-/// Two balls that fall on the ground with 1 m/s, handed over directly, so that nothing refreshes their points.
+/// Two balls that fall on the ground with 1 m/s, handed over directly, so that nothing refreshes
+/// their points.
 class TwoContacts {
  public:
   TwoContacts() {
@@ -265,7 +269,8 @@ TEST(LeftOut, FrictionWithoutLimitIsNoFault) {
   }
 }
 
-// ---- Joints --------------------------------------------------------------------------------------------------------
+// ---- Joints
+// -------------------------------------------------------------------------------------------------
 
 /// Holds a body up by one row along y; the row may be broken.
 class BrokenJoint : public btTypedConstraint {

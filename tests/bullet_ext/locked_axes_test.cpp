@@ -1,4 +1,5 @@
-/// What a body is locked along: no demand along it takes part, and all others are met (Bullet's linear and angular factors).
+/// What a body is locked along: no demand along it takes part, and all others are met (Bullet's
+/// linear and angular factors).
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,9 +13,11 @@ namespace {
 
 using ::testing::IsEmpty;
 
-// ---- Joints --------------------------------------------------------------------------------------------------------
+// ---- Joints
+// -------------------------------------------------------------------------------------------------
 
-// A row that moves nothing has no impulse of its own: the least of what it asks for would take all there is, and break it.
+// A row that moves nothing has no impulse of its own: the least of what it asks for would take all
+// there is, and break it.
 TEST(LockedAxes, AHingeWhoseAxisLeansOnABodyThatCannotTurn) {
   DelassusWorld world;
   btRigidBody& body = world.addCube({0, 0, 0}, 3);
@@ -70,7 +73,8 @@ TEST(LockedAxes, APointToPointBetweenFlatBodiesHoldsInTheirPlane) {
   EXPECT_EQ(world.report().solved, world.report().islands);
 }
 
-// What leans by less than 1e-4 rad lies in a locked axis: taken at its word the hinge would ask for thousands of N·s.
+// What leans by less than 1e-4 rad lies in a locked axis: taken at its word the hinge would ask for
+// thousands of N·s.
 TEST(LockedAxes, AHingeBetweenFlatBodiesMayLeanALittle) {
   for (const double lean : {1e-7, 1e-6, 1e-5, 5e-5}) {
     SCOPED_TRACE(lean);
@@ -143,7 +147,8 @@ TEST(LockedAxes, AFixedJointOfBodiesWithoutInertiaHoldsTheirPlaces) {
   EXPECT_THAT(world.report().messages, IsEmpty());
 }
 
-// ---- Contacts ------------------------------------------------------------------------------------------------------
+// ---- Contacts
+// -------------------------------------------------------------------------------------------------
 
 /// A ball that keeps its place and spins about z, with its lowest point 1 cm below y = 0.
 struct PinnedBall {
@@ -219,7 +224,8 @@ TEST(LockedAxes, ABallThatCannotRiseSlidesOverWhatItOverlaps) {
   }
 }
 
-// ---- Torque --------------------------------------------------------------------------------------------------------
+// ---- Torque
+// -------------------------------------------------------------------------------------------------
 
 // applyTorque has the factor in it: it counts once.
 TEST(LockedAxes, AFractionalAngularFactorTakesItsPartOfATorque) {

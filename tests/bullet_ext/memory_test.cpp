@@ -114,7 +114,8 @@ TEST(Memory, PointsAlikeKeepTheirOwnDigits) {
   EXPECT_EQ(touch.group().guess, alike);
 }
 
-// A smaller polygon on one side cannot pull, nor hold a moment about itself: what it starts from is allowed all the same.
+// A smaller polygon on one side cannot pull, nor hold a moment about itself: what it starts from is
+// allowed all the same.
 TEST(Memory, FreshPointsThatCannotCarryTheWrenchStartInsideTheirCones) {
   Touch touch(corners);
   Memory memory;
@@ -132,7 +133,8 @@ TEST(Memory, FreshPointsThatCannotCarryTheWrenchStartInsideTheirCones) {
   EXPECT_GT(pushed, 0);
 }
 
-// As a sphere's does while it rolls. Tangents are as long as friction is strong along them, or none at all.
+// As a sphere's does while it rolls. Tangents are as long as friction is strong along them, or none
+// at all.
 TEST(Memory, ALonePointTakesOverTheForce) {
   for (const Vec3& lengths : {Vec3(1, 1, 1), Vec3(1, 0.2, 3), Vec3(1, 2, 0)}) {
     SCOPED_TRACE(lengths.transpose());

@@ -54,7 +54,8 @@ TEST(MultiBodyAllocation, AWarmStepTakesNoMemory) {
   EXPECT_GT(solver.taken, 0) << "the counter counts";
   solver.taken = 0;
   world.advance(30);
-  // In single precision the chain is not quite at rest: roads that no step has taken before take some memory, once.
+  // In single precision the chain is not quite at rest: roads that no step has taken before take
+  // some memory, once.
   if (isDouble) {
     EXPECT_EQ(solver.taken, 0);
   }

@@ -45,7 +45,8 @@ TEST(MultiBodyContacts, FreeBoxCarriesItsWeight) {
   EXPECT_EQ(world.report().solved, 1);
 }
 
-/// The turn, rad, of a plank after so many steps that falls, on a joint that lets it move in its plane, with one end on a block.
+/// The turn, rad, of a plank after so many steps that falls, on a joint that lets it move in its
+/// plane, with one end on a block.
 double turnOfPlank(MultiBodyWorld& world, int steps) {
   const btVector3 half(1, btScalar(0.1), 0.5);
   world.addGround();
@@ -97,8 +98,9 @@ TEST(MultiBodyContacts, BasesThatCannotBePushed) {
     if (kinematic) base.setBaseDynamicType(btCollisionObject::CF_KINEMATIC_OBJECT);
     const btVector3 velocity(kinematic ? btScalar(0.3) : 0, 0, 0);
     const btRigidBody& box = world.addCube(btVector3(0, btScalar(0.5), 0), 2);
-    // Not for long: Bullet's points stay a step behind what carries them along, are lost one by one, and rounding decides when only two are
-    // left under the box. It has the speed of its base after four steps.
+    // Not for long: Bullet's points stay a step behind what carries them along, are lost one by
+    // one, and rounding decides when only two are left under the box. It has the speed of its base
+    // after four steps.
     for (int step = 0; step < 6; ++step) {
       base.setBaseVel(velocity);
       world.advance();
@@ -110,7 +112,8 @@ TEST(MultiBodyContacts, BasesThatCannotBePushed) {
   }
 }
 
-/// A lever about z at the end of `tree`, as link `link`: mass 2 kg, centre at 0.5 m, its ball lies on a stop at 0.8 m.
+/// A lever about z at the end of `tree`, as link `link`: mass 2 kg, centre at 0.5 m, its ball lies
+/// on a stop at 0.8 m.
 struct Lever {
   static constexpr btScalar mass = 2, arm = btScalar(0.8), radius = btScalar(0.1);
   static constexpr double onStop = mass * BulletWorld::gravity * 0.5 / arm;  ///< force, N
@@ -129,7 +132,8 @@ struct Lever {
   btSphereShape ball{radius};
 };
 
-/// What a tree has been solved with before must not show: Bullet writes nothing for links that move by themselves.
+/// What a tree has been solved with before must not show: Bullet writes nothing for links that move
+/// by themselves.
 TEST(MultiBodyContacts, LinksThatCannotBePushed) {
   /// Looks at what the solver does to one joint.
   struct Watch : btDelassusMultiBodyConstraintSolver {

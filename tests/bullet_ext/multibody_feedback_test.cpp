@@ -50,8 +50,8 @@ TEST(MultiBodyFeedback, OfAThrownArmIsThatOfInverseDynamics) {
   EXPECT_NEAR(chain.force(0).y() / beyondFirst, 1, tolerance(1e-6, 1e-4));
 }
 
-/// What Bullet 3.24 makes of our reactions where joints move is not mechanics: its pass for constraints has the Coriolis
-/// forces once more. It is what it makes of stock's.
+/// What Bullet 3.24 makes of our reactions where joints move is not mechanics: its pass for
+/// constraints has the Coriolis forces once more. It is what it makes of stock's.
 TEST(MultiBodyFeedback, OfAMovingArmIsThatOfStock) {
   DelassusMultiBodyWorld ours;
   StockMultiBodyWorld stock;

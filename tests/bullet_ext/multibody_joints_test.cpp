@@ -167,7 +167,8 @@ TEST(MultiBodyJoints, PointToPointClosesALoopWithTheWorld) {
   }
 }
 
-/// Bodies that are not passed to the solver, since they do not move or touch nothing: they hold as a point of the world does.
+/// Bodies that are not passed to the solver, since they do not move or touch nothing: they hold as
+/// a point of the world does.
 TEST(MultiBodyJoints, PartnersThatAreNotPassedHold) {
   enum Partner { World, Static, Kinematic };
   const auto motionWith = [](Partner partner) {
@@ -200,7 +201,8 @@ TEST(MultiBodyJoints, PartnersThatAreNotPassedHold) {
   }
 }
 
-/// Of an unsplit group Bullet says that there are as many multibody constraints as joints, and passes none.
+/// Of an unsplit group Bullet says that there are as many multibody constraints as joints, and
+/// passes none.
 TEST(MultiBodyJoints, AnUnsplitGroupOfJointsOnly) {
   DelassusMultiBodyWorld world;
   world->getSimulationIslandManager()->setSplitIslands(false);
@@ -252,7 +254,8 @@ TEST(MultiBodyJoints, FixedConstraintMakesOneBodyOfTwo) {
   EXPECT_NEAR(between.length(), 0.5, 1e-3);
 }
 
-/// A box of 1 kg on a rail along x, of the world or of a body of 3 kg that floats: free along it, held across.
+/// A box of 1 kg on a rail along x, of the world or of a body of 3 kg that floats: free along it,
+/// held across.
 TEST(MultiBodyJoints, SliderLeavesItsAxisFree) {
   const btVector3 half(btScalar(0.2), btScalar(0.2), btScalar(0.2)), axis(1, 0, 0);
   const btMatrix3x3 straight = btMatrix3x3::getIdentity();

@@ -20,7 +20,8 @@ btMultiBody& addBall(MultiBodyWorld& world, const btVector3& position, btScalar 
   return ball;
 }
 
-// ---- Restitution ---------------------------------------------------------------------------------------------------
+// ---- Restitution
+// -------------------------------------------------------------------------------------------------
 
 /// The speed with which a link of a falling tree and a falling ball that meet at 1 m/s part again.
 double partingSpeed(MultiBodyWorld& world, bool linkAbove, double restitution) {
@@ -33,7 +34,8 @@ double partingSpeed(MultiBodyWorld& world, bool linkAbove, double restitution) {
   return side * (ball.getLinearVelocity().y() - link.getBaseVel().y());
 }
 
-// Gravity is in Bullet's velocities of links from the start of the step, and must not be missed in those of rigid bodies.
+// Gravity is in Bullet's velocities of links from the start of the step, and must not be missed in
+// those of rigid bodies.
 TEST(MultiBodyRestitution, FallingTogetherAddsNothing) {
   for (const bool linkAbove : {false, true})
     for (const double restitution : {1.0, 0.5}) {
@@ -79,9 +81,11 @@ TEST(MultiBodyRestitution, ALinkThatRestsOnABoxDoesNotHop) {
   }
 }
 
-// ---- Softness of friction ------------------------------------------------------------------------------------------
+// ---- Softness of friction
+// ------------------------------------------------------------------------------------------
 
-/// A foot of 1 kg on the ground that cannot turn: it slides up and down, and along x, where it is pulled. Its speed at the end.
+/// A foot of 1 kg on the ground that cannot turn: it slides up and down, and along x, where it is
+/// pulled. Its speed at the end.
 double pulledFoot(MultiBodyWorld& world, double softness, double pull) {
   world.info().m_frictionCFM = btScalar(softness);
   world.addGround();

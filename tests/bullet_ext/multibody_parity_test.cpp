@@ -14,8 +14,8 @@
 namespace delassus::test {
 namespace {
 
-/// A chain of links of 0.4 m between ball-shaped ends, bent out of its plane, on a base that is fixed
-/// or free.
+/// A chain of links of 0.4 m between ball-shaped ends, bent out of its plane, on a base that is
+/// fixed or free.
 btMultiBody& addChain(MultiBodyWorld& world, int links, bool fixed, const btVector3& position,
                       btScalar friction = 0) {
   const btScalar I = btScalar(0.02), half = btScalar(0.2), radius = btScalar(0.1);

@@ -68,7 +68,8 @@ TEST(Parity, Row08PointsBeyondTheProcessingThresholdAreIdle) {
   }
 }
 
-/// What gravity leaves of the velocity of a ball, m/s upwards, that is let go, or thrown, `gap` above the ground 50 m from the origin.
+/// What gravity leaves of the velocity of a ball, m/s upwards, that is let go, or thrown, `gap`
+/// above the ground 50 m from the origin.
 double velocityFarOut(double gap, double approach) {
   DelassusWorld world;
   btRigidBody& ball = addTouching(world, {gap, approach, 0});
@@ -78,7 +79,8 @@ double velocityFarOut(double gap, double approach) {
   return ball.getLinearVelocity().y();
 }
 
-// There float rounds places to 4e-6 m. What may be no more than that is neither closed nor mended, unless something moves.
+// There float rounds places to 4e-6 m. What may be no more than that is neither closed nor mended,
+// unless something moves.
 TEST(Contacts, WhatRoundingTellsOfADistanceIsNoGapAndNoOverlap) {
   constexpr double tiny = 1e-5, gap = 1e-3;
   constexpr bool rounds = sizeof(btScalar) < sizeof(double);
@@ -158,7 +160,8 @@ TEST(Parity, Row11DepthFromWhichItIsPushedIsThatOfTheInfo) {
     }
 }
 
-/// The furthest that a body between a floor and a shelf goes in one of some steps, m: deep in both, which lean against each other.
+/// The furthest that a body between a floor and a shelf goes in one of some steps, m: deep in both,
+/// which lean against each other.
 double furthestStep(BulletWorld& world, bool isBall, double lean, double depth) {
   constexpr double half = 0.25;
   world.addBox({50, 1, 50}, {0, -1, 0}, 0);

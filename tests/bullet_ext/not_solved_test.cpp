@@ -1,4 +1,5 @@
-/// Islands that end above their tolerance: the report and the listener name the contacts that are to blame.
+/// Islands that end above their tolerance: the report and the listener name the contacts that are
+/// to blame.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -104,8 +105,9 @@ TEST(NotSolved, APressThatClosesOnBoxesSaysSoAndTheyStay) {
   EXPECT_GE(said, 10);
 }
 
-// A box 1 cm deep in the ground cannot rise, and whatever else it can do does not help all its corners. Where it can do nothing
-// along a normal nobody feels a push: somebody must be named all the same.
+// A box 1 cm deep in the ground cannot rise, and whatever else it can do does not help all its
+// corners. Where it can do nothing along a normal nobody feels a push: somebody must be named all
+// the same.
 TEST(NotSolved, SomebodyIsNamedThoughNobodyCanYield) {
   int said = 0;
   for (const btVector3& linear : {btVector3(1, 0, 1), btVector3(1, 0, 0), btVector3(0, 0, 1)})

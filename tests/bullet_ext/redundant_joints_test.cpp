@@ -1,5 +1,5 @@
-/// Joints that hold the same thing twice, as two hinges of a door do: the rounding of their poses makes them contradict each other,
-/// and what they leave free must stay free.
+/// Joints that hold the same thing twice, as two hinges of a door do: the rounding of their poses
+/// makes them contradict each other, and what they leave free must stay free.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,13 +45,15 @@ void advanceCheaply(OurWorld& world, int steps) {
   }
 }
 
-/// Two joints of that type between the panel and a wall, one above the other; `skew`: of the lower one's frame on the wall, rad.
+/// Two joints of that type between the panel and a wall, one above the other; `skew`: of the lower
+/// one's frame on the wall, rad.
 template <class Joint>
 void addTwo(BulletWorld& world, btRigidBody& panel, btScalar skew,
             std::function<void(Joint&)> set) {
   btRigidBody& wall = world.addCube({-30, 0, 0}, 0);
   for (const btScalar side : {btScalar(0.7), btScalar(-0.7)}) {
-    // The third axis, about which hinges turn, is the panel's upright one; the first is that of sliders.
+    // The third axis, about which hinges turn, is the panel's upright one; the first is that of
+    // sliders.
     const btTransform inPanel(btQuaternion({1, 0, 0}, -SIMD_HALF_PI), {btScalar(-0.5), side, 0});
     btTransform inWall = wall.getWorldTransform().inverse() * panel.getWorldTransform() * inPanel;
     if (side < 0) inWall.setBasis(inWall.getBasis() * btMatrix3x3(btQuaternion({1, 0, 0}, skew)));

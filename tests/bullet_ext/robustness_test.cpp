@@ -165,8 +165,9 @@ std::vector<double> pile(double mass, double length) {
   return out;
 }
 
-/// The library of this build solves in double precision whichever Bullet it is for: in single precision the reactions of
-/// ten boxes under 1000 kg, exact where they are found, are rounded once where they are written.
+/// The library of this build solves in double precision whichever Bullet it is for: in single
+/// precision the reactions of ten boxes under 1000 kg, exact where they are found, are rounded once
+/// where they are written.
 TEST(Parity, Row47SolvesInDoubleWhateverThePrecision) {
   DelassusWorld world;
   world.addGround();

@@ -1,4 +1,5 @@
-/// Islands that are solved side by side: whatever the number of threads, the bits, the report and the events are the same.
+/// Islands that are solved side by side: whatever the number of threads, the bits, the report and
+/// the events are the same.
 
 #include <gtest/gtest.h>
 
@@ -147,7 +148,8 @@ void buildField(BulletWorld& world) {
     world.addCube({btScalar(2 * (i % 25)), btScalar(0.5), btScalar(2 * (i / 25))});
 }
 
-/// A block of spheres that touch, shaken: one island of more than a thousand contacts, on which all hands work, beside single ones.
+/// A block of spheres that touch, shaken: one island of more than a thousand contacts, on which all
+/// hands work, beside single ones.
 void buildBlock(BulletWorld& world) {
   world.addGround();
   for (int i = 0; i < 486; ++i)
@@ -181,7 +183,8 @@ TEST(Threads, AllOfThemSweepALargeIslandWithTheSameMotion) {
   for (int threads : {2, 3}) expectSame(run(buildBlock, 4, always(threads), options), serial);
 }
 
-// What weighs more than three times all else comes first, on the caller's bench; then the others, each once.
+// What weighs more than three times all else comes first, on the caller's bench; then the others,
+// each once.
 TEST(Threads, APredominantIslandComesFirst) {
   constexpr int islands = 20, heavy = 7;
   bullet::Workshop workshop({}, {});

@@ -20,7 +20,8 @@ void roll(btRigidBody& ball, const Vector2& velocity) {
 
 double speedOf(const btRigidBody& body) { return body.getLinearVelocity().length(); }
 
-/// What rolling friction takes from a ball in one step, m/s: (I + m R²) Δω = κ m g h with I = 2/5 m R².
+/// What rolling friction takes from a ball in one step, m/s: (I + m R²) Δω = κ m g h with I = 2/5 m
+/// R².
 double rollingLoss(double kappa) { return 5.0 / 7 * kappa * g / ballRadius * h; }
 
 TEST(Parity, Row24RollingBallStopsAtItsDistance) {
@@ -60,7 +61,8 @@ TEST(Parity, Row24RollingFrictionIsTheSameInAllDirections) {
   }
 }
 
-// One step: afterwards narrow phase keeps a second, open point for a while, and stock's rolling friction acts there too.
+// One step: afterwards narrow phase keeps a second, open point for a while, and stock's rolling
+// friction acts there too.
 TEST(Parity, Row24IsThatOfStockOnItsAxesBelowItsCap) {
   for (const Vector2& velocity : {Vector2(1, 0), Vector2(0, 1), Vector2(0.002, 0), Vector2(0, 0)})
     for (double spin : {0.0, 0.01, 3.0}) {
@@ -333,8 +335,8 @@ TEST(Parity, Row25IsThatOfStockOnTheAxes) {
 }
 
 TEST(Parity, Row25CapsuleAndCylinderRollAgainstTheirOwnAxis) {
-  // (I + m R²) Δω = κ m g h, with the inertia that Bullet gives the shape. In the plane, for narrow phase finds one point of
-  // the line that touches, anywhere.
+  // (I + m R²) Δω = κ m g h, with the inertia that Bullet gives the shape. In the plane, for narrow
+  // phase finds one point of the line that touches, anywhere.
   constexpr double kappa = 0.01;
   for (const bool capsule : {true, false}) {
     // In float that point wanders ahead of the cylinder and back.

@@ -39,8 +39,8 @@ double kineticEnergy(const btRigidBody& ball) {
          (2 * ball.getInvMass());
 }
 
-// The point of a ball that rolls stands still: what is lost is the moment's work, τ times the mean of the rotation before
-// and after the step.
+// The point of a ball that rolls stands still: what is lost is the moment's work, τ times the mean
+// of the rotation before and after the step.
 TEST(TurningListener, RollingBallLosesTheMomentsWork) {
   constexpr double kappa = 0.01;
   for (const double mass : {1.0, 50.0}) {
@@ -71,8 +71,9 @@ TEST(TurningListener, RollingBallLosesTheMomentsWork) {
   }
 }
 
-// I Δω = moment + arm × reaction, of each of two balls that are pressed together, spin and roll on each other. What one
-// gets the other loses. (Where they have slid a hair apart there is no contact for a step.)
+// I Δω = moment + arm × reaction, of each of two balls that are pressed together, spin and roll on
+// each other. What one gets the other loses. (Where they have slid a hair apart there is no contact
+// for a step.)
 TEST(TurningListener, MomentsAndReactionsMakeTheMotion) {
   DelassusWorld world;
   world->setGravity({0, 0, 0});

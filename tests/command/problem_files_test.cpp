@@ -138,7 +138,8 @@ TEST_F(ProblemFiles, dumpsWhatItCanSolve) {
   EXPECT_EQ(json::parse(solved.out)["size"], 40);
 }
 
-// A file that is standard output, or a pipe that is, holds what any other would; what is said about it goes elsewhere.
+// A file that is standard output, or a pipe that is, holds what any other would; what is said about
+// it goes elsewhere.
 TEST_F(ProblemFiles, writesToStandardOutputAsToAFile) {
   const std::string problem = easyProblem();
   for (const auto& [command, flag] :

@@ -75,7 +75,8 @@ TEST_F(Report, judgesTheSameProblemBySolvers) {
     EXPECT_NE(page.find(words), std::string::npos) << words;
 }
 
-// The samples are those of a world that is watched: with one method more, those of the others stay to the last digit.
+// The samples are those of a world that is watched: with one method more, those of the others stay
+// to the last digit.
 TEST_F(Report, measuresLeaveTheWorldAsItIs) {
   const auto rows = [&](const std::string& flags) {
     EXPECT_EQ(report("--scenes card_house --parts same_problem" + flags), 0) << said();
@@ -207,7 +208,8 @@ TEST_F(Report, findsTheOrderOfTheIntegrator) {
       if (row["method"] == "delassus:1e-8")
         errors[std::stod(row["rate"])] = std::stod(row["error"]);
     ASSERT_EQ(errors.size(), 5U) << scene;
-    // First order: half the step, half the error. At some rates Bullet loses points of a box that slides, which adds to it.
+    // First order: half the step, half the error. At some rates Bullet loses points of a box that
+    // slides, which adds to it.
     std::vector<double> perStep;
     for (const auto& [rate, error] : errors) perStep.push_back(rate * error);
     std::sort(perStep.begin(), perStep.end());
@@ -262,7 +264,8 @@ TEST_F(Report, mapGoesOnWhereItWasInterrupted) {
   EXPECT_NE(said().find("long_runs"), std::string::npos) << said();
 }
 
-// One economy at a time: more work, the same motion. A part that is named twice is made once, and what it does not look at is told.
+// One economy at a time: more work, the same motion. A part that is named twice is made once, and
+// what it does not look at is told.
 TEST_F(Report, tellsWhatEachEconomyIsWorth) {
   ASSERT_EQ(report("--scenes stack_10,ball_off_ball --parts ablation,ablation"), 0) << said();
   EXPECT_NE(said().find("--solvers is for same_problem"), std::string::npos) << said();

@@ -31,7 +31,8 @@ TEST(ConjugateGradient, TakesALinearImageAlong) {
   EXPECT_LT(begunAnew, steps - 5);
 }
 
-// Affine maps of as many dimensions as steps are remembered: Krylov's subspace is the whole space then.
+// Affine maps of as many dimensions as steps are remembered: Krylov's subspace is the whole space
+// then.
 TEST(Anderson, SolvesSmallAffineMaps) {
   Random random(71);
   constexpr int dimension = 4;
@@ -53,7 +54,8 @@ TEST(Anderson, SolvesSmallAffineMaps) {
   }
 }
 
-// What goes on for ever, as reactions do against demands that nothing can meet, is hurried but not without bound.
+// What goes on for ever, as reactions do against demands that nothing can meet, is hurried but not
+// without bound.
 TEST(Anderson, ADriftStaysADrift) {
   const VectorXd drift = VectorXd::Constant(3, 0.5), weights = VectorXd::Ones(3);
   Anderson accelerator;

@@ -21,7 +21,8 @@ bool alternate(const Problem& problem, double tolerance, int budget, Solution& b
   return engine.alternate(problem, tolerance, budget, best);
 }
 
-// Eight contacts a box squeeze each other, which takes many regions to unravel and hardly any alternation.
+// Eight contacts a box squeeze each other, which takes many regions to unravel and hardly any
+// alternation.
 TEST(Alternating, BringsPyramidsToRest) {
   Random random(121);
   for (const int base : {2, 5, 8}) {
@@ -36,7 +37,8 @@ TEST(Alternating, BringsPyramidsToRest) {
   }
 }
 
-// Whatever moves, with rows, with disks, in either motion space: the answer keeps the cones and is never worse than the start.
+// Whatever moves, with rows, with disks, in either motion space: the answer keeps the cones and is
+// never worse than the start.
 TEST(Alternating, LosesNothing) {
   Random random(122);
   for (int k = 0; k < 40; ++k) {
@@ -61,7 +63,8 @@ TEST(Alternating, LosesNothing) {
   }
 }
 
-// Where contacts slide, De Saxcé's shift has to find the slip: bodies stay on the ground, and friction is at the edge of its cone.
+// Where contacts slide, De Saxcé's shift has to find the slip: bodies stay on the ground, and
+// friction is at the edge of its cone.
 TEST(Alternating, LetsBodiesSlide) {
   Random random(124);
   for (int k = 0; k < 10; ++k) {

@@ -35,7 +35,8 @@ class DenseBeside {
     K_.block<6, 6>(6 * b, 6 * a) += ba;
   }
 
-  /// What a region adds to K: J̃ᵀ G J̃ of one contact between the bodies of `edge`, not symmetric where it slides.
+  /// What a region adds to K: J̃ᵀ G J̃ of one contact between the bodies of `edge`, not symmetric
+  /// where it slides.
   void addContact(int edge, const Mat3& G, Random& random) {
     const auto [a, b] = edges_[edge];
     const Mat36 Ja = normalMatrix(3, 6, random), Jb = normalMatrix(3, 6, random);
@@ -142,7 +143,8 @@ TEST(BlockFactor, CondensesToFewRows) {
   }
 }
 
-// All bodies touch each other: every column has the rows of the one before it, and there are more than are taken together.
+// All bodies touch each other: every column has the rows of the one before it, and there are more
+// than are taken together.
 TEST(BlockFactor, ManyColumnsWithTheSameRows) {
   Random random(19);
   constexpr int bodies = 3 * mostSources;
@@ -203,8 +205,9 @@ TEST(BlockFactor, ASymmetricMatrixHasTheSameFactorForHalfTheWork) {
   }
 }
 
-// Small proximal weights make contacts stiff: G up to 1e12 beside the identity. Block elimination of a symmetric positive
-// definite K without pivoting loses √κ(K) at most (Demmel, Higham, Schreiber 1995), and here κ(K) ≤ |K| for K ≥ I.
+// Small proximal weights make contacts stiff: G up to 1e12 beside the identity. Block elimination
+// of a symmetric positive definite K without pivoting loses √κ(K) at most (Demmel, Higham,
+// Schreiber 1995), and here κ(K) ≤ |K| for K ≥ I.
 TEST(BlockFactor, LosesNoMoreThanTheRootOfTheConditionForStiffContacts) {
   Random random(13);
   for (int k = 0; k < 100; ++k) {
@@ -239,7 +242,8 @@ TEST(BlockFactor, HasNoMemoryOfEarlierGraphsAndValues) {
   EXPECT_EQ(answer(used, chain), first);
 }
 
-// More graphs in turn than are kept: whether one is known or has been forgotten does not show either.
+// More graphs in turn than are kept: whether one is known or has been forgotten does not show
+// either.
 TEST(BlockFactor, KeepsWhatManyGraphsAskedFor) {
   constexpr int graphs = 100;
   Random random(15);
@@ -308,7 +312,8 @@ TEST(BlockFactor, NoBodiesAtAll) {
   EXPECT_EQ(nothing.size(), 0);
 }
 
-// Where one island is larger than all room for patterns, it and the others are not to be analysed in turns.
+// Where one island is larger than all room for patterns, it and the others are not to be analysed
+// in turns.
 TEST(BlockFactor, TheLargestPatternDrivesOutNoOther) {
   constexpr int many = 6000;
   Edges chain;

@@ -1,4 +1,5 @@
-/// The products of a factorisation against plain loops, bit by bit, and its solutions against dense matrices.
+/// The products of a factorisation against plain loops, bit by bit, and its solutions against dense
+/// matrices.
 #include "delassus/block_product.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,8 @@
 namespace delassus {
 namespace {
 
-// However wide the processor is: one rounding after each product and each sum, column by column and k by k.
+// However wide the processor is: one rounding after each product and each sum, column by column and
+// k by k.
 TEST(BlockProduct, HasTheBitsOfPlainLoops) {
   Random random(21);
   const std::vector<int> row = {2, 3, 0, 5, 4}, place = {1, -1, -1, 4, 0, 2};
@@ -68,7 +70,8 @@ TEST(BlockProduct, SingleBlocksAgreeWithTheLibrary) {
   }
 }
 
-// Whatever the scales of its rows, and where no pivot is where it should be: what rounding leaves is that of |A⁻¹| |A|.
+// Whatever the scales of its rows, and where no pivot is where it should be: what rounding leaves
+// is that of |A⁻¹| |A|.
 TEST(BlockProduct, InvertsWhatIsNotSingular) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   Random random(24);
@@ -137,7 +140,8 @@ class BlockSolves : public ::testing::Test {
 
   BlockColumns blocks() const { return {columns, begin_.data(), row_.data(), blocks_.data()}; }
 
-  /// matrix⁻¹ x as the dense matrix and as `solve` has it. What is left of the room holds no numbers.
+  /// matrix⁻¹ x as the dense matrix and as `solve` has it. What is left of the room holds no
+  /// numbers.
   template <class Solve>
   void compare(const MatrixXd& matrix, Solve solve) {
     const VectorXd x = normalMatrix(24, 1, random_).col(0);

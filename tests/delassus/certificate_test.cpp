@@ -131,7 +131,8 @@ TEST(MotionBound, VanishesAtTheSolution) {
   }
 }
 
-/// With penetration the bound speaks of the problem whose demands are relaxed by as much; solved here by plain sweeps.
+/// With penetration the bound speaks of the problem whose demands are relaxed by as much; solved
+/// here by plain sweeps.
 TEST(MotionBound, HoldsForTheRelaxedProblem) {
   Draws random(98);
   for (int k = 0; k < 100; ++k) {

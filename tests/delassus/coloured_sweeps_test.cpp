@@ -120,8 +120,8 @@ TEST(ColouredSweeps, ComeToTheAnswerOfTheSolver) {
   }
 }
 
-// Single precision limits what the sweeps from one start change, not where they end: sliding contacts, whose velocities stay large,
-// included.
+// Single precision limits what the sweeps from one start change, not where they end: sliding
+// contacts, whose velocities stay large, included.
 TEST(ColouredSweeps, FromTheirOwnEndGoOnToDoublePrecision) {
   for (const double friction : {0.1, 0.3, 0.5}) {
     const PileIsland heap = heapOfSpheres(3, friction);
@@ -161,7 +161,8 @@ TEST(ColouredSweeps, ASolutionIsAFixedPoint) {
   EXPECT_LT((swept.r - exact.r).norm(), 1e-7 * exact.r.norm());
 }
 
-// The slips of piles with momentum are found sooner than by as many plain sweeps of one each, which begin anew every time.
+// The slips of piles with momentum are found sooner than by as many plain sweeps of one each, which
+// begin anew every time.
 TEST(ColouredSweeps, MomentumHurriesThem) {
   const PileIsland heap = heapOfSpheres(3, 0.1);
   VectorXd plain = zero(heap.problem);
@@ -278,7 +279,8 @@ TEST(ColouredSweeps, HaveNoMemory) {
   }
 }
 
-// A joint, a motor of bounded force, and contacts without friction beside others: rows are swept too.
+// A joint, a motor of bounded force, and contacts without friction beside others: rows are swept
+// too.
 TEST(ColouredSweeps, RowsKeepTheirBoundsAndComeToTheAnswer) {
   Random random(76);
   Pile pile = makeTower({2, 1, 3}, 0.4, 0.3, random);

@@ -73,7 +73,8 @@ class Way {
   Solution count_;
 };
 
-/// Balls in a heap whose friction holds almost anything, and two of them joined by a row with bounds.
+/// Balls in a heap whose friction holds almost anything, and two of them joined by a row with
+/// bounds.
 Problem wedgedHeap(Random& random) {
   Pile pile = makeHeap(20, 0.9, random);
   Row motor;
@@ -147,8 +148,8 @@ TEST(CompliancePath, LeavesAnAnswerWhereItIs) {
   EXPECT_LT((way.reactions() - answer.r).norm(), 1e-3 * answer.r.norm());
 }
 
-// There are several answers for one compliance. From some, less of it leads back to softness: then the other way is the one that ends
-// at rigid bodies.
+// There are several answers for one compliance. From some, less of it leads back to softness: then
+// the other way is the one that ends at rigid bodies.
 TEST(CompliancePath, ArrivesFromEveryStart) {
   Random random(77);
   for (int k = 0; k < 6; ++k) {
@@ -162,7 +163,8 @@ TEST(CompliancePath, ArrivesFromEveryStart) {
   }
 }
 
-// Where only ever less compliance is tried, Newton's method loses its way, or jumps to another answer: the curve turned back.
+// Where only ever less compliance is tried, Newton's method loses its way, or jumps to another
+// answer: the curve turned back.
 TEST(CompliancePath, GoesOnWhereAnswersForLessComplianceEnd) {
   Random random(73);
   int ends = 0;
@@ -182,7 +184,8 @@ TEST(CompliancePath, GoesOnWhereAnswersForLessComplianceEnd) {
   EXPECT_GT(ends, 5);
 }
 
-// What is squeezed without friction can only be answered by reactions that grow as compliance falls: r ~ 1/c.
+// What is squeezed without friction can only be answered by reactions that grow as compliance
+// falls: r ~ 1/c.
 TEST(CompliancePath, IncompatibleDemandsAreAnsweredEverHarder) {
   Random random(74);
   const PileIsland island(makePressed(3, 0, 0, 0.05, 0.5, random));

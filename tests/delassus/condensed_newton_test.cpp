@@ -13,7 +13,8 @@ namespace {
 
 using namespace delassus::test;
 
-/// Three rows that hold the points `armA` of a and `armB` of b together, and closes a gap of theirs.
+/// Three rows that hold the points `armA` of a and `armB` of b together, and closes a gap of
+/// theirs.
 void addBallJoint(Pile& pile, int a, int b, const Vec3& armA, const Vec3& armB, double target) {
   for (int k = 0; k < 3; ++k) {
     const Vec3 axis = Vec3::Unit(k);
@@ -26,8 +27,8 @@ void addBallJoint(Pile& pile, int a, int b, const Vec3& armA, const Vec3& armB, 
   }
 }
 
-/// Boxes in a row on the ground, one joined to the next by a ball joint with a limit to its bending, some of them on two points, some on
-/// four, after one step of gravity and a disturbance.
+/// Boxes in a row on the ground, one joined to the next by a ball joint with a limit to its
+/// bending, some of them on two points, some on four, after one step of gravity and a disturbance.
 Pile makeChain(int links, double friction, double disturbance, double massRatio, Random& random) {
   Pile pile;
   const std::vector<double> masses = randomMasses(links, massRatio, random);
@@ -58,7 +59,8 @@ struct CondensedAttempt {
   Solution solution;
 };
 
-/// Whether it is for this problem, whose rows are within their bounds only where these do not end at zero.
+/// Whether it is for this problem, whose rows are within their bounds only where these do not end
+/// at zero.
 bool isFor(const Problem& problem, int most = 60) {
   NaturalMap map;
   map.setProblem(problem);
@@ -140,7 +142,8 @@ TEST(CondensedNewton, BeginsAnywhere) {
   EXPECT_GE(compared, 40);
 }
 
-// Two joints in one place, which give by next to nothing: what they share is not told, what they hold is.
+// Two joints in one place, which give by next to nothing: what they share is not told, what they
+// hold is.
 TEST(CondensedNewton, JointsThatHoldTheSameTwice) {
   Random random(214);
   int reached = 0;
@@ -201,7 +204,8 @@ TEST(CondensedNewton, FewContactsWithoutJoints) {
   EXPECT_GE(reached, 0.8 * samples);
 }
 
-// Joints that break, or motors that are strong: rows whose bounds are far away are held where there are many of them.
+// Joints that break, or motors that are strong: rows whose bounds are far away are held where there
+// are many of them.
 TEST(CondensedNewton, HoldsWhatIsWithinItsBounds) {
   Random random(218);
   int reached = 0;
@@ -225,7 +229,8 @@ TEST(CondensedNewton, HoldsWhatIsWithinItsBounds) {
   EXPECT_GE(reached, 15);
 }
 
-// The solver takes it for what sweeps would have to pass along a chain body by body; with few sweeps, too.
+// The solver takes it for what sweeps would have to pass along a chain body by body; with few
+// sweeps, too.
 TEST(CondensedNewton, IsWhereTheSolverBegins) {
   Random random(217);
   int first = 0, exact = 0;

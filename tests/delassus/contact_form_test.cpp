@@ -14,7 +14,8 @@ namespace {
 
 using namespace delassus::test;
 
-/// Ties bodies of the pile to each other: equations (some of them twice), limits on either side, motors, a fixed impulse.
+/// Ties bodies of the pile to each other: equations (some of them twice), limits on either side,
+/// motors, a fixed impulse.
 void addJoints(Pile& pile, Random& random) {
   const auto bodies = static_cast<int>(pile.bodies.size());
   for (int k = 0; k < 2 * bodies; ++k) {

@@ -33,7 +33,8 @@ DenseAttempt runWithRoomFor(const Problem& problem, const VectorXd& start, int b
   return attempt;
 }
 
-/// With room for any number of unknowns; and with room for few, if they fit, which goes the same way.
+/// With room for any number of unknowns; and with room for few, if they fit, which goes the same
+/// way.
 DenseAttempt run(const Problem& problem, const VectorXd& start, int budget = 100) {
   const DenseAttempt any = runWithRoomFor<Eigen::Dynamic>(problem, start, budget);
   if (problem.size() <= fewUnknowns) {
@@ -98,7 +99,8 @@ TEST(DenseNewton, FindsTheRegionOfThePaper) {
   EXPECT_GE(reached, 150);
 }
 
-// Four corners of a box at rest: many reactions make the same motion, and it has no reason to take one of them.
+// Four corners of a box at rest: many reactions make the same motion, and it has no reason to take
+// one of them.
 TEST(DenseNewton, GivesUpWhereReactionsAreNotTold) {
   Random random(133);
   const PileIsland box(makeTower({1}, 0.8, 0, random));

@@ -18,7 +18,8 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// Two frictionless contacts, then a disk of two numbers for the first and one of one number for the second. W is diagonal.
+/// Two frictionless contacts, then a disk of two numbers for the first and one of one number for
+/// the second. W is diagonal.
 Problem twoDisks(const VectorXd& q, const VectorXd& W = VectorXd::Ones(5)) {
   Problem problem;
   problem.W = DelassusMatrix(DelassusMatrix::Sparse(MatrixXd(W.asDiagonal()).sparseView()));

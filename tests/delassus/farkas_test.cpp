@@ -83,7 +83,8 @@ TEST(Farkas, WhatIsBoundedDemandsNothing) {
   }
 }
 
-// Walls that come together, with friction: named at once, all of them, and the boxes stay between them.
+// Walls that come together, with friction: named at once, all of them, and the boxes stay between
+// them.
 TEST(Farkas, PressedBoxesAreIncompatible) {
   Random random(203);
   for (const double friction : {0.3, 1.0})
@@ -96,8 +97,8 @@ TEST(Farkas, PressedBoxesAreIncompatible) {
           EXPECT_EQ(static_cast<int>(solution.blamed.size()), island.problem.contacts());
           EXPECT_LE(infeasibility(island.problem, solution.r), 1e-12 * solution.r.norm());
           EXPECT_LT(solution.regions, 200);
-          // Both walls share what is missing with the faces between the boxes; at 0.01 m/s the boxes' own disturbance and
-          // their friction move each face by as much.
+          // Both walls share what is missing with the faces between the boxes; at 0.01 m/s the
+          // boxes' own disturbance and their friction move each face by as much.
           if (speed < 1) continue;
           const double share = 2 * speed / (height + 1);
           for (int i = 0; i < island.problem.contacts(); ++i)

@@ -31,7 +31,8 @@ bool holdAll(const Problem& problem, double tolerance, Solution& best) {
 
 double toleranceOf(const Problem& problem) { return 1e-10 * problem.q.cwiseAbs().maxCoeff(); }
 
-// Eight contacts a box share its load in many ways, most of which pull somewhere: a few steps find one that does not.
+// Eight contacts a box share its load in many ways, most of which pull somewhere: a few steps find
+// one that does not.
 TEST(Holding, BringsPyramidsToRestInFewSteps) {
   Random random(131);
   for (const int base : {2, 5, 8, 12}) {
@@ -45,11 +46,13 @@ TEST(Holding, BringsPyramidsToRestInFewSteps) {
   }
 }
 
-// With masses that differ, contacts that give a little, rolling and spinning friction, a motor that is strong enough, and W as entries.
+// With masses that differ, contacts that give a little, rolling and spinning friction, a motor that
+// is strong enough, and W as entries.
 TEST(Holding, HoldsWhatTheSceneHas) {
   Random random(132);
   for (int k = 0; k < 12; ++k) {
-    // Where contacts give, there is but one share of the loads, which in a pyramid asks for more than friction has.
+    // Where contacts give, there is but one share of the loads, which in a pyramid asks for more
+    // than friction has.
     const bool gives = k % 4 == 1;
     Pile pile = gives ? makeTower({1, 3, 2}, 0.6, 0, random)
                       : makePyramid(2 + k % 4, 0.6, 0, k % 3 == 0 ? 10 : 1, random);
@@ -77,7 +80,8 @@ Options hurried() {
   return options;
 }
 
-// One region is what it costs: who allows no more, and next to no sweeps, has piles at rest all the same.
+// One region is what it costs: who allows no more, and next to no sweeps, has piles at rest all the
+// same.
 TEST(Holding, IsWithinTheSmallestBudget) {
   Random random(137);
   for (const int base : {3, 5, 12}) {

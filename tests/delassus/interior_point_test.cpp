@@ -42,7 +42,8 @@ PileIsland mixedTower(int height, double massRatio, double friction, Random& ran
   return PileIsland(pile);
 }
 
-/// Reached means: the law holds, recomputed from r alone, and the reactions are inside their cones and bounds.
+/// Reached means: the law holds, recomputed from r alone, and the reactions are inside their cones
+/// and bounds.
 void expectSolved(const Problem& problem, const InteriorAttempt& attempt) {
   EXPECT_LE(naturalResidual(problem, attempt.solution.r).max, 1.01 * attempt.tolerance);
   EXPECT_LE(infeasibility(problem, attempt.solution.r),
@@ -65,8 +66,8 @@ TEST(InteriorPoint, SolvesPilesAtRestInFewFactorisations) {
   EXPECT_LE(factorisations, 20 * reached);
 }
 
-// Where contacts slide, reaction and velocity both lie at the boundary of the cone and the last digits are lost. What is
-// left is what the walk can finish.
+// Where contacts slide, reaction and velocity both lie at the boundary of the cone and the last
+// digits are lost. What is left is what the walk can finish.
 TEST(InteriorPoint, BringsMovingPilesNearTheLaw) {
   Random random(58);
   int near = 0;
@@ -198,7 +199,8 @@ TEST(InteriorPoint, FindsTheSameMotionInEitherSpace) {
   }
 }
 
-// Four corners under a level box: equal shares, as the proximal weight keeps redundant contacts apart evenly.
+// Four corners under a level box: equal shares, as the proximal weight keeps redundant contacts
+// apart evenly.
 TEST(InteriorPoint, EqualContactsShareEqually) {
   Random random(55);
   const PileIsland island(makeTower({2}, 0.5, 0, random));

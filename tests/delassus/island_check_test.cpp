@@ -16,7 +16,8 @@ namespace {
 
 using namespace delassus::test;
 
-/// Towers whose contacts are of all kinds: with and without friction, soft, some against turning, with joints on top.
+/// Towers whose contacts are of all kinds: with and without friction, soft, some against turning,
+/// with joints on top.
 Pile mixedTower(int height, Random& random) {
   Pile pile = makeTower(randomMasses(height, 10, random), 0.7, 0.02, random);
   mixFriction(pile, 1, random);
@@ -44,7 +45,8 @@ double difference(const std::vector<Body>& a, const std::vector<Body>& b) {
   return largest;
 }
 
-/// On a wall between two regions either name may stand: where r = 0 as u = 0, or on the cone without sliding.
+/// On a wall between two regions either name may stand: where r = 0 as u = 0, or on the cone
+/// without sliding.
 void expectNamesDifferOnWallsOnly(const Problem& problem, const Solution& a, const Solution& b) {
   const double demand = problem.q.cwiseAbs().maxCoeff(), load = b.r.cwiseAbs().maxCoeff();
   for (int i = 0; i < problem.contacts(); ++i) {
@@ -171,7 +173,8 @@ TEST(IslandCheck, RefusesWhatDoesNotKeepTheLawAndLeavesTheBodiesAlone) {
   }
 }
 
-/// A box of 1 kg on its base, with what holds it against gravity, and the velocity that these leave if it moved at `velocity` before.
+/// A box of 1 kg on its base, with what holds it against gravity, and the velocity that these leave
+/// if it moved at `velocity` before.
 struct StandingBox {
   Pile pile;
   std::vector<Body> moved;
@@ -216,7 +219,8 @@ TEST(IslandCheck, WhatIsKeptAtRestIsAtRest) {
     }
 }
 
-/// A ball of 1 kg and 1 kg m² whose centre is this high above the plane it presses on, kept there, and the velocity that is left.
+/// A ball of 1 kg and 1 kg m² whose centre is this high above the plane it presses on, kept there,
+/// and the velocity that is left.
 Vec6 leftOfBall(double height, const Vec6& velocity, double tolerance) {
   const double fall = StandingBox::fall;
   Pile pile;
@@ -239,7 +243,8 @@ Vec6 leftOfBall(double height, const Vec6& velocity, double tolerance) {
   return moved[0].velocity;
 }
 
-// What spins about the point it stands on moves no point that touches, the less if that is its centre.
+// What spins about the point it stands on moves no point that touches, the less if that is its
+// centre.
 TEST(IslandCheck, WhatSpinsIsNotAtRest) {
   for (const double height : {0.5, 0.0})
     EXPECT_EQ(leftOfBall(height, Vec6::Unit(5), 1e-8)[5], 1) << height;

@@ -43,7 +43,8 @@ Row randomRow(int a, int b, Random& random) {
   return row;
 }
 
-/// u − compliance r, contact by contact from the velocities of the bodies, in the order of the unknowns.
+/// u − compliance r, contact by contact from the velocities of the bodies, in the order of the
+/// unknowns.
 VectorXd relativeVelocity(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
                           const std::vector<Row>& rows, const Island& island) {
   const auto velocityAt = [&](int body, const Vec3& arm) -> Vec3 {
@@ -79,7 +80,8 @@ VectorXd compliances(const std::vector<Contact>& contacts, const std::vector<Row
   return Eigen::Map<Eigen::VectorXd>(c.data(), static_cast<int>(c.size()));
 }
 
-/// Some bodies with all that the data allow: locked axes, an inertia of rank one, a moving platform, the fixed world.
+/// Some bodies with all that the data allow: locked axes, an inertia of rank one, a moving
+/// platform, the fixed world.
 struct Step {
   std::vector<Body> bodies;
   std::vector<Contact> contacts;
@@ -177,7 +179,8 @@ TEST(Assemble, UnknownsStandInTheirOrderWithFrictionAndBounds) {
   }
 }
 
-//    0 --- 2     1 --- 4        3        bodies; 5 is immovable and touches 2 and 4; 3 touches nothing
+//    0 --- 2     1 --- 4        3
+// Body 5 is immovable and touches 2 and 4; 3 touches nothing.
 TEST(SplitIslands, ImmovableBodiesAndTheGroundLinkNothing) {
   Random random(35);
   std::vector<Body> bodies(6);

@@ -1,4 +1,5 @@
-/// Heaps of hundreds of contacts and more, whose walk loses its way: what finds back there (search_find_back.cpp).
+/// Heaps of hundreds of contacts and more, whose walk loses its way: what finds back there
+/// (search_find_back.cpp).
 #include <gtest/gtest.h>
 
 #include "delassus/residual.h"
@@ -65,8 +66,9 @@ void expectHardened(const std::vector<PileIsland>& heaps) {
   EXPECT_GT(hardened, 0);
 }
 
-// Without plain sweeps by the thousand none of these heaps is solved: what is left is 2e-5 to 8e-3 m/s. With them most are; which ones, and
-// which of the others the path of compliance solves, is a matter of rounding.
+// Without plain sweeps by the thousand none of these heaps is solved: what is left is 2e-5 to 8e-3
+// m/s. With them most are; which ones, and which of the others the path of compliance solves, is a
+// matter of rounding.
 TEST(LargeHeap, IsOutlasted) {
   int outlasted = 0;
   for (const int seed : {1, 5, 10}) {

@@ -19,7 +19,8 @@ PileIsland heap(Random& random) {
   return PileIsland(pile);
 }
 
-/// A region in which about this share of the contacts is not open, with derivatives that are not symmetric.
+/// A region in which about this share of the contacts is not open, with derivatives that are not
+/// symmetric.
 Stiffness randomRegion(const Problem& problem, double share, Random& random) {
   Stiffness G;
   G.reset(problem);

@@ -20,7 +20,8 @@ double lawViolation(const Mat3& W, const Vec3& q, double mu, const Vec3& r) {
   const double cone = w * (t - mu * r[0]);          // ‖r_t‖ ≤ μ r_n
   const double inside = w * (mu * r[0] - t);        // and equal where it slides,
   const double slack = std::min(std::max(inside, 0.0), speed);
-  // with friction against the slip: u_t ‖r_t‖ = −‖u_t‖ r_t. It is looked at in units of the smaller of the two.
+  // with friction against the slip: u_t ‖r_t‖ = −‖u_t‖ r_t. It is looked at in units of the smaller
+  // of the two.
   const double turned = std::hypot(u[1] * t + speed * r[1], u[2] * t + speed * r[2]) /
                         std::max({t, speed / w, 1e-300});
   return std::max({apart, both, cone, slack, turned});
@@ -110,7 +111,8 @@ TEST(OneContact, DoesNotDependOnTheTangents) {
   }
 }
 
-// Whatever reaction the search is told to begin from, also one that has all but vanished or that has nothing to do with the answer.
+// Whatever reaction the search is told to begin from, also one that has all but vanished or that
+// has nothing to do with the answer.
 TEST(OneContact, WhereTheSearchBeginsDoesNotMatter) {
   Random random(23);
   for (int k = 0; k < 3000; ++k) {

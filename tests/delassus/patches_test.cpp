@@ -71,7 +71,8 @@ TEST(Patches, FarApartAreTwo) {
   EXPECT_EQ(patches.partsOf(1), 8);  // the last two boxes, and between the second and its neighbour
 }
 
-// The others held, a part sees in its patch what it sees in the island: its velocities and so its residual.
+// The others held, a part sees in its patch what it sees in the island: its velocities and so its
+// residual.
 TEST(Patches, SeeTheIslandAsItIs) {
   Random random(62);
   int withDisks = 0;
@@ -98,7 +99,8 @@ TEST(Patches, SeeTheIslandAsItIs) {
   EXPECT_GT(withDisks, 20);
 }
 
-// Solved and put back, a patch keeps the law in the island, where nothing else has changed its reaction.
+// Solved and put back, a patch keeps the law in the island, where nothing else has changed its
+// reaction.
 TEST(Patches, AreSettledWhenSolved) {
   Random random(63);
   for (int k = 0; k < 40; ++k) {

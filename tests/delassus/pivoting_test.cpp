@@ -27,8 +27,8 @@ unsigned persistingSet(const std::vector<RowState>& rows) {
   return set;
 }
 
-/// Contacts in units that give W a unit diagonal, and walks over their regions from any of them: `pivot` has but one start, and small
-/// problems never walk.
+/// Contacts in units that give W a unit diagonal, and walks over their regions from any of them:
+/// `pivot` has but one start, and small problems never walk.
 struct Walks {
   VectorXd inverse;
   BoundedRows rows;
@@ -327,7 +327,8 @@ TEST(Pivoting, ReactionsThatOverflowAreNone) {
   EXPECT_EQ(answer.r, VectorXd::Zero(1));
 }
 
-/// Equations that contradict each other: the compromise is (W⁺) q, in units that give W a unit diagonal.
+/// Equations that contradict each other: the compromise is (W⁺) q, in units that give W a unit
+/// diagonal.
 TEST(Pivoting, ACompromiseHasTheLeastReactions) {
   Random random(29);
   int compromises = 0;

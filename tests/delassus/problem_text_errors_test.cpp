@@ -174,7 +174,8 @@ TEST(ProblemTextErrors, EndlessTextsAndFailingDevices) {
   }
 }
 
-/// Whatever happens to a text, it is read or refused with one clear line; and what is read can be written.
+/// Whatever happens to a text, it is read or refused with one clear line; and what is read can be
+/// written.
 TEST(ProblemTextErrors, MutatedTextsAreReadOrRefused) {
   std::mt19937_64 random(20);
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };

@@ -39,7 +39,8 @@ class Attempt {
   ProximalNewton<Motion> newton_;
 };
 
-/// Boxes on each other, with friction that differs from contact to contact, none at some, after a disturbance.
+/// Boxes on each other, with friction that differs from contact to contact, none at some, after a
+/// disturbance.
 PileIsland disturbedTower(int height, double massRatio, double disturbance, Random& random) {
   Pile pile = makeTower(randomMasses(height, massRatio, random), 0, disturbance, random);
   mixFriction(pile, 0.5, random);

@@ -113,7 +113,8 @@ TEST(QuickAnswer, TellsTheResidualOfItsReactionsAtAnyBudget) {
   }
 }
 
-// The best that was found comes back, whoever found it: a solver that is left no budget finds nothing.
+// The best that was found comes back, whoever found it: a solver that is left no budget finds
+// nothing.
 TEST(QuickAnswer, IsTheAnswerWhereItsBudgetWasAll) {
   Random random(68);
   for (const int contacts : {4, 44}) {
@@ -156,7 +157,8 @@ TEST(QuickAnswer, KeepsToTheBudgetTogetherWithTheSolver) {
   }
 }
 
-// Nothing moves at such a contact, whatever its reaction: no sweep answers that, and no budget makes it vanish.
+// Nothing moves at such a contact, whatever its reaction: no sweep answers that, and no budget
+// makes it vanish.
 TEST(QuickAnswer, AContactThatMovesNothingIsNotAnswered) {
   Random random(65);
   Problem problem = loneContacts(3, random);

@@ -39,7 +39,8 @@ Problem oneRow(double W, double q, double lower, double upper) {
 
 VectorXd one(double x) { return VectorXd::Constant(1, x); }
 
-/// W of a contact of one or two rigid bodies with arms and inertias of everyday proportions: symmetric, positive definite.
+/// W of a contact of one or two rigid bodies with arms and inertias of everyday proportions:
+/// symmetric, positive definite.
 class RandomContact {
  public:
   explicit RandomContact(unsigned seed) : random_(seed) {}
@@ -113,14 +114,16 @@ TEST(NaturalResidual, PublishedOneContactVectors) {
 }
 
 TEST(NaturalResidual, IsTheVelocityMissed) {
-  // A body of 2 kg falls on the ground at 3 m/s: without reaction, and with a third of the right one.
+  // A body of 2 kg falls on the ground at 3 m/s: without reaction, and with a third of the right
+  // one.
   const Problem problem = oneContact(Mat3::Identity() / 2, {-3, 0, 0}, 0.5);
   EXPECT_DOUBLE_EQ(naturalResidual(problem, Vec3::Zero()).max, 3);
   EXPECT_DOUBLE_EQ(naturalResidual(problem, Vec3(2, 0, 0)).max, 2);
   EXPECT_DOUBLE_EQ(naturalResidual(problem, Vec3(6, 0, 0)).max, 0);
 }
 
-/// The convex relaxation lets a sliding body lift at μ|u_t|; the judge must not take that for Coulomb's law.
+/// The convex relaxation lets a sliding body lift at μ|u_t|; the judge must not take that for
+/// Coulomb's law.
 TEST(NaturalResidual, RefusesTheConvexRelaxation) {
   const double mu = 0.5;
   const Vec3 q(-1, 2, 0);
@@ -273,7 +276,8 @@ TEST(FclibMeasures, AreTheirFormulas) {
   const FclibMeasures rest = fclibMeasures(problem, Vec3::Zero());
   EXPECT_DOUBLE_EQ(rest.rel, 1);
   EXPECT_DOUBLE_EQ(rest.vel, 1);
-  // Opening although pushed: F(1) = r - P(r - u) = (20,0,0) - (5,0,0), F(s)/s = 2 (20 - (20 - 15/2)) = 15.
+  // Opening although pushed: F(1) = r - P(r - u) = (20,0,0) - (5,0,0), F(s)/s = 2 (20 - (20 -
+  // 15/2)) = 15.
   const FclibMeasures pushed = fclibMeasures(problem, Vec3(20, 0, 0));
   EXPECT_DOUBLE_EQ(pushed.rel, 3);
   EXPECT_DOUBLE_EQ(pushed.vel, 3);
@@ -293,7 +297,8 @@ TEST(NaturalResidual, ALargeReactionHidesNoVelocity) {
     EXPECT_EQ(naturalResidual(oneRow(0.5, -3, lower, infinity), r, u).max, 3);
 }
 
-/// Of all kinds of blocks: coupled, as those of balls (arms along the normal, up to rounding), of every size, and unsymmetric.
+/// Of all kinds of blocks: coupled, as those of balls (arms along the normal, up to rounding), of
+/// every size, and unsymmetric.
 TEST(ContactSize, IsTheLargestSingularValue) {
   RandomContact random(31);
   for (const double coupling : {1.0, 1e-8, 1e-13, 1e-16, 0.0})

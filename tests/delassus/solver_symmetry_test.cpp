@@ -1,4 +1,5 @@
-/// What must not matter: other islands, units, the order of contacts, names, axes, what was solved before.
+/// What must not matter: other islands, units, the order of contacts, names, axes, what was solved
+/// before.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -83,7 +84,8 @@ TEST(Solver, IslandsDoNotFeelEachOther) {
   }
 }
 
-// Explicit problems of several parts: solve(problem) takes them apart itself, after sweeps over all of them.
+// Explicit problems of several parts: solve(problem) takes them apart itself, after sweeps over all
+// of them.
 TEST(Solver, PartsOfAnExplicitProblemDoNotFeelEachOther) {
   Random random(102);
   const Problem a = withEntries(PileIsland(makeTower({1, 2}, 0.5, 0.2, random)).problem);
@@ -130,7 +132,8 @@ struct Units {
 
 class Scaling : public ::testing::TestWithParam<Units> {};
 
-// Powers of four for mass, since Cholesky takes its root; powers of two for the others: every operation scales exactly.
+// Powers of four for mass, since Cholesky takes its root; powers of two for the others: every
+// operation scales exactly.
 TEST_P(Scaling, UnitsChangeReactionsExactlyAndModesNotAtAll) {
   const auto [mass, length, time] = GetParam();
   Random random(103);

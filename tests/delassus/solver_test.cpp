@@ -1,4 +1,5 @@
-/// What `Solved` promises, on piles of boxes with four contacts a face, mass ratios to 1e3 and frictions to 2.
+/// What `Solved` promises, on piles of boxes with four contacts a face, mass ratios to 1e3 and
+/// frictions to 2.
 #include "delassus/solver.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,8 @@ namespace {
 using namespace delassus::test;
 using test::sameBits;
 
-/// Towers and pyramids; targets as restitution and push-out make them; motors and joints now and then.
+/// Towers and pyramids; targets as restitution and push-out make them; motors and joints now and
+/// then.
 PileIsland randomIsland(int k, double massRatio, double friction, Random& random) {
   const double disturbance = k % 3 == 0 ? 0 : uniform(random, 0, 1);
   Pile pile = k % 5 == 4
@@ -37,7 +39,8 @@ PileIsland randomIsland(int k, double massRatio, double friction, Random& random
   return PileIsland(pile);
 }
 
-/// |M (v − v_f) − Jᵀ r|, body by body, with Jᵀ r added up from forces at points; relative to the largest momentum.
+/// |M (v − v_f) − Jᵀ r|, body by body, with Jᵀ r added up from forces at points; relative to the
+/// largest momentum.
 double momentumError(const PileIsland& island, const VectorXd& r) {
   const Pile& pile = island.pile;
   std::vector<Vec6> momentum(pile.bodies.size(), Vec6::Zero());
@@ -72,7 +75,8 @@ double momentumError(const PileIsland& island, const VectorXd& r) {
   return error / std::max(size, 1e-300);
 }
 
-/// The identity of the energies, and that contacts which obey their law only lose energy of their own.
+/// The identity of the energies, and that contacts which obey their law only lose energy of their
+/// own.
 void expectEnergyIdentity(const PileIsland& island, const Solution& solution) {
   const EnergyBalance balance = energyBalance(island.problem, island.target, solution.r);
   const double before = kineticEnergy(island.pile.bodies);
@@ -83,7 +87,8 @@ void expectEnergyIdentity(const PileIsland& island, const Solution& solution) {
   EXPECT_LE(balance.friction, 0);
   EXPECT_LE(balance.impact, 0);
   EXPECT_LE(balance.compliance, 0);
-  // What misses the law by the residual works on the reactions by no more than this. Motors may only drain.
+  // What misses the law by the residual works on the reactions by no more than this. Motors may
+  // only drain.
   const double missed = 10 * solution.residual * solution.r.lpNorm<1>() + 1e-12 * scale;
   EXPECT_LE(balance.complementarity, missed);
   const bool motors = !island.pile.rows.empty();
@@ -163,7 +168,8 @@ TEST(Solver, ASpentBudgetIsNeverWorseThanAGuessThatIsWrongEverywhere) {
   EXPECT_LE(Solver(options).solve(problem, guess).residual, naturalResidual(problem, guess).max);
 }
 
-// Frictionless: Gauss' principle has one motion. Without disturbance a tower rests: that is another.
+// Frictionless: Gauss' principle has one motion. Without disturbance a tower rests: that is
+// another.
 TEST(Solver, TheMotionDoesNotDependOnTheGuessWhereItIsUnique) {
   Random random(73);
   Options options;
@@ -196,7 +202,8 @@ TEST(Solver, AGuessThatIsASolutionComesBackWithoutWork) {
     EXPECT_EQ(again.sweeps, 0);
     EXPECT_EQ(again.status, Status::Solved);
     EXPECT_LE((again.r - first.r).norm(), 1e-8 * first.r.norm());
-    // Bit by bit, where round-off has left no reaction outside its cone by the arithmetic of the solver.
+    // Bit by bit, where round-off has left no reaction outside its cone by the arithmetic of the
+    // solver.
     VectorXd allowed = first.r;
     makeFeasible(island.problem, allowed);
     if (!sameBits(allowed, first.r)) continue;
@@ -286,7 +293,8 @@ TEST(Solver, ModesSayWhatTheMotionDoes) {
   for (const int count : seen) EXPECT_GT(count, 50);
 }
 
-// Where few contacts came or went, what was learnt of all the others is worth more than a fresh start.
+// Where few contacts came or went, what was learnt of all the others is worth more than a fresh
+// start.
 TEST(Solver, AGuessThatIsFarWrongAtOneContactIsWorthMoreThanNone) {
   Random random(77);
   int warm = 0, cold = 0;
@@ -368,7 +376,8 @@ TEST(Solver, PolishingNeverLosesWhatTheGuessHad) {
 }
 
 TEST(Solver, AGuessThatIsNotAllowedIsMovedIntoItsConeAndBounds) {
-  // A sliding contact and a motor at its limit, not coupled. The guess solves them to 1e-10, outside of what is allowed.
+  // A sliding contact and a motor at its limit, not coupled. The guess solves them to 1e-10,
+  // outside of what is allowed.
   Problem problem;
   problem.W = DelassusMatrix(DelassusMatrix::Sparse(MatrixXd::Identity(4, 4).sparseView()));
   problem.q = Eigen::Vector4d(-1, 1, 0, -5);

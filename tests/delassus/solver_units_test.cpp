@@ -1,4 +1,5 @@
-// Units change, regions do not: lengths times 2^a and masses times 2^b, the time as it was, give the same bits.
+// Units change, regions do not: lengths times 2^a and masses times 2^b, the time as it was, give
+// the same bits.
 
 #include <gtest/gtest.h>
 

@@ -73,7 +73,8 @@ TEST(Sweeps, OneContactAloneNeedsOneSweep) {
   }
 }
 
-// Without friction each row in turn finds the least of ½ rᵀW r + qᵀr along itself (Gauss' principle): a descent.
+// Without friction each row in turn finds the least of ½ rᵀW r + qᵀr along itself (Gauss'
+// principle): a descent.
 TEST(Sweeps, OneSweepNeverRaisesTheGaussianCostOfFrictionlessIslands) {
   Random random(43);
   for (int k = 0; k < 60; ++k) {
@@ -167,7 +168,8 @@ TEST(Sweeps, HaveNoMemory) {
   }
 }
 
-// Anderson's steps speak of one problem and of the sweeps before: where another hand was in between they are forgotten.
+// Anderson's steps speak of one problem and of the sweeps before: where another hand was in between
+// they are forgotten.
 TEST(Sweeps, AndersonsForgetWhatIsOfAnotherProblemOrOtherSweeps) {
   Random random(50);
   for (int k = 0; k < 10; ++k) {

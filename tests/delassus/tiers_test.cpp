@@ -1,5 +1,5 @@
-/// Every method of the library is asked the same question. Where the motion is unique, all must name it: frictionless
-/// islands (Gauss' principle) and towers at rest.
+/// Every method of the library is asked the same question. Where the motion is unique, all must
+/// name it: frictionless islands (Gauss' principle) and towers at rest.
 #include <gtest/gtest.h>
 
 #include "delassus/interior_point.h"
@@ -121,7 +121,8 @@ TEST(Tiers, TowersWithFrictionComeToRest) {
   }
 }
 
-// Up to six contacts on one body whose normals are independent: the regions of the paper themselves.
+// Up to six contacts on one body whose normals are independent: the regions of the paper
+// themselves.
 TEST(Tiers, AHandfulOfContactsFindsTheRegionOfThePaper) {
   Random random(94);
   for (int k = 0; k < 4000; ++k) {

@@ -143,7 +143,8 @@ TEST(TurningFriction, ResistsATorqueUpToItsBound) {
   }
 }
 
-// Between two walls that close in, of which one resists spinning: no motion meets both, and no spin withstands that grip.
+// Between two walls that close in, of which one resists spinning: no motion meets both, and no spin
+// withstands that grip.
 TEST(TurningFriction, ASqueezedBallStopsSpinning) {
   Body ball;
   ball.inverseMass.setConstant(1 / mass);
@@ -249,7 +250,8 @@ TEST(TurningFriction, BallsInTheAirKeepTheirMomentum) {
   for (const Island& island : splitIslands(apart.bodies, apart.contacts, apart.rows)) {
     const Solution s = solve(assemble(apart.bodies, apart.contacts, apart.rows, island));
     applyReaction(after, apart.contacts, apart.rows, island, s.r);
-    // Moments of disks are pure couples: spin I ω + Σ arm × impulse is balanced by equal and opposite ones.
+    // Moments of disks are pure couples: spin I ω + Σ arm × impulse is balanced by equal and
+    // opposite ones.
     Vec3 couples = Vec3::Zero();
     const int begin = island.unknowns() - static_cast<int>(island.rows.size());
     for (std::size_t k = 0; k < island.rows.size(); ++k) {

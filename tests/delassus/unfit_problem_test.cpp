@@ -1,4 +1,5 @@
-/// Problems that no law can be stated for, and what the answer says of problems that are not solved.
+/// Problems that no law can be stated for, and what the answer says of problems that are not
+/// solved.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -77,7 +78,8 @@ TEST(UnfitProblem, IsNamedAndGetsNoReactions) {
   }
 }
 
-// Contacts alone, with entries, are looked at all at once first: what is wrong with one of them must not drown in a sum.
+// Contacts alone, with entries, are looked at all at once first: what is wrong with one of them
+// must not drown in a sum.
 TEST(UnfitProblem, IsNamedAmongContactsAlone) {
   const auto contactsAlone = [] {
     Problem problem;

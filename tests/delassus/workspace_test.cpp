@@ -1,4 +1,5 @@
-/// What a workspace has solved before does not show in what it solves next: islands may fall to any of them.
+/// What a workspace has solved before does not show in what it solves next: islands may fall to any
+/// of them.
 #include <gtest/gtest.h>
 
 #include "delassus/solver.h"

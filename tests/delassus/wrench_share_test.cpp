@@ -11,7 +11,8 @@
 namespace delassus {
 namespace {
 
-/// Four points under a body, at the corners of a square that lies askew, and reactions inside their cones.
+/// Four points under a body, at the corners of a square that lies askew, and reactions inside their
+/// cones.
 struct Touched {
   std::vector<FeltPoint> points;
   std::vector<Vec3> reactions;

@@ -1,9 +1,11 @@
-/// Damaged .bullet files, taken as `delassus run FILE.bullet` takes them: each is refused in one line, or steps.
+/// Damaged .bullet files, taken as `delassus run FILE.bullet` takes them: each is refused in one
+/// line, or steps.
 ///
-/// Bullet's importer trusts what it reads and may crash. The command rehearses in a process of its own for that reason, and
-/// so does this target, since it loads files by the same call. What is asked here is that nothing passes the rehearsal and
-/// crashes, or hangs, afterwards. Bullet's own second reading may, since it reads where it should not: the command tells that
-/// (blameCrashesOn), here it ends the run.
+/// Bullet's importer trusts what it reads and may crash. The command rehearses in a process of its
+/// own for that reason, and so does this target, since it loads files by the same call. What is
+/// asked here is that nothing passes the rehearsal and crashes, or hangs, afterwards. Bullet's own
+/// second reading may, since it reads where it should not: the command tells that (blameCrashesOn),
+/// here it ends the run.
 
 #include <unistd.h>
 

@@ -1,5 +1,6 @@
 #pragma once
-/// What random drivers share. Every round has its own seed: a failure names it, and it alone brings the case back.
+/// What random drivers share. Every round has its own seed: a failure names it, and it alone brings
+/// the case back.
 
 #include <cmath>
 #include <cstdlib>
@@ -9,7 +10,8 @@
 
 namespace delassus::test {
 
-/// Rounds of a run: `usual`, times the number in the environment variable DELASSUS_FUZZ where it is set.
+/// Rounds of a run: `usual`, times the number in the environment variable DELASSUS_FUZZ where it is
+/// set.
 inline int fuzzRounds(int usual) {
   const char* factor = std::getenv("DELASSUS_FUZZ");
   return factor ? static_cast<int>(usual * std::strtod(factor, nullptr)) : usual;

@@ -15,7 +15,8 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 
 namespace {
 
-/// Work in a process apart may crash: its parent says what that means. What libFuzzer makes of crashes is its own.
+/// Work in a process apart may crash: its parent says what that means. What libFuzzer makes of
+/// crashes is its own.
 void dieWithoutReport() {
   for (const int fatal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) std::signal(fatal, SIG_DFL);
   __sanitizer_set_death_callback(nullptr);

@@ -1,5 +1,5 @@
-/// Damaged problem texts, in both formats: each is refused in one line that names its place, or read as a problem that can be
-/// written, read again and solved.
+/// Damaged problem texts, in both formats: each is refused in one line that names its place, or
+/// read as a problem that can be written, read again and solved.
 
 #include <iterator>
 #include <vector>

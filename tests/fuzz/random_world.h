@@ -1,8 +1,9 @@
 #pragma once
-/// Worlds that nobody would build: any shapes, masses over twelve decades, joints anyhow, flags, broken numbers.
+/// Worlds that nobody would build: any shapes, masses over twelve decades, joints anyhow, flags,
+/// broken numbers.
 ///
-/// Of the arguments of a call at most one is drawn, or the call has braces: compilers differ in their order, and the same
-/// bytes are to make the same world.
+/// Of the arguments of a call at most one is drawn, or the call has braces: compilers differ in
+/// their order, and the same bytes are to make the same world.
 
 #include <limits>
 #include <memory>

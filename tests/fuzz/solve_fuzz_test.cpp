@@ -234,8 +234,8 @@ void fuzz(const char* name, Case (*make)(Random&), int usualRounds) {
 
 TEST(SolveFuzz, ExplicitMatrices) { fuzz("entries", explicitCase, 300); }
 
-/// W nearly singular: reactions grow long, as against demands that no motion meets. Some were called incompatible, one ended as
-/// no number.
+/// W nearly singular: reactions grow long, as against demands that no motion meets. Some were
+/// called incompatible, one ended as no number.
 TEST(SolveFuzz, LongReactionsAreNotTakenForIncompatibleDemands) {
   Tally tally;
   for (const int round : {14747, 43374, 49458, 50724, 72024})

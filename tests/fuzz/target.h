@@ -1,6 +1,7 @@
 #pragma once
-/// What is fuzzed, and how it is asked. Each fuzz program is one target and one of two drivers: target_test.cpp, a short
-/// run that needs no special compiler, or libfuzzer.cpp, which searches for as long as it is let.
+/// What is fuzzed, and how it is asked. Each fuzz program is one target and one of two drivers:
+/// target_test.cpp, a short run that needs no special compiler, or libfuzzer.cpp, which searches
+/// for as long as it is let.
 
 #include <map>
 #include <set>
@@ -23,7 +24,8 @@ struct Target {
   /// A few changes that are likelier to hurt than those of single bytes.
   std::string (*mutated)(std::string bytes, Random& random);
   int usualRounds;  ///< of the short run
-  /// Counts that a run reaches at least, each round on average: a target that refuses everything tests nothing.
+  /// Counts that a run reaches at least, each round on average: a target that refuses everything
+  /// tests nothing.
   std::map<std::string, double> least;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Looks on while a world is solved, and asks the laws of every group, from the velocities and impulses that were
-/// written, independently of what the solver says of itself.
+/// Looks on while a world is solved, and asks the laws of every group, from the velocities and
+/// impulses that were written, independently of what the solver says of itself.
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -101,8 +101,8 @@ class WatchingSolver : public btConstraintSolver {
   /// Reactions in their cones; the law of each contact as well as the report says.
   void askContacts() {
     const double said = inner_.report().residualMax, largest = largestReaction();
-    // The walk leaves round-off of the largest reactions, joints' as well, in those that carry nothing; the compromise
-    // between incompatible demands leaves more.
+    // The walk leaves round-off of the largest reactions, joints' as well, in those that carry
+    // nothing; the compromise between incompatible demands leaves more.
     const double digits = inner_.report().solved == inner_.report().islands ? 1e-12 : 1e-10;
     const double noise = std::max(digits, rounding) * std::max(largest, largestMomentum());
     for (std::size_t i = 0; i < group_.contacts.size(); ++i) {
@@ -123,8 +123,9 @@ class WatchingSolver : public btConstraintSolver {
       const Vec3 v = correctedVelocity(u, c.friction);
       const double residual = size * (r - projectOnCone(r - v / size, c.friction)).norm();
       const double speed = pointSpeed(c.a, c.armA) + pointSpeed(c.b, c.armB) + c.target.norm();
-      // Joints that contradict each other pull at a body with far more than moves it; where its axes are locked, without
-      // end and unheard, so that what is rounded of an inertia of infinity counts.
+      // Joints that contradict each other pull at a body with far more than moves it; where its
+      // axes are locked, without end and unheard, so that what is rounded of an inertia of infinity
+      // counts.
       const double pull = std::max(pullOn(c.a), pullOn(c.b));
       const double slack = rounding * (1 + c.friction) * (speed + size * std::max(largest, pull));
       if (!(residual <= 1.01 * said + slack) && !(traits_.lockedAxes && pull > 0))
@@ -172,8 +173,8 @@ class WatchingSolver : public btConstraintSolver {
     if (!((gain - given).norm() <= rounding * scale)) faults_.insert("momentum is not conserved");
   }
 
-  /// E(v) − E(v_f) ≤ Σ r·target: reactions feed in nothing but what was asked for (algorithms 9.5). What stands still by
-  /// itself and what is driven, kinematic bodies, do work too.
+  /// E(v) − E(v_f) ≤ Σ r·target: reactions feed in nothing but what was asked for (algorithms 9.5).
+  /// What stands still by itself and what is driven, kinematic bodies, do work too.
   void askEnergy() {
     double gain = 0, fed = 0, scale = 0;
     for (std::size_t i = 0; i < after_.size(); ++i) {

@@ -1,5 +1,5 @@
-/// Random worlds, stepped: the laws hold in every step, the status is honest, the same input gives the same bits, and
-/// numbers that are none stay where they are.
+/// Random worlds, stepped: the laws hold in every step, the status is honest, the same input gives
+/// the same bits, and numbers that are none stay where they are.
 
 #include <cstring>
 

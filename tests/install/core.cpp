@@ -1,4 +1,5 @@
-// Two contacts pressed onto one body: the region in which both persist, found by the installed core.
+// Two contacts pressed onto one body: the region in which both persist, found by the installed
+// core.
 #include <cstdlib>
 
 #include "delassus/release.h"

@@ -25,7 +25,8 @@ struct Trial {
   Ending ending = Ending::Done;  ///< of the last solve
 };
 
-/// The coarsest of a solver's own tolerances with which it meets that of the comparison: a finer one walks the same way and further.
+/// The coarsest of a solver's own tolerances with which it meets that of the comparison: a finer
+/// one walks the same way and further.
 Trial findTolerance(const Problem& problem, const std::string& name,
                     const std::function<Contestant(double ownTolerance)>& with, double tolerance,
                     double secondsLimit) {
@@ -45,7 +46,8 @@ std::optional<Candidate> findStorage(const Problem& problem, const Peer& peer,
                                      const Conditions& conditions) {
   std::optional<Candidate> best;
   for (const std::string& storage : peer.storages(problem)) {
-    // From here on a storage is of use only if it is faster; a process apart takes some time of its own.
+    // From here on a storage is of use only if it is faster; a process apart takes some time of its
+    // own.
     constexpr double overhead = 0.5;  // seconds
     const double secondsLimit = best ? std::min(conditions.secondsLimit, best->seconds + overhead)
                                      : conditions.secondsLimit;
@@ -73,8 +75,8 @@ std::vector<Candidate> chooseFinalists(std::vector<Candidate> candidates) {
   return candidates;
 }
 
-/// Median seconds of each; nothing of one that missed the tolerance in any of its turns. In turn, so that what else the machine
-/// does hits them alike.
+/// Median seconds of each; nothing of one that missed the tolerance in any of its turns. In turn,
+/// so that what else the machine does hits them alike.
 std::vector<std::optional<double>> takeTurns(const Problem& problem,
                                              const std::vector<Contestant>& contestants,
                                              const Conditions& conditions) {

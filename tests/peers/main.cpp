@@ -1,13 +1,16 @@
-/// `delassus solve` beside the best general friction solvers of others, on problem files. From the root of the project:
+/// `delassus solve` beside the best general friction solvers of others, on problem files. From the
+/// root of the project:
 ///
 ///     bash .ci/setup.sh peers && cmake --preset peers && cmake --build --preset peers
-///     taskset -c 1 build-peers/tests/peers/delassus_peers ../shared/problems --out renders/report/peers.md
+///     taskset -c 1 build-peers/tests/peers/delassus_peers ../shared/problems \
+///         --out renders/report/peers.md
 ///
-/// Every solve is cold: reactions zero, nothing known of the problem but W, q and μ. Its time is that of the solve with all that is
-/// derived from these, without reading the file, in milliseconds of the processor. All are judged by our measures. Each
-/// runs with the tolerance of its own, and the peers in the storage of W, that make it fastest, tried out beforehand and not
-/// counted. Quote the ratios: both sides of one were measured in turn. One thread each; twenty minutes for
-/// the forty problems.
+/// Every solve is cold: reactions zero, nothing known of the problem but W, q and μ. Its time is
+/// that of the solve with all that is derived from these, without reading the file, in milliseconds
+/// of the processor. All are judged by our measures. Each runs with the tolerance of its own, and
+/// the peers in the storage of W, that make it fastest, tried out beforehand and not counted. Quote
+/// the ratios: both sides of one were measured in turn. One thread each; twenty minutes for the
+/// forty problems.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -20,8 +20,8 @@ struct Measured {
 
 double median(std::vector<double> numbers);
 
-/// Solves in a process apart, where a crash or an endless loop costs nothing else, and there again and again from rest for so
-/// long as `repeatFor` seconds.
+/// Solves in a process apart, where a crash or an endless loop costs nothing else, and there again
+/// and again from rest for so long as `repeatFor` seconds.
 Measured measure(const Problem& problem, const Contestant& contestant, double secondsLimit,
                  double repeatFor);
 

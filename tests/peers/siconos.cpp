@@ -38,8 +38,8 @@ SiconosOptions siconosOptions(int solver, double tolerance) {
   return options;
 }
 
-/// What one call of Siconos reads and writes. Made anew for every call: solvers keep work in the options, and other forms of W
-/// beside the one they are given.
+/// What one call of Siconos reads and writes. Made anew for every call: solvers keep work in the
+/// options, and other forms of W beside the one they are given.
 struct Call {
   SiconosProblem problem;
   SiconosOptions options;
@@ -81,7 +81,8 @@ std::vector<Peer> siconosSolvers() {
 }
 
 void useOneThread() {
-  // Looked up by name: another BLAS that Siconos may be linked with has no threads, and no such call.
+  // Looked up by name: another BLAS that Siconos may be linked with has no threads, and no such
+  // call.
   void* const call = dlsym(RTLD_DEFAULT, "openblas_set_num_threads");
   if (call != nullptr) reinterpret_cast<void (*)(int)>(call)(1);
 }

@@ -43,14 +43,15 @@ inline double windowSimilarity(const Image& a, const Image& b, int x0, int y0, i
   const double n = double(side) * side, meanA = sumA / n, meanB = sumB / n;
   const double varianceA = squaresA / n - meanA * meanA, varianceB = squaresB / n - meanB * meanB;
   const double covariance = products / n - meanA * meanB;
-  // (0.01 L)² and (0.03 L)² with L = 255: the paper's constants, which keep flat windows from dividing by nothing.
+  // (0.01 L)² and (0.03 L)² with L = 255: the paper's constants, which keep flat windows from
+  // dividing by nothing.
   constexpr double c1 = 6.5025, c2 = 58.5225;
   return (2 * meanA * meanB + c1) * (2 * covariance + c2) /
          ((meanA * meanA + meanB * meanB + c1) * (varianceA + varianceB + c2));
 }
 
-/// Mean structural similarity of the brightness of two images of one size, over windows of 8 x 8 pixels (Wang, Bovik,
-/// Sheikh, Simoncelli 2004): 1 for equal ones.
+/// Mean structural similarity of the brightness of two images of one size, over windows of 8 x 8
+/// pixels (Wang, Bovik, Sheikh, Simoncelli 2004): 1 for equal ones.
 inline double structuralSimilarity(const Image& a, const Image& b) {
   if (a.size.width != b.size.width || a.size.height != b.size.height) return 0;
   constexpr int side = 8;

@@ -12,7 +12,8 @@
 namespace demos::render {
 namespace {
 
-/// Bars of 1 kg on hinges along e_z, hung from a fixed block, in a world of Bullet's own articulated bodies.
+/// Bars of 1 kg on hinges along e_z, hung from a fixed block, in a world of Bullet's own
+/// articulated bodies.
 class Pendulum {
  public:
   static constexpr int links = 4;
@@ -50,7 +51,8 @@ class Pendulum {
   void swing(double seconds) {
     for (int i = 0; i < int(seconds * 240); ++i) world_.stepSimulation(btScalar(1.0 / 240), 0);
   }
-  /// Takes the links' collision objects out of the world that moved them, into the one that is drawn.
+  /// Takes the links' collision objects out of the world that moved them, into the one that is
+  /// drawn.
   void showIn(btCollisionWorld& world) {
     for (const auto& collider : colliders_) {
       shownIn_->removeCollisionObject(collider.get());

@@ -1,4 +1,5 @@
-// Every scene as the camera sees it: something is there, and each body is where Bullet's own rays meet it.
+// Every scene as the camera sees it: something is there, and each body is where Bullet's own rays
+// meet it.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -22,7 +23,8 @@ struct RayThroughPlanes : btCollisionWorld::ClosestRayResultCallback {
   }
 };
 
-/// The number that Bullet's ray through the pixel expects there (at the sample that tells the number). 0: it meets nothing.
+/// The number that Bullet's ray through the pixel expects there (at the sample that tells the
+/// number). 0: it meets nothing.
 std::uint32_t numberByRay(const Shot& shot, int x, int y) {
   const Size size = shot.drawing.image.size;
   const Eigen::Matrix4d fromClip =
@@ -40,7 +42,8 @@ bool moves(const Shot& shot, std::uint32_t number) {
   return number > 0 && shot.film.things[number - 1].mass > 0;
 }
 
-/// True if `number` is drawn in the pixel or beside it: outlines run between pixels, and polygons stand for round things.
+/// True if `number` is drawn in the pixel or beside it: outlines run between pixels, and polygons
+/// stand for round things.
 bool isDrawnAt(const Shot& shot, int x, int y, std::uint32_t number) {
   for (int j = -1; j <= 1; ++j)
     for (int i = -1; i <= 1; ++i)

@@ -58,7 +58,8 @@ TEST(Cheapest, isAsGoodAsAskedAndNoneIsCheaper) {
   }
 }
 
-// Wherever some other family is cheaper at some error, a corner of the list shows it: compared with a dense scan.
+// Wherever some other family is cheaper at some error, a corner of the list shows it: compared with
+// a dense scan.
 TEST(Defeats, findEveryErrorAtWhichAnotherIsCheaper) {
   std::mt19937_64 random(4);
   for (int sample = 0; sample < 50; ++sample) {

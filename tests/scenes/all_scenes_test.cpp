@@ -9,7 +9,8 @@
 namespace demos {
 namespace {
 
-/// The residual that 99 % of the steps must keep: of the law, and of what single precision can say of positions.
+/// The residual that 99 % of the steps must keep: of the law, and of what single precision can say
+/// of positions.
 constexpr double residualTolerance = 1e-6;  // m/s
 
 using Build = std::function<std::unique_ptr<World>()>;
@@ -25,9 +26,10 @@ int throughInStock(const Build& build, int steps, double hz) {
   return tunnelling.bodies();
 }
 
-/// Steps a world and checks that the law was solved, by our solver alone, that the numbers stay numbers, and that nothing
-/// goes through what does not go through in stock (its narrow phase keeps one point of a thin rod that lies on a plane). `ofSeconds`: of
-/// a longer run, of which these are the first steps.
+/// Steps a world and checks that the law was solved, by our solver alone, that the numbers stay
+/// numbers, and that nothing goes through what does not go through in stock (its narrow phase keeps
+/// one point of a thin rod that lies on a plane). `ofSeconds`: of a longer run, of which these are
+/// the first steps.
 void expectLawKept(const Build& build, double seconds, double hz = 60, double ofSeconds = 0) {
   constexpr double share = 0.01;  // of the steps of all seconds may end above it
   const int steps = int(std::lround(seconds * hz));
@@ -84,7 +86,8 @@ std::vector<std::string> sceneNames() {
   return names;
 }
 
-/// Those whose first steps alone take seconds, or in whose first steps nothing touches yet, are left to the slow tests.
+/// Those whose first steps alone take seconds, or in whose first steps nothing touches yet, are
+/// left to the slow tests.
 std::vector<std::string> quickSceneNames() {
   std::vector<std::string> names = sceneNames();
   for (const char* slow : {"pyramid_100", "benchmark_boxes", "benchmark_hulls"})
@@ -100,7 +103,8 @@ INSTANTIATE_TEST_SUITE_P(catalogue, WholeScene, testing::ValuesIn(sceneNames()),
 // Nothing drives these scenes and nothing bounces in them.
 class PassiveScene : public testing::TestWithParam<std::string> {};
 
-// What is lifted out of a penetration by the erp gains height; that is the only source of energy, and a small one.
+// What is lifted out of a penetration by the erp gains height; that is the only source of energy,
+// and a small one.
 TEST_P(PassiveScene, gainsNoEnergy) {
   OnRegions run(GetParam());
   double weight = 0;
@@ -140,7 +144,8 @@ class EveryWorld : public testing::TestWithParam<std::string> {
   }
 };
 
-// The boxes of `slope` touch nothing for two seconds. What may end above the tolerance is a share of all five.
+// The boxes of `slope` touch nothing for two seconds. What may end above the tolerance is a share
+// of all five.
 TEST_P(EveryWorld, keepsTheLawInItsFirstSteps) {
   expectLawKept([this] { return loadBulletFile(path()).world; }, GetParam() == "slope" ? 2.25 : 0.5,
                 60, seconds);

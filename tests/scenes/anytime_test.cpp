@@ -1,5 +1,5 @@
-/// A budget is never spent in vain: what it buys is, to a tenth, at least what stock's sequential impulses make of the same step
-/// with as many sweeps.
+/// A budget is never spent in vain: what it buys is, to a tenth, at least what stock's sequential
+/// impulses make of the same step with as many sweeps.
 #include <gtest/gtest.h>
 
 #include "demos/scenes/builders.h"
@@ -11,8 +11,8 @@
 namespace demos {
 namespace {
 
-/// The verdict on the solver called `name` in the step after `steps` exact ones: all see the same world and the same
-/// impulses of the step before.
+/// The verdict on the solver called `name` in the step after `steps` exact ones: all see the same
+/// world and the same impulses of the step before.
 Verdict judgeStep(const SceneDescription& scene, int steps, const std::string& name) {
   const auto world = scene.build();
   NamedSolver exact("delassus"), tried(name);
@@ -42,14 +42,15 @@ TEST_P(OneStep, isNoWorseThanSequentialImpulsesWithAsManySweeps) {
     }
 }
 
-// Not the first step of `incline`: where all of a body slides one way, stock's friction along that line is the easier law.
+// Not the first step of `incline`: where all of a body slides one way, stock's friction along that
+// line is the easier law.
 INSTANTIATE_TEST_SUITE_P(catalogue, OneStep,
                          testing::Values("stack_10", "stack_10_heavy_top", "pyramid_10", "arch",
                                          "card_house", "box_headings", "domino_run", "gripper",
                                          "ragdolls", "heavy_ball_chain", "wall_and_ball"));
 
-// Step after step, what one leaves the next one has to mend: errors must not feed each other. With full reactions to start from they
-// do: a pile swings for ever.
+// Step after step, what one leaves the next one has to mend: errors must not feed each other. With
+// full reactions to start from they do: a pile swings for ever.
 TEST(Anytime, isNoWorseInTheLongRun) {
   for (const char* scene : {"stack_40", "arch", "wall_and_ball"})
     for (const char* sweeps : {"10", "40"}) {

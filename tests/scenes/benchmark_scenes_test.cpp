@@ -37,7 +37,8 @@ TEST(BenchmarkScenes, dollsHangTogether) {
   EXPECT_LT(largestJointError(world->dynamics()), byPrecision(1e-9, 1e-4));
 }
 
-/// The cells are cut out of a cube of 6 m: together they fill it, but for the gaps that Bullet's margin fills.
+/// The cells are cut out of a cube of 6 m: together they fill it, but for the gaps that Bullet's
+/// margin fills.
 TEST(VoronoiCells, fillTheirBlock) {
   constexpr double half = 3, height = 1, density = 100, allowed = 0.08;
   for (const int count : {1, 2, 90}) {

@@ -70,7 +70,8 @@ TEST_F(BulletFile, keepsGravityButNotTheSolverSettingsAndSaysSo) {
   EXPECT_NE(notes.find("erp2 0.8"), std::string::npos) << notes;
 }
 
-// Found by fuzzing: Bullet reads from nowhere when something comes near such a shape, some steps later.
+// Found by fuzzing: Bullet reads from nowhere when something comes near such a shape, some steps
+// later.
 TEST_F(BulletFile, refusesShapesWithoutPoints) {
   btConvexHullShape hull;
   btCompoundShape compound;

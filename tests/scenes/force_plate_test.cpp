@@ -25,7 +25,8 @@ TEST(ForcePlate, readsForceAndMomentsOfStatics) {
   EXPECT_NEAR(run.body(1).getWorldTransform().getOrigin().x(), 0.5, byPrecision(1e-9, 1e-3));
 }
 
-// What statics leaves open between four feet is shared by least norm where no reactions are remembered: none of it is self-stress.
+// What statics leaves open between four feet is shared by least norm where no reactions are
+// remembered: none of it is self-stress.
 TEST(ForcePlate, sharesByLeastNormAtFirst) {
   OnRegions run("force_plate");
   run.world->step(h);

@@ -49,10 +49,11 @@ std::vector<SlidingStep> slide(double angle, double heading, double seconds) {
   return steps;
 }
 
-// a = g (sin θ − μ cos θ) along the fall line, whatever the heading of the box: within a thousandth in every step
-// that the box begins and ends flat on the slope (where a spell has turned its way, friction is along the new one).
-// Now and then Bullet's narrow phase leaves two points under the box, which then tips on to the missing ones: such a
-// spell begins with the points, while the law goes on being solved.
+// a = g (sin θ − μ cos θ) along the fall line, whatever the heading of the box: within a thousandth
+// in every step that the box begins and ends flat on the slope (where a spell has turned its way,
+// friction is along the new one). Now and then Bullet's narrow phase leaves two points under the
+// box, which then tips on to the missing ones: such a spell begins with the points, while the law
+// goes on being solved.
 TEST(Incline, acceleratesByTheLawAboveTheFrictionAngle) {
   const double angle = frictionAngle() + degree;
   const double expected = 9.81 * (std::sin(angle) - usualFriction * std::cos(angle));

@@ -54,8 +54,9 @@ TEST(NewtonCradle, gainsNoEnergyButTheIntegrators) {
   EXPECT_LT(*std::max_element(energy.begin(), energy.end()), 0.02 * cradleSwing);
 }
 
-// At other rates the first blow finds the balls a few millimetres inside each other, and the erp of Bullet's contact law
-// pushes them apart: the law's energy, which stock run to convergence gains to the same joule.
+// At other rates the first blow finds the balls a few millimetres inside each other, and the erp of
+// Bullet's contact law pushes them apart: the law's energy, which stock run to convergence gains to
+// the same joule.
 TEST(NewtonCradle, hasTheEnergyOfStockRunToConvergence) {
   for (const double rate : {60., 120., 240.}) {
     const std::vector<double> ours = energyOfCradle(rate, nullptr);

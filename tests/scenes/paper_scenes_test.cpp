@@ -1,4 +1,5 @@
-// The bodies of Delassus' paper: what Bullet's world does on our solver is what the region theory says beforehand.
+// The bodies of Delassus' paper: what Bullet's world does on our solver is what the region theory
+// says beforehand.
 #include <Eigen/Dense>
 #include <random>
 
@@ -39,7 +40,8 @@ void expectPredictedOutcome(std::unique_ptr<World> built) {
   const ReleaseAnalysis predicted = analyseRelease(W, h * normals * force);
   run.world->step(h);
 
-  // In single precision a plane and the bead on it are apart by up to an ulp of the radius, which the step may close.
+  // In single precision a plane and the bead on it are apart by up to an ulp of the radius, which
+  // the step may close.
   const double speed = h * beadForce, tolerance = byPrecision(1e-9, 1e-4) * speed;
   const VectorXd u = normals * toCore(run.body().getLinearVelocity());
   for (int i = 0; i < u.size(); ++i) {
@@ -105,7 +107,8 @@ TEST(BeadUnderPlane, fallsFreelyFromTheFirstStep) {
   }
 }
 
-// Rod of mass m, inertia I, supports at ±a:  A = 1/m + a²/I on the diagonal, B = 1/m − a²/I beside it (theory §4).
+// Rod of mass m, inertia I, supports at ±a: A = 1/m + a²/I on the diagonal, B = 1/m − a²/I beside
+// it (theory §4).
 TEST(RodOnSupports, liftsOffWhereTheRegionSays) {
   for (const double a : {0.4, 0.8, 1.5, 1.9})
     for (const double pull : {2.0, 4.0, 6.0, 8.0, 20.0, 60.0}) {
@@ -145,8 +148,8 @@ void runUntilReleased(OnRegions& run, const btCollisionObject* support, double h
   ASSERT_LT(run.world->time(), 5);
 }
 
-/// Errors at doubled rates must be halved, up to the half step in which the release falls at random, and in single
-/// precision up to what rounded positions shift it.
+/// Errors at doubled rates must be halved, up to the half step in which the release falls at
+/// random, and in single precision up to what rounded positions shift it.
 void expectProportionalToStep(const std::vector<double>& errors) {
   const double rounding = byPrecision(0, 1e-3);
   EXPECT_LT(errors.back(), 1.5 * errors.front() / std::pow(2, errors.size() - 1) + rounding);

@@ -32,7 +32,8 @@ TEST(Simulate, tellsNothingOfASoundWorld) {
   EXPECT_EQ(run.tunnelled, 0);
 }
 
-// Bullet leaves a body that is nowhere out of all contacts: what is left of the world looks perfect.
+// Bullet leaves a body that is nowhere out of all contacts: what is left of the world looks
+// perfect.
 TEST(Simulate, callsALostWorldLost) {
   for (const char* solver : {"si:10", "delassus"}) {
     const auto world = buildStack(3, 1);
@@ -79,7 +80,8 @@ TEST(Tunnelling, countsWhatIsBehindASurfaceOrFellOutBelow) {
   EXPECT_EQ(tunnelling.bodies(), 0);
 }
 
-// Of a slab of 2 m: the first box lands, the second dips in and is pushed out, the third is nearer to the lower side.
+// Of a slab of 2 m: the first box lands, the second dips in and is pushed out, the third is nearer
+// to the lower side.
 TEST(Simulate, countsWhatFallsThrough) {
   for (const double speed : {1.0, 100.0, 150.0}) {
     const auto world = buildGridOfBoxes(2, 3);

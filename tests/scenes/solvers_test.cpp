@@ -90,7 +90,8 @@ TEST(SplitNames, splitsAtCommas) {
   EXPECT_TRUE(splitNames("").empty());
 }
 
-// Boxes that slide in many places: a large pile, in which the path of compliance would take thousands of factorisations in vain.
+// Boxes that slide in many places: a large pile, in which the path of compliance would take
+// thousands of factorisations in vain.
 TEST(PileFromStock, comesNearTheLawAndTakesNoPath) {
   NamedSolver stock("si:10");
   OnRegions run(buildPyramid(8));
@@ -123,7 +124,8 @@ TEST(Judge, tellsTheRowsOfJointsApart) {
 }
 
 TEST(Judge, agreesWithOurOwnReport) {
-  // Budgets leave residuals that are far above what single precision makes of what is written into Bullet.
+  // Budgets leave residuals that are far above what single precision makes of what is written into
+  // Bullet.
   for (const char* name : {"delassus", "delassus/1"}) {
     NamedSolver named(name);
     const auto world = buildStack(10, 1000);
@@ -147,7 +149,8 @@ TEST(Judge, agreesWithOurOwnReport) {
   }
 }
 
-// Where a ball touches in several points, Bullet tells nothing of how they share its rolling friction.
+// Where a ball touches in several points, Bullet tells nothing of how they share its rolling
+// friction.
 TEST(Judge, findsTheShareOfRollingFrictionThatKeepsTheLaw) {
   NamedSolver named("delassus");
   const auto world = findScene("rolling_balls").build();

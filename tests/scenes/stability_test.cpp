@@ -51,7 +51,8 @@ TEST(Stability, aCubeStaysWhereItIsForAnHourSlow) {
   EXPECT_LT(driftIn(*run.world, 3600 * 60, 1.0 / 60), 1e-6);
 }
 
-/// Bullet's narrow phase knows no masses, and powers of four have exact roots: the same bits, step after step.
+/// Bullet's narrow phase knows no masses, and powers of four have exact roots: the same bits, step
+/// after step.
 TEST(Stability, massesInOtherUnitsMoveTheSameSlow) {
   std::vector<btScalar> usual;
   for (const double unit : {1.0, std::ldexp(1, 20), std::ldexp(1, -20)}) {

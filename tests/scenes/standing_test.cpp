@@ -37,7 +37,8 @@ TEST(Stack, ofOneToTenBoxesStandsForASecond) {
 }
 
 TEST(Pyramid, ofTenStandsForASecond) { expectStanding(buildPyramid(10), 1, stackTolerance); }
-// In a tall pile the largest residual stays for long where it is while loads go down layer by layer.
+// In a tall pile the largest residual stays for long where it is while loads go down layer by
+// layer.
 TEST(Pyramid, ofAHundredRowsIsBroughtToRestByAlternationsSlow) {
   OnRegions run("pyramid_100");
   run.world->step(1.0 / 60);
@@ -46,7 +47,8 @@ TEST(Pyramid, ofAHundredRowsIsBroughtToRestByAlternationsSlow) {
 }
 TEST(Wall, ofFiveRowsStandsForASecond) { expectStanding(buildWall(5, 5), 1, stackTolerance); }
 
-// Rounding is no motion: it would grow from step to step, and the pile would be solved again for ever.
+// Rounding is no motion: it would grow from step to step, and the pile would be solved again for
+// ever.
 TEST(Standing, isTheSameToTheLastBit) {
   for (const char* scene : {"islands_100", "stack_40", "pyramid_20", "wall_20x10"}) {
     SCOPED_TRACE(scene);
@@ -61,8 +63,9 @@ TEST(Standing, isTheSameToTheLastBit) {
   }
 }
 
-// Nor is it in piles that have been disturbed, once they are at rest again; but Bullet, which takes every pose apart and puts it
-// together again, turns what does not turn by its last digits: in float one step in ten may be solved, whatever the blow was.
+// Nor is it in piles that have been disturbed, once they are at rest again; but Bullet, which takes
+// every pose apart and puts it together again, turns what does not turn by its last digits: in
+// float one step in ten may be solved, whatever the blow was.
 TEST(Standing, isNotSolvedAgainWhereABlowHasPassed) {
   constexpr int blows = 8, steps = 60;
   int solved = 0;
@@ -86,7 +89,8 @@ TEST(Standing, isNotSolvedAgainWhereABlowHasPassed) {
   EXPECT_LE(solved, byPrecision(0, blows * steps / 10));
 }
 
-/// The largest distance of any body of a stack from its start in ten seconds, on the solver of this name, m.
+/// The largest distance of any body of a stack from its start in ten seconds, on the solver of this
+/// name, m.
 double driftOfStack(const std::string& solver, int boxes, double topMass) {
   NamedSolver named(solver);  // outlives the world
   const std::unique_ptr<World> world = buildStack(boxes, topMass);
@@ -100,7 +104,8 @@ void expectStandingUnlikeStock(int boxes, double topMass) {
 }
 
 TEST(Stack, ofTenWithAHeavyTopStandsForTenSeconds) { expectStandingUnlikeStock(10, 1000); }
-// Impulses of 1e8 N·s on boxes of 1 kg, which hear of differences of 1e-8: a step must keep the digits that reactions lose.
+// Impulses of 1e8 N·s on boxes of 1 kg, which hear of differences of 1e-8: a step must keep the
+// digits that reactions lose.
 TEST(Stack, underABillionTimesTheWeightOfABoxIsSolvedInAFewRegions) {
   OnRegions run(buildStack(10, 1e9));
   for (int i = 0; i < 120; ++i) {
@@ -111,7 +116,8 @@ TEST(Stack, underABillionTimesTheWeightOfABoxIsSolvedInAFewRegions) {
 }
 TEST(Stack, ofFortyStandsForTenSeconds) { expectStandingUnlikeStock(40, 1); }
 
-/// Joints of an arch may open by what the erp of its contacts leaves: it stands if it comes to rest near where it was.
+/// Joints of an arch may open by what the erp of its contacts leaves: it stands if it comes to rest
+/// near where it was.
 void expectResting(const std::string& scene, double seconds, double tolerance) {
   OnRegions run(scene);
   const Drift drift(*run.world);
@@ -120,8 +126,9 @@ void expectResting(const std::string& scene, double seconds, double tolerance) {
   EXPECT_LT(kineticEnergy(*run.world), byPrecision(1e-3, 1e-2));
 }
 
-/// The same from three starts that differ in little but the rounding, because a manifold may throw one of them off: none may fall,
-/// the middle one stays where it was. Where the narrow phase tells of an overlap that cannot be, a start ends.
+/// The same from three starts that differ in little but the rounding, because a manifold may throw
+/// one of them off: none may fall, the middle one stays where it was. Where the narrow phase tells
+/// of an overlap that cannot be, a start ends.
 void expectMostlyResting(const std::string& scene, double seconds, double tolerance, double fall) {
   std::vector<double> drifts;
   const int steps = int(seconds * hz);
@@ -150,12 +157,13 @@ void expectMostlyResting(const std::string& scene, double seconds, double tolera
 
 TEST(Arch, standsForASecond) { expectResting("arch", 1, 0.02); }
 
-// In float, Bullet's narrow phase tells of two stones that they overlap by 0.6 m or all their thickness, 1 m, for a step: one of 12
-// starts, and three of six of the thin arch.
+// In float, Bullet's narrow phase tells of two stones that they overlap by 0.6 m or all their
+// thickness, 1 m, for a step: one of 12 starts, and three of six of the thin arch.
 TEST(Arch, standsForTenSecondsSlow) { expectMostlyResting("arch", 10, 0.02, 0.2); }
 
-// Bullet keeps four points of a joint, one of which is new in each step. Where two that the thrust needs replace each other for
-// ever, that stone creeps, some centimetres in ten seconds: from two of 69 starts.
+// Bullet keeps four points of a joint, one of which is new in each step. Where two that the thrust
+// needs replace each other for ever, that stone creeps, some centimetres in ten seconds: from two
+// of 69 starts.
 TEST(Arch, thinStandsForTenSeconds) { expectMostlyResting("arch_thin", 10, 0.02, 0.2); }
 
 TEST(CardHouse, standsForTenSeconds) { expectResting("card_house", 10, 0.01); }

@@ -5,7 +5,8 @@
 
 namespace delassus::test {
 
-/// A tower of boxes whose floor rises and whose ceiling, tilted by so much, comes down at that speed. Its corners alone touch.
+/// A tower of boxes whose floor rises and whose ceiling, tilted by so much, comes down at that
+/// speed. Its corners alone touch.
 Pile makePressed(int height, double friction, double tilt, double disturbance, double speed,
                  Random& random);
 

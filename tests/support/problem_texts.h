@@ -1,5 +1,6 @@
 #pragma once
-/// Two small problem texts; texts to problems and back; and whether two problems are the same, bit for bit.
+/// Two small problem texts; texts to problems and back; and whether two problems are the same, bit
+/// for bit.
 
 #include <cstring>
 #include <string>
@@ -8,7 +9,8 @@
 
 namespace delassus::test {
 
-// Two contacts, the first block off the diagonal absent. Line numbers matter to the tests of errors.
+// Two contacts, the first block off the diagonal absent. Line numbers matter to the tests of
+// errors.
 inline const char* const contactText =
     "delassus-problem v1\n"         // 1
     "# where it comes from\n"       // 2

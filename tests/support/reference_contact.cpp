@@ -12,8 +12,9 @@ namespace {
 ///
 ///     r = r_n (1, −μ d),   u_n = 0  =>  r_n = −q_n / a,   a = W_nn − μ W_nt d
 ///
-/// and u_t is parallel to d where the cross product G(θ) = a d × u_t vanishes: a trigonometric polynomial of degree two,
-/// with at most four zeros. (The library instead looks for the sliding speed, algorithms §6.2.)
+/// and u_t is parallel to d where the cross product G(θ) = a d × u_t vanishes: a trigonometric
+/// polynomial of degree two, with at most four zeros. (The library instead looks for the sliding
+/// speed, algorithms §6.2.)
 class SlipDirections {
  public:
   using Real = long double;

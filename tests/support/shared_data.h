@@ -7,8 +7,8 @@
 
 namespace delassus::test {
 
-/// The folder with problems/ and worlds/: environment variable DELASSUS_SHARED, else the one given when the tests were
-/// built. Empty if there is none.
+/// The folder with problems/ and worlds/: environment variable DELASSUS_SHARED, else the one given
+/// when the tests were built. Empty if there is none.
 std::filesystem::path sharedFolder();
 
 /// What a test that skips for want of the folder says.
@@ -16,7 +16,8 @@ inline constexpr const char* noSharedFolder =
     "No folder with problem files: set DELASSUS_SHARED to the one that holds problems/ and "
     "worlds/.";
 
-/// The files of `subfolder` with one of the suffixes (".fc3d", ".lcp"), in the order of their names.
+/// The files of `subfolder` with one of the suffixes (".fc3d", ".lcp"), in the order of their
+/// names.
 std::vector<std::filesystem::path> sharedFiles(const std::string& subfolder,
                                                const std::vector<std::string>& suffixes);
 

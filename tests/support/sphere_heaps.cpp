@@ -9,7 +9,8 @@ namespace {
 
 constexpr double radius = 0.5, rate = 60;
 
-/// Centres of spheres that fell, pushed each other away, and were kept between the walls, many times over.
+/// Centres of spheres that fell, pushed each other away, and were kept between the walls, many
+/// times over.
 std::vector<Vec3> pour(int count, double side, Random& random) {
   constexpr int rounds = 400, pushes = 4;
   constexpr double firstFall = 0.02, looseness = 2;

@@ -7,8 +7,9 @@ namespace demos::report::stability {
 
 namespace {
 
-/// Room between the tightest bounds of G = H y that the joints of the half arch set for the thrust H. With k voussoirs of
-/// unit weight above a joint at φ from the vertical, their centre at x, the thrust passes at radius ρ of the joint where
+/// Room between the tightest bounds of G = H y that the joints of the half arch set for the thrust
+/// H. With k voussoirs of unit weight above a joint at φ from the vertical, their centre at x, the
+/// thrust passes at radius ρ of the joint where
 ///
 ///     k (ρ sin φ − x) + H ρ cos φ = G
 double room(int voussoirs, double inner, double outer, double thrust) {

@@ -71,8 +71,8 @@ Sweep incline() {
   return sweep;
 }
 
-/// Painlevé's: a rod pushed along, its tip ahead of it. With tan(tilt) = 2 and μ > 4/3 the tip's pushing back turns it deeper
-/// into the ground: no finite force is right.
+/// Painlevé's: a rod pushed along, its tip ahead of it. With tan(tilt) = 2 and μ > 4/3 the tip's
+/// pushing back turns it deeper into the ground: no finite force is right.
 Sweep painleve() {
   Sweep sweep;
   sweep.name = "painleve";

@@ -70,7 +70,8 @@ std::vector<Part> partsOf(const std::vector<SweepGroup>& groups, const MapPlan& 
   return parts;
 }
 
-/// The executable on Bullet's other precision, which lies beside this one; empty, and told, if it does not.
+/// The executable on Bullet's other precision, which lies beside this one; empty, and told, if it
+/// does not.
 fs::path otherPrecision() {
   const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
   const fs::path other =

@@ -53,7 +53,8 @@ std::vector<Track> readTracks(const fs::path& out, const SweepGroup& group, cons
   return tracks;
 }
 
-/// "a → b" of what `word` makes of the first and the last value, or one of them where they read the same.
+/// "a → b" of what `word` makes of the first and the last value, or one of them where they read the
+/// same.
 std::string fromTo(const Track& track,
                    const std::function<std::string(const std::map<std::string, double>&)>& word) {
   const std::string first = word(track.numbers.front()), last = word(track.numbers.back());

@@ -15,7 +15,8 @@ constexpr const char* precisions[] = {"double", "float"};
 void writeMapPage(const std::filesystem::path& out, const std::string& command,
                   const std::vector<SweepGroup>& groups, const MapPlan& plan, int missing);
 
-/// The values over which a solver holds, the longest run of them: "all", "none", "to 1e6", "from 1e-04", "1 to 100, then too slow".
+/// The values over which a solver holds, the longest run of them: "all", "none", "to 1e6", "from
+/// 1e-04", "1 to 100, then too slow".
 std::string rangeOf(const std::vector<double>& values, const std::vector<Verdict>& verdicts);
 
 }  // namespace demos::report::stability

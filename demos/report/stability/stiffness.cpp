@@ -11,7 +11,8 @@ namespace {
 constexpr double weight = gravity;  // of the box of 1 kg, N
 constexpr double rate = 240;
 
-/// A box of 1 kg set on a ground of stiffness `k` at each of its four points, N/m, for 4 s of `stepRate` steps each.
+/// A box of 1 kg set on a ground of stiffness `k` at each of its four points, N/m, for 4 s of
+/// `stepRate` steps each.
 Sweep softGround(bool damped, double stepRate = rate) {
   Sweep sweep;
   sweep.name = damped ? "contact_damped" : "contact_undamped";
@@ -43,7 +44,8 @@ Sweep softGround(bool damped, double stepRate = rate) {
   return sweep;
 }
 
-/// A heavy box held by a spring on soft contacts is no harder than one; here a hard box stands on a soft one on a hard one.
+/// A heavy box held by a spring on soft contacts is no harder than one; here a hard box stands on a
+/// soft one on a hard one.
 Sweep softOnHard() {
   Sweep sweep;
   sweep.name = "soft_on_hard";

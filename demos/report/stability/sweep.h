@@ -14,7 +14,8 @@ struct Trial {
   std::unique_ptr<World> world;
   int steps = 300;
   double timeStep = 1.0 / 60;  ///< s
-  /// How wrong the world is now, in the unit of the law of its sweep; asked after each step, with the time since the start.
+  /// How wrong the world is now, in the unit of the law of its sweep; asked after each step, with
+  /// the time since the start.
   std::function<double(double time)> error;
   bool geometricStiffness = false;  ///< of delassus; the others have none
 };
@@ -33,7 +34,8 @@ struct Sweep {
   std::string remark;  ///< for the page, may be empty
   /// No more steps are taken than in so many times the usual seconds of a trial.
   double patience = 1;
-  /// Each value takes longer than the one before: a solver that was too slow for one is not asked for the next.
+  /// Each value takes longer than the one before: a solver that was too slow for one is not asked
+  /// for the next.
   bool lengthens = false;
 };
 
@@ -41,8 +43,9 @@ struct Sweep {
 struct SweepGroup {
   std::string name, title;
   std::vector<Sweep> sweeps;
-  /// Not empty: the sweeps are one and the same of a second thing that is made harder too, this one. Their titles are its
-  /// values, their values are the same, and their law and remark are those of the first.
+  /// Not empty: the sweeps are one and the same of a second thing that is made harder too, this
+  /// one. Their titles are its values, their values are the same, and their law and remark are
+  /// those of the first.
   std::string second = {};
 };
 
@@ -67,7 +70,8 @@ std::vector<double> decades(int from, int to, int every = 1);
 constexpr double gravity = 9.81;                // m/s²
 const btVector3 unitBox = vec3(0.5, 0.5, 0.5);  // half of its sides
 
-// --- Errors ------------------------------------------------------------------------------------------------------
+// --- Errors
+// -------------------------------------------------------------------------------------------------
 // Each may be asked as long as the world lives.
 
 /// Largest distance of a body from where it is now, m, over `unit`.
@@ -82,7 +86,8 @@ std::function<double(double)> jointsOf(const World& world, double unit = 1);
 std::function<double(double)> worseOf(std::function<double(double)> a,
                                       std::function<double(double)> b);
 
-/// Trials of a world whose law is that bodies stay where they are, m over `unit`, or that it gains no energy over what it has.
+/// Trials of a world whose law is that bodies stay where they are, m over `unit`, or that it gains
+/// no energy over what it has.
 Trial drifting(std::unique_ptr<World> world, int steps, double timeStep = 1.0 / 60,
                double unit = 1);
 Trial gaining(std::unique_ptr<World> world, int steps, double timeStep = 1.0 / 60);

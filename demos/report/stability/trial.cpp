@@ -50,7 +50,8 @@ enum Column {
 /// Islands of more unknowns are not refined: it takes seconds.
 constexpr int mostRefined = 200;
 
-/// The motion that takes place in the first step of a trial, found in a process apart; unknown if that fails.
+/// The motion that takes place in the first step of a trial, found in a process apart; unknown if
+/// that fails.
 Certified certifyFirstStep(const Sweep& sweep, double value, double secondsLimit) {
   const auto work = [&] {
     Trial trial = sweep.build(value);
@@ -146,7 +147,8 @@ std::vector<double> live(const Sweep& sweep, double value, const Method& method,
 
     numbers[Steps] += 1;
     const double error = trial.error((step + 1) * trial.timeStep);
-    // An error that is no number is as large as can be, and so is that of a world whose bodies are nowhere.
+    // An error that is no number is as large as can be, and so is that of a world whose bodies are
+    // nowhere.
     const bool lost = std::isnan(error) || !isFinite(world);
     numbers[WorstError] = std::max(numbers[WorstError], lost ? INFINITY : error);
     numbers[EnergyGain] = largerOf(numbers[EnergyGain], gained(0));

@@ -14,7 +14,8 @@ enum class Verdict {
   Holds,         ///< the law holds, and the solver reported nothing
   HoldsAndSays,  ///< the law holds; some steps ended above the tolerance, and that was reported
   FailsAndSays,  ///< the law is broken, and some steps were reported
-  Fails,  ///< the law is broken in silence: by the solver, or by the time stepping and the narrow phase
+  /// The law is broken in silence: by the solver, or by the time stepping and the narrow phase.
+  Fails,
   TooSlow,  ///< held until its time was up, or did not come back from a step
   Crashes,  ///< or asks for more memory than there is
 };
@@ -27,8 +28,8 @@ struct MapPlan {
   std::vector<Method> methods;
   std::vector<Method> pairMethods;  ///< of two things at once
   double secondsLimit;  ///< of a trial, of the processor, times the patience of its sweep
-  /// Of one solve of the motion that takes place in the first step, and in the step after a trial, which each solver has of
-  /// its own, s; 0: none.
+  /// Of one solve of the motion that takes place in the first step, and in the step after a trial,
+  /// which each solver has of its own, s; 0: none.
   double certificateLimit, lastCertificateLimit;
   bool quick = false;
 };

@@ -7,10 +7,12 @@ namespace demos::report::stability {
 
 namespace {
 
-/// Pressed into each other by this share of a side: Bullet reports boxes only when they touch, and rounding would part some.
+/// Pressed into each other by this share of a side: Bullet reports boxes only when they touch, and
+/// rounding would part some.
 constexpr double bite = 1e-5;
 
-/// `boxes` boxes of side `size` and `mass`, the top one ten times as heavy, under a gravity of `pull`.
+/// `boxes` boxes of side `size` and `mass`, the top one ten times as heavy, under a gravity of
+/// `pull`.
 std::unique_ptr<World> buildScaledStack(int boxes, double size, double mass, double pull,
                                         double pressed = bite) {
   auto world = std::make_unique<World>();

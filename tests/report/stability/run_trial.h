@@ -7,7 +7,8 @@
 
 namespace demos::report::stability {
 
-/// The largest error of a trial that `delassus` steps, looked at once in `every` steps and at the end.
+/// The largest error of a trial that `delassus` steps, looked at once in `every` steps and at the
+/// end.
 inline double worstError(Trial trial, int every = 1) {
   NamedSolver named("delassus");
   named.configure(trial.world->dynamics().getSolverInfo());
