@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "delassus/contact_motion.h"
+
 namespace delassus::bullet {
 namespace {
 
@@ -13,16 +15,9 @@ constexpr double reach = 10;
 /// with one contact a face, a body goes p ε/(ε²/2 + s') ≤ p/√(2 s').
 constexpr double softness = 0.5 / (reach * reach);
 
-Vec3 velocityAt(const Body& body, const Vec3& arm) {
-  return body.velocity.head<3>() + body.velocity.tail<3>().cross(arm);
-}
-
 /// How fast two bodies slip past each other, m/s.
 double slipOf(const std::vector<Body>& bodies, const Contact& c) {
-  Vec3 v = Vec3::Zero();
-  if (c.a != fixedWorld) v += velocityAt(bodies[c.a], c.armA);
-  if (c.b != fixedWorld) v -= velocityAt(bodies[c.b], c.armB);
-  const Vec3 n = c.frame.col(0);
+  const Vec3 v = slip(bodies, c), n = c.frame.col(0);
   return (v - n.dot(v) * n).norm();
 }
 

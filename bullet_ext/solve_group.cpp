@@ -145,7 +145,7 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
 
   note(solution, partsOf(island), result);
   constexpr double gain = 10;
-  const double tolerance = bench.solver.options().tolerance * problem.q.cwiseAbs().maxCoeff();
+  const double tolerance = bench.solver.options().tolerance * problem.demand();
   if (solution.tier == Tier::Walk && solution.startResidual > keptShare * tolerance &&
       solution.startResidual > gain * solution.residual)
     result.restless = bodyToRemember(group, island);

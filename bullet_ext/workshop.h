@@ -31,21 +31,15 @@ struct Bench {
   }
 
   /// What was done here since the last Workshop::clearCounts().
-  struct Counts {
-    int unsolved = 0, regions = 0, factorisations = 0, sweeps = 0, patches = 0;
+  struct Counts : WorkDone {
+    int unsolved = 0;
     void add(const Solution& solved) {
       unsolved += solved.status != Status::Solved;
-      regions += solved.regions;
-      factorisations += solved.factorisations;
-      sweeps += solved.sweeps;
-      patches += solved.patches;
+      addWork(solved);
     }
     void add(const Counts& other) {
       unsolved += other.unsolved;
-      regions += other.regions;
-      factorisations += other.factorisations;
-      sweeps += other.sweeps;
-      patches += other.patches;
+      addWork(other);
     }
   } counts;
 };

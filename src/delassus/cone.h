@@ -16,6 +16,19 @@ inline Vec3 projectOnCone(const Vec3& x, double mu) {
   return {n, scale * x[1], scale * x[2]};
 }
 
+/// The derivative of a reaction that slides along the direction t = (c, s), of length 1 (or 0, in
+/// the corner of the cone), by its normal and tangents:
+///
+///     [ normal          0         ]
+///     [ along t  across (1 − t tᵀ) ]
+inline Mat3 slidingBlock(double normal, double along, double across, double c, double s) {
+  Mat3 block;
+  block << normal, 0, 0,                           //
+      along * c, across * s * s, -across * s * c,  //
+      along * s, -across * s * c, across * c * c;
+  return block;
+}
+
 /// What slides: z_t moved along itself to the rim, whether or not it lies beyond it. With t =
 /// z_t/‖z_t‖, `zt` = ‖z_t‖ > 0:
 ///
@@ -23,10 +36,7 @@ inline Vec3 projectOnCone(const Vec3& x, double mu) {
 inline Vec3 slidingReaction(const Vec3& z, double zt, double mu, Mat3* derivative) {
   const double radius = mu * z[0];
   const double c = z[1] / zt, s = z[2] / zt, turn = radius / zt;
-  if (derivative)
-    *derivative << 1, 0, 0,                   //
-        mu * c, turn * s * s, -turn * s * c,  //
-        mu * s, -turn * s * c, turn * c * c;
+  if (derivative) *derivative = slidingBlock(1, mu, turn, c, s);
   return {z[0], radius * c, radius * s};
 }
 

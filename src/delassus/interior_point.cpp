@@ -24,7 +24,7 @@ void InteriorPoint<Motion>::start(const Problem& problem, const NaturalMap& map)
   weight_ = proximal * scale_;
   if (problem.W.inBodySpace()) weight_ += problem.W.bodySpace().compliance;
 
-  const double speed = std::max(problem.q.cwiseAbs().maxCoeff(), 1e-300);
+  const double speed = std::max(problem.demand(), 1e-300);
   r_ = VectorXd::Zero(problem.size());
   cones_.resize(n);
   degree_ = 0;

@@ -5,9 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "delassus/cone.h"
+#include "delassus/contact_motion.h"
 #include "delassus/disk.h"
-#include "delassus/read_mode.h"
-#include "delassus/residual.h"
+#include "delassus/kept_law.h"
 
 namespace delassus {
 namespace {
@@ -17,132 +18,8 @@ double roundOff(double a, double b) {
   return 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
 }
 
-/// The velocity of the point of `body` at `arm`; that of the fixed world is zero.
-Vec3 velocityAt(const std::vector<Body>& bodies, int body, const Vec3& arm) {
-  if (body < 0) return Vec3::Zero();
-  const Vec6& v = bodies[body].velocity;
-  return v.head<3>() + v.tail<3>().cross(arm);
-}
-
-Vec3 relativeVelocity(const std::vector<Body>& bodies, const Contact& c) {
-  const Vec3 slip = velocityAt(bodies, c.a, c.armA) - velocityAt(bodies, c.b, c.armB);
-  return c.frame.transpose() * slip - c.target;
-}
-
-double normalVelocity(const std::vector<Body>& bodies, const Contact& c) {
-  const Vec3 slip = velocityAt(bodies, c.a, c.armA) - velocityAt(bodies, c.b, c.armB);
-  return c.frame.col(0).dot(slip) - c.target[0];
-}
-
-double along(const std::vector<Body>& bodies, int body, const Row6& J) {
-  return body >= 0 ? J.dot(bodies[body].velocity) : 0;
-}
-
-double relativeVelocity(const std::vector<Body>& bodies, const Row& c) {
-  return along(bodies, c.a, c.jacobianA) + along(bodies, c.b, c.jacobianB) - c.target;
-}
-
-/// One body's share in the trace of W_aa of a contact whose axes e_i are orthonormal, whichever
-/// they are: Σ e_iᵀ M⁻¹ e_i + (arm × e_i)ᵀ I⁻¹ (arm × e_i).
-double traceShare(const std::vector<Body>& bodies, int body, const Vec3& arm) {
-  if (body < 0) return 0;
-  const Body& b = bodies[body];
-  const double turning =
-      arm.squaredNorm() * b.inverseInertia.trace() - arm.dot(b.inverseInertia * arm);
-  return b.inverseMass.sum() + std::max(0.0, turning);
-}
-
-/// The same in the diagonal of W, along one axis.
-double diagonalShare(const std::vector<Body>& bodies, int body, const Vec3& arm, const Vec3& axis) {
-  if (body < 0) return 0;
-  const Vec3 turn = arm.cross(axis);
-  return axis.cwiseAbs2().dot(bodies[body].inverseMass) +
-         turn.dot(bodies[body].inverseInertia * turn);
-}
-
-double diagonal(const std::vector<Body>& bodies, const Contact& c, int axis) {
-  return diagonalShare(bodies, c.a, c.armA, c.frame.col(axis)) +
-         diagonalShare(bodies, c.b, c.armB, c.frame.col(axis));
-}
-
-/// Not where friction depends on the direction.
-bool areTangentsOrthonormal(const Contact& c) {
-  constexpr double rounding = 1e-12;
-  const Vec3 t1 = c.frame.col(1), t2 = c.frame.col(2);
-  return std::abs(t1.squaredNorm() - 1) + std::abs(t2.squaredNorm() - 1) + std::abs(t1.dot(t2)) <
-         rounding;
-}
-
-double trace(const std::vector<Body>& bodies, const Contact& c) {
-  const double hard =
-      areTangentsOrthonormal(c)
-          ? traceShare(bodies, c.a, c.armA) + traceShare(bodies, c.b, c.armB)
-          : diagonal(bodies, c, 0) + diagonal(bodies, c, 1) + diagonal(bodies, c, 2);
-  return hard + c.compliance + 2 * c.slipCompliance;
-}
-
-/// Whether the reaction r sticks, and far enough inside its cone that the law projects r − ρ w to
-/// itself for every ρ up to that of the mode, 3/trace W_aa: that is not more than `rho`, and from r
-/// on all up to a point inside lies inside.
-bool sticksFirmly(const Vec3& r, const Vec3& w, double friction, double rho) {
-  const Vec3 z = r - rho * w;
-  const double radius = friction * z[0];
-  return z[0] > 0 && z[1] * z[1] + z[2] * z[2] < radius * radius;
-}
-
-/// 3/trace W_aa, were the bodies not to turn, nor to slide on each other: no less.
-double largestStep(const std::vector<Body>& bodies, const Contact& c) {
-  const Vec3 squares = c.frame.col(0).cwiseAbs2();
-  const auto share = [&](int body) {
-    return body >= 0 ? squares.dot(bodies[body].inverseMass) : 0;
-  };
-  return 3 / (share(c.a) + share(c.b));
-}
-
-double diagonalShare(const std::vector<Body>& bodies, int body, const Row6& J) {
-  if (body < 0) return 0;
-  const Vec3 linear = J.head<3>(), angular = J.tail<3>();
-  return linear.cwiseAbs2().dot(bodies[body].inverseMass) +
-         angular.dot(bodies[body].inverseInertia * angular);
-}
-
-double diagonal(const std::vector<Body>& bodies, const Row& c) {
-  return diagonalShare(bodies, c.a, c.jacobianA) + diagonalShare(bodies, c.b, c.jacobianB);
-}
-
-/// The natural residuals of an island, one contact or row after the other, until one is too large.
-class Residuals {
- public:
-  explicit Residuals(double tolerance) : tolerance_(tolerance) {}
-
-  bool add(double residual) {
-    if (!(residual <= tolerance_)) return false;
-    max_ = std::max(max_, residual);
-    squares_ += residual * residual;
-    ++count_;
-    return true;
-  }
-  void write(Solution& solution) const {
-    solution.residual = max_;
-    solution.residualRms = count_ > 0 ? std::sqrt(squares_ / count_) : 0;
-  }
-
- private:
-  double tolerance_, max_ = 0, squares_ = 0;
-  int count_ = 0;
-};
-
 void moveIntoDisk(const Disk& disk, VectorXd& r) {
   disk.put(projectOnDisk(disk.of(r), disk.radiusAt(r)), r);
-}
-
-/// The disk that ends with the k-th row of the island, whose rows begin at this unknown.
-Disk diskAt(const std::vector<Row>& rows, const Island& island, int k, int rowsBegin) {
-  const Row& last = rows[island.rows[k]];
-  const bool pair = k > 0 && rows[island.rows[k - 1]].paired;
-  const int unknowns = pair ? 2 : 1;
-  return {rowsBegin + k + 1 - unknowns, unknowns, island.normalOf(last.governor), last.upper,
-          last.mostLoad};
 }
 
 /// The square of about the largest radius of gyration; 0 if it cannot turn.
@@ -188,7 +65,7 @@ void makeReady(const Island& island, Tier tier, Solution& solution) {
   solution.status = Status::Solved;
   solution.tier = tier;
   solution.startResidual = infinity;  // nobody asks for that of what is kept
-  solution.regions = solution.factorisations = solution.sweeps = solution.patches = 0;
+  solution.takeWork({});
   solution.blamed.clear();
 }
 
@@ -310,86 +187,17 @@ double IslandCheck::move(const std::vector<Body>& bodies, const std::vector<Cont
 bool IslandCheck::isKept(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
                          const std::vector<Row>& rows, const Island& island, double share,
                          std::vector<Body>& moved, Solution& solution) {
-  VectorXd& r = solution.r;
-  const double demand = move(bodies, contacts, rows, island, moved, r);
-  Residuals residuals(share * options_.tolerance * demand);
+  const double demand = move(bodies, contacts, rows, island, moved, solution.r);
   makeReady(island, Tier::Kept, solution);
-  VectorXd& u = solution.u;
-
-  const auto isWithin = [&](double residual, double friction) {
-    return (friction <= 1 || residual <= share * options_.toleranceFor(friction) * demand) &&
-           residuals.add(residual);
-  };
-  int at = 0, state = 0;
-  const auto keepsCone = [&](int i) {
-    const Contact& c = contacts[i];
-    if (!(c.friction >= 0)) return false;  // the solver names it
-    const Vec3 reaction = r.segment<3>(at);
-    Vec3 velocity = relativeVelocity(moved, c);
-    velocity[0] += c.compliance * reaction[0];
-    velocity.tail<2>() += c.slipCompliance * reaction.tail<2>();
-    u.segment<3>(at) = velocity;
-    Mode& mode = solution.activeSet.contacts[at / 3];
-    at += 3;
-    const Vec3 corrected = correctedVelocity(velocity, c.friction);
-    if (sticksFirmly(reaction, corrected, c.friction, largestStep(moved, c))) {
-      mode = Mode::Stick;
-      return isWithin(corrected.norm(), c.friction);
-    }
-    const double size = trace(moved, c), mean = size / 3;
-    mode = modeOf(reaction, velocity, c.friction, mean);
-    const Vec3 wished = projectOnCone(reaction - corrected / size, c.friction);
-    return isWithin((reaction - wished).norm() * size, c.friction);
-  };
-  const auto keepsBounds = [&](double velocity, double lower, double upper, double ownSize) {
-    constexpr double immovable = 1e100;  // what nothing moves keeps its bounds in any unit
-    const double size = ownSize > 0 ? ownSize : immovable;
-    u[at] = velocity;
-    solution.activeSet.rows[state++] = stateOf(r[at], velocity, lower, upper, size);
-    return residuals.add(size * rowResidual(r[at++], velocity, lower, upper, 1 / size));
-  };
-  const auto keepsNormal = [&](int i) {
-    const Contact& c = contacts[i];
-    return keepsBounds(normalVelocity(moved, c) + c.compliance * r[at], 0, infinity,
-                       diagonal(moved, c, 0) + c.compliance);
-  };
-  const int rowsBegin = island.unknowns() - static_cast<int>(island.rows.size());
-  double pairSize = 0;  // of the first row of a pair
-  /// At the last row of a disk, where its velocity is known.
-  const auto keepsDisk = [&](const Row& c) {
-    const double size = pairSize + diagonal(moved, c);
-    u[at] = relativeVelocity(moved, c);
-    solution.activeSet.rows[state++] = RowState::Free;
-    ++at;
-    pairSize = c.paired ? size : 0;
-    if (c.paired) return residuals.add(0);  // both rows count, as in NaturalMap
-    const Disk disk = diskAt(rows, island, at - 1 - rowsBegin, rowsBegin);
-    const Vec2 reaction = disk.of(r), velocity = disk.of(u);
-    const double radius = disk.radiusAt(r);
-    solution.activeSet.disks.push_back(
-        diskModeOf(reaction, velocity, radius, size / disk.unknowns));
-    if (!(size > 0)) return residuals.add(velocity.norm());  // nothing moves it
-    const Vec2 wished = projectOnDisk(reaction - velocity / size, radius);
-    return residuals.add((reaction - wished).norm() * size);
-  };
-  const auto keepsRow = [&](int i) {
-    const Row& c = rows[i];
-    if (c.governor >= 0) return keepsDisk(c);
-    return keepsBounds(relativeVelocity(moved, c) + c.compliance * r[at], c.lower, c.upper,
-                       diagonal(moved, c) + c.compliance);
-  };
-  if (std::all_of(island.frictional.begin(), island.frictional.end(), keepsCone) &&
-      std::all_of(island.frictionless.begin(), island.frictionless.end(), keepsNormal) &&
-      std::all_of(island.rows.begin(), island.rows.end(), keepsRow)) {
-    residuals.write(solution);
-    // Rounding, not what a user would tolerate: forces that nothing resists add up.
-    const double still = share * std::min(options_.tolerance, Options().tolerance) * demand;
-    if (isSlower(moved, contacts, rows, island, still))
-      for (int body : island.bodies) moved[body].velocity.setZero();
-    return true;
+  if (!KeptLaw(moved, contacts, rows, island, options_, share, demand, solution).holds()) {
+    for (int body : island.bodies) moved[body].velocity = bodies[body].velocity;
+    return false;
   }
-  for (int body : island.bodies) moved[body].velocity = bodies[body].velocity;
-  return false;
+  // Rounding, not what a user would tolerate: forces that nothing resists add up.
+  const double still = share * std::min(options_.tolerance, Options().tolerance) * demand;
+  if (isSlower(moved, contacts, rows, island, still))
+    for (int body : island.bodies) moved[body].velocity.setZero();
+  return true;
 }
 
 }  // namespace delassus

@@ -32,6 +32,8 @@ struct Problem {
   /// Of W those of the body space.
   std::size_t bytes() const { return W.bytes() + bytesOf(q, friction, lower, upper, disks); }
   int disksBegin() const { return disks.empty() ? size() : disks.front().first; }
+  /// The largest demand max |q_i|, m/s; 0 without unknowns.
+  double demand() const { return q.size() > 0 ? q.cwiseAbs().maxCoeff() : 0; }
 };
 
 /// Where the reaction of one unknown may lie.

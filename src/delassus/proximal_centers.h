@@ -61,11 +61,11 @@ Descent descend(Steps& steps, double enough, int budget) {
 template <class MoveOn>
 bool moveCenters(const MoveOn& moveOn, const NaturalMap& map, double tolerance, int& budget,
                  Solution& next, Solution& best) {
-  constexpr double unknownRegion = 1e-3, least = 1e-10, most = 1e-1;
+  constexpr double firstWeight = 1e-3, leastWeight = 1e-10, mostWeight = 1e-1;
   constexpr double fine = 1e-2, slow = 1e-2, tooSlow = 0.3;  // shares of the residual
   constexpr double gain = 0.5;
   constexpr int patience = 2;
-  ProximalWeight alpha(unknownRegion, least, most);
+  ProximalWeight alpha(firstWeight, leastWeight, mostWeight);
   double mark = best.residual;
   int idle = 0;
   while (budget > 0) {

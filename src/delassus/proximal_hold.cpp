@@ -124,7 +124,7 @@ bool ProximalNewton<Motion>::holdOn(const Problem& problem, double tolerance, in
   constexpr int mostIdle = 10, mostStuck = 4;
   constexpr double halved = 0.5, unchanged = 0.8;
   constexpr double unknown = infinity;
-  const double demand = problem.q.cwiseAbs().maxCoeff();
+  const double demand = problem.demand();
   double mark = unknown, outside = unknown, residual = unknown;
   for (int k = 0, idle = 0, stuck = 0; k < budget && idle < mostIdle && stuck < mostStuck; ++k) {
     holdOnce();

@@ -26,17 +26,6 @@ void ProximalNewton<Motion>::setProblem(const Problem& problem, const NaturalMap
 }
 
 template <class Motion>
-void ProximalNewton<Motion>::forgetFactor() {
-  hasFactor_ = false;
-}
-
-template <class Motion>
-Motion& ProximalNewton<Motion>::motion() {
-  forgetFactor();
-  return motion_;
-}
-
-template <class Motion>
 void ProximalNewton<Motion>::setWeights(double alpha) {
   constexpr double finest = 1e-7, coarsest = 1e-2;
   l_ = (compliance_ + alpha * scale_).cwiseInverse();
@@ -238,7 +227,7 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
   // than `tooSlow`, and no digits come by themselves; more than `atItsEnd` with the smallest
   // weight, and nothing more is to come; `stuck`: reactions may grow in vain.
   constexpr double slow = 1e-2, tooSlow = 0.3, atItsEnd = 0.1, stuck = 0.5;
-  constexpr int fewRegions = 6;
+  constexpr int easyRegions = 6;    // an outer step of no more came easily
   constexpr int mostOuters = 1000;  // budgets end before, unless steps take no regions
   setTolerance(tolerance);
   r_ = center_;
@@ -255,7 +244,7 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
       alpha.grow();
       continue;
     }
-    alpha.learn(regionsBefore - regionBudget <= fewRegions);
+    alpha.learn(regionsBefore - regionBudget <= easyRegions);
     const VelocityResidual measured = measure();
     const double now = measured.max;
     if (now > std::max(stuck * residual, tolerance) && alpha.value() <= hardly &&

@@ -101,8 +101,14 @@ class ProximalNewton {
   /// for it): true if the law is kept. Steps are counted as regions.
   bool react(const Problem& problem, double tolerance, int budget, Solution& next, Solution& best);
 
-  /// The space of the last problem, for other methods; what it has factored is forgotten here.
-  Motion& motion();
+  /// The space of the last problem, for a method that factors in it now; what was factored here is
+  /// forgotten.
+  Motion& lendMotion() {
+    forgetFactor();
+    return motion_;
+  }
+  /// Who borrows the space for longer says so when he has factored in it again.
+  void forgetFactor() { hasFactor_ = false; }
 
   std::size_t bytes() const {
     return motion_.bytes() + G_.bytes() + factored_.bytes() +
@@ -145,7 +151,6 @@ class ProximalNewton {
   bool holdOn(const Problem& problem, double tolerance, int budget, Solution& best);
   bool growsInVain(const Problem& problem, double tolerance, double residual);
   void compromise(const Problem& problem, Solution& best);
-  void forgetFactor();
   const VectorXd& felt();
 
   const NaturalMap* map_ = nullptr;

@@ -96,9 +96,7 @@ void ProximalNewton<Motion>::Reactions::answer(int contact) {
   const double turn = mu > 0 ? mu * z[0] / zt : 0;
   const double stays = turn * (1 - 2 / (rho * (l[1] + l[2])));
   const double along = mu * l[0], across = turn / ((1 - stays) * rho);
-  G << l[0], 0, 0,                                 //
-      along * c, across * s * s, -across * s * c,  //
-      along * s, -across * s * c, across * c * c;
+  G = slidingBlock(l[0], along, across, c, s);
   const double normal = rho * l[0] * F[0], rim = mu * (normal - F[0]);
   const double turned = stays / (1 - stays) * (c * F[2] - s * F[1]);
   forced = Vec3(normal, F[1] + rim * c - turned * s, F[2] + rim * s + turned * c);

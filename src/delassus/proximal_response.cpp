@@ -91,9 +91,7 @@ void ProximalNewton<Motion>::respondInRegion(const Problem& problem, const Solut
         const double across = turn * (-s * u_[at + 1] + c * u_[at + 2]);
         r[1] += s * across;
         r[2] -= c * across;
-        G_.contacts[i] << l[0], 0, 0,                    //
-            mu * l[0] * c, turn * s * s, -turn * s * c,  //
-            mu * l[0] * s, -turn * s * c, turn * c * c;
+        G_.contacts[i] = slidingBlock(l[0], mu * l[0], turn, c, s);
         break;
       }
     }

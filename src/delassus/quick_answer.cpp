@@ -7,6 +7,7 @@
 #include "delassus/dense_newton.h"
 #include "delassus/read_mode.h"
 #include "delassus/row_product.h"
+#include "delassus/tolerance.h"
 
 namespace delassus {
 namespace {
@@ -18,8 +19,8 @@ constexpr double gain = 0.2;  ///< what a sweep that takes away most leaves
 QuickAnswer::QuickAnswer(const Problem& problem, const Options& options)
     : problem_(problem),
       options_(options),
-      tolerance_(options.toleranceFor(problem.friction.maxCoeff())),
-      demand_(problem.q.cwiseAbs().maxCoeff()),
+      friction_(problem.friction.maxCoeff()),
+      tolerance_(toleranceOf(options, problem)),
       isFull_(problem.W.isFull()),
       contacts_(problem.contacts()) {
   for (int i = 0; i < problem.contacts(); ++i) contacts_[i].isAlone = isAlone(i);
@@ -29,10 +30,6 @@ QuickAnswer::QuickAnswer(const Problem& problem, const Options& options)
 }
 
 bool QuickAnswer::isSmall() const { return problem_.size() <= fewUnknowns; }
-
-double QuickAnswer::toleranceFor(double demand) const {
-  return std::max(tolerance_ * demand, problem_.roundOff);
-}
 
 bool QuickAnswer::find(Solution& answer) {
   if (options_.sweepBudget > 0) sweep();
@@ -143,8 +140,7 @@ void QuickAnswer::sweep() {
   if (!std::isfinite(first)) return;
   // Those that feel nothing of what is before them are not felt by it either: then one sweep is
   // all.
-  if (isSmall() || felt_ <= toleranceFor(demand_) || best_.sweeps == options_.sweepBudget)
-    measure();
+  if (isSmall() || felt_ <= tolerance_ || best_.sweeps == options_.sweepBudget) measure();
   double before = 2 * first;  // as if from nearer: the first sets out from nothing
   firstGains_ = best_.residual <= gain * first;
   bool gains = !isSmall() || firstGains_;
@@ -152,8 +148,7 @@ void QuickAnswer::sweep() {
     const double change = sweepOnce(), ratio = change / before;
     gains = ratio <= gain && !(isSmall() && best_.sweeps >= few);
     // The next sweep would change about as much as the residual is now.
-    if (!gains || best_.sweeps == options_.sweepBudget || ratio * change <= toleranceFor(demand_))
-      measure();
+    if (!gains || best_.sweeps == options_.sweepBudget || ratio * change <= tolerance_) measure();
     before = change;
   }
 }
@@ -190,7 +185,7 @@ bool QuickAnswer::walk() {
   NaturalMap map;
   map.setProblem(problem_, std::move(blocks), sizes);
   if (!fitsDenseNewton(problem_, map)) return false;
-  if (!DenseNewton<fewUnknowns>().solve(problem_, map, toleranceFor(demand_), options_.newtonBudget,
+  if (!DenseNewton<fewUnknowns>().solve(problem_, map, tolerance_, options_.newtonBudget,
                                         firstGains_ ? Start::Best : Start::Rest, best_))
     return false;
   readActiveSet(problem_, map.diagonal(), best_.r, best_.u, best_.activeSet);
@@ -201,8 +196,9 @@ bool QuickAnswer::answers(const ProblemParts& parts, int part) const {
   double demand = 0;
   for (int k = 0; k < parts.sizeOf(part); ++k)
     demand = std::max(demand, std::abs(problem_.q[parts.unknown(part, k)]));
+  const double tolerance = toleranceOf(options_, friction_, demand, problem_.roundOff);
   for (int k = 0; k < parts.sizeOf(part); k += 3)
-    if (!(residualOf(parts.unknown(part, k) / 3) <= toleranceFor(demand))) return false;
+    if (!(residualOf(parts.unknown(part, k) / 3) <= tolerance)) return false;
   return true;
 }
 

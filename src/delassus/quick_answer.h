@@ -45,8 +45,7 @@ class QuickAnswer {
     double size = 0;     ///< ‖W_aa‖, 1/kg; 0: nobody has asked yet
   };
 
-  double toleranceFor(double demand) const;
-  bool isReached() const { return best_.residual <= toleranceFor(demand_); }
+  bool isReached() const { return best_.residual <= tolerance_; }
   bool isSmall() const;
   bool isAlone(int contact) const;
   /// Whether there is nothing to be done about a contact: it does not approach, and what approaches
@@ -67,8 +66,8 @@ class QuickAnswer {
 
   const Problem& problem_;
   const Options& options_;
-  double tolerance_;         ///< relative to the demands
-  double demand_;            ///< the largest |q|
+  double friction_;          ///< the largest μ
+  double tolerance_;         ///< m/s
   bool isFull_;              ///< all of W is stored
   double felt_ = 0;          ///< what approaches feels of those before it in the first sweep, m/s
   bool firstGains_ = false;  ///< the first sweep took away most of it

@@ -21,7 +21,6 @@ double leastRmsFromNothing(const Problem& problem) {
 }
 
 constexpr double nearly = 1e-6;  ///< share of the demands that reactions leave open
-constexpr int pileWalk = 400;
 
 /// Explicit entries that are too many for a dense matrix and its factor are swept over, and no
 /// more.
@@ -33,8 +32,7 @@ bool isTooLargeToFactor(const Problem& problem) {
 }  // namespace
 
 double Search::firstWeight(const Solution& from, double least) const {
-  return std::clamp(std::sqrt(from.residual / problem_->q.cwiseAbs().maxCoeff()), least,
-                    unknownRegion);
+  return std::clamp(std::sqrt(from.residual / problem_->demand()), least, unknownRegion);
 }
 
 /// A few regions settle a small island; where there are many contacts, and no time, they only take
@@ -118,11 +116,10 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Task& task, Solution& b
   const bool isRushed = hasNoWalk(task, best);
   Outcome outcome = startOut(newton, task, best);
   if (outcome != Outcome::Lost || isRushed || task.regionsLeft(best) <= 0) return outcome;
-  const double weight = best.residual <= nearly * problem_->q.cwiseAbs().maxCoeff()
-                            ? knownRegion
-                            : firstWeight(best, leastAtFirst);
+  const double weight =
+      best.residual <= nearly * problem_->demand() ? knownRegion : firstWeight(best, leastAtFirst);
   // In large piles what else finds back is dear and seldom helps.
-  const int most = task.guess && isLargePile(*problem_) && !isHurried_ ? pileWalk : fairWalk;
+  const int most = task.guess && isLargePile(*problem_) && !isHurried_ ? longWalk : fairWalk;
   outcome = newton.walk(*problem_, task.tolerance, weight, task.regionsLeft(best, most), best);
   // In small heaps regions cost no more than tens of sweeps: there that is left for the end.
   if (outcome == Outcome::Lost && isLargeHeap(*problem_)) outcome = outlast(newton, task, best);
@@ -148,6 +145,7 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Task& task, Solution& 
   Task rest = task;
   Outcome outcome;
   if (task.guess) {
+    // The rest is for the walk from nothing.
     Task share = task;
     share.options.newtonBudget -= task.options.newtonBudget / 8 * 3;
     share.options.sweepBudget -= task.options.sweepBudget / 2;
@@ -173,18 +171,12 @@ void Search::setOutApart(const VectorXd* guess, Solution& best) {
   if (guess) apart_.r = *guess;
   makeFeasible(*problem_, apart_.r);
   consider(apart_, best);
-  apart_.regions = best.regions;
-  apart_.factorisations = best.factorisations;
-  apart_.sweeps = best.sweeps;
-  apart_.patches = best.patches;
+  apart_.takeWork(best);
 }
 
 /// And ends: its work is counted, and its answer is taken if it is one, or better.
 Outcome Search::comeBack(Outcome outcome, Solution& best) const {
-  best.regions = apart_.regions;
-  best.factorisations = apart_.factorisations;
-  best.sweeps = apart_.sweeps;
-  best.patches = apart_.patches;
+  best.takeWork(apart_);
   if (outcome == Outcome::Lost && !(apart_.residual < best.residual)) return outcome;
   best.takeReactions(apart_);
   best.blamed = apart_.blamed;

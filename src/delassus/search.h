@@ -169,8 +169,9 @@ class Search {
   /// The least of a walk that begins with the best answer of quick ways, and of one that others
   /// have not led to an end.
   static constexpr double leastAtFirst = 1e-2, leastAfar = 1e-4;
-  static constexpr int shortWalk = 16, fewRegions = 8;
-  static constexpr int fairWalk = 80;  ///< regions that find most ways there are
+  /// Regions: of the steps that finish, of a try, of a walk that finds most ways there are, and of
+  /// one where nothing else is left.
+  static constexpr int fewRegions = 8, shortWalk = 16, fairWalk = 80, longWalk = 400;
   /// The proximal weight of a walk's first step from here, by what is left to correct; at least
   /// `least`.
   double firstWeight(const Solution& from, double least) const;
@@ -191,7 +192,9 @@ class Search {
   DenseNewton<Eigen::Dynamic> dense_;
   std::unique_ptr<Machines> own_;  ///< none in a search for patches
   Machines* machines_ = nullptr;
-  Solution trial_, wandering_;
+  Solution trial_;  ///< a candidate, or what was best before a hold
+  /// Where a way is that may lead away from the best; in a hurry what a hold has come to.
+  Solution wandering_;
   Solution apart_;  ///< the best of a way of its own
   VectorXd felt_;
   Quarrel quarrel_;

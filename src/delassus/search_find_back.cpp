@@ -9,7 +9,7 @@ namespace delassus {
 
 template <class Motion>
 Outcome Search::findBack(Engines<Motion>& engines, const Task& task, Solution& best) {
-  constexpr int proof = 90, interiorSteps = 40, longWalk = 400;
+  constexpr int proof = 90, interiorSteps = 40;
   const bool isSmall = !isLargeHeap(*problem_) && !isLargePile(*problem_);
   ProximalNewton<Motion>& newton = engines.walk;
   if (task.regionsLeft(best) <= 0) return Outcome::Lost;
@@ -21,7 +21,7 @@ Outcome Search::findBack(Engines<Motion>& engines, const Task& task, Solution& b
   };
   Outcome outcome = isSmall ? walk(fairWalk) : Outcome::Lost;
   if (outcome != Outcome::Lost || task.regionsLeft(best) <= 0) return outcome;
-  if (engines.interior.solve(newton.motion(), *problem_, map_, task.tolerance,
+  if (engines.interior.solve(newton.lendMotion(), *problem_, map_, task.tolerance,
                              task.regionsLeft(best, interiorSteps), best))
     return Outcome::Reached;
   outcome = walk(longWalk);
@@ -101,7 +101,7 @@ bool Search::compromise(Engines<Motion>& engines, double tolerance, int regionBu
 template <class Motion>
 Outcome Search::wander(Engines<Motion>& engines, const Task& task, Solution& best) {
   ProximalNewton<Motion>& newton = engines.walk;
-  constexpr int shortest = 100, longest = 3200, longWalk = 400, tryFromAfar = 40;
+  constexpr int shortest = 100, longest = 3200, tryFromAfar = 40;
   const auto sweepsLeft = [&](int most) { return task.sweepsLeft(best, most); };
   const auto regionsLeft = [&](int most) { return task.regionsLeft(best, most); };
   wandering_.r.setZero(problem_->size());

@@ -22,7 +22,7 @@ double Search::soften(const Task& task, Solution& best) {
   BodySpace& space = soft_.W.refill(problem_->size());
   space = problem_->W.bodySpace();
   map_.meanDiagonal(felt_);
-  Task few{task.options, tolerance * problem_->q.cwiseAbs().maxCoeff(), &softStart_};
+  Task few{task.options, tolerance * problem_->demand(), &softStart_};
   few.options.sweepBudget = sweeps;
   few.options.newtonBudget = regions;
   few.options.pathBudget = 0;
@@ -60,7 +60,7 @@ bool Search::setOutOnPath(ProximalNewton<BodyMotion>& newton, const Task& task, 
   }
   newton.setProblem(*problem_, map_);
   CompliancePath& path = machines().path;
-  path.setProblem(newton.motion(), *problem_, map_);
+  path.setProblem(newton.lendMotion(), *problem_, map_);
   if (!isLarge) return path.setOut(softStart_, softness, budget, best);
   path.setCenter(best);
   return path.setOut(best.r, softness, budget, best) || path.setOut(best.r, soft, budget, best);
@@ -87,7 +87,7 @@ Outcome Search::harden(ProximalNewton<Motion>& newton, const Task& task, Solutio
         return Outcome::Lost;
       wandering_.r = path.reactions();
       consider(wandering_, best);
-      newton.motion();  // its factor is that of the path
+      newton.forgetFactor();  // the path has factored in the same space
       const double weight = std::max(compliance, finest);
       const Outcome outcome =
           newton.walkFrom(wandering_, *problem_, task.tolerance, weight, regions, best);

@@ -13,7 +13,7 @@ namespace {
 /// be.
 void forceActiveSet(const Problem& problem, ActiveSet& set) {
   // Bodies that fall together touch with q_n = 0 up to round-off: they are held too.
-  const double touching = 1e-6 * problem.q.cwiseAbs().maxCoeff();
+  const double touching = 1e-6 * problem.demand();
   set.contacts.clear();
   set.rows.clear();
   for (int i = 0; i < problem.contacts(); ++i)
@@ -64,7 +64,7 @@ constexpr double disturbed = 1e-3;  ///< share of the demands that reactions lea
 /// What comes before the first walk. Lost: the walk finishes.
 template <class Motion>
 Outcome Search::startOut(ProximalNewton<Motion>& newton, const Task& task, Solution& best) {
-  const double demand = problem_->q.cwiseAbs().maxCoeff(), aim = keptShare * task.tolerance;
+  const double demand = problem_->demand(), aim = keptShare * task.tolerance;
   const auto isReached = [&] { return best.residual <= task.tolerance; };
   wandering_.residual = infinity;  // of what a hold leaves
   if (isHurried_ && hold(newton, task, best)) return Outcome::Reached;

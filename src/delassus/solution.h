@@ -31,8 +31,24 @@ enum class Tier : unsigned char {
   Walk,        ///< sweeps, patches, regions
 };
 
+/// What was done for an answer, that in patches by what it costs beside the island's.
+struct WorkDone {
+  int regions = 0;  ///< visited by walks but those at the ends of paths of compliance
+  int factorisations = 0;
+  int sweeps = 0;   ///< over all; and alternations, and steps on few contacts
+  int patches = 0;  ///< parts of the island that were solved apart, on the way
+
+  void takeWork(const WorkDone& other) { *this = other; }
+  void addWork(const WorkDone& other) {
+    regions += other.regions;
+    factorisations += other.factorisations;
+    sweeps += other.sweeps;
+    patches += other.patches;
+  }
+};
+
 /// What the reactions of one island are, and how good they are.
-struct Solution {
+struct Solution : WorkDone {
   VectorXd r;  ///< reactions, N·s
   VectorXd u;  ///< relative velocities u = W r + q, m/s
   ActiveSet activeSet;
@@ -41,11 +57,6 @@ struct Solution {
   double startResidual = 0;  ///< natural residual of the guess, m/s; infinite without one
   double residual = 0;       ///< natural residual, largest over contacts, rows and disks, m/s
   double residualRms = 0;    ///< its root mean square, m/s
-  /// Work, that in patches by what it costs beside the island's: regions visited by walks but those
-  /// at the ends of paths of compliance, factors made, by them and along these paths, sweeps,
-  /// alternations and steps on few contacts over all.
-  int regions = 0, factorisations = 0, sweeps = 0;
-  int patches = 0;  ///< parts of the island that were solved apart, on the way
   /// First unknowns of the contacts and rows that keep it from being solved: those with
   /// incompatible demands or non-finite numbers; out of budget, the one with the largest residual.
   std::vector<int> blamed;
@@ -55,7 +66,7 @@ struct Solution {
     r.setZero(q.size());
     u = q;
     startResidual = residual = residualRms = infinity;
-    regions = factorisations = sweeps = patches = 0;
+    takeWork({});
     tier = Tier::Free;
     blamed.clear();
   }

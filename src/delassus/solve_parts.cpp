@@ -11,6 +11,7 @@
 #include "delassus/residual.h"
 #include "delassus/solver.h"
 #include "delassus/split_problem.h"
+#include "delassus/tolerance.h"
 
 namespace delassus {
 namespace {
@@ -42,10 +43,7 @@ class Whole {
         solution_.activeSet.disks[k] = s.activeSet.disks[disk++];
     solution_.status = std::max(solution_.status, s.status);
     solution_.tier = std::max(solution_.tier, s.tier);
-    solution_.regions += s.regions;
-    solution_.factorisations += s.factorisations;
-    solution_.sweeps += s.sweeps;
-    solution_.patches += s.patches;
+    solution_.addWork(s);
     for (const int blamed : s.blamed) solution_.blamed.push_back(parts.unknown(part, blamed));
     count(s.residual, s.residualRms, n + p.rows());
   }
@@ -117,7 +115,7 @@ bool answerByFormula(const Problem& problem, const Options& options, Solution& a
   const Mat3 W = problem.W.contactBlock(0);
   const Vec3 q = problem.q, r = projectOnCone(solveOneContact(W, q, mu), mu), u = W * r + q;
   const double residual = naturalResidual(contactSize(W), mu, r, u);
-  if (!(residual <= options.toleranceFor(mu) * q.cwiseAbs().maxCoeff())) return false;
+  if (!(residual <= toleranceOf(options, problem))) return false;
   answer.start(problem.q);
   answer.r = r;
   answer.u = u;
@@ -167,11 +165,7 @@ Solution solve(const Problem& problem, const Options& options) {
     }
     solution = whole.take();
   }
-  if (quick) {
-    solution.regions += quick->best().regions;
-    solution.factorisations += quick->best().factorisations;
-    solution.sweeps += quick->best().sweeps;
-  }
+  if (quick) solution.addWork(quick->best());
   return solution;
 }
 

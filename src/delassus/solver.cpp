@@ -8,6 +8,7 @@
 #include "delassus/quiet_arithmetic.h"
 #include "delassus/read_mode.h"
 #include "delassus/search.h"
+#include "delassus/tolerance.h"
 
 namespace delassus {
 namespace {
@@ -21,6 +22,18 @@ bool solveAlone(const Problem& problem, const NaturalMap& map, VectorXd& r) {
   if (problem.contacts() > 0 || problem.rows() != 1 || !(map.diagonal()[0] > 0)) return false;
   r.resize(1);
   r[0] = std::clamp(-problem.q[0] / map.diagonal()[0], problem.lower[0], problem.upper[0]);
+  return true;
+}
+
+/// Whether there is no law for some part of it: the answer is no reactions, and their names.
+bool isUnfit(const Problem& problem, Solution& best) {
+  std::vector<int> unfit = unfitParts(problem);
+  if (unfit.empty()) return false;
+  best.blamed = std::move(unfit);
+  best.status = Status::NonFinite;
+  best.activeSet.contacts.assign(problem.contacts(), Mode::Open);
+  best.activeSet.rows.assign(problem.rows(), RowState::Free);
+  best.activeSet.disks.assign(problem.disks.size(), Mode::Open);
   return true;
 }
 
@@ -49,68 +62,78 @@ void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best
     return solve(problem, guess_, best);
   }
   const QuietArithmetic quiet;
-  Search& search = *search_;
   best.start(problem.q);
-  if (std::vector<int> unfit = unfitParts(problem); !unfit.empty()) {
-    best.blamed = std::move(unfit);
-    best.status = Status::NonFinite;
-    best.activeSet.contacts.assign(problem.contacts(), Mode::Open);
-    best.activeSet.rows.assign(problem.rows(), RowState::Free);
-    best.activeSet.disks.assign(problem.disks.size(), Mode::Open);
-    return;
-  }
+  if (isUnfit(problem, best)) return;
+  search_->setProblem(problem);
+  const Aim aim = aimOf(problem);
+  const bool isWarm = takeGuess(problem, guess, aim, best);
+  const Outcome outcome = answer(problem, isWarm ? &guess : nullptr, aim, best);
+  conclude(problem, aim, outcome, best);
+}
 
-  search.setProblem(problem);
-  const double demand = problem.size() > 0 ? problem.q.cwiseAbs().maxCoeff() : 0;
-  const double widest = problem.contacts() > 0 ? problem.friction.maxCoeff() : 0;
-  const double tolerance = std::max(options_.toleranceFor(widest) * demand, problem.roundOff);
-  bool warm =
+Solver::Aim Solver::aimOf(const Problem& problem) const {
+  const double tolerance = toleranceOf(options_, problem);
+  return {tolerance, std::max(options_.guessShare * tolerance, problem.roundOff)};
+}
+
+/// Takes the guess as the best answer, if it is one. True if a search may begin from it.
+bool Solver::takeGuess(const Problem& problem, const VectorXd& guess, const Aim& aim,
+                       Solution& best) {
+  const bool isGuess =
       guess.size() == problem.size() && problem.size() > 0 && guess.any() && guess.allFinite();
-  if (warm) search.offer(guess, best);
-  best.startResidual = best.residual;
-  const Economies& economies = options_.economies;
-  if (best.residual <= tolerance && !economies.keptIslands) {
-    // What keeps the law is solved again all the same, from nothing.
-    warm = false;
-    const double startResidual = best.startResidual;
-    best.start(problem.q);
-    best.startResidual = startResidual;
-  }
-  const double aim = std::max(options_.guessShare * tolerance, problem.roundOff);
-  if (best.residual <= aim) {
+  if (isGuess) search_->offer(guess, best);
+  const double startResidual = best.startResidual = best.residual;
+  if (best.residual > aim.tolerance || options_.economies.keptIslands) return isGuess;
+  // What keeps the law is solved again all the same, from nothing.
+  best.start(problem.q);
+  best.startResidual = startResidual;
+  return false;
+}
+
+/// Betters the best answer by the cheapest ways there are. `guess`: where a search may begin, or
+/// null.
+Outcome Solver::answer(const Problem& problem, const VectorXd* guess, const Aim& aim,
+                       Solution& best) {
+  if (best.residual <= aim.guess) {
     best.tier = Tier::Kept;
-  } else if (best.residual > tolerance) {
-    search.startBetter(best);
+    return Outcome::Reached;
   }
-  if (best.residual > aim && economies.closedForms && solveAlone(problem, search.map(), formula_)) {
+  if (best.residual > aim.tolerance) search_->startBetter(best);
+  if (best.residual > aim.guess && options_.economies.closedForms &&
+      solveAlone(problem, search_->map(), formula_)) {
     ++best.regions;
     best.tier = Tier::ClosedForm;
-    search.offer(formula_, best);
+    search_->offer(formula_, best);
   }
   Outcome outcome = Outcome::Lost;
-  if (best.residual > tolerance && problem.contacts() == 0 && problem.disks.empty() &&
+  if (best.residual > aim.tolerance && problem.contacts() == 0 && problem.disks.empty() &&
       !problem.W.inBodySpace()) {
     best.tier = Tier::Pivoting;
-    outcome = search.pivotRows({options_, tolerance, nullptr}, best);
+    outcome = search_->pivotRows({options_, aim.tolerance, nullptr}, best);
   }
-  if (best.residual > tolerance && outcome == Outcome::Lost) {
+  if (best.residual > aim.tolerance && outcome == Outcome::Lost) {
     best.tier = Tier::Walk;
-    outcome = search.walk({options_, tolerance, warm ? &guess : nullptr}, best);
-  } else if (best.residual > aim && best.tier == Tier::Free) {
+    outcome = search_->walk({options_, aim.tolerance, guess}, best);
+  } else if (best.residual > aim.guess && best.tier == Tier::Free) {
     best.tier = Tier::Walk;
-    search.polish({options_, aim, nullptr}, best);
+    search_->polish({options_, aim.guess, nullptr}, best);
   }
+  return outcome;
+}
 
+/// What is to be said of the best answer: its status, who is to blame, and its modes.
+void Solver::conclude(const Problem& problem, const Aim& aim, Outcome outcome,
+                      Solution& best) const {
+  const NaturalMap& map = search_->map();
   // A compromise that misses no demand by more than the tolerance is none.
-  const double attainable = std::max(tolerance, search.map().roundOff(best.r));
-  best.status = best.residual <= tolerance         ? Status::Solved
+  const double attainable = std::max(aim.tolerance, map.roundOff(best.r));
+  best.status = best.residual <= aim.tolerance     ? Status::Solved
                 : outcome == Outcome::Incompatible ? Status::Incompatible
                 : best.residual <= attainable      ? Status::Solved
                                                    : Status::OutOfBudget;
   if (best.status == Status::Solved) best.blamed.clear();
-  if (best.status == Status::OutOfBudget)
-    best.blamed = {search.map().residual(best.r, best.u).worst};
-  readActiveSet(problem, search.map().diagonal(), best.r, best.u, best.activeSet);
+  if (best.status == Status::OutOfBudget) best.blamed = {map.residual(best.r, best.u).worst};
+  readActiveSet(problem, map.diagonal(), best.r, best.u, best.activeSet);
 }
 
 }  // namespace delassus

@@ -10,6 +10,7 @@ namespace delassus {
 
 class Hands;
 class Search;
+enum class Outcome : unsigned char;
 
 /// Finds the reactions of problems by the cheapest way that leads to the tolerance: those of the
 /// last step, a formula, the forced motion, steps and walks from region to region, sweeps
@@ -41,6 +42,16 @@ class Solver {
   std::size_t bytes() const;
 
  private:
+  /// Natural residuals to reach, m/s.
+  struct Aim {
+    double tolerance;  ///< of an answer
+    double guess;      ///< of a guess that comes back as it is
+  };
+  Aim aimOf(const Problem& problem) const;
+  bool takeGuess(const Problem& problem, const VectorXd& guess, const Aim& aim, Solution& best);
+  Outcome answer(const Problem& problem, const VectorXd* guess, const Aim& aim, Solution& best);
+  void conclude(const Problem& problem, const Aim& aim, Outcome outcome, Solution& best) const;
+
   Options options_;
   std::unique_ptr<Search> search_;
   VectorXd formula_;  ///< reactions of a part that is alone

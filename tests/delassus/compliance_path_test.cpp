@@ -41,7 +41,7 @@ class Way {
   explicit Way(const Problem& problem) : problem_(problem) {
     map_.setProblem(problem_);
     newton_.setProblem(problem_, map_);
-    path_.setProblem(newton_.motion(), problem_, map_);
+    path_.setProblem(newton_.lendMotion(), problem_, map_);
     count_.start(problem_.q);
   }
 
