@@ -94,9 +94,9 @@ std::vector<Mark> thatAreSomewhere(std::vector<Mark> marks) {
 
 /// By our solver's own report, or by the judge of the others. Nothing if nothing was solved: all
 /// sleep, or nothing touches.
-std::optional<double> residual(const NamedSolver& named, const Verdict& verdict) {
+std::optional<double> residual(const NamedSolver& named, const StepResidual& judged) {
   if (named.delassus() == nullptr)
-    return verdict.count > 0 ? std::optional(verdict.max) : std::nullopt;
+    return judged.count > 0 ? std::optional(judged.max) : std::nullopt;
   const delassus::StepReport& report = named.delassus()->report();
   return report.contacts + report.rows > 0 ? std::optional(report.residualMax) : std::nullopt;
 }
@@ -143,7 +143,7 @@ Film record(World& world, NamedSolver& named, double hz, const std::vector<doubl
     if (step > 0) {
       frame.contacts = thatAreSomewhere(contactMarks(world, watch, 1 / hz));
       frame.joints = thatAreSomewhere(jointMarks(world));
-      frame.residual = residual(named, judged.takeVerdict());
+      frame.residual = residual(named, judged.takeResidual());
     }
     frame.lost = !isFinite(world);
     for (const Rope& rope : ropes(world))

@@ -87,9 +87,9 @@ MethodRun solveRepeatedly(const Method& method, const CapturedStep& step,
   JudgedSolver judged(peak, btScalar(problem.cfm()));
   step.solve(judged, info);
   const double firstSeconds = timed.takeSeconds();
-  const Verdict verdict = judged.takeVerdict();
-  run.residualMax = verdict.max;
-  run.residualRms = verdict.rms();
+  const StepResidual first = judged.takeResidual();
+  run.residualMax = first.max;
+  run.residualRms = first.rms();
   run.motion = problem.currentMotion();
   run.memory = readMemory(step);
   run.fallbacks = named.fallbacks();

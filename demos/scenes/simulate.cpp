@@ -24,8 +24,8 @@ class StepJudge {
 
   btConstraintSolver& solver() { return solver_; }
 
-  Verdict takeVerdict() {
-    if (delassus_ == nullptr) return judged_.takeVerdict();
+  StepResidual takeResidual() {
+    if (delassus_ == nullptr) return judged_.takeResidual();
     const delassus::StepReport& report = delassus_->report();
     const long count = report.contacts + report.rows;
     return {report.residualMax, report.residualRms * report.residualRms * double(count), count};
@@ -91,12 +91,12 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
   Tunnelling tunnelling(world);
   const int settled = summary.steps / 4;
   std::vector<double> milliseconds;
-  Verdict verdict;
+  StepResidual settledResidual;
   for (int step = 0; step < summary.steps; ++step) {
     world.step(1 / settings.hz);
 
     milliseconds.push_back(1e3 * timed.takeSeconds());
-    Verdict now = judge.takeVerdict();
+    StepResidual now = judge.takeResidual();
     if (!isFinite(world)) {
       // Lost bodies are left out of contacts and of the problem that is judged: what is left may
       // look sound.
@@ -109,9 +109,9 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
     }
     summary.stepsAbove += !(now.max <= RunSummary::strict);
     if (step >= settled) {
-      verdict.max = largerOf(verdict.max, now.max);
-      verdict.sumOfSquares += now.sumOfSquares;
-      verdict.count += now.count;
+      settledResidual.max = largerOf(settledResidual.max, now.max);
+      settledResidual.sumOfSquares += now.sumOfSquares;
+      settledResidual.count += now.count;
       summary.reactionOverWeight +=
           reactionOverWeight(world, 1 / settings.hz) / (summary.steps - settled);
       if (settings.law)
@@ -136,8 +136,8 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
   summary.msFirst = milliseconds.front();
   summary.msMedian = median(milliseconds);
   summary.msP95 = quantile(milliseconds, 0.95);
-  summary.residualMax = verdict.max;
-  summary.residualRms = verdict.rms();
+  summary.residualMax = settledResidual.max;
+  summary.residualRms = settledResidual.rms();
   summary.kineticEnergy = kineticEnergy(world);
   summary.tunnelled = tunnelling.bodies();
   summary.fallbacks = named.fallbacks();

@@ -135,13 +135,14 @@ TEST(Judge, agreesWithOurOwnReport) {
     double largest = 0;
     for (int i = 0; i < 30; ++i) {
       world->step(1.0 / 60);
-      const Verdict verdict = judged.takeVerdict();
+      const StepResidual residual = judged.takeResidual();
       const delassus::StepReport& report = named.delassus()->report();
       ASSERT_GT(report.contacts, 0);
-      EXPECT_EQ(verdict.count, report.contacts + report.rows);
+      EXPECT_EQ(residual.count, report.contacts + report.rows);
       const double tolerance = byPrecision(1e-8, 1e-4);
-      EXPECT_NEAR(verdict.max, report.residualMax, tolerance + 1e-3 * report.residualMax) << name;
-      EXPECT_NEAR(verdict.rms(), report.residualRms, tolerance + 1e-3 * report.residualRms) << name;
+      EXPECT_NEAR(residual.max, report.residualMax, tolerance + 1e-3 * report.residualMax) << name;
+      EXPECT_NEAR(residual.rms(), report.residualRms, tolerance + 1e-3 * report.residualRms)
+          << name;
       largest = std::max(largest, report.residualMax);
     }
     EXPECT_EQ(largest > 1e-3, std::string(name) == "delassus/1");
@@ -158,7 +159,7 @@ TEST(Judge, findsTheShareOfRollingFrictionThatKeepsTheLaw) {
   world->setSolver(judged);
   for (int i = 0; i < 80; ++i) {
     world->step(1.0 / 60);
-    EXPECT_LE(judged.takeVerdict().max, byPrecision(1e-8, 1e-4)) << i;
+    EXPECT_LE(judged.takeResidual().max, byPrecision(1e-8, 1e-4)) << i;
   }
   world->setSolver(named.solver());
 }

@@ -163,7 +163,7 @@ std::vector<double> live(const Sweep& sweep, double value, const Method& method,
       numbers[NonFinite] += report.nonFinite > 0;
       numbers[LeftOut] += report.leftOut > 0;
     } else {
-      numbers[Residual] = largerOf(numbers[Residual], judged.takeVerdict().max);
+      numbers[Residual] = largerOf(numbers[Residual], judged.takeResidual().max);
     }
     if (lost) numbers[Residual] = std::nan("");
     // What is lost does not come back, and may take very long.
