@@ -103,7 +103,7 @@ TEST(Film, MarksCarryTheWeight) {
   ASSERT_EQ(film.frames.size(), 1u);
   Eigen::Vector3d onGround = Eigen::Vector3d::Zero();
   for (const ContactMark& mark : film.frames[0].contacts) {
-    EXPECT_EQ(mark.mode, ContactMode::Sticking);
+    EXPECT_EQ(mark.mode, delassus::Mode::Stick);
     if (mark.place.y() < 0.1) onGround += mark.force;
   }
   EXPECT_NEAR(onGround.y(), 1009 * 9.81, 1);
@@ -113,7 +113,7 @@ TEST(Film, TellsReleasedContactsInTheirStep) {
   // A bead below a plane leaves it in the first step (paper, 6).
   const Film film = filmOf("bead_under_plane", "delassus", 1.0 / 60);
   ASSERT_EQ(film.frames[0].contacts.size(), 1u);
-  EXPECT_EQ(film.frames[0].contacts[0].mode, ContactMode::Released);
+  EXPECT_EQ(film.frames[0].contacts[0].mode, delassus::Mode::Open);
   EXPECT_EQ(film.frames[0].contacts[0].force.norm(), 0);
 }
 
