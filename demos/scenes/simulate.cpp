@@ -6,36 +6,13 @@
 #include <vector>
 
 #include "bullet_ext/btDelassusConstraintSolver.h"
-#include "demos/scenes/judge.h"
+#include "demos/scenes/solver_in_world.h"
 #include "demos/scenes/statistics.h"
-#include "demos/scenes/timed_solver.h"
+#include "demos/scenes/step_judge.h"
 
 namespace demos {
 
 namespace {
-
-/// The residual of a step, by our solver's own report or by the judge of the others.
-class StepJudge {
- public:
-  StepJudge(btConstraintSolver& solver, const btDelassusConstraintSolver* delassus, btScalar cfm)
-      : delassus_(delassus),
-        judged_(solver, cfm),
-        solver_(delassus != nullptr ? solver : judged_) {}
-
-  btConstraintSolver& solver() { return solver_; }
-
-  StepResidual takeResidual() {
-    if (delassus_ == nullptr) return judged_.takeResidual();
-    const delassus::StepReport& report = delassus_->report();
-    const long count = report.contacts + report.rows;
-    return {report.residualMax, report.residualRms * report.residualRms * double(count), count};
-  }
-
- private:
-  const btDelassusConstraintSolver* delassus_;
-  JudgedSolver judged_;
-  btConstraintSolver& solver_;
-};
 
 void collect(const std::vector<std::string>& told, std::vector<RunSummary::Message>& all) {
   // As in the report of one step: the first ones say enough.
@@ -75,10 +52,8 @@ int stepsIn(double seconds, double hz) {
 RunSummary simulate(World& world, NamedSolver& named, const RunSettings& settings,
                     const std::function<void(double)>& progress) {
   btDiscreteDynamicsWorld& dynamics = world.dynamics();
-  const btScalar sceneCfm = dynamics.getSolverInfo().m_globalCfm;
-  named.configure(dynamics.getSolverInfo());
-  TimedSolver timed(named.solver());
-  StepJudge judge(timed, named.delassus(), sceneCfm);
+  SolverInWorld solving(world, named);
+  StepJudge judge(solving.timed(), named, solving.sceneCfm());
   world.setSolver(judge.solver());
 
   RunSummary summary;
@@ -95,7 +70,7 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
   for (int step = 0; step < summary.steps; ++step) {
     world.step(1 / settings.hz);
 
-    milliseconds.push_back(1e3 * timed.takeSeconds());
+    milliseconds.push_back(1e3 * solving.timed().takeSeconds());
     StepResidual now = judge.takeResidual();
     if (!isFinite(world)) {
       // Lost bodies are left out of contacts and of the problem that is judged: what is left may
@@ -141,8 +116,6 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
   summary.kineticEnergy = kineticEnergy(world);
   summary.tunnelled = tunnelling.bodies();
   summary.fallbacks = named.fallbacks();
-  // The decorators end with this call; the world must not keep them.
-  world.setSolver(named.solver());
   return summary;
 }
 
