@@ -131,7 +131,7 @@ MethodRun solveRepeatedly(const Method& method, const CapturedStep& step,
 }  // namespace
 
 Method methodNamed(const std::string& name) {
-  Method method{name, name.substr(0, name.find_first_of(":/"))};
+  Method method{name, parseSolverName(name).family};
   NamedSolver{name};  // throws UnknownSolver now rather than in an hour
   return method;
 }

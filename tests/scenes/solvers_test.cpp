@@ -49,6 +49,26 @@ TEST(NamedSolver, refusesWhatIsNoName) {
   }
 }
 
+TEST(SolverInWords, knowsEveryForm) {
+  const std::pair<const char*, const char*> words[] = {
+      {"delassus", "Delassus' regions"},
+      {"delassus:1e-4", "Delassus' regions to 1e-4"},
+      {"delassus/10", "Delassus' regions, budget of 10 sweeps an island"},
+      {"si:10", "stock Bullet, sequential impulses, 10 sweeps"},
+      {"si2:20", "stock Bullet, sequential impulses, two friction directions, 20 sweeps"},
+      {"nncg:30", "stock Bullet, NNCG, 30 sweeps"},
+      {"dantzig", "stock Bullet, MLCP by Dantzig"},
+      {"dantzig:1e-6", "stock Bullet, MLCP by Dantzig, CFM 1e-6"},
+      {"lemke", "stock Bullet, MLCP by Lemke"},
+      {"pgs:40", "stock Bullet, projected Gauss-Seidel, 40 sweeps"}};
+  for (const auto& [name, expected] : words) {
+    EXPECT_EQ(NamedSolver(name).name(), name);
+    EXPECT_EQ(solverInWords(name), expected);
+  }
+  EXPECT_EQ(std::size(words), solverForms().size());
+  EXPECT_EQ(solverInWords("bullet"), "");
+}
+
 TEST(NamedSolver, asksForWhatItsNameSays) {
   btContactSolverInfo info;
   NamedSolver("si2:37").configure(info);
