@@ -2,7 +2,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "demos/report/child.h"
+#include "demos/process/apart.h"
 #include "demos/report/figure.h"
 #include "demos/report/markdown.h"
 #include "demos/report/part.h"

@@ -4,8 +4,8 @@
 
 #include "bullet_ext/gather.h"
 #include "delassus/active_set.h"
+#include "demos/process/apart.h"
 #include "demos/report/captured_step.h"
-#include "demos/report/child.h"
 
 namespace demos::report {
 

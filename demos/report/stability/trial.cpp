@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "bullet_ext/btDelassusConstraintSolver.h"
+#include "demos/process/apart.h"
 #include "demos/report/captured_step.h"
-#include "demos/report/child.h"
 #include "demos/report/step_problem.h"
 #include "demos/scenes/measures.h"
 #include "demos/scenes/solver_in_world.h"
