@@ -209,6 +209,27 @@ int runSubject(const RunArguments& arguments) {
   return exitDone;
 }
 
+/// The forms of the solvers' names with their help, a line for each sentence.
+std::string solverHelp() {
+  std::vector<std::pair<std::string, std::string>> lines;
+  bool goesOn = false;
+  for (const SolverForm& form : solverForms()) {
+    if (goesOn) {
+      lines.back().first += ", " + form.name.text();
+      lines.back().second += " " + form.help;
+    } else {
+      lines.emplace_back(form.name.text(), form.help);
+    }
+    goesOn = form.help.back() == ',' || form.help.back() == ';';
+  }
+  std::size_t widest = 0;
+  for (const auto& line : lines) widest = std::max(widest, line.first.size());
+  std::string text;
+  for (const auto& [forms, help] : lines)
+    text += "  " + forms + std::string(widest - forms.size() + 2, ' ') + help + "\n";
+  return text;
+}
+
 }  // namespace
 
 void addRunCommand(CLI::App& app, Action& chosen) {
@@ -220,8 +241,7 @@ void addRunCommand(CLI::App& app, Action& chosen) {
       ->type_name("SCENE|FILE.bullet");
   command
       ->add_option("--solver", arguments->solvers,
-                   "one or more, with commas between: delassus, delassus:TOL, delassus/N, si:N, "
-                   "si2:N, nncg:N, dantzig, dantzig:CFM, lemke, pgs:N")
+                   "one or more, with commas between: " + listOfSolverForms(", "))
       ->type_name("NAME[,NAME]")
       ->capture_default_str();
   command
@@ -246,14 +266,8 @@ void addRunCommand(CLI::App& app, Action& chosen) {
                     "each part costs");
   command->add_flag("--json", arguments->json, "one JSON object a line, one per solver");
   command->footer(
-      "Solvers:\n"
-      "  delassus, delassus:TOL  to its own tolerance, or to TOL, relative to the largest demand\n"
-      "  delassus/N              N sweeps an island and a region for every twenty, at least one\n"
-      "  si:N                    Bullet's sequential impulses, N sweeps\n"
-      "  si2:N                   the same with two friction directions\n"
-      "  nncg:N                  Bullet's nonsmooth nonlinear conjugate gradient\n"
-      "  dantzig, dantzig:CFM    Bullet's MLCP solver, Dantzig's method, with a global CFM\n"
-      "  lemke, pgs:N            the same, Lemke's method; projected Gauss-Seidel, N sweeps\n\n"
+      "Solvers:\n" + solverHelp() +
+      "\n"
       "Residuals (m/s), reaction/weight and the law's error are of the last three quarters of the\n"
       "run, kinetic energy, open/stick/slide and through (bodies in or under what cannot move) of\n"
       "its end, all else of the whole; times are of solveGroup alone.");

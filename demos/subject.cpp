@@ -5,7 +5,7 @@
 
 #include "bullet_ext/btDelassusConstraintSolver.h"
 #include "demos/crash.h"
-#include "demos/report/child.h"
+#include "demos/process/apart.h"
 #include "demos/scenes/bullet_file.h"
 #include "demos/scenes/catalogue.h"
 
@@ -43,10 +43,10 @@ void rehearse(const std::string& file) {
     }
     return std::vector<double>();
   };
-  const report::ApartResult result = report::runApart(work, {patience, bytes});
-  if (result.ending != report::Ending::Done)
+  const ApartResult result = runApart(work, {patience, bytes});
+  if (result.ending != Ending::Done)
     throw BulletFileError(file +
-                          (result.ending == report::Ending::Crashed
+                          (result.ending == Ending::Crashed
                                ? ": is damaged: Bullet's importer, or the first step, crashes on it"
                                : ": reading it and three steps take more than a minute: it is too "
                                  "large, or is damaged"));

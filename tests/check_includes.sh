@@ -3,6 +3,7 @@
 #
 #   Eigen <-- src/delassus <-- bullet_ext <-- demos/scenes <-- demos/{hello, main, render, atlas, report}
 #   (src/delassus also sets the processor's control word: xmmintrin.h)
+#   demos/process <-- demos/{main, report}; it knows the system alone
 #   demos/whole_file <-- {atlas, report}, which do not know each other, nor render; tests may include everything, nothing includes tests.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -14,7 +15,8 @@ door="$core|$bullet|\"bullet_ext/[A-Za-z_]+\.h\""
 scenes="$door|<[A-Za-z/]*btBulletWorldImporter\.h>|\"demos/scenes/[a-z0-9_]+\.h\""
 pictures='<GL/[a-z]+\.h>|<png\.h>|<ft2build\.h>|<freetype/freetype\.h>'
 vectors='<cairo(-svg)?\.h>'
-programs="$scenes|<(CLI|nlohmann|sys)/[A-Za-z_]+\.(hpp|h)>|<(unistd|fcntl|poll|signal|malloc)\.h>"
+processes="$standard|<sys/[a-z]+\.h>|<(unistd|fcntl|poll|signal)\.h>|\"demos/process/[a-z_]+\.h\""
+programs="$scenes|$processes|<(CLI|nlohmann)/[A-Za-z_]+\.(hpp|h)>|<malloc\.h>"
 
 broken=0
 # check FILES... -- ALLOWED: the includes of FILES that do not match ALLOWED are broken promises.
@@ -30,6 +32,7 @@ check bullet_ext/**/*.{h,cpp} -- "$door"
 check demos/scenes/**/*.{h,cpp} -- "$scenes"
 check demos/render/**/*.{h,cpp} -- "$scenes|$pictures|\"demos/render/[a-z_]+\.h\""
 check demos/atlas/**/*.{h,cpp} -- "$scenes|$vectors|\"demos/(atlas/[a-z_]+|whole_file)\.h\""
+check demos/process/**/*.{h,cpp} -- "$processes"
 check demos/report/**/*.{h,cpp} -- "$programs|\"demos/(report/(stability/)?)?[a-z_]+\.h\""
 check demos/*.{h,cpp} -- "$programs|\"demos/((render|atlas|report|report/stability)/)?[a-z_]+\.h\""
 

@@ -9,6 +9,7 @@
 
 namespace demos::render {
 
+using delassus::Mode;
 using Eigen::Vector3d;
 
 namespace {
@@ -24,9 +25,9 @@ std::vector<Mark> marksOf(const Frame& frame) {
   for (const JointMark& joint : frame.joints)
     marks.push_back({joint.place, joint.force, Mark::Shape::Square});
   for (const ContactMark& contact : frame.contacts) {
-    const Mark::Shape shape = contact.mode == ContactMode::Sticking  ? Mark::Shape::Disc
-                              : contact.mode == ContactMode::Sliding ? Mark::Shape::Diamond
-                                                                     : Mark::Shape::Ring;
+    const Mark::Shape shape = contact.mode == Mode::Stick   ? Mark::Shape::Disc
+                              : contact.mode == Mode::Slide ? Mark::Shape::Diamond
+                                                            : Mark::Shape::Ring;
     marks.push_back({contact.place, contact.force, shape});
   }
   return marks;

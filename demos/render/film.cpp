@@ -6,13 +6,12 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "bullet_ext/btDelassusConstraintSolver.h"
 #include "demos/render/marks.h"
-#include "demos/scenes/judge.h"
 #include "demos/scenes/measures.h"
 #include "demos/scenes/simulate.h"
+#include "demos/scenes/solver_in_world.h"
 #include "demos/scenes/statistics.h"
-#include "demos/scenes/timed_solver.h"
+#include "demos/scenes/step_judge.h"
 
 namespace demos::render {
 
@@ -92,15 +91,6 @@ std::vector<Mark> thatAreSomewhere(std::vector<Mark> marks) {
   return marks;
 }
 
-/// By our solver's own report, or by the judge of the others. Nothing if nothing was solved: all
-/// sleep, or nothing touches.
-std::optional<double> residual(const NamedSolver& named, const Verdict& verdict) {
-  if (named.delassus() == nullptr)
-    return verdict.count > 0 ? std::optional(verdict.max) : std::nullopt;
-  const delassus::StepReport& report = named.delassus()->report();
-  return report.contacts + report.rows > 0 ? std::optional(report.residualMax) : std::nullopt;
-}
-
 }  // namespace
 
 Film record(World& world, NamedSolver& named, double hz, const std::vector<double>& times,
@@ -111,11 +101,9 @@ Film record(World& world, NamedSolver& named, double hz, const std::vector<doubl
   const Eigen::Vector3d gravity = toDouble(world.dynamics().getGravity());
   if (gravity.norm() > 0) film.up = -gravity.normalized();
 
-  const btScalar sceneCfm = world.dynamics().getSolverInfo().m_globalCfm;
-  named.configure(world.dynamics().getSolverInfo());
-  TimedSolver timed(named.solver());
-  PersistenceWatch watch(timed);
-  JudgedSolver judged(watch, sceneCfm);
+  SolverInWorld solving(world, named);
+  PersistenceWatch watch(solving.timed());
+  StepJudge judge(watch, named, solving.sceneCfm());
   const JointFeedbacks feedbacks(world);
   Cast cast(film, world.dynamics().getNumCollisionObjects());
 
@@ -129,12 +117,11 @@ Film record(World& world, NamedSolver& named, double hz, const std::vector<doubl
       continue;
     }
     for (; step < last; ++step) {
-      // Judging costs about a solve: only the step that is shown is judged, and ours tells itself.
-      const bool isJudged = step + 1 == last && named.delassus() == nullptr;
-      world.setSolver(isJudged ? static_cast<btConstraintSolver&>(judged) : watch);
+      const bool isShown = step + 1 == last;
+      world.setSolver(judge.solver(isShown));
       watch.startStep(step == 0);
       world.step(1 / hz);
-      milliseconds.push_back(1e3 * timed.takeSeconds());
+      milliseconds.push_back(1e3 * solving.timed().takeSeconds());
       progress(double(step + 1) / double(total));
     }
     Frame frame;
@@ -143,7 +130,8 @@ Film record(World& world, NamedSolver& named, double hz, const std::vector<doubl
     if (step > 0) {
       frame.contacts = thatAreSomewhere(contactMarks(world, watch, 1 / hz));
       frame.joints = thatAreSomewhere(jointMarks(world));
-      frame.residual = residual(named, judged.takeVerdict());
+      const StepResidual residual = judge.takeResidual();
+      if (residual.count > 0) frame.residual = residual.max;
     }
     frame.lost = !isFinite(world);
     for (const Rope& rope : ropes(world))
@@ -151,8 +139,6 @@ Film record(World& world, NamedSolver& named, double hz, const std::vector<doubl
     frame.milliseconds = median(milliseconds);
     film.frames.push_back(std::move(frame));
   }
-  // The decorators end with this call; the world must not keep them.
-  world.setSolver(named.solver());
   return film;
 }
 

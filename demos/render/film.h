@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "delassus/active_set.h"
 #include "demos/render/shape_mesh.h"
 #include "demos/scenes/solvers.h"
 #include "demos/scenes/world.h"
@@ -29,14 +30,11 @@ struct Thing {
   double mass = 0;             ///< kg; 0 if it cannot move
 };
 
-/// What a contact does under the reaction that the solver wrote.
-enum class ContactMode { Sticking, Sliding, Released };
-
 struct ContactMark {
   Eigen::Vector3d place;
   /// N, in the sense that carries: on the body that moves, or against gravity.
   Eigen::Vector3d force;
-  ContactMode mode;
+  delassus::Mode mode;  ///< under the reaction that the solver wrote; open: released
 };
 struct JointMark {
   Eigen::Vector3d place;

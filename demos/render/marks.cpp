@@ -10,6 +10,7 @@
 
 namespace demos::render {
 
+using delassus::Mode;
 using Eigen::Vector3d;
 
 namespace {
@@ -28,7 +29,7 @@ double slidingSpeed(const btPersistentManifold& manifold, const btManifoldPoint&
 
 /// Sliding takes both: a reaction on the border of its cone, and speed. What rests with all its
 /// friction used still sticks.
-ContactMode carryingMode(const btPersistentManifold& manifold, const btManifoldPoint& point) {
+Mode carryingMode(const btPersistentManifold& manifold, const btManifoldPoint& point) {
   // Stock solvers bound friction by a normal impulse that is still on its way.
   constexpr double nearly = 0.999;
   constexpr double atRest = 1e-3;  // m/s
@@ -37,7 +38,7 @@ ContactMode carryingMode(const btPersistentManifold& manifold, const btManifoldP
       writtenReaction(point) - point.m_normalWorldOnB * point.m_appliedImpulse;
   const bool slides =
       double(lateral.length()) >= nearly * bound && slidingSpeed(manifold, point) > atRest;
-  return slides ? ContactMode::Sliding : ContactMode::Sticking;
+  return slides ? Mode::Slide : Mode::Stick;
 }
 
 /// The reaction as it carries: on the one body that moves, else in the sense against gravity.
@@ -104,7 +105,7 @@ std::vector<ContactMark> contactMarks(const World& world, const PersistenceWatch
       const btVector3 place = (body0.getWorldTransform() * point.m_localPointA +
                                body1.getWorldTransform() * point.m_localPointB) /
                               2;
-      ContactMark mark{toDouble(place), Vector3d::Zero(), ContactMode::Released};
+      ContactMark mark{toDouble(place), Vector3d::Zero(), Mode::Open};
       if (carries) {
         mark.force = carrying(toDouble(writtenReaction(point)) / h, body0, body1, gravity);
         mark.mode = carryingMode(manifold, point);

@@ -7,6 +7,7 @@
 #include "demos/render/gl.h"
 #include "demos/render/ground.h"
 #include "demos/render/palette.h"
+#include "demos/scenes/solvers.h"
 
 namespace demos::render {
 
@@ -34,26 +35,6 @@ std::string inWords(Size size) {
 }
 
 }  // namespace
-
-std::string solverInWords(const std::string& name) {
-  const std::size_t mark = std::min(name.find_first_of(":/"), name.size());
-  const std::string method = name.substr(0, mark);
-  const std::string setting = mark < name.size() ? name.substr(mark + 1) : "";
-  const std::string sweeps = ", " + setting + " sweeps";
-  if (method == "delassus") {
-    if (setting.empty()) return "Delassus' regions";
-    return name[mark] == '/' ? "Delassus' regions, budget of " + setting + " sweeps an island"
-                             : "Delassus' regions to " + setting;
-  }
-  if (method == "si") return "stock Bullet, sequential impulses" + sweeps;
-  if (method == "si2") return "stock Bullet, sequential impulses, two friction directions" + sweeps;
-  if (method == "nncg") return "stock Bullet, NNCG" + sweeps;
-  if (method == "pgs") return "stock Bullet, projected Gauss-Seidel" + sweeps;
-  if (method == "lemke") return "stock Bullet, MLCP by Lemke";
-  if (method == "dantzig")
-    return "stock Bullet, MLCP by Dantzig" + (setting.empty() ? "" : ", CFM " + setting);
-  return "";
-}
 
 std::string factsInWords(const Frame& frame, bool timing) {
   std::string facts = inSeconds(frame.time);

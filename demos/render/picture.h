@@ -66,9 +66,6 @@ class Studio {
   Font regular_, bold_;
 };
 
-/// What a solver's name stands for, in words.
-std::string solverInWords(const std::string& name);
-
 /// Time and residual of a frame, as its caption has them; with `timing` also the milliseconds of a
 /// step.
 std::string factsInWords(const Frame& frame, bool timing);

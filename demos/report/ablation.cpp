@@ -4,7 +4,7 @@
 #include <map>
 
 #include "bullet_ext/btDelassusConstraintSolver.h"
-#include "demos/report/child.h"
+#include "demos/process/interrupt.h"
 #include "demos/report/markdown.h"
 #include "demos/report/part.h"
 #include "demos/report/step_problem.h"

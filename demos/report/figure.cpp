@@ -7,7 +7,7 @@
 #include <map>
 #include <sstream>
 
-#include "demos/report/child.h"
+#include "demos/process/other_command.h"
 #include "demos/report/csv.h"
 #include "demos/report/label_places.h"
 #include "demos/whole_file.h"

@@ -8,7 +8,7 @@
 #include <ctime>
 #include <fstream>
 
-#include "demos/report/child.h"
+#include "demos/process/other_command.h"
 #include "demos/subject.h"
 #include "demos/table.h"
 

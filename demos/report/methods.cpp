@@ -87,9 +87,9 @@ MethodRun solveRepeatedly(const Method& method, const CapturedStep& step,
   JudgedSolver judged(peak, btScalar(problem.cfm()));
   step.solve(judged, info);
   const double firstSeconds = timed.takeSeconds();
-  const Verdict verdict = judged.takeVerdict();
-  run.residualMax = verdict.max;
-  run.residualRms = verdict.rms();
+  const StepResidual first = judged.takeResidual();
+  run.residualMax = first.max;
+  run.residualRms = first.rms();
   run.motion = problem.currentMotion();
   run.memory = readMemory(step);
   run.fallbacks = named.fallbacks();
@@ -131,7 +131,7 @@ MethodRun solveRepeatedly(const Method& method, const CapturedStep& step,
 }  // namespace
 
 Method methodNamed(const std::string& name) {
-  Method method{name, name.substr(0, name.find_first_of(":/"))};
+  Method method{name, parseSolverName(name).family};
   NamedSolver{name};  // throws UnknownSolver now rather than in an hour
   return method;
 }

@@ -13,7 +13,7 @@ namespace demos::report {
 /// they do.
 struct Method {
   std::string name;    ///< as in `run`
-  std::string family;  ///< delassus, si, si2, nncg, pgs, dantzig or lemke
+  std::string family;  ///< that of its name
 };
 
 Method methodNamed(const std::string& name);

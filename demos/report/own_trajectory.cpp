@@ -2,14 +2,14 @@
 #include <chrono>
 #include <cmath>
 
-#include "demos/report/child.h"
+#include "demos/process/apart.h"
 #include "demos/report/figure.h"
 #include "demos/report/markdown.h"
 #include "demos/report/part.h"
 #include "demos/scenes/catalogue.h"
 #include "demos/scenes/measures.h"
+#include "demos/scenes/solver_in_world.h"
 #include "demos/scenes/statistics.h"
-#include "demos/scenes/timed_solver.h"
 #include "demos/table.h"
 
 namespace demos::report {
@@ -51,9 +51,7 @@ std::vector<double> live(const SceneDescription& scene, const Method& method, in
   const auto start = Clock::now();
   NamedSolver named(method.name);
   const std::unique_ptr<World> world = scene.build();
-  named.configure(world->dynamics().getSolverInfo());
-  TimedSolver timed(named.solver());
-  world->setSolver(timed);
+  SolverInWorld solving(*world, named);
   const Drift drift(*world);
   const double energy = totalEnergy(*world);
 
@@ -61,7 +59,7 @@ std::vector<double> live(const SceneDescription& scene, const Method& method, in
   std::vector<double> milliseconds, reactions;
   for (int i = 0; i < steps; ++i) {
     world->step(1 / scene.hz);
-    milliseconds.push_back(1e3 * timed.takeSeconds());
+    milliseconds.push_back(1e3 * solving.timed().takeSeconds());
     drifted = largerOf(drifted, drift.largest());
     overlap = largerOf(overlap, deepestPenetration(world->dynamics()));
     joints = largerOf(joints, largestJointError(world->dynamics()));
@@ -72,7 +70,6 @@ std::vector<double> live(const SceneDescription& scene, const Method& method, in
     if (2 * i >= steps) reactions.push_back(reactionOverWeight(*world, 1 / scene.hz));
     if (std::chrono::duration<double>(Clock::now() - start).count() > secondsLimit) break;
   }
-  world->setSolver(named.solver());
   return {double(milliseconds.size()),
           median(milliseconds),
           quantile(milliseconds, 0.95),

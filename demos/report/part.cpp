@@ -4,8 +4,9 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "demos/process/interrupt.h"
+#include "demos/process/other_command.h"
 #include "demos/progress_bar.h"
-#include "demos/report/child.h"
 #include "demos/report/figure.h"
 #include "demos/subject.h"
 #include "demos/whole_file.h"

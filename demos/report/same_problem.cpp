@@ -4,6 +4,7 @@
 #include <set>
 
 #include "bullet_ext/btDelassusConstraintSolver.h"
+#include "demos/process/interrupt.h"
 #include "demos/report/part.h"
 #include "demos/report/same_problem.h"
 #include "demos/scenes/catalogue.h"

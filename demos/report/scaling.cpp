@@ -1,6 +1,7 @@
 #include <cmath>
 #include <set>
 
+#include "demos/process/interrupt.h"
 #include "demos/report/figure.h"
 #include "demos/report/markdown.h"
 #include "demos/report/part.h"

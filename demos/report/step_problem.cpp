@@ -35,14 +35,14 @@ Vec3 velocityAt(const Motion& motion, int body, const Vec3& arm) {
   return v.head<3>() + v.tail<3>().cross(arm);
 }
 
-MotionMode modeOf(const Contact& contact, const Motion& motion) {
+Mode modeOf(const Contact& contact, const Motion& motion) {
   constexpr double standstill = 1e-3;  // m/s
   const Vec3 u = contact.frame.transpose() * (velocityAt(motion, contact.a, contact.armA) -
                                               velocityAt(motion, contact.b, contact.armB)) -
                  contact.target;
-  if (u[0] > standstill) return MotionMode::Open;
+  if (u[0] > standstill) return Mode::Open;
   const bool slides = contact.friction == 0 || std::hypot(u[1], u[2]) > standstill;
-  return slides ? MotionMode::Slide : MotionMode::Stick;
+  return slides ? Mode::Slide : Mode::Stick;
 }
 
 /// Puts the refined motion of an island in the place of what `reactions` make of it. False if there
@@ -157,8 +157,8 @@ double StepProblem::distance(const Motion& v, const Motion& w) const {
   return std::sqrt(squares);
 }
 
-std::vector<MotionMode> StepProblem::modes(const Motion& motion) const {
-  std::vector<MotionMode> modes;
+std::vector<Mode> StepProblem::modes(const Motion& motion) const {
+  std::vector<Mode> modes;
   auto first = motion.begin();
   for (const bullet::Group& group : groups_) {
     const Motion own(first, first + std::ptrdiff_t(group.bodies.size()));

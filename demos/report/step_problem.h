@@ -3,17 +3,14 @@
 #include <vector>
 
 #include "bullet_ext/gather.h"
+#include "delassus/active_set.h"
+#include "demos/process/apart.h"
 #include "demos/report/captured_step.h"
-#include "demos/report/child.h"
 
 namespace demos::report {
 
 /// The velocities of the bodies of all groups of a step, in the order in which they were gathered.
 using Motion = std::vector<delassus::Vec6>;
-
-/// How contacts are taken by a motion, read from the motion alone, since reactions of redundant
-/// contacts are not unique.
-enum class MotionMode : unsigned char { Open, Stick, Slide };
 
 /// All groups of one step as the problem that the law is about.
 class StepProblem {
@@ -33,9 +30,10 @@ class StepProblem {
   Motion currentMotion() const;
   /// |v − w|_M = √( (v − w)ᵀ M (v − w) ), √kg m/s; locked axes do not count.
   double distance(const Motion& v, const Motion& w) const;
-  /// The modes of all contacts: open where u_n > ε, else slide where |u_t| > ε, else stick, ε = 1
-  /// mm/s. A contact without friction is open or slides.
-  std::vector<MotionMode> modes(const Motion& motion) const;
+  /// The modes of all contacts, read from the motion alone, since reactions of redundant contacts
+  /// are not unique: open where u_n > ε, else slide where |u_t| > ε, else stick, ε = 1 mm/s. A
+  /// contact without friction is open or slides.
+  std::vector<delassus::Mode> modes(const Motion& motion) const;
 
   const std::vector<delassus::bullet::Group>& groups() const { return groups_; }
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <optional>
 
-#include "demos/report/child.h"
+#include "demos/process/apart.h"
 #include "demos/report/closed_form.h"
 #include "demos/report/figure.h"
 #include "demos/report/markdown.h"

@@ -33,9 +33,9 @@ VectorXd leastNorm(const MatrixXd& A, const VectorXd& b) {
 
 }  // namespace
 
-double Verdict::rms() const { return count > 0 ? std::sqrt(sumOfSquares / double(count)) : 0; }
+double StepResidual::rms() const { return count > 0 ? std::sqrt(sumOfSquares / double(count)) : 0; }
 
-Verdict JudgedSolver::takeVerdict() { return std::exchange(verdict_, {}); }
+StepResidual JudgedSolver::takeResidual() { return std::exchange(residual_, {}); }
 
 void JudgedSolver::beforeGroup(const GroupArguments& arguments) {
   btContactSolverInfo info = arguments.info;
@@ -71,9 +71,9 @@ void JudgedSolver::afterGroup(const GroupArguments& arguments) {
 
     const VelocityResidual residual = naturalResidual(problem, r);
     const long count = problem.contacts() + problem.rows();
-    verdict_.max = largerOf(verdict_.max, residual.max);
-    verdict_.sumOfSquares += residual.rms * residual.rms * double(count);
-    verdict_.count += count;
+    residual_.max = largerOf(residual_.max, residual.max);
+    residual_.sumOfSquares += residual.rms * residual.rms * double(count);
+    residual_.count += count;
   }
 }
 

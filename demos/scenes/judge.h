@@ -9,7 +9,7 @@
 namespace demos {
 
 /// The natural residual of one step, over all islands, m/s.
-struct Verdict {
+struct StepResidual {
   double max = 0;
   double sumOfSquares = 0;
   long count = 0;  ///< contacts and joint rows judged
@@ -31,8 +31,8 @@ class JudgedSolver : public SolverDecorator {
   /// error.
   JudgedSolver(btConstraintSolver& inner, btScalar cfm) : SolverDecorator(inner), cfm_(cfm) {}
 
-  /// The verdict on all groups since the last call.
-  Verdict takeVerdict();
+  /// That of all groups since the last call.
+  StepResidual takeResidual();
 
  protected:
   void beforeGroup(const GroupArguments& group) override;
@@ -46,7 +46,7 @@ class JudgedSolver : public SolverDecorator {
   void takeFeedbackBack();
 
   btScalar cfm_;
-  Verdict verdict_;
+  StepResidual residual_;
   delassus::bullet::Group group_;
   std::vector<btJointFeedback> lent_;  ///< for joints whose user asked for none
   std::vector<btTypedConstraint*> borrowers_;

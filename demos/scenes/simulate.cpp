@@ -6,36 +6,13 @@
 #include <vector>
 
 #include "bullet_ext/btDelassusConstraintSolver.h"
-#include "demos/scenes/judge.h"
+#include "demos/scenes/solver_in_world.h"
 #include "demos/scenes/statistics.h"
-#include "demos/scenes/timed_solver.h"
+#include "demos/scenes/step_judge.h"
 
 namespace demos {
 
 namespace {
-
-/// The residual of a step, by our solver's own report or by the judge of the others.
-class StepJudge {
- public:
-  StepJudge(btConstraintSolver& solver, const btDelassusConstraintSolver* delassus, btScalar cfm)
-      : delassus_(delassus),
-        judged_(solver, cfm),
-        solver_(delassus != nullptr ? solver : judged_) {}
-
-  btConstraintSolver& solver() { return solver_; }
-
-  Verdict takeVerdict() {
-    if (delassus_ == nullptr) return judged_.takeVerdict();
-    const delassus::StepReport& report = delassus_->report();
-    const long count = report.contacts + report.rows;
-    return {report.residualMax, report.residualRms * report.residualRms * double(count), count};
-  }
-
- private:
-  const btDelassusConstraintSolver* delassus_;
-  JudgedSolver judged_;
-  btConstraintSolver& solver_;
-};
 
 void collect(const std::vector<std::string>& told, std::vector<RunSummary::Message>& all) {
   // As in the report of one step: the first ones say enough.
@@ -75,10 +52,8 @@ int stepsIn(double seconds, double hz) {
 RunSummary simulate(World& world, NamedSolver& named, const RunSettings& settings,
                     const std::function<void(double)>& progress) {
   btDiscreteDynamicsWorld& dynamics = world.dynamics();
-  const btScalar sceneCfm = dynamics.getSolverInfo().m_globalCfm;
-  named.configure(dynamics.getSolverInfo());
-  TimedSolver timed(named.solver());
-  StepJudge judge(timed, named.delassus(), sceneCfm);
+  SolverInWorld solving(world, named);
+  StepJudge judge(solving.timed(), named, solving.sceneCfm());
   world.setSolver(judge.solver());
 
   RunSummary summary;
@@ -91,12 +66,12 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
   Tunnelling tunnelling(world);
   const int settled = summary.steps / 4;
   std::vector<double> milliseconds;
-  Verdict verdict;
+  StepResidual settledResidual;
   for (int step = 0; step < summary.steps; ++step) {
     world.step(1 / settings.hz);
 
-    milliseconds.push_back(1e3 * timed.takeSeconds());
-    Verdict now = judge.takeVerdict();
+    milliseconds.push_back(1e3 * solving.timed().takeSeconds());
+    StepResidual now = judge.takeResidual();
     if (!isFinite(world)) {
       // Lost bodies are left out of contacts and of the problem that is judged: what is left may
       // look sound.
@@ -109,9 +84,9 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
     }
     summary.stepsAbove += !(now.max <= RunSummary::strict);
     if (step >= settled) {
-      verdict.max = largerOf(verdict.max, now.max);
-      verdict.sumOfSquares += now.sumOfSquares;
-      verdict.count += now.count;
+      settledResidual.max = largerOf(settledResidual.max, now.max);
+      settledResidual.sumOfSquares += now.sumOfSquares;
+      settledResidual.count += now.count;
       summary.reactionOverWeight +=
           reactionOverWeight(world, 1 / settings.hz) / (summary.steps - settled);
       if (settings.law)
@@ -136,13 +111,11 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
   summary.msFirst = milliseconds.front();
   summary.msMedian = median(milliseconds);
   summary.msP95 = quantile(milliseconds, 0.95);
-  summary.residualMax = verdict.max;
-  summary.residualRms = verdict.rms();
+  summary.residualMax = settledResidual.max;
+  summary.residualRms = settledResidual.rms();
   summary.kineticEnergy = kineticEnergy(world);
   summary.tunnelled = tunnelling.bodies();
   summary.fallbacks = named.fallbacks();
-  // The decorators end with this call; the world must not keep them.
-  world.setSolver(named.solver());
   return summary;
 }
 

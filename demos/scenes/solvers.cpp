@@ -17,10 +17,15 @@ namespace demos {
 
 namespace {
 
+/// Null if there is none.
+const SolverForm* formOf(const SolverName& name) {
+  for (const SolverForm& form : solverForms())
+    if (form.name.family == name.family && form.name.mark == name.mark) return &form;
+  return nullptr;
+}
+
 [[noreturn]] void refuse(const std::string& name) {
-  throw UnknownSolver("there is no solver '" + name +
-                      "'; there are delassus, delassus:TOL, delassus/N, si:N, si2:N, "
-                      "nncg:N, dantzig, dantzig:CFM, lemke and pgs:N");
+  throw UnknownSolver("there is no solver '" + name + "'; there are " + listOfSolverForms(" and "));
 }
 
 /// The name's part after the mark, as a count of at least one.
@@ -42,39 +47,89 @@ double numberIn(const std::string& name, const std::string& argument) {
 
 }  // namespace
 
-NamedSolver::NamedSolver(const std::string& name) : name_(name) {
-  const std::size_t mark = name.find_first_of(":/");
-  const bool hasArgument = mark != std::string::npos;
-  const bool hasBudget = hasArgument && name[mark] == '/';
-  const std::string kind = name.substr(0, mark);
-  const std::string argument = hasArgument ? name.substr(mark + 1) : "";
-  if (hasBudget && kind != "delassus") refuse(name);
+std::string SolverName::text() const { return mark == '\0' ? family : family + mark + argument; }
 
-  if (kind == "delassus") {
+SolverName parseSolverName(const std::string& name) {
+  const std::size_t mark = name.find_first_of(":/");
+  if (mark == std::string::npos) return {name};
+  return {name.substr(0, mark), name[mark], name.substr(mark + 1)};
+}
+
+const std::vector<SolverForm>& solverForms() {
+  static const std::vector<SolverForm> forms{
+      {{"delassus"}, "to its own tolerance,", "Delassus' regions"},
+      {{"delassus", ':', "TOL"},
+       "or to TOL, relative to the largest demand",
+       "Delassus' regions to {}"},
+      {{"delassus", '/', "N"},
+       "N sweeps an island and a region for every twenty, at least one",
+       "Delassus' regions, budget of {} sweeps an island"},
+      {{"si", ':', "N"},
+       "Bullet's sequential impulses, N sweeps",
+       "stock Bullet, sequential impulses, {} sweeps"},
+      {{"si2", ':', "N"},
+       "the same with two friction directions",
+       "stock Bullet, sequential impulses, two friction directions, {} sweeps"},
+      {{"nncg", ':', "N"},
+       "Bullet's nonsmooth nonlinear conjugate gradient",
+       "stock Bullet, NNCG, {} sweeps"},
+      {{"dantzig"}, "Bullet's MLCP solver, Dantzig's method,", "stock Bullet, MLCP by Dantzig"},
+      {{"dantzig", ':', "CFM"}, "with a global CFM", "stock Bullet, MLCP by Dantzig, CFM {}"},
+      {{"lemke"}, "the same, Lemke's method;", "stock Bullet, MLCP by Lemke"},
+      {{"pgs", ':', "N"},
+       "projected Gauss-Seidel, N sweeps",
+       "stock Bullet, projected Gauss-Seidel, {} sweeps"}};
+  return forms;
+}
+
+std::string listOfSolverForms(const std::string& last) {
+  std::string list;
+  const std::vector<SolverForm>& forms = solverForms();
+  for (std::size_t i = 0; i < forms.size(); ++i)
+    list += (i == 0 ? "" : i + 1 < forms.size() ? ", " : last) + forms[i].name.text();
+  return list;
+}
+
+std::string solverInWords(const std::string& name) {
+  const SolverName parsed = parseSolverName(name);
+  const SolverForm* form = formOf(parsed);
+  if (form == nullptr) return "";
+  std::string words = form->caption;
+  const std::string place = "{}";
+  if (const std::size_t at = words.find(place); at != std::string::npos)
+    words.replace(at, place.size(), parsed.argument);
+  return words;
+}
+
+NamedSolver::NamedSolver(const std::string& name) : name_(name) {
+  const auto [family, mark, argument] = parseSolverName(name);
+  if (formOf({family, mark}) == nullptr) refuse(name);
+
+  if (family == "delassus") {
     constexpr int sweepsOfRegion = 20;  // what a region costs in small piles; more in large ones
     delassus::Options options;
-    if (hasBudget) {
+    if (mark == '/') {
       options.sweepBudget = countIn(name, argument);
       options.newtonBudget = std::max(1, options.sweepBudget / sweepsOfRegion);
-    } else if (hasArgument) {
+    } else if (mark == ':') {
       options.tolerance = numberIn(name, argument);
     }
     auto solver = std::make_unique<btDelassusConstraintSolver>(options);
     delassus_ = solver.get();
     solver_ = std::move(solver);
-  } else if ((kind == "si" || kind == "si2") && hasArgument) {
+  } else if (family == "si" || family == "si2") {
     sweeps_ = countIn(name, argument);
-    twoFrictionDirections_ = kind == "si2";
+    twoFrictionDirections_ = family == "si2";
     solver_ = std::make_unique<btSequentialImpulseConstraintSolver>();
-  } else if (kind == "nncg" && hasArgument) {
+  } else if (family == "nncg") {
     sweeps_ = countIn(name, argument);
     solver_ = std::make_unique<btNNCGConstraintSolver>();
-  } else if (kind == "dantzig") {
-    if (hasArgument) cfm_ = numberIn(name, argument);
+  } else if (family == "dantzig") {
+    if (mark == ':') cfm_ = numberIn(name, argument);
     method_ = std::make_unique<btDantzigSolver>();
-  } else if (kind == "lemke" && !hasArgument) {
+  } else if (family == "lemke") {
     method_ = std::make_unique<btLemkeSolver>();
-  } else if (kind == "pgs" && hasArgument) {
+  } else if (family == "pgs") {
     sweeps_ = countIn(name, argument);
     method_ = std::make_unique<btSolveProjectedGaussSeidel>();
   } else {

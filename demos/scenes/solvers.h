@@ -21,15 +21,31 @@ class UnknownSolver : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The constraint solver that a name stands for, and the settings of the world that go with it:
-///
-///     delassus, delassus:TOL    region selection, to its default tolerance or to TOL
-///     delassus/N                the same, an island with N sweeps and a region for every twenty of
-///                               them, but at least one
-///     si:N, si2:N, nncg:N       Bullet's sequential impulses, the same with two friction
-///                               directions, and NNCG; N sweeps
-///     dantzig, dantzig:CFM      Bullet's MLCP solver on Dantzig's method, with the global CFM
-///     lemke, pgs:N              the same on Lemke's method, and on N projected Gauss-Seidel sweeps
+/// The parts of a solver's name: "si:10" is of the family "si", with the argument "10".
+struct SolverName {
+  std::string family;
+  char mark = '\0';  ///< ':' or '/' before the argument; '\0' if there is none
+  std::string argument = "";
+
+  std::string text() const;
+};
+SolverName parseSolverName(const std::string& name);
+
+/// One way to name a solver, and what there is to say of it.
+struct SolverForm {
+  SolverName name;      ///< with a word for the argument: N, TOL or CFM
+  std::string help;     ///< goes on in that of the next form where it ends in a comma or semicolon
+  std::string caption;  ///< with {} for the argument
+};
+/// All there are: what is not of one of these forms is no solver.
+const std::vector<SolverForm>& solverForms();
+/// "delassus, delassus:TOL, ..."; `last` stands before the last one.
+std::string listOfSolverForms(const std::string& last);
+/// What a picture calls the solver; nothing if there is none of this name.
+std::string solverInWords(const std::string& name);
+
+/// The constraint solver that a name stands for (solverForms), and the settings of the world that
+/// go with it.
 class NamedSolver {
  public:
   /// Throws UnknownSolver.

@@ -10,7 +10,7 @@ namespace delassus::peers {
 
 namespace {
 
-using demos::report::Ending;
+using demos::Ending;
 
 /// A solver in the form in which it was seen to reach the tolerance.
 struct Candidate {

@@ -21,7 +21,7 @@
 #include "delassus/problem_text.h"
 #include "demos/command.h"
 #include "demos/number_checks.h"
-#include "demos/report/child.h"
+#include "demos/process/interrupt.h"
 #include "tests/peers/page.h"
 #include "tests/peers/siconos.h"
 
@@ -74,7 +74,7 @@ void comparePeers(const Arguments& arguments) {
   const std::vector<Problem> problems = readProblems(arguments.folder);
   const std::vector<Peer> peers = siconosSolvers();
   Page page(arguments.out);
-  const demos::report::InterruptWatch watch;
+  const demos::InterruptWatch watch;
   useOneThread();
 
   page.say(preface());

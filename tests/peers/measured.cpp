@@ -9,7 +9,7 @@ namespace delassus::peers {
 
 namespace {
 
-using demos::report::Ending;
+using demos::Ending;
 
 /// Counts the time of the processor that this process takes: others on the machine interrupt long
 /// solves more often than short ones.
@@ -82,7 +82,7 @@ Measured measure(const Problem& problem, const Contestant& contestant, double se
     numbers.insert(numbers.end(), seconds.begin(), seconds.end());
     return numbers;
   };
-  const auto result = demos::report::runApart(work, {secondsLimit + repeatFor});
+  const auto result = demos::runApart(work, {secondsLimit + repeatFor});
 
   Measured measured;
   measured.secondsInAll = result.seconds;

@@ -2,14 +2,14 @@
 
 #include <vector>
 
-#include "demos/report/child.h"
+#include "demos/process/apart.h"
 #include "tests/peers/contestant.h"
 
 namespace delassus::peers {
 
 /// One contestant on one problem, as the judge of all of them saw it.
 struct Measured {
-  demos::report::Ending ending = demos::report::Ending::Crashed;
+  demos::Ending ending = demos::Ending::Crashed;
   double rel = 0, vel = 0;      ///< as `delassus solve` measures them
   bool satisfied = false;       ///< the solver says that it has reached what it was asked for
   std::vector<double> seconds;  ///< of the processor, of single solves

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "demos/report/child.h"
+#include "demos/process/other_command.h"
 
 namespace demos::report {
 namespace {

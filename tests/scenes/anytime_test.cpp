@@ -11,9 +11,9 @@
 namespace demos {
 namespace {
 
-/// The verdict on the solver called `name` in the step after `steps` exact ones: all see the same
+/// The residual of the solver called `name` in the step after `steps` exact ones: all see the same
 /// world and the same impulses of the step before.
-Verdict judgeStep(const SceneDescription& scene, int steps, const std::string& name) {
+StepResidual judgeStep(const SceneDescription& scene, int steps, const std::string& name) {
   const auto world = scene.build();
   NamedSolver exact("delassus"), tried(name);
   world->setSolver(exact.solver());
@@ -22,9 +22,9 @@ Verdict judgeStep(const SceneDescription& scene, int steps, const std::string& n
   tried.configure(world->dynamics().getSolverInfo());
   world->setSolver(judged);
   world->step(1 / scene.hz);
-  const Verdict verdict = judged.takeVerdict();
+  const StepResidual residual = judged.takeResidual();
   world->setSolver(exact.solver());
-  return verdict;
+  return residual;
 }
 
 class OneStep : public testing::TestWithParam<const char*> {};
@@ -35,8 +35,8 @@ TEST_P(OneStep, isNoWorseThanSequentialImpulsesWithAsManySweeps) {
   for (const int steps : {0, 40})
     for (const int sweeps : {10, 50}) {
       const std::string budget = std::to_string(sweeps);
-      const Verdict ours = judgeStep(scene, steps, "delassus/" + budget);
-      const Verdict stock = judgeStep(scene, steps, "si:" + budget);
+      const StepResidual ours = judgeStep(scene, steps, "delassus/" + budget);
+      const StepResidual stock = judgeStep(scene, steps, "si:" + budget);
       EXPECT_LE(ours.rms(), alike * stock.rms() + rounding) << steps << " steps, " << sweeps;
       EXPECT_LE(ours.max, alike * stock.max + rounding) << steps << " steps, " << sweeps;
     }

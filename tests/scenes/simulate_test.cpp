@@ -3,6 +3,7 @@
 #include "demos/scenes/simulate.h"
 
 #include <limits>
+#include <stdexcept>
 
 #include "demos/scenes/builders.h"
 #include "tests/scenes/run_scene.h"
@@ -58,6 +59,28 @@ TEST(Simulate, losesAWorldFromTheStepInWhichItIsLost) {
   EXPECT_GT(run.stepsLost, 0);
   EXPECT_LT(run.stepsLost, 6);
   EXPECT_TRUE(std::isnan(run.driftMax));
+}
+
+// Whoever goes on with the world must not meet what looked on, nor the settings of another solver.
+TEST(Simulate, givesTheWorldItsOwnSolverBackWhateverEndsTheRun) {
+  for (const char* solver : {"si2:37", "dantzig:1e-6", "delassus"}) {
+    const auto world = buildStack(3, 1);
+    btDiscreteDynamicsWorld& dynamics = world->dynamics();
+    const btConstraintSolver* own = dynamics.getConstraintSolver();
+    const btContactSolverInfo settings = dynamics.getSolverInfo();
+    {
+      NamedSolver named(solver);
+      const auto stop = [](double fraction) {
+        if (fraction > 0.5) throw std::runtime_error("enough");
+      };
+      EXPECT_THROW(simulate(*world, named, {0.1, 60}, stop), std::runtime_error);
+    }
+    EXPECT_EQ(dynamics.getConstraintSolver(), own);
+    EXPECT_EQ(dynamics.getSolverInfo().m_numIterations, settings.m_numIterations);
+    EXPECT_EQ(dynamics.getSolverInfo().m_solverMode, settings.m_solverMode);
+    EXPECT_EQ(dynamics.getSolverInfo().m_globalCfm, settings.m_globalCfm);
+    world->step(1.0 / 60);
+  }
 }
 
 TEST(Tunnelling, countsWhatIsBehindASurfaceOrFellOutBelow) {

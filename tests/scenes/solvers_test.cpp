@@ -49,6 +49,26 @@ TEST(NamedSolver, refusesWhatIsNoName) {
   }
 }
 
+TEST(SolverInWords, knowsEveryForm) {
+  const std::pair<const char*, const char*> words[] = {
+      {"delassus", "Delassus' regions"},
+      {"delassus:1e-4", "Delassus' regions to 1e-4"},
+      {"delassus/10", "Delassus' regions, budget of 10 sweeps an island"},
+      {"si:10", "stock Bullet, sequential impulses, 10 sweeps"},
+      {"si2:20", "stock Bullet, sequential impulses, two friction directions, 20 sweeps"},
+      {"nncg:30", "stock Bullet, NNCG, 30 sweeps"},
+      {"dantzig", "stock Bullet, MLCP by Dantzig"},
+      {"dantzig:1e-6", "stock Bullet, MLCP by Dantzig, CFM 1e-6"},
+      {"lemke", "stock Bullet, MLCP by Lemke"},
+      {"pgs:40", "stock Bullet, projected Gauss-Seidel, 40 sweeps"}};
+  for (const auto& [name, expected] : words) {
+    EXPECT_EQ(NamedSolver(name).name(), name);
+    EXPECT_EQ(solverInWords(name), expected);
+  }
+  EXPECT_EQ(std::size(words), solverForms().size());
+  EXPECT_EQ(solverInWords("bullet"), "");
+}
+
 TEST(NamedSolver, asksForWhatItsNameSays) {
   btContactSolverInfo info;
   NamedSolver("si2:37").configure(info);
@@ -135,13 +155,14 @@ TEST(Judge, agreesWithOurOwnReport) {
     double largest = 0;
     for (int i = 0; i < 30; ++i) {
       world->step(1.0 / 60);
-      const Verdict verdict = judged.takeVerdict();
+      const StepResidual residual = judged.takeResidual();
       const delassus::StepReport& report = named.delassus()->report();
       ASSERT_GT(report.contacts, 0);
-      EXPECT_EQ(verdict.count, report.contacts + report.rows);
+      EXPECT_EQ(residual.count, report.contacts + report.rows);
       const double tolerance = byPrecision(1e-8, 1e-4);
-      EXPECT_NEAR(verdict.max, report.residualMax, tolerance + 1e-3 * report.residualMax) << name;
-      EXPECT_NEAR(verdict.rms(), report.residualRms, tolerance + 1e-3 * report.residualRms) << name;
+      EXPECT_NEAR(residual.max, report.residualMax, tolerance + 1e-3 * report.residualMax) << name;
+      EXPECT_NEAR(residual.rms(), report.residualRms, tolerance + 1e-3 * report.residualRms)
+          << name;
       largest = std::max(largest, report.residualMax);
     }
     EXPECT_EQ(largest > 1e-3, std::string(name) == "delassus/1");
@@ -158,7 +179,7 @@ TEST(Judge, findsTheShareOfRollingFrictionThatKeepsTheLaw) {
   world->setSolver(judged);
   for (int i = 0; i < 80; ++i) {
     world->step(1.0 / 60);
-    EXPECT_LE(judged.takeVerdict().max, byPrecision(1e-8, 1e-4)) << i;
+    EXPECT_LE(judged.takeResidual().max, byPrecision(1e-8, 1e-4)) << i;
   }
   world->setSolver(named.solver());
 }

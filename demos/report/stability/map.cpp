@@ -6,8 +6,9 @@
 #include <optional>
 
 #include "demos/command.h"
+#include "demos/process/interrupt.h"
+#include "demos/process/other_command.h"
 #include "demos/progress_bar.h"
-#include "demos/report/child.h"
 #include "demos/report/part.h"
 #include "demos/report/stability/page.h"
 #include "demos/subject.h"

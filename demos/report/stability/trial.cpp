@@ -9,13 +9,13 @@
 #include <stdexcept>
 
 #include "bullet_ext/btDelassusConstraintSolver.h"
+#include "demos/process/apart.h"
 #include "demos/report/captured_step.h"
-#include "demos/report/child.h"
 #include "demos/report/step_problem.h"
-#include "demos/scenes/judge.h"
 #include "demos/scenes/measures.h"
+#include "demos/scenes/solver_in_world.h"
 #include "demos/scenes/statistics.h"
-#include "demos/scenes/timed_solver.h"
+#include "demos/scenes/step_judge.h"
 
 namespace demos::report::stability {
 
@@ -123,27 +123,23 @@ std::vector<double> live(const Sweep& sweep, double value, const Method& method,
   Trial trial = sweep.build(value);
   World& world = *trial.world;
   NamedSolver named(method.name);
-  const btScalar cfm = world.dynamics().getSolverInfo().m_globalCfm;
-  named.configure(world.dynamics().getSolverInfo());
-  TimedSolver timed(named.solver());
-  JudgedSolver judged(timed, cfm);
+  SolverInWorld solving(world, named);
+  StepJudge judge(solving.timed(), named, solving.sceneCfm());
+  world.setSolver(judge.solver());
   const auto gained = energyGainedFrom(world, 1);
 
   std::vector<double> numbers(measured.size(), 0), milliseconds;
-  const bool ours = named.delassus() != nullptr;
   named.setGeometricStiffness(trial.geometricStiffness);
-  btConstraintSolver& solver = ours ? static_cast<btConstraintSolver&>(timed) : judged;
-  world.setSolver(solver);
   for (int step = 0; step < trial.steps; ++step) {
     if (step == 0) {
-      const StepError first =
-          stepError(trial, solver, cfm, [&truth](const StepProblem&) { return truth; });
+      const StepError first = stepError(trial, judge.solver(), solving.sceneCfm(),
+                                        [&truth](const StepProblem&) { return truth; });
       numbers[FirstError] = first.error;
       numbers[FirstCertified] = first.certified;
     } else {
       world.step(trial.timeStep);
     }
-    milliseconds.push_back(1e3 * timed.takeSeconds());
+    milliseconds.push_back(1e3 * solving.timed().takeSeconds());
 
     numbers[Steps] += 1;
     const double error = trial.error((step + 1) * trial.timeStep);
@@ -152,9 +148,9 @@ std::vector<double> live(const Sweep& sweep, double value, const Method& method,
     const bool lost = std::isnan(error) || !isFinite(world);
     numbers[WorstError] = std::max(numbers[WorstError], lost ? INFINITY : error);
     numbers[EnergyGain] = largerOf(numbers[EnergyGain], gained(0));
-    if (ours) {
+    numbers[Residual] = largerOf(numbers[Residual], judge.takeResidual().max);
+    if (named.delassus() != nullptr) {
       const delassus::StepReport& report = named.delassus()->report();
-      numbers[Residual] = largerOf(numbers[Residual], report.residualMax);
       // Steps, not islands: what share of the time something was reported.
       const bool said = report.outOfBudget + report.incompatible + report.nonFinite > 0;
       numbers[Solved] += !said;
@@ -162,8 +158,6 @@ std::vector<double> live(const Sweep& sweep, double value, const Method& method,
       numbers[Incompatible] += report.incompatible > 0;
       numbers[NonFinite] += report.nonFinite > 0;
       numbers[LeftOut] += report.leftOut > 0;
-    } else {
-      numbers[Residual] = largerOf(numbers[Residual], judged.takeVerdict().max);
     }
     if (lost) numbers[Residual] = std::nan("");
     // What is lost does not come back, and may take very long.
@@ -175,14 +169,14 @@ std::vector<double> live(const Sweep& sweep, double value, const Method& method,
   // Of a stiffened step the problem is another one than that of its bodies.
   if (plan.lastCertificateLimit > 0 && !trial.geometricStiffness &&
       processorSeconds() - start <= secondsLimit)
-    last = stepError(trial, solver, cfm, [&plan](const StepProblem& problem) {
-      return 3 * problem.contacts() + problem.rows() <= mostRefined
-                 ? certify(problem, plan.lastCertificateLimit, mostRefined)
-                 : Certified();
-    });
+    last =
+        stepError(trial, judge.solver(), solving.sceneCfm(), [&plan](const StepProblem& problem) {
+          return 3 * problem.contacts() + problem.rows() <= mostRefined
+                     ? certify(problem, plan.lastCertificateLimit, mostRefined)
+                     : Certified();
+        });
   numbers[LastError] = last.error;
   numbers[LastCertified] = last.certified;
-  world.setSolver(named.solver());
   numbers[Ms] = median(milliseconds);
   return numbers;
 }

@@ -40,7 +40,7 @@ MapPlan planFor(const SweepGroup& group, MapPlan plan);
 /// All methods at all values of a sweep, each trial in a process of its own.
 CsvTable measureSweep(const Sweep& sweep, const MapPlan& plan, const Progress& progress);
 
-/// The values that are tried: all, or in a quick map every second one.
+/// The values that are tried: all, or in a quick map every third one.
 std::vector<double> valuesOf(const Sweep& sweep, const MapPlan& plan);
 
 }  // namespace demos::report::stability

@@ -1,5 +1,5 @@
 // Work in a process of its own: its numbers come back, its accidents do not.
-#include "demos/report/child.h"
+#include "demos/process/apart.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -9,7 +9,7 @@
 
 #include <cstdlib>
 
-namespace demos::report {
+namespace demos {
 namespace {
 
 TEST(RunApart, bringsTheNumbersBack) {
@@ -85,12 +85,5 @@ TEST(RunApart, endsWithItsParent) {
   close(ends[1]);
 }
 
-TEST(CallCommand, returnsStatusAndText) {
-  const CommandResult echo = callCommand({"echo", "two words"});
-  EXPECT_EQ(echo.status, 0);
-  EXPECT_EQ(echo.text, "two words\n");
-  EXPECT_EQ(callCommand({"no-such-command-anywhere"}).status, 127);
-}
-
 }  // namespace
-}  // namespace demos::report
+}  // namespace demos
