@@ -2,8 +2,8 @@
 /// root of the project:
 ///
 ///     bash .ci/setup.sh peers && cmake --preset peers && cmake --build --preset peers
-///     taskset -c 1 build-peers/tests/peers/delassus_peers ../shared/problems \
-///         --out renders/report/peers.md
+///     taskset -c 1 build-peers/tests/peers/delassus_peers ../shared/problems
+///         --out renders/report/peers.md   (one line)
 ///
 /// Every solve is cold: reactions zero, nothing known of the problem but W, q and μ. Its time is
 /// that of the solve with all that is derived from these, without reading the file, in milliseconds
