@@ -69,8 +69,10 @@ void countTier(Tier tier, StepReport& report) {
 }
 
 /// What messages say after the name of a contact or joint that is blamed.
-const char* reasonOf(Status status) {
-  switch (status) {
+const char* reasonOf(const IslandResult& island) {
+  if (island.isSoftened)
+    return ": the exact answer would throw a body; the one taken is as if contacts gave a little";
+  switch (island.status) {
     case Status::OutOfBudget:
       return ": the budget of its island ended above the tolerance; the error is largest here";
     case Status::Incompatible:
@@ -137,11 +139,12 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::Workspace::countSol
     const IslandResult& island = answer.islands[i];
     countStatus(island.status, report);
     countTier(island.tier, report);
+    addTo(report.softened, island.isSoftened);
     work.residualMax = std::max(work.residualMax, island.residualMax);
     residualSquares += island.residualRms * island.residualRms * island.parts;
     residualParts += island.parts;
     for (int unknown : island.blamed)
-      report.tell(nameOf(group, answer, static_cast<int>(i), unknown) + reasonOf(island.status));
+      report.tell(nameOf(group, answer, static_cast<int>(i), unknown) + reasonOf(island));
   }
   report.residualMax = std::max(report.residualMax, work.residualMax);
   if (residualParts > 0) report.residualRms = std::sqrt(residualSquares / residualParts);

@@ -1,35 +1,17 @@
 #include "bullet_ext/push.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
+#include "bullet_ext/soften.h"
 #include "delassus/contact_motion.h"
 
 namespace delassus::bullet {
 namespace {
 
-/// How far bodies may slip past each other, in largest p: out of a wedge of 11 degrees they are
-/// pushed exactly.
-constexpr double reach = 10;
-/// Of contacts that give a little, s' in what they answer if no axis is locked: pinched as above,
-/// with one contact a face, a body goes p ε/(ε²/2 + s') ≤ p/√(2 s').
-constexpr double softness = 0.5 / (reach * reach);
-
 /// How fast two bodies slip past each other, m/s.
 double slipOf(const std::vector<Body>& bodies, const Contact& c) {
   const Vec3 v = slip(bodies, c), n = c.frame.col(0);
   return (v - n.dot(v) * n).norm();
-}
-
-/// W_nn of the contact if no axis of a body that moves were locked, 1/kg.
-double unlockedResponse(const std::vector<Body>& bodies, const Contact& c) {
-  const auto share = [&](int index, const Vec3& arm) {
-    if (index == fixedWorld) return 0.0;
-    const Body& body = bodies[index];
-    const Vec3 turn = arm.cross(Vec3(c.frame.col(0)));
-    return body.inverseMass.maxCoeff() + turn.dot(body.inverseInertia * turn);
-  };
-  return share(c.a, c.armA) + share(c.b, c.armB);
 }
 
 void findContacts(const Group& group, bool all, std::vector<Contact>& found) {
@@ -88,8 +70,7 @@ void solvePushes(const Group& group, bool all, Workshop& workshop, Pushes& pushe
     push(bench, island);
     if (!throwsOne(island)) return;
     pushes.isSoftened[i] = 1;
-    for (const int k : island.frictionless)
-      contacts[k].compliance += softness * unlockedResponse(pushes.bodies, contacts[k]);
+    for (const int k : island.frictionless) soften(pushes.bodies, contacts[k]);
     for (const int body : island.bodies) pushes.bodies[body].velocity.setZero();
     push(bench, island);
   });

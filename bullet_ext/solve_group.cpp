@@ -6,6 +6,7 @@
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
+#include "bullet_ext/soften.h"
 #include "delassus/island.h"
 #include "delassus/residual.h"
 
@@ -79,7 +80,7 @@ void note(const Solution& solution, int parts, IslandResult& result) {
   result.residualMax = solution.residual;
   result.residualRms = solution.residualRms;
   result.parts = parts;
-  result.open = false;
+  result.open = result.isSoftened = false;
   result.blamed = solution.blamed;
 }
 
@@ -132,6 +133,54 @@ void checkIsland(const Group& group, const Island& island, const Economies& econ
   keepReactions(island, bench.solution, answer);
 }
 
+/// How fast the body, or its point at `arm`, is, m/s.
+double speedOf(const std::vector<Body>& bodies, int body, const Vec3& arm) {
+  if (body == fixedWorld) return 0;
+  const Vec6& v = bodies[body].velocity;
+  return std::max(v.head<3>().norm(), v.tail<3>().norm() * arm.norm());
+}
+
+double fasterOf(const std::vector<Body>& bodies, const Contact& c) {
+  return std::max(speedOf(bodies, c.a, c.armA), speedOf(bodies, c.b, c.armB));
+}
+
+/// Whether what presses leaves more than `reach` times as fast as anything in the island was, or is
+/// asked to be (`demand`, m/s).
+bool throwsOne(const Group& group, const Island& island, double demand, const Answer& answer) {
+  double before = demand, after = 0;
+  for (const std::vector<int>* contacts : {&island.frictional, &island.frictionless})
+    for (const int k : *contacts) {
+      before = std::max(before, fasterOf(group.bodies, group.contacts[k]));
+      if (answer.contacts[k][0] > 0)
+        after = std::max(after, fasterOf(answer.bodies, group.contacts[k]));
+    }
+  return after > reach * before;
+}
+
+/// Takes the answer back, and finds that for contacts that give a little. Its residual is that of
+/// the law as it stands.
+void solveSoftened(const Group& group, const Island& island, const Problem& problem, Bench& bench,
+                   Answer& answer, IslandResult& result) {
+  const Problem rigid = problem;  // whose storage is used again
+  std::vector<Contact> contacts = group.contacts;
+  for (const std::vector<int>* own : {&island.frictional, &island.frictionless})
+    for (const int k : *own) soften(group.bodies, contacts[k]);
+  const Problem& soft = bench.assembler.assemble(group.bodies, contacts, group.rows, island);
+  Solution& solution = bench.solution;
+  bench.solver.solve(soft, VectorXd(), solution);
+  bench.counts.add(solution);
+  if (!fitsBullet(solution.r)) return;
+  for (const int body : island.bodies) answer.bodies[body] = group.bodies[body];
+  keepReactions(island, solution, answer);
+  applyReaction(answer.bodies, group.contacts, group.rows, island, solution.r);
+  const VelocityResidual residual = naturalResidual(rigid, solution.r);
+  result.isSoftened = true;
+  result.status = Status::Incompatible;
+  result.residualMax = residual.max;
+  result.residualRms = residual.rms;
+  result.blamed = {residual.worst};
+}
+
 void solveIsland(const Group& group, const Island& island, Bench& bench, Answer& answer,
                  IslandResult& result) {
   const Problem& apart = bench.assembler.assemble(group.bodies, group.contacts, group.rows, island);
@@ -152,7 +201,10 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
   if (fitsBullet(solution.r)) {
     keepReactions(island, solution, answer);
     applyReaction(answer.bodies, group.contacts, group.rows, island, solution.r);
-    if (articulated) bench.coupling.addGain(group.articulation, solution.r, answer.gains);
+    if (articulated)
+      bench.coupling.addGain(group.articulation, solution.r, answer.gains);
+    else if (throwsOne(group, island, problem.demand(), answer))
+      solveSoftened(group, island, problem, bench, answer, result);
   } else {
     // Better no reaction than one that spoils the world; the residual says how good that is.
     for (int i : island.frictional) answer.contacts[i].setZero();

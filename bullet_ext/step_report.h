@@ -31,14 +31,15 @@ struct StepReport {
   double residualMax = 0;
   double residualRms = 0;  ///< m/s, over contacts and rows
   int solved = 0, outOfBudget = 0, incompatible = 0, nonFinite = 0;  ///< islands by status
+  /// Islands whose exact answer would throw a body: solved as if contacts gave a little (soften.h),
+  /// and among the incompatible.
+  int softened = 0;
   /// Bodies, contacts, rows and steps that were solved around: not finite or absurd.
   int leftOut = 0;
   int stiffened = 0;     ///< bodies that setGeometricStiffness had turn more slowly
   int pushIslands = 0;   ///< islands of the split-impulse problem, not counted in `islands`
   int pushUnsolved = 0;  ///< those of them that ended without status solved
-  /// Islands of pushes whose exact answer would throw a body: solved as if what touches gave a
-  /// little (push.h).
-  int pushSoftened = 0;
+  int pushSoftened = 0;  ///< the same among those of the split-impulse problem (push.h)
   /// Constraints without rows that moved something in their own solveConstraintObsolete.
   int obsoleteConstraints = 0;
   /// Reading bodies, contacts, joints and what is known of the last step.

@@ -99,6 +99,7 @@ nlohmann::ordered_json explanation(const StepTotals& totals) {
   for (const auto& [key, count] : islands) json["islands"][key] = totals.aStep(count);
   json["matrices"] = totals.aStep(sum.matrices);
   json["push_islands"] = totals.aStep(sum.pushIslands);
+  json["softened"] = totals.aStep(sum.softened);
   json["push_softened"] = totals.aStep(sum.pushSoftened);
   json["events"] = totals.aStep(sum.events);
   return json;

@@ -53,7 +53,7 @@ std::vector<Cost> costsOf(const StepTotals& totals) {
            count("islands: with W", sum.matrices) + count(", by formula", sum.closedForms) +
                count(", walked", sum.walks) + count("; sweeps", sum.sweeps) +
                count(", patches", sum.patches) + count(", regions", sum.regions) +
-               count(", factorisations", sum.factorisations)),
+               count(", factorisations", sum.factorisations) + count("; softened", sum.softened)),
       cost("push", "push", sum.secondsPush,
            count("islands", sum.pushIslands) + count(", softened", sum.pushSoftened)),
       cost("write_back", "write back", sum.secondsWriteBack, count("events", sum.events)),

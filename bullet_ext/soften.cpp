@@ -1,0 +1,19 @@
+#include "bullet_ext/soften.h"
+
+#include <Eigen/Geometry>
+
+namespace delassus::bullet {
+
+void soften(const std::vector<Body>& bodies, Contact& contact) {
+  constexpr double softness = 0.5 / (reach * reach);
+  const auto response = [&](int index, const Vec3& arm) {
+    if (index == fixedWorld) return 0.0;
+    const Body& body = bodies[index];
+    const Vec3 turn = arm.cross(Vec3(contact.frame.col(0)));
+    return body.inverseMass.maxCoeff() + turn.dot(body.inverseInertia * turn);
+  };
+  contact.compliance +=
+      softness * (response(contact.a, contact.armA) + response(contact.b, contact.armB));
+}
+
+}  // namespace delassus::bullet
