@@ -4,6 +4,7 @@
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "BulletDynamics/Featherstone/btMultiBodyConstraint.h"
 #include "BulletDynamics/Featherstone/btMultiBodyLinkCollider.h"
+#include "bullet_ext/extension.h"
 #include "delassus/bytes.h"
 
 namespace delassus::bullet {
@@ -59,6 +60,19 @@ std::size_t Group::bytes() const {
                  rowGuess, joints, multiBodyRows, asked) +
          obsolete.capacity() * sizeof(void*) + indexOf.bytes() + joined.bytes() +
          articulation.bytes();
+}
+
+void gatherGroup(Group& group, const GroupInput& input, StepReport& report, Extension* extension,
+                 bool asStock) {
+  const btContactSolverInfo& info = *input.info;
+  group.clear();
+  gatherBodies(group, input.bodies, input.bodyCount, info, report);
+  if (extension) extension->gatherBodies(group, input, report);
+  gatherJoined(group, input.constraints, input.constraintCount);
+  gatherContacts(group, input.manifolds, input.manifoldCount, info, input.dispatcher, report);
+  gatherJoints(group, input.constraints, input.constraintCount, info, report);
+  if (extension) extension->gatherRows(group, input, report);
+  gatherTurningFriction(group, asStock);
 }
 
 const char* faultOfRow(const Row& row) {

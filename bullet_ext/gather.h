@@ -6,6 +6,7 @@
 #include "LinearMath/btScalar.h"
 #include "bullet_ext/address_table.h"
 #include "bullet_ext/contact_event.h"
+#include "bullet_ext/group_input.h"
 #include "bullet_ext/joined_bodies.h"
 #include "bullet_ext/step_report.h"
 #include "delassus/articulation.h"
@@ -13,15 +14,12 @@
 #include "delassus/contact.h"
 #include "delassus/row.h"
 
-class btCollisionObject;
-class btDispatcher;
 class btMultiBodyConstraint;
-class btPersistentManifold;
 class btRigidBody;
-class btTypedConstraint;
-struct btContactSolverInfo;
 
 namespace delassus::bullet {
+
+class Extension;
 
 /// Stands where a body index is expected for a body that is not fit to take part.
 constexpr int leftOut = -2;
@@ -124,6 +122,13 @@ struct Group {
   bool isLimb(int body) const { return body >= 0 && !bodySources[body].rigid; }
 };
 
+/// Reads a whole solveGroup call into `group`, which forgets what it was. An extension is asked for
+/// its parts in between; `asStock`: see gatherTurningFriction. Of Bullet's objects only joints are
+/// written to: their impulses and feedback are cleared. The functions below are its parts, in their
+/// order.
+void gatherGroup(Group& group, const GroupInput& input, StepReport& report,
+                 Extension* extension = nullptr, bool asStock = false);
+
 /// Index of the object in `group`, which it joins if it is new: a body, fixedWorld or leftOut.
 ///
 /// A body, contact or row whose numbers are not finite or absurd is left out: the rest is solved as
@@ -175,8 +180,8 @@ bool warmStarts(const btContactSolverInfo& info);
 ///
 /// W_ii is that of the masses without linear and angular factors, as in Bullet's solvers. A row
 /// whose impulse could move nothing, since its bodies are locked along it, takes no part (Bullet's
-/// gains no more than a little a sweep there). A disabled joint has no rows; its impulse and
-/// feedback are cleared.
+/// gains no more than a little a sweep there). A disabled joint has no rows. Impulses and feedback
+/// are cleared.
 void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
                   const btContactSolverInfo& info, StepReport& report);
 

@@ -174,11 +174,11 @@ void MultiBodyParts::addLink(Group& group, const btMultiBodyLinkCollider& collid
   group.indexOf.insert(&collider, addLimb(group, tree, limb));
 }
 
-void MultiBodyParts::gatherBodies(Group& group, StepReport& report) {
+void MultiBodyParts::gatherBodies(Group& group, const GroupInput& input, StepReport& report) {
   trees_.clear();
   limbs_.clear();
-  for (int i = 0; i < input_.manifoldCount; ++i) {
-    const btPersistentManifold& manifold = *input_.manifolds[i];
+  for (int i = 0; i < input.manifoldCount; ++i) {
+    const btPersistentManifold& manifold = *input.manifolds[i];
     if (manifold.getNumContacts() == 0) continue;
     for (const btCollisionObject* object : {manifold.getBody0(), manifold.getBody1()})
       if (const btMultiBodyLinkCollider* link = linkOf(object)) addLink(group, *link, report);
@@ -186,7 +186,7 @@ void MultiBodyParts::gatherBodies(Group& group, StepReport& report) {
 }
 
 /// Constraints find their rigid partners among the solver bodies by these numbers.
-void MultiBodyParts::lendCompanionIds(const Group& group) {
+void MultiBodyParts::lendCompanionIds(const Group& group, const GroupInput& input) {
   const auto count = static_cast<int>(group.bodies.size());
   const int fixed = count, absent = count + 1;
   solverBodies_.resizeNoInitialize(0);
@@ -199,8 +199,8 @@ void MultiBodyParts::lendCompanionIds(const Group& group) {
   data_.m_solverBodyPool = &solverBodyPool_;
   data_.m_fixedBodyId = fixed;
 
-  for (int i = 0; i < input_.bodyCount; ++i) {
-    btCollisionObject& object = *input_.bodies[i];
+  for (int i = 0; i < input.bodyCount; ++i) {
+    btCollisionObject& object = *input.bodies[i];
     if (const btMultiBodyLinkCollider* link = linkOf(&object))
       link->m_multiBody->setCompanionId(-1);
     if (!btRigidBody::upcast(&object)) continue;
@@ -211,8 +211,8 @@ void MultiBodyParts::lendCompanionIds(const Group& group) {
     if (btRigidBody* rigid = group.bodySources[i].rigid) rigid->setCompanionId(i);
 }
 
-void MultiBodyParts::takeBackCompanionIds(const Group& group) {
-  for (int i = 0; i < input_.bodyCount; ++i) input_.bodies[i]->setCompanionId(-1);
+void MultiBodyParts::takeBackCompanionIds(const Group& group, const GroupInput& input) {
+  for (int i = 0; i < input.bodyCount; ++i) input.bodies[i]->setCompanionId(-1);
   for (const BodySource& source : group.bodySources)
     if (source.rigid) source.rigid->setCompanionId(-1);
   for (int i = 0; i < rows_.size(); ++i)
@@ -220,12 +220,12 @@ void MultiBodyParts::takeBackCompanionIds(const Group& group) {
       if (body) body->setCompanionId(-1);
 }
 
-void MultiBodyParts::askRows(btMultiBodyConstraint& constraint) {
+void MultiBodyParts::askRows(btMultiBodyConstraint& constraint, const btContactSolverInfo& info) {
   // Bullet's arrays hand out what was there before.
   const int begin = rows_.size();
   rows_.resize(begin + constraint.getNumRows(), blankRow());
   rows_.resizeNoInitialize(begin);
-  constraint.createConstraintRows(rows_, data_, *input_.info);
+  constraint.createConstraintRows(rows_, data_, info);
 }
 
 /// What is wrong with a row as Bullet made it, or null.
@@ -307,18 +307,18 @@ void MultiBodyParts::addRow(Group& group, btMultiBodyConstraint& constraint, int
       {rowIndex, &constraint, asked, dof, constraint.getAppliedImpulse(dof)});
 }
 
-void MultiBodyParts::gatherRows(Group& group, StepReport& report) {
+void MultiBodyParts::gatherRows(Group& group, const GroupInput& input, StepReport& report) {
   rows_.resizeNoInitialize(0);
-  if (input_.constraintCount == 0) return;
+  if (constraintCount_ == 0) return;
   data_.m_jacobians.resizeNoInitialize(0);
   data_.m_deltaVelocitiesUnitImpulse.resizeNoInitialize(0);
   data_.m_deltaVelocities.resizeNoInitialize(0);
 
-  lendCompanionIds(group);
-  for (int i = 0; i < input_.constraintCount; ++i) {
-    btMultiBodyConstraint& constraint = *input_.constraints[i];
+  lendCompanionIds(group, input);
+  for (int i = 0; i < constraintCount_; ++i) {
+    btMultiBodyConstraint& constraint = *constraints_[i];
     const int begin = rows_.size();
-    askRows(constraint);
+    askRows(constraint, *input.info);
     for (int k = begin; k < rows_.size(); ++k) {
       const int named = rows_[k].m_orgDofIndex;
       const int dof = named >= 0 ? named : k - begin;
@@ -328,7 +328,7 @@ void MultiBodyParts::gatherRows(Group& group, StepReport& report) {
     for (int dof = 0; dof < constraint.getNumRows(); ++dof)
       constraint.internalSetAppliedImpulse(dof, 0);
   }
-  takeBackCompanionIds(group);
+  takeBackCompanionIds(group, input);
 }
 
 void MultiBodyParts::recall(Group& group) const {
@@ -337,8 +337,9 @@ void MultiBodyParts::recall(Group& group) const {
     if (std::isfinite(source.guess)) group.rowGuess[source.row] = source.guess;
 }
 
-void MultiBodyParts::writeBack(const Group& group, const Answer& answer) {
-  const double h = input_.info->m_timeStep;
+void MultiBodyParts::writeBack(const Group& group, const Answer& answer,
+                               const btContactSolverInfo& info) {
+  const double h = info.m_timeStep;
   const auto addToLimb = [&](int body, const Vec3& force, const Vec3& torque) {
     const Articulation::Limb* limb = group.articulation.limbOf(body);
     if (!limb) return;
@@ -361,7 +362,7 @@ void MultiBodyParts::writeBack(const Group& group, const Answer& answer) {
     const btMultiBodySolverConstraint& row = rows_[source.asked];
     const auto r = static_cast<btScalar>(answer.rows[source.row]);
     source.constraint->internalSetAppliedImpulse(source.dof, r);
-    const btScalar force = r / input_.info->m_timeStep;
+    const btScalar force = r / info.m_timeStep;
     if (row.m_multiBodyA)
       addForce(*row.m_multiBodyA, row.m_linkA, row.m_contactNormal1 * force,
                row.m_relpos1CrossNormal * force);

@@ -25,27 +25,19 @@ namespace delassus::bullet {
 /// row that its constraint has switched off (d = 0) has no part.
 class MultiBodyParts : public Extension {
  public:
-  /// What was passed; good until the end of the group.
-  struct Input {
-    btCollisionObject** bodies;
-    int bodyCount;
-    btPersistentManifold** manifolds;
-    int manifoldCount;
-    btMultiBodyConstraint** constraints;
-    int constraintCount;
-    const btContactSolverInfo* info;
-  };
-  void setInput(const Input& input) {
-    input_ = input;
+  /// Those that were passed with the group; good until its end.
+  void setConstraints(btMultiBodyConstraint** constraints, int count) {
+    constraints_ = constraints;
     // Of an unsplit group Bullet passes as many as there are joints, of an array that may be none.
-    if (!input_.constraints) input_.constraintCount = 0;
+    constraintCount_ = constraints ? count : 0;
   }
 
-  void gatherBodies(Group& group, StepReport& report) override;
-  void gatherRows(Group& group, StepReport& report) override;
+  void gatherBodies(Group& group, const GroupInput& input, StepReport& report) override;
+  void gatherRows(Group& group, const GroupInput& input, StepReport& report) override;
   void recall(Group& group) const override;
   /// Velocities, forces on links for joint feedback, and the impulses of constraints.
-  void writeBack(const Group& group, const Answer& answer) override;
+  void writeBack(const Group& group, const Answer& answer,
+                 const btContactSolverInfo& info) override;
   void release() override;
   std::size_t bytes() const override;
 
@@ -69,14 +61,15 @@ class MultiBodyParts : public Extension {
   void findMotion(const btMultiBodyLinkCollider& collider, Matrix6X& L);
   void addLink(Group& group, const btMultiBodyLinkCollider& collider, StepReport& report);
 
-  void lendCompanionIds(const Group& group);
-  void takeBackCompanionIds(const Group& group);
-  void askRows(btMultiBodyConstraint& constraint);
+  void lendCompanionIds(const Group& group, const GroupInput& input);
+  void takeBackCompanionIds(const Group& group, const GroupInput& input);
+  void askRows(btMultiBodyConstraint& constraint, const btContactSolverInfo& info);
   const char* faultOfInput(Group& group, const btMultiBodySolverConstraint& row);
   void addRow(Group& group, btMultiBodyConstraint& constraint, int asked, int dof,
               StepReport& report);
 
-  Input input_{};
+  btMultiBodyConstraint** constraints_ = nullptr;
+  int constraintCount_ = 0;
   KeptList<TreeSource> trees_;
   KeptList<LimbSource> limbs_;  ///< as in the articulation; stems have no body
   btMultiBodyConstraintArray rows_;
