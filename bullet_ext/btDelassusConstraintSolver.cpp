@@ -12,6 +12,7 @@
 #include "bullet_ext/memory.h"
 #include "bullet_ext/plan.h"
 #include "bullet_ext/push.h"
+#include "bullet_ext/saturating_sum.h"
 #include "bullet_ext/solve_group.h"
 #include "bullet_ext/workshop.h"
 #include "bullet_ext/write_back.h"

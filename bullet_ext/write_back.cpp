@@ -7,6 +7,7 @@
 #include "LinearMath/btTransformUtil.h"
 #include "bullet_ext/convert.h"
 #include "bullet_ext/prefetch.h"
+#include "bullet_ext/saturating_sum.h"
 
 namespace delassus::bullet {
 namespace {
