@@ -9,6 +9,7 @@
 #include "bullet_ext/extension.h"
 #include "bullet_ext/gather.h"
 #include "bullet_ext/geometric_stiffness.h"
+#include "bullet_ext/group.h"
 #include "bullet_ext/memory.h"
 #include "bullet_ext/plan.h"
 #include "bullet_ext/push.h"
@@ -16,6 +17,7 @@
 #include "bullet_ext/solve_group.h"
 #include "bullet_ext/workshop.h"
 #include "bullet_ext/write_back.h"
+#include "delassus/bytes.h"
 #include "delassus/quiet_arithmetic.h"
 
 using namespace delassus;

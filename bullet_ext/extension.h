@@ -2,12 +2,17 @@
 
 #include <cstddef>
 
-#include "bullet_ext/gather.h"
-#include "bullet_ext/group_input.h"
+struct btContactSolverInfo;
+
+namespace delassus {
+struct StepReport;
+}
 
 namespace delassus::bullet {
 
 struct Answer;
+struct Group;
+struct GroupInput;
 
 /// The parts of a group that btRigidBody and btTypedConstraint cannot say.
 class Extension {

@@ -9,7 +9,10 @@
 #include "BulletDynamics/Featherstone/btMultiBody.h"
 #include "BulletDynamics/Featherstone/btMultiBodyLinkCollider.h"
 #include "bullet_ext/convert.h"
+#include "bullet_ext/gather.h"
+#include "bullet_ext/names.h"
 #include "bullet_ext/obsolete.h"
+#include "bullet_ext/softness.h"
 #include "bullet_ext/solve_group.h"
 
 namespace delassus::bullet {

@@ -4,6 +4,10 @@
 
 #include "BulletDynamics/Featherstone/btMultiBodyConstraint.h"
 #include "bullet_ext/extension.h"
+#include "bullet_ext/group_input.h"
+#include "delassus/articulation.h"
+#include "delassus/kept_list.h"
+#include "delassus/row.h"
 
 class btMultiBodyLinkCollider;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bullet_ext/group.h"
 #include "bullet_ext/saturating_sum.h"
 #include "bullet_ext/solve_group.h"
 

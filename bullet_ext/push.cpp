@@ -3,6 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "bullet_ext/group.h"
+#include "delassus/bytes.h"
+
 namespace delassus::bullet {
 namespace {
 
