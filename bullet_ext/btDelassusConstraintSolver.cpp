@@ -9,12 +9,15 @@
 #include "bullet_ext/extension.h"
 #include "bullet_ext/gather.h"
 #include "bullet_ext/geometric_stiffness.h"
+#include "bullet_ext/group.h"
 #include "bullet_ext/memory.h"
 #include "bullet_ext/plan.h"
 #include "bullet_ext/push.h"
+#include "bullet_ext/saturating_sum.h"
 #include "bullet_ext/solve_group.h"
 #include "bullet_ext/workshop.h"
 #include "bullet_ext/write_back.h"
+#include "delassus/bytes.h"
 #include "delassus/quiet_arithmetic.h"
 
 using namespace delassus;
@@ -179,16 +182,16 @@ btScalar btDelassusConstraintSolver::solveGroup(btCollisionObject** bodies, int 
                                                 int constraintCount,
                                                 const btContactSolverInfo& info, btIDebugDraw*,
                                                 btDispatcher* dispatcher) {
-  solve(bodies, bodyCount, manifolds, manifoldCount, constraints, constraintCount, info, dispatcher,
+  solve({bodies, bodyCount, manifolds, manifoldCount, constraints, constraintCount, &info,
+         dispatcher},
         nullptr);
   return 0;
 }
 
-btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(
-    btCollisionObject** bodies, int bodyCount, btPersistentManifold** manifolds, int manifoldCount,
-    btTypedConstraint** constraints, int constraintCount, const btContactSolverInfo& info,
-    btDispatcher* dispatcher, Extension* extension) {
+btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(const GroupInput& input,
+                                                                   Extension* extension) {
   std::optional<QuietArithmetic> quiet(std::in_place);
+  const btContactSolverInfo& info = *input.info;
   Workspace& w = *workspace_;
   if (!(info.m_timeStep > 0) || !std::isfinite(info.m_timeStep)) {
     report_.leaveOut("step", "its time step is not a positive number");
@@ -201,14 +204,7 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(
     w.release();
     if (extension) extension->release();
   }
-  w.group.clear();
-  gatherBodies(w.group, bodies, bodyCount, info, report_);
-  if (extension) extension->gatherBodies(w.group, report_);
-  gatherJoined(w.group, constraints, constraintCount);
-  gatherContacts(w.group, manifolds, manifoldCount, info, dispatcher, report_);
-  gatherJoints(w.group, constraints, constraintCount, info, report_);
-  if (extension) extension->gatherRows(w.group, report_);
-  gatherTurningFriction(w.group, stockRollingFriction_);
+  gatherGroup(w.group, input, report_, extension, stockRollingFriction_);
   if (warmStarts(info)) {
     w.memory.recall(w.group);
     if (extension) extension->recall(w.group);
@@ -246,7 +242,7 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(
   writeContacts(w.group, w.answer, report_, plan.events ? &w.events : nullptr,
                 turningListener_ != nullptr);
   writeJoints(w.group, w.answer, info);
-  if (extension) extension->writeBack(w.group, w.answer);
+  if (extension) extension->writeBack(w.group, w.answer, info);
   addTo(report_.events, static_cast<int>(w.events.size()));
   laps.end(report_.secondsWriteBack);
 

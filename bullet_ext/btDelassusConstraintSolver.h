@@ -12,7 +12,8 @@
 
 namespace delassus::bullet {
 class Extension;
-}
+struct GroupInput;
+}  // namespace delassus::bullet
 
 /// Steps a Bullet world on Delassus' regions: contacts with Coulomb's round cone and joints, solved
 /// exactly, island by island.
@@ -95,10 +96,7 @@ class btDelassusConstraintSolver : public btConstraintSolver {
     int iterations = 0;       ///< regions and sweeps, without those of pushes
     double residualMax = -1;  ///< m/s; −1 if nothing was solved
   };
-  Work solve(btCollisionObject** bodies, int bodyCount, btPersistentManifold** manifolds,
-             int manifoldCount, btTypedConstraint** constraints, int constraintCount,
-             const btContactSolverInfo& info, btDispatcher* dispatcher,
-             delassus::bullet::Extension* extension);
+  Work solve(const delassus::bullet::GroupInput& input, delassus::bullet::Extension* extension);
 
   struct Workspace;
   std::unique_ptr<Workspace> workspace_;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "bullet_ext/btDelassusConstraintSolver.h"
+#include "bullet_ext/group_input.h"
 #include "bullet_ext/multi_body_parts.h"
 
 using namespace delassus;
@@ -39,10 +40,10 @@ void btDelassusMultiBodyConstraintSolver::solveMultiBodyGroup(
     btTypedConstraint** constraints, int constraintCount,
     btMultiBodyConstraint** multiBodyConstraints, int multiBodyConstraintCount,
     const btContactSolverInfo& info, btIDebugDraw*, btDispatcher* dispatcher) {
-  parts_->articulated.setInput({bodies, bodyCount, manifolds, manifoldCount, multiBodyConstraints,
-                                multiBodyConstraintCount, &info});
-  const auto work = parts_->rigid.solve(bodies, bodyCount, manifolds, manifoldCount, constraints,
-                                        constraintCount, info, dispatcher, &parts_->articulated);
+  parts_->articulated.setConstraints(multiBodyConstraints, multiBodyConstraintCount);
+  const auto work = parts_->rigid.solve({bodies, bodyCount, manifolds, manifoldCount, constraints,
+                                         constraintCount, &info, dispatcher},
+                                        &parts_->articulated);
 
   m_analyticsData.m_islandId = bodyCount > 0 ? bodies[0]->getIslandTag() : -2;
   m_analyticsData.m_numBodies = bodyCount;

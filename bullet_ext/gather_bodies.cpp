@@ -4,6 +4,7 @@
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "bullet_ext/convert.h"
 #include "bullet_ext/gather.h"
+#include "bullet_ext/names.h"
 
 namespace delassus::bullet {
 namespace {

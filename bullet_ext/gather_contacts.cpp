@@ -10,7 +10,9 @@
 #include "bullet_ext/contact_frame.h"
 #include "bullet_ext/convert.h"
 #include "bullet_ext/gather.h"
+#include "bullet_ext/names.h"
 #include "bullet_ext/prefetch.h"
+#include "bullet_ext/softness.h"
 
 namespace delassus::bullet {
 namespace {

@@ -4,6 +4,8 @@
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "bullet_ext/convert.h"
 #include "bullet_ext/gather.h"
+#include "bullet_ext/names.h"
+#include "bullet_ext/softness.h"
 
 namespace delassus::bullet {
 namespace {

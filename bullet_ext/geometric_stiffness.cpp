@@ -12,7 +12,7 @@
 #include "BulletDynamics/ConstraintSolver/btSliderConstraint.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "bullet_ext/convert.h"
-#include "bullet_ext/gather.h"
+#include "bullet_ext/group.h"
 
 namespace delassus::bullet {
 namespace {

@@ -3,7 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "bullet_ext/gather.h"
+#include "bullet_ext/address_table.h"
+#include "bullet_ext/group.h"
 
 namespace delassus::bullet {
 

@@ -4,6 +4,9 @@
 
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "bullet_ext/convert.h"
+#include "bullet_ext/group.h"
+#include "bullet_ext/names.h"
+#include "bullet_ext/step_report.h"
 
 namespace delassus::bullet {
 namespace {

@@ -1,11 +1,19 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "BulletDynamics/ConstraintSolver/btSolverBody.h"
-#include "bullet_ext/gather.h"
+#include "delassus/body.h"
+#include "delassus/bytes.h"
+
+namespace delassus {
+struct StepReport;
+}
 
 namespace delassus::bullet {
+
+struct Group;
 
 /// A rigid body of the group as constraints that are written for Bullet's sequential impulse solver
 /// expect it: the velocity of the start of the step, and the gain from forces apart. Anything else

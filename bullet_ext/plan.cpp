@@ -2,16 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "bullet_ext/group.h"
+#include "bullet_ext/saturating_sum.h"
 #include "bullet_ext/solve_group.h"
 
 namespace delassus {
-
-void addTo(int& sum, int more) {
-  constexpr int most = std::numeric_limits<int>::max();
-  sum = more > most - sum ? most : sum + more;
-}
 
 void Plan::add(const Plan& group) {
   for (const auto count :

@@ -9,9 +9,6 @@ struct Answer;
 struct Group;
 }  // namespace bullet
 
-/// Adds to a count, which stays at the largest number rather than overflow.
-void addTo(int& sum, int more);
-
 /// What a step asks for, counted in what was gathered before anything is solved, and what it is
 /// made of therefore. Nothing else exists in the step: no unknowns, no pass, no events.
 struct Plan {

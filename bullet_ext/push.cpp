@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "bullet_ext/group.h"
 #include "bullet_ext/soften.h"
+#include "delassus/bytes.h"
 #include "delassus/contact_motion.h"
 
 namespace delassus::bullet {

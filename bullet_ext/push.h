@@ -3,11 +3,14 @@
 #include <cstddef>
 #include <vector>
 
-#include "bullet_ext/gather.h"
 #include "bullet_ext/workshop.h"
+#include "delassus/body.h"
+#include "delassus/contact.h"
 #include "delassus/island.h"
 
 namespace delassus::bullet {
+
+struct Group;
 
 /// Split impulse: how the bodies have to be moved out of each other, as velocities over one step.
 ///

@@ -6,7 +6,10 @@
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
+#include "bullet_ext/group.h"
+#include "bullet_ext/names.h"
 #include "bullet_ext/soften.h"
+#include "delassus/bytes.h"
 #include "delassus/island.h"
 #include "delassus/residual.h"
 

@@ -3,15 +3,25 @@
 #include <string>
 #include <vector>
 
-#include "bullet_ext/gather.h"
+#include "bullet_ext/contact_event.h"
 #include "bullet_ext/obsolete.h"
 #include "bullet_ext/workshop.h"
 #include "delassus/active_set.h"
 #include "delassus/articulation.h"
+#include "delassus/body.h"
+#include "delassus/economies.h"
 #include "delassus/island.h"
 #include "delassus/solution.h"
 
+struct btContactSolverInfo;
+
+namespace delassus {
+struct StepReport;
+}
+
 namespace delassus::bullet {
+
+struct Group;
 
 /// How the solve of one island ended.
 struct IslandResult {

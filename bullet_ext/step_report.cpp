@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "bullet_ext/saturating_sum.h"
+
 namespace delassus {
 
 void StepReport::tell(const std::string& message) {

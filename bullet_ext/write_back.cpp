@@ -6,7 +6,12 @@
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "LinearMath/btTransformUtil.h"
 #include "bullet_ext/convert.h"
+#include "bullet_ext/group.h"
 #include "bullet_ext/prefetch.h"
+#include "bullet_ext/push.h"
+#include "bullet_ext/saturating_sum.h"
+#include "bullet_ext/solve_group.h"
+#include "bullet_ext/step_report.h"
 
 namespace delassus::bullet {
 namespace {

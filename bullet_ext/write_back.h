@@ -2,12 +2,21 @@
 
 #include <vector>
 
+#include "LinearMath/btScalar.h"
 #include "bullet_ext/contact_event.h"
-#include "bullet_ext/gather.h"
-#include "bullet_ext/push.h"
-#include "bullet_ext/solve_group.h"
+
+struct btContactSolverInfo;
+
+namespace delassus {
+struct StepReport;
+}
 
 namespace delassus::bullet {
+
+struct Answer;
+struct Group;
+struct JointSource;
+struct Pushes;
 
 /// Velocities of the movable bodies.
 void writeVelocities(const Group& group, const Answer& answer);

@@ -44,13 +44,7 @@ class ProblemCatcher : public SolverDecorator {
     if (!catching_) return;
     bullet::Group group;
     StepReport ignored;
-    bullet::gatherBodies(group, arguments.bodies, arguments.bodyCount, arguments.info, ignored);
-    bullet::gatherJoined(group, arguments.constraints, arguments.constraintCount);
-    bullet::gatherContacts(group, arguments.manifolds, arguments.manifoldCount, arguments.info,
-                           arguments.dispatcher, ignored);
-    bullet::gatherJoints(group, arguments.constraints, arguments.constraintCount, arguments.info,
-                         ignored);
-    bullet::gatherTurningFriction(group);
+    bullet::gatherGroup(group, arguments, ignored);
     for (const Island& island : splitIslands(group.bodies, group.contacts, group.rows))
       problems_.push_back(assemble(group.bodies, group.contacts, group.rows, island));
   }

@@ -31,10 +31,7 @@ class StepCatcher : public SolverDecorator {
  protected:
   void beforeGroup(const GroupArguments& arguments) override {
     StepReport ignored;
-    group_.clear();
-    bullet::gatherBodies(group_, arguments.bodies, arguments.bodyCount, arguments.info, ignored);
-    bullet::gatherContacts(group_, arguments.manifolds, arguments.manifoldCount, arguments.info,
-                           arguments.dispatcher, ignored);
+    bullet::gatherGroup(group_, arguments, ignored);
     problem_ = Problem();
     for (const Island& island : splitIslands(group_.bodies, group_.contacts, group_.rows))
       problem_ = assemble(group_.bodies, group_.contacts, group_.rows, island);

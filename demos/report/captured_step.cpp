@@ -15,13 +15,25 @@ void forEachPoint(const CapturedStep& step, const Visit& visit) {
 
 }  // namespace
 
+delassus::bullet::GroupInput CapturedStep::Group::input(const btContactSolverInfo& info,
+                                                        btDispatcher* dispatcher) const {
+  // Bullet's arrays are not const, and solvers leave them as they are.
+  auto& open = const_cast<Group&>(*this);
+  return {open.bodies.data(),
+          int(bodies.size()),
+          open.manifolds.data(),
+          int(manifolds.size()),
+          open.constraints.data(),
+          int(constraints.size()),
+          &info,
+          dispatcher};
+}
+
 void CapturedStep::solve(btConstraintSolver& solver, const btContactSolverInfo& settings) const {
   for (const Group& group : groups) {
-    // Bullet's arrays are not const, and solvers leave them as they are.
-    auto& open = const_cast<Group&>(group);
-    solver.solveGroup(open.bodies.data(), int(open.bodies.size()), open.manifolds.data(),
-                      int(open.manifolds.size()), open.constraints.data(),
-                      int(open.constraints.size()), settings, nullptr, dispatcher);
+    const auto input = group.input(settings, dispatcher);
+    solver.solveGroup(input.bodies, input.bodyCount, input.manifolds, input.manifoldCount,
+                      input.constraints, input.constraintCount, settings, nullptr, dispatcher);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "bullet_ext/group_input.h"
 #include "delassus/types.h"
 
 namespace demos::report {
@@ -15,6 +16,9 @@ struct CapturedStep {
     std::vector<btCollisionObject*> bodies;
     std::vector<btPersistentManifold*> manifolds;
     std::vector<btTypedConstraint*> constraints;
+
+    delassus::bullet::GroupInput input(const btContactSolverInfo& info,
+                                       btDispatcher* dispatcher) const;
   };
   std::vector<Group> groups;
   const btContactSolverInfo* info = nullptr;

@@ -116,16 +116,9 @@ StepProblem::StepProblem(const CapturedStep& step, double cfm) : cfm_(cfm) {
   info.m_globalCfm = btScalar(cfm);
   StepReport ignored;
   for (const CapturedStep::Group& source : step.groups) {
-    auto& open = const_cast<CapturedStep::Group&>(source);
     bullet::Group group;
-    const WatchedJoints watched(open.constraints.data(), int(open.constraints.size()));
-    bullet::gatherBodies(group, open.bodies.data(), int(open.bodies.size()), info, ignored);
-    bullet::gatherJoined(group, open.constraints.data(), int(open.constraints.size()));
-    bullet::gatherContacts(group, open.manifolds.data(), int(open.manifolds.size()), info,
-                           step.dispatcher, ignored);
-    bullet::gatherJoints(group, open.constraints.data(), int(open.constraints.size()), info,
-                         ignored);
-    bullet::gatherTurningFriction(group);
+    const WatchedJoints watched(source.constraints.data(), int(source.constraints.size()));
+    bullet::gatherGroup(group, source.input(info, step.dispatcher), ignored);
     contacts_ += int(group.contacts.size());
     rows_ += int(group.rows.size());
     for (const Body& body : group.bodies) {

@@ -38,22 +38,18 @@ double StepResidual::rms() const { return count > 0 ? std::sqrt(sumOfSquares / d
 StepResidual JudgedSolver::takeResidual() { return std::exchange(residual_, {}); }
 
 void JudgedSolver::beforeGroup(const GroupArguments& arguments) {
-  btContactSolverInfo info = arguments.info;
+  btContactSolverInfo info = *arguments.info;
   info.m_globalCfm = cfm_;
+  GroupArguments judged = arguments;
+  judged.info = &info;
   StepReport ignored;
-  group_.clear();
   const WatchedJoints watched(arguments.constraints, arguments.constraintCount);
-  bullet::gatherBodies(group_, arguments.bodies, arguments.bodyCount, info, ignored);
-  bullet::gatherJoined(group_, arguments.constraints, arguments.constraintCount);
-  bullet::gatherContacts(group_, arguments.manifolds, arguments.manifoldCount, info,
-                         arguments.dispatcher, ignored);
-  bullet::gatherJoints(group_, arguments.constraints, arguments.constraintCount, info, ignored);
-  bullet::gatherTurningFriction(group_);
+  bullet::gatherGroup(group_, judged, ignored);
   lendFeedback(arguments);
 }
 
 void JudgedSolver::afterGroup(const GroupArguments& arguments) {
-  const std::vector<double> rows = rowReactions(arguments.info.m_timeStep);
+  const std::vector<double> rows = rowReactions(arguments.info->m_timeStep);
   takeFeedbackBack();
 
   const auto written = [&](int contact) {

@@ -2,19 +2,12 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include "bullet_ext/group_input.h"
+
 namespace demos {
 
 /// The arguments of one solveGroup call.
-struct GroupArguments {
-  btCollisionObject** bodies;
-  int bodyCount;
-  btPersistentManifold** manifolds;
-  int manifoldCount;
-  btTypedConstraint** constraints;
-  int constraintCount;
-  const btContactSolverInfo& info;
-  btDispatcher* dispatcher;
-};
+using GroupArguments = delassus::bullet::GroupInput;
 
 /// A solver that hands everything on to another one. Those derived from it look on.
 class SolverDecorator : public btConstraintSolver {
@@ -29,7 +22,7 @@ class SolverDecorator : public btConstraintSolver {
                       const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
                       btDispatcher* dispatcher) override {
     const GroupArguments group{bodies,      bodyCount,       manifolds, manifoldCount,
-                               constraints, constraintCount, info,      dispatcher};
+                               constraints, constraintCount, &info,     dispatcher};
     beforeGroup(group);
     const btScalar answer =
         inner_.solveGroup(bodies, bodyCount, manifolds, manifoldCount, constraints, constraintCount,

@@ -1,5 +1,7 @@
 #include "demos/scenes/step_totals.h"
 
+#include "bullet_ext/saturating_sum.h"
+
 namespace demos {
 
 void StepTotals::add(const delassus::StepReport& report) {

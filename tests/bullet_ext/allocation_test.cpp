@@ -73,17 +73,15 @@ TEST(Allocation, GatheringAndWritingBackTakeNoMemoryOnceWarm) {
   for (int i = 0; i < world.dispatcher().getNumManifolds(); ++i)
     manifolds.push_back(world.dispatcher().getManifoldByIndexInternal(i));
 
+  const bullet::GroupInput input{bodies.data(),         int(bodies.size()), manifolds.data(),
+                                 int(manifolds.size()), joints.data(),      int(joints.size()),
+                                 &world.info(),         &world.dispatcher()};
   bullet::Answer answer;
   StepReport report;
   std::vector<ContactEvent> events;
   for (int pass = 0; pass < 4; ++pass) {
     const long before = allocations;
-    group.clear();
-    bullet::gatherBodies(group, bodies.data(), int(bodies.size()), world.info(), report);
-    bullet::gatherJoined(group, joints.data(), int(joints.size()));
-    bullet::gatherContacts(group, manifolds.data(), int(manifolds.size()), world.info(),
-                           &world.dispatcher(), report);
-    bullet::gatherJoints(group, joints.data(), int(joints.size()), world.info(), report);
+    bullet::gatherGroup(group, input, report);
     answer.bodies = group.bodies;
     answer.contacts = group.guess;
     answer.modes.assign(group.contacts.size(), pass % 2 ? Mode::Open : Mode::Stick);

@@ -141,12 +141,12 @@ struct PulledPlate {
   /// Gathers as the solver does, the reactions of the last step being those of the pull.
   void gather() {
     btCollisionObject* body = &plate;
-    bullet::gatherBodies(group, &body, 1, world.info(), report);
     std::vector<btTypedConstraint*> joints;
     for (int i = 0; i < world->getNumConstraints(); ++i) joints.push_back(world->getConstraint(i));
-    bullet::gatherJoints(group, joints.data(), static_cast<int>(joints.size()), world.info(),
-                         report);
-    group.rowGuess.clear();
+    bullet::gatherGroup(group,
+                        {&body, 1, nullptr, 0, joints.data(), static_cast<int>(joints.size()),
+                         &world.info(), &world.dispatcher()},
+                        report);
     for (const bullet::JointSource& joint : group.joints)
       for (int i = joint.firstRow; i < joint.firstRow + joint.rowCount; ++i) {
         const double sign = joint.firstRow == 0 ? -1 : 1;

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "bullet_ext/gather.h"
+#include "bullet_ext/softness.h"
 #include "tests/support/bullet_world.h"
 
 namespace delassus::test {

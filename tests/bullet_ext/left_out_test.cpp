@@ -8,7 +8,7 @@
 #include <functional>
 #include <limits>
 
-#include "bullet_ext/gather.h"
+#include "bullet_ext/softness.h"
 #include "tests/support/bullet_world.h"
 
 namespace delassus::test {

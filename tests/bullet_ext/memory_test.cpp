@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
+#include "bullet_ext/gather.h"
 #include "bullet_ext/solve_group.h"
 #include "tests/support/bullet_world.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bullet_ext/saturating_sum.h"
 #include "tests/support/bullet_world.h"
 
 namespace delassus::test {

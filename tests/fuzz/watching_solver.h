@@ -13,6 +13,7 @@
 #include "bullet_ext/convert.h"
 #include "bullet_ext/gather.h"
 #include "delassus/cone.h"
+#include "demos/scenes/watched_joints.h"
 #include "tests/fuzz/random_world.h"
 
 namespace delassus::test {
@@ -36,11 +37,14 @@ class WatchingSolver : public btConstraintSolver {
                       int manifoldCount, btTypedConstraint** joints, int jointCount,
                       const btContactSolverInfo& info, btIDebugDraw* drawer,
                       btDispatcher* dispatcher) override {
-    StepReport ignored;
-    group_.clear();
-    bullet::gatherBodies(group_, bodies, bodyCount, info, ignored);
-    bullet::gatherJoined(group_, joints, jointCount);
-    bullet::gatherContacts(group_, manifolds, manifoldCount, info, dispatcher, ignored);
+    {
+      const demos::WatchedJoints watched(joints, jointCount);
+      StepReport ignored;
+      bullet::gatherGroup(
+          group_,
+          {bodies, bodyCount, manifolds, manifoldCount, joints, jointCount, &info, dispatcher},
+          ignored);
+    }
     const int islands = inner_.report().islands;
     inner_.solveGroup(bodies, bodyCount, manifolds, manifoldCount, joints, jointCount, info, drawer,
                       dispatcher);

@@ -1,0 +1,34 @@
+#include "bullet_ext/group.h"
+
+#include "delassus/bytes.h"
+
+namespace delassus::bullet {
+
+void Group::clear() {
+  bodies.clear();
+  bodySources.clear();
+  contacts.clear();
+  contactSources.clear();
+  pushes.clear();
+  guess.clear();
+  idle.clear();
+  restless.clear();
+  bouncing = turning = turningRows = softRows = 0;
+  rows.clear();
+  rowGuess.clear();
+  joints.clear();
+  obsolete.clear();
+  articulation.clear();
+  multiBodyRows.clear();
+  indexOf.clear();
+  joined.clear();
+}
+
+std::size_t Group::bytes() const {
+  return bytesOf(bodies, bodySources, contacts, contactSources, pushes, guess, idle, restless, rows,
+                 rowGuess, joints, multiBodyRows, asked) +
+         obsolete.capacity() * sizeof(void*) + indexOf.bytes() + joined.bytes() +
+         articulation.bytes();
+}
+
+}  // namespace delassus::bullet

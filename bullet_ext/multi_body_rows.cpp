@@ -1,0 +1,281 @@
+#include "bullet_ext/multi_body_rows.h"
+
+#include <cmath>
+#include <string>
+
+#include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
+#include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "BulletDynamics/Featherstone/btMultiBody.h"
+#include "BulletDynamics/Featherstone/btMultiBodyLinkCollider.h"
+#include "bullet_ext/convert.h"
+#include "bullet_ext/gather.h"
+#include "bullet_ext/multi_body_trees.h"
+#include "bullet_ext/names.h"
+#include "bullet_ext/obsolete.h"
+#include "bullet_ext/softness.h"
+#include "bullet_ext/solve_group.h"
+
+namespace delassus::bullet {
+namespace {
+
+/// Bodies that are not passed, static ones and kinematic ones that touch nothing, carry the numbers
+/// −1 and −2, and constraints look them up as they are.
+constexpr int unlent = 2;
+
+/// The number of what is left out, which follows that of the fixed world.
+int absentId(int fixedId) { return fixedId + 1; }
+
+/// The numbers by which constraints find their rigid partners among the solver bodies, and note
+/// where in the data their trees are. Taken back at the end of its life.
+class LentCompanionIds {
+ public:
+  /// The bodies of the group get their index; others that were passed count as fixed, or as absent
+  /// if they are left out. `rows`: where the constraints put what they make meanwhile.
+  LentCompanionIds(const Group& group, const GroupInput& input, int fixedId,
+                   const btMultiBodyConstraintArray& rows)
+      : group_(group), input_(input), rows_(rows) {
+    for (int i = 0; i < input.bodyCount; ++i) {
+      btCollisionObject& object = *input.bodies[i];
+      if (const btMultiBodyLinkCollider* link = linkOf(&object))
+        link->m_multiBody->setCompanionId(-1);
+      if (!btRigidBody::upcast(&object)) continue;
+      const int* index = group.indexOf.find(&object);
+      object.setCompanionId(index && *index == leftOut ? absentId(fixedId) : fixedId);
+    }
+    for (std::size_t i = 0; i < group.bodies.size(); ++i)
+      if (btRigidBody* rigid = group.bodySources[i].rigid)
+        rigid->setCompanionId(static_cast<int>(i));
+  }
+  ~LentCompanionIds() {
+    for (int i = 0; i < input_.bodyCount; ++i) input_.bodies[i]->setCompanionId(-1);
+    for (const BodySource& source : group_.bodySources)
+      if (source.rigid) source.rigid->setCompanionId(-1);
+    for (int i = 0; i < rows_.size(); ++i)
+      for (btMultiBody* body : {rows_[i].m_multiBodyA, rows_[i].m_multiBodyB})
+        if (body) body->setCompanionId(-1);
+  }
+  LentCompanionIds(const LentCompanionIds&) = delete;
+  LentCompanionIds& operator=(const LentCompanionIds&) = delete;
+
+ private:
+  const Group& group_;
+  const GroupInput& input_;
+  const btMultiBodyConstraintArray& rows_;
+};
+
+/// Everything that a constraint may leave unset.
+btMultiBodySolverConstraint blankRow() {
+  btMultiBodySolverConstraint row;
+  row.m_relpos1CrossNormal.setZero();
+  row.m_relpos2CrossNormal.setZero();
+  row.m_contactNormal1.setZero();
+  row.m_contactNormal2.setZero();
+  row.m_angularComponentA.setZero();
+  row.m_angularComponentB.setZero();
+  row.m_appliedImpulse = row.m_appliedPushImpulse = 0;
+  row.m_deltaVelAindex = row.m_deltaVelBindex = row.m_jacAindex = row.m_jacBindex = 0;
+  row.m_friction = row.m_jacDiagABInv = row.m_rhs = row.m_rhsPenetration = row.m_cfm = 0;
+  row.m_lowerLimit = row.m_upperLimit = 0;
+  row.m_originalContactPoint = nullptr;
+  row.m_overrideNumSolverIterations = 0;
+  row.m_frictionIndex = 0;
+  return row;
+}
+
+constexpr const char* brokenBody = "one of its bodies is left out";
+
+/// What is wrong with a row as it was put together, whose joint rows are those after the first so
+/// many; or null.
+const char* faultOfOutput(const Group& group, const Row& row, std::size_t jointRowsBefore) {
+  if (row.a == leftOut || row.b == leftOut) return brokenBody;
+  if (const char* fault = faultOfRow(row)) return fault;
+  const KeptList<Articulation::JointRow>& jointRows = group.articulation.jointRows;
+  for (std::size_t i = jointRowsBefore; i < jointRows.size(); ++i)
+    if (!(jointRows[i].effect.cwiseAbs().sum() <= largestNumber)) return "its axis is not finite";
+  return nullptr;
+}
+
+}  // namespace
+
+/// One side of a row as its constraint made it.
+struct MultiBodyRows::Side {
+  btMultiBody* body;                  ///< null for a rigid partner or the world
+  int jacobian;                       ///< of the articulated body: where it begins in the data
+  int solverBody;                     ///< the rigid partner's number
+  const btVector3 &linear, &angular;  ///< its Jacobian
+};
+
+void MultiBodyRows::gather(Group& group, const GroupInput& input,
+                           btMultiBodyConstraint** constraints, int count, StepReport& report) {
+  asked_.resizeNoInitialize(0);
+  if (count == 0) return;
+  data_.m_jacobians.resizeNoInitialize(0);
+  data_.m_deltaVelocitiesUnitImpulse.resizeNoInitialize(0);
+  data_.m_deltaVelocities.resizeNoInitialize(0);
+
+  fillSolverBodies(group);
+  const LentCompanionIds lent(group, input, data_.m_fixedBodyId, asked_);
+  for (int i = 0; i < count; ++i) gatherConstraint(group, *constraints[i], *input.info, report);
+}
+
+void MultiBodyRows::fillSolverBodies(const Group& group) {
+  const auto count = static_cast<int>(group.bodies.size());
+  solverBodies_.resizeNoInitialize(0);
+  for (int i = 0; i < unlent; ++i) solverBodies_.push_back(solverBody(group, fixedWorld));
+  for (int i = 0; i < count; ++i) solverBodies_.push_back(solverBody(group, i));
+  solverBodies_.push_back(solverBody(group, fixedWorld));
+  solverBodies_.push_back(solverBody(group, fixedWorld));
+  const int size = solverBodies_.size() - unlent;
+  solverBodyPool_.initializeFromBuffer(&solverBodies_[unlent], size, size);
+  data_.m_solverBodyPool = &solverBodyPool_;
+  data_.m_fixedBodyId = count;
+}
+
+void MultiBodyRows::gatherConstraint(Group& group, btMultiBodyConstraint& constraint,
+                                     const btContactSolverInfo& info, StepReport& report) {
+  const int begin = asked_.size();
+  askRows(constraint, info);
+  for (int k = begin; k < asked_.size(); ++k) {
+    const int named = asked_[k].m_orgDofIndex;
+    const int dof = named >= 0 ? named : k - begin;
+    if (dof < constraint.getNumRows()) addRow(group, constraint, k, dof, report);
+  }
+  // A limit that is not reached has no row; its impulse is none.
+  for (int dof = 0; dof < constraint.getNumRows(); ++dof)
+    constraint.internalSetAppliedImpulse(dof, 0);
+}
+
+void MultiBodyRows::askRows(btMultiBodyConstraint& constraint, const btContactSolverInfo& info) {
+  // Bullet's arrays hand out what was there before.
+  const int begin = asked_.size();
+  asked_.resize(begin + constraint.getNumRows(), blankRow());
+  asked_.resizeNoInitialize(begin);
+  constraint.createConstraintRows(asked_, data_, info);
+}
+
+void MultiBodyRows::addRow(Group& group, btMultiBodyConstraint& constraint, int asked, int dof,
+                           StepReport& report) {
+  const btMultiBodySolverConstraint& from = asked_[asked];
+  const auto leaveOut = [&](const char* fault) {
+    report.leaveOut("row " + std::to_string(dof) + " of " + nameOf(constraint), fault);
+  };
+  if (!(from.m_jacDiagABInv > 0)) {
+    // Bullet switches off, by d = 0, what it cannot divide by: also what is no number.
+    if (const char* fault = faultOfInput(group, from)) leaveOut(fault);
+    return;
+  }
+
+  KeptList<Articulation::JointRow>& jointRows = group.articulation.jointRows;
+  const std::size_t jointRowsBefore = jointRows.size();
+  const Row row = toRow(group, from);
+  const char* fault = faultOfOutput(group, row, jointRowsBefore);
+  if (fault || (row.lower == 0 && row.upper == 0)) {
+    while (jointRows.size() > jointRowsBefore) jointRows.pop_back();
+    if (fault) leaveOut(fault);
+    return;
+  }
+  const auto rowIndex = static_cast<int>(group.rows.size());
+  group.rows.push_back(row);
+  group.softRows += from.m_cfm > 0;
+  group.multiBodyRows.push_back(
+      {rowIndex, &constraint, asked, dof, constraint.getAppliedImpulse(dof)});
+}
+
+/// What is wrong with a row as Bullet made it, or null.
+const char* MultiBodyRows::faultOfInput(Group& group, const btMultiBodySolverConstraint& row) {
+  double sum = std::abs(row.m_rhs) + std::abs(row.m_rhsPenetration);
+  for (const btVector3& axis : {row.m_contactNormal1, row.m_relpos1CrossNormal,
+                                row.m_contactNormal2, row.m_relpos2CrossNormal})
+    sum += axis.length2();
+  const auto addTree = [&](btMultiBody* body, int jacobian) {
+    if (!body) return true;
+    const MultiBodyTrees::TreeSource& source = trees_.treeOf(group, *body);
+    if (source.tree == leftOut) return false;
+    const auto dofs = group.articulation.trees[source.tree].root.rows();
+    for (int i = 0; i < dofs; ++i) sum += std::abs(data_.m_jacobians[jacobian + i]);
+    return true;
+  };
+  if (!addTree(row.m_multiBodyA, row.m_jacAindex) || !addTree(row.m_multiBodyB, row.m_jacBindex))
+    return brokenBody;
+  return std::isfinite(sum) ? nullptr : "its axis or its target velocity is not finite";
+}
+
+/// The row that will be the group's next, and its joint rows.
+Row MultiBodyRows::toRow(Group& group, const btMultiBodySolverConstraint& asked) {
+  const double response = 1 / static_cast<double>(asked.m_jacDiagABInv);
+  Row row;
+  row.target = (static_cast<double>(asked.m_rhs) + asked.m_rhsPenetration) * response;
+  row.a = addSide(group,
+                  {asked.m_multiBodyA, asked.m_jacAindex, asked.m_solverBodyIdA,
+                   asked.m_contactNormal1, asked.m_relpos1CrossNormal},
+                  row.jacobianA, row.target);
+  row.b = addSide(group,
+                  {asked.m_multiBodyB, asked.m_jacBindex, asked.m_solverBodyIdB,
+                   asked.m_contactNormal2, asked.m_relpos2CrossNormal},
+                  row.jacobianB, row.target);
+  row.lower = toCoreBound(asked.m_lowerLimit);
+  row.upper = toCoreBound(asked.m_upperLimit);
+  row.compliance = complianceOf(asked.m_cfm, response);
+  return row;
+}
+
+/// The body that the row acts on there, fixedWorld, or leftOut. A rigid partner adds its part of
+/// J v_before to the target.
+int MultiBodyRows::addSide(Group& group, const Side& side, Row6& jacobian, double& target) {
+  if (side.body) return addJointRow(group, *side.body, side.jacobian);
+  const int fixed = data_.m_fixedBodyId;
+  if (side.solverBody == absentId(fixed)) return leftOut;
+  if (side.solverBody < 0 || side.solverBody >= fixed) return fixedWorld;
+  jacobian = toCore(side.linear, side.angular).transpose();
+  target += jacobian.dot(group.bodySources[side.solverBody].before);
+  return side.solverBody;
+}
+
+/// The stem of the body's tree, on whose joints the row acts by the Jacobian that begins there in
+/// the data; or leftOut.
+int MultiBodyRows::addJointRow(Group& group, btMultiBody& body, int jacobian) {
+  const MultiBodyTrees::TreeSource& source = trees_.treeOf(group, body);
+  if (source.tree == leftOut) return leftOut;
+  const MatrixXd& root = group.articulation.trees[source.tree].root;
+  Articulation::JointRow& added = group.articulation.jointRows.add();
+  added.row = static_cast<int>(group.rows.size());
+  added.tree = source.tree;
+  added.effect.setZero(root.cols());
+  for (int i = 0; i < root.rows(); ++i)
+    added.effect += root.row(i).transpose() * data_.m_jacobians[jacobian + i];
+  return source.stem;
+}
+
+void MultiBodyRows::recall(Group& group) {
+  group.rowGuess.resize(group.rows.size(), 0);
+  for (const MultiBodyRowSource& source : group.multiBodyRows)
+    if (std::isfinite(source.guess)) group.rowGuess[source.row] = source.guess;
+}
+
+void MultiBodyRows::writeBack(const Group& group, const Answer& answer,
+                              const btContactSolverInfo& info) const {
+  for (const MultiBodyRowSource& source : group.multiBodyRows) {
+    const btMultiBodySolverConstraint& row = asked_[source.asked];
+    const auto r = static_cast<btScalar>(answer.rows[source.row]);
+    source.constraint->internalSetAppliedImpulse(source.dof, r);
+    const btScalar force = r / info.m_timeStep;
+    if (row.m_multiBodyA)
+      addForce(*row.m_multiBodyA, row.m_linkA, row.m_contactNormal1 * force,
+               row.m_relpos1CrossNormal * force);
+    if (row.m_multiBodyB)
+      addForce(*row.m_multiBodyB, row.m_linkB, row.m_contactNormal2 * force,
+               row.m_relpos2CrossNormal * force);
+  }
+}
+
+void MultiBodyRows::release() {
+  asked_.clear();
+  solverBodyPool_.clear();
+  solverBodies_.clear();
+}
+
+std::size_t MultiBodyRows::bytes() const {
+  return asked_.capacity() * sizeof(asked_[0]) + solverBodies_.capacity() * sizeof(btSolverBody);
+}
+
+}  // namespace delassus::bullet

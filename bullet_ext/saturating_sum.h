@@ -1,0 +1,13 @@
+#pragma once
+
+#include <limits>
+
+namespace delassus {
+
+/// Adds to a count, which stays at the largest number rather than overflow.
+inline void addTo(int& sum, int more) {
+  constexpr int most = std::numeric_limits<int>::max();
+  sum = more > most - sum ? most : sum + more;
+}
+
+}  // namespace delassus
