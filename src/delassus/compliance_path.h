@@ -14,7 +14,7 @@ namespace delassus {
 ///
 ///     E(δ, c) = δ − J̃ᵀ r = 0,    r = P(z),    z = −u / (compliance + c W_aa),    u = J̃ δ + q
 ///
-/// with P as in ProximalNewton. Its answers are curves. For large c there is but one, and one there
+/// with P as in ProximalWalk. Its answers are curves. For large c there is but one, and one there
 /// is for any c where bodies can part (Acary, Cadoux, Lemaréchal, Malick 2011). So the curve that
 /// begins there ends nowhere but at c = 0, at rigid bodies; but it may turn back on its way, where
 /// what is wedged snaps through, and c grows for a while. A search that only ever takes the next

@@ -49,18 +49,17 @@ double Quarrel::hardestAlone() const {
   return hardest;
 }
 
-bool Quarrel::find(ProximalNewton<BodyMotion>& newton, const Problem& problem,
-                   const NaturalMap& map, double tolerance, int& regionBudget, Solution& scratch,
-                   Solution& count) {
+bool Quarrel::find(ProximalWalk<BodyMotion>& walk, const Problem& problem, const NaturalMap& map,
+                   double tolerance, int& regionBudget, Solution& scratch, Solution& count) {
   // Times the motion that the hardest demand alone asks for. Less proves nothing: a wedge of a
   // microradian that holds a ball demands a millionth of what the ball needs.
   constexpr double proportion = 1e8;
   constexpr double coarse = 1e-6, fine = 1e-8;  // compliances relative to W_aa
   setProblem(problem, map);
-  newton.setProblem(demands_, map);
+  walk.space().setProblem(demands_, map);
   const auto yield = [&](double compliance) {
     scratch.start(demands_.q);
-    const bool found = newton.yield(demands_, tolerance, compliance, regionBudget, scratch);
+    const bool found = walk.yield(tolerance, compliance, regionBudget, scratch);
     count.regions += scratch.regions;
     count.factorisations += scratch.factorisations;
     return found;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "delassus/proximal_newton.h"
+#include "delassus/proximal_walk.h"
 
 namespace delassus {
 
@@ -28,9 +28,9 @@ class Quarrel {
   double hardestAlone() const;
 
   /// Looks for reactions that prove that nothing meets the demands of `problem`, or nothing in any
-  /// proportion to them. Takes the region budget and counts in `count`; `newton` forgets its
-  /// problem. `map` is that of the problem, `scratch` is overwritten.
-  bool find(ProximalNewton<BodyMotion>& newton, const Problem& problem, const NaturalMap& map,
+  /// proportion to them. Takes the region budget and counts in `count`; the space of `walk`
+  /// forgets its problem. `map` is that of the problem, `scratch` is overwritten.
+  bool find(ProximalWalk<BodyMotion>& walk, const Problem& problem, const NaturalMap& map,
             double tolerance, int& regionBudget, Solution& scratch, Solution& count);
   /// Those that were found.
   const VectorXd& reactions() const { return quarrel_; }

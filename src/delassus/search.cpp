@@ -110,19 +110,18 @@ Outcome Search::pivotRows(const Task& task, Solution& best) {
 ///     longer walk from there; and `wander`.
 template <class Motion>
 Outcome Search::walkOnce(Engines<Motion>& engines, const Task& task, Solution& best) {
-  ProximalNewton<Motion>& newton = engines.walk;
-  newton.setProblem(*problem_, map_);
-  newton.keepFactors(task.options.economies.factors);
+  engines.space.setProblem(*problem_, map_);
+  engines.space.keepFactors(task.options.economies.factors);
   const bool isRushed = hasNoWalk(task, best);
-  Outcome outcome = startOut(newton, task, best);
+  Outcome outcome = startOut(engines, task, best);
   if (outcome != Outcome::Lost || isRushed || task.regionsLeft(best) <= 0) return outcome;
   const double weight =
       best.residual <= nearly * problem_->demand() ? knownRegion : firstWeight(best, leastAtFirst);
   // In large piles what else finds back is dear and seldom helps.
   const int most = task.guess && isLargePile(*problem_) && !isHurried_ ? longWalk : fairWalk;
-  outcome = newton.walk(*problem_, task.tolerance, weight, task.regionsLeft(best, most), best);
+  outcome = engines.walk.walk(task.tolerance, weight, task.regionsLeft(best, most), best);
   // In small heaps regions cost no more than tens of sweeps: there that is left for the end.
-  if (outcome == Outcome::Lost && isLargeHeap(*problem_)) outcome = outlast(newton, task, best);
+  if (outcome == Outcome::Lost && isLargeHeap(*problem_)) outcome = outlast(engines, task, best);
   return outcome == Outcome::Lost ? findBack(engines, task, best) : outcome;
 }
 
@@ -130,9 +129,9 @@ template <class Motion>
 void Search::polishWith(Engines<Motion>& engines, const Task& task, Solution& best) {
   constexpr double weight = polishedShare;
   const int most = task.regionsLeft(best, fewRegions);
-  engines.walk.setProblem(*problem_, map_);
-  engines.walk.keepFactors(task.options.economies.factors);
-  engines.walk.polish(*problem_, task.tolerance, weight, most, best);
+  engines.space.setProblem(*problem_, map_);
+  engines.space.keepFactors(task.options.economies.factors);
+  engines.walk.polish(task.tolerance, weight, most, best);
 }
 
 /// From the last reactions, then from nothing. In large heaps the path of compliance comes between,
@@ -153,15 +152,15 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Task& task, Solution& 
     if (outcome == Outcome::Lost && isLargeHeap(*problem_)) {
       share.options.pathBudget = task.options.pathBudget / shortPath;
       rest.options.pathBudget -= share.options.pathBudget;
-      outcome = harden(engines.walk, share, best);
-      if (outcome == Outcome::Lost) outcome = outlast(engines.walk, task.fromNothing(), best);
+      outcome = harden(engines, share, best);
+      if (outcome == Outcome::Lost) outcome = outlast(engines, task.fromNothing(), best);
     } else if (outcome == Outcome::Lost) {
       outcome = walkCold(engines, task, best);
     }
   } else {
     outcome = walkOnce(engines, task, best);
   }
-  return outcome == Outcome::Lost ? harden(engines.walk, rest, best) : outcome;
+  return outcome == Outcome::Lost ? harden(engines, rest, best) : outcome;
 }
 
 /// A way of its own begins in apart_, from `guess`, or without one (null) from nothing, on what is

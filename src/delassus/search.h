@@ -4,16 +4,20 @@
 #include <limits>
 #include <memory>
 
+#include "delassus/alternation.h"
 #include "delassus/coloured_sweeps.h"
 #include "delassus/compliance_path.h"
 #include "delassus/condensed_newton.h"
 #include "delassus/dense_newton.h"
 #include "delassus/farkas.h"
+#include "delassus/forced_hold.h"
 #include "delassus/interior_point.h"
 #include "delassus/options.h"
+#include "delassus/outcome.h"
 #include "delassus/patches.h"
 #include "delassus/problem.h"
-#include "delassus/proximal_newton.h"
+#include "delassus/proximal_walk.h"
+#include "delassus/reaction_steps.h"
 #include "delassus/residual.h"
 #include "delassus/solution.h"
 #include "delassus/sweeps.h"
@@ -82,9 +86,13 @@ class Search {
  private:
   template <class Motion>
   struct Engines {
-    ProximalNewton<Motion> walk;
+    ProximalSpace<Motion> space;
+    ProximalWalk<Motion> walk{space};
+    ForcedHold<Motion> forced{space};
+    Alternation<Motion> alternation{space};
+    ReactionSteps<Motion> reactions{space};
     InteriorPoint<Motion> interior;
-    std::size_t bytes() const { return walk.bytes() + interior.bytes(); }
+    std::size_t bytes() const { return space.bytes() + interior.bytes(); }
   };
   struct Machines {
     Sweeps sweeps;
@@ -126,17 +134,17 @@ class Search {
 
   // search_start_out.cpp: before the first walk.
   template <class Motion>
-  Outcome startOut(ProximalNewton<Motion>& newton, const Task& task, Solution& best);
+  Outcome startOut(Engines<Motion>& engines, const Task& task, Solution& best);
   bool condense(const Task& task, Solution& best);
   bool mayHold(const Task& task, const Solution& best) const;
   template <class Motion>
-  bool hold(ProximalNewton<Motion>& newton, const Task& task, Solution& best);
+  bool hold(Engines<Motion>& engines, const Task& task, Solution& best);
   template <class Motion>
-  bool react(ProximalNewton<Motion>& newton, const Task& task, Solution& best);
+  bool react(Engines<Motion>& engines, const Task& task, Solution& best);
   template <class Motion>
-  bool alternate(ProximalNewton<Motion>& newton, const Task& task, Solution& best);
+  bool alternate(Engines<Motion>& engines, const Task& task, Solution& best);
   template <class Motion>
-  Outcome finish(ProximalNewton<Motion>& newton, const Task& task, Solution& best);
+  Outcome finish(Engines<Motion>& engines, const Task& task, Solution& best);
 
   // search_sweeps.cpp: each until `tolerance`, which may be finer than the task's.
   bool sweepAndLearn(const Task& task, double tolerance, Solution& best);
@@ -156,13 +164,12 @@ class Search {
   template <class Motion>
   Outcome wander(Engines<Motion>& engines, const Task& task, Solution& best);
   template <class Motion>
-  Outcome outlast(ProximalNewton<Motion>& newton, const Task& task, Solution& best);
+  Outcome outlast(Engines<Motion>& engines, const Task& task, Solution& best);
 
   // search_path.cpp: the last resort.
   template <class Motion>
-  Outcome harden(ProximalNewton<Motion>& newton, const Task& task, Solution& best);
-  bool setOutOnPath(ProximalNewton<BodyMotion>& newton, const Task& task, int budget,
-                    Solution& best);
+  Outcome harden(Engines<Motion>& engines, const Task& task, Solution& best);
+  bool setOutOnPath(Engines<BodyMotion>& engines, const Task& task, int budget, Solution& best);
   double soften(const Task& task, Solution& best);
 
   static constexpr double unknownRegion = 1e-1, knownRegion = 1e-6;  ///< proximal weights

@@ -11,17 +11,16 @@ template <class Motion>
 Outcome Search::findBack(Engines<Motion>& engines, const Task& task, Solution& best) {
   constexpr int proof = 90, interiorSteps = 40;
   const bool isSmall = !isLargeHeap(*problem_) && !isLargePile(*problem_);
-  ProximalNewton<Motion>& newton = engines.walk;
   if (task.regionsLeft(best) <= 0) return Outcome::Lost;
   if (compromise(engines, task.tolerance, task.regionsLeft(best, proof), best))
     return Outcome::Incompatible;
   const auto walk = [&](int most) {
-    return newton.walk(*problem_, task.tolerance, firstWeight(best, leastAfar),
-                       task.regionsLeft(best, most), best);
+    return engines.walk.walk(task.tolerance, firstWeight(best, leastAfar),
+                             task.regionsLeft(best, most), best);
   };
   Outcome outcome = isSmall ? walk(fairWalk) : Outcome::Lost;
   if (outcome != Outcome::Lost || task.regionsLeft(best) <= 0) return outcome;
-  if (engines.interior.solve(newton.lendMotion(), *problem_, map_, task.tolerance,
+  if (engines.interior.solve(engines.space.lendMotion(), *problem_, map_, task.tolerance,
                              task.regionsLeft(best, interiorSteps), best))
     return Outcome::Reached;
   outcome = walk(longWalk);
@@ -37,7 +36,7 @@ Outcome Search::findBack(Engines<Motion>& engines, const Task& task, Solution& b
 /// Plain sweeps go through it slip after slip, as the heap does. Where those from the last
 /// reactions go round for ever, those from nothing, which squeezes nowhere, may come to an end.
 template <class Motion>
-Outcome Search::outlast(ProximalNewton<Motion>& newton, const Task& task, Solution& best) {
+Outcome Search::outlast(Engines<Motion>& engines, const Task& task, Solution& best) {
   constexpr int manySweeps = 2000, regions = 50;
   setOutApart(task.guess, best);
   wandering_.r = apart_.r;
@@ -55,9 +54,9 @@ Outcome Search::outlast(ProximalNewton<Motion>& newton, const Task& task, Soluti
     apart_.sweeps += sweepsLeft;
     consider(wandering_, apart_);
     const double before = apart_.residual;
-    newton.setProblem(*problem_, map_);
-    outcome = newton.walkFrom(wandering_, *problem_, task.tolerance,
-                              firstWeight(wandering_, leastAfar), regionsLeft, apart_);
+    engines.space.setProblem(*problem_, map_);
+    outcome = engines.walk.walkFrom(wandering_, task.tolerance, firstWeight(wandering_, leastAfar),
+                                    regionsLeft, apart_);
     if (apart_.residual < before) wandering_.r = apart_.r;
   }
   return comeBack(outcome, best);
@@ -65,20 +64,19 @@ Outcome Search::outlast(ProximalNewton<Motion>& newton, const Task& task, Soluti
 
 /// Where demands are proven incompatible, `best` is the compromise, that of bodies a little
 /// compliant where they touch, friction included, and names those that quarrel. Explicit entries
-/// tell it by reactions that grow (ProximalNewton::converge).
+/// tell it by reactions that grow (ProximalWalk::converge).
 template <class Motion>
 bool Search::compromise(Engines<Motion>& engines, double tolerance, int regionBudget,
                         Solution& best) {
   constexpr double compliances[] = {1e-6, 1e-4, 1e-2};  // relative to W_aa
   constexpr double negligible = 0.1;  // share of the largest push, in the norm of its energy
   if constexpr (std::is_same_v<Motion, BodyMotion>) {
-    ProximalNewton<Motion>& newton = engines.walk;
     const bool areIncompatible =
-        quarrel_.find(newton, *problem_, map_, tolerance, regionBudget, trial_, best);
-    newton.setProblem(*problem_, map_);
+        quarrel_.find(engines.walk, *problem_, map_, tolerance, regionBudget, trial_, best);
+    engines.space.setProblem(*problem_, map_);
     if (!areIncompatible) return false;
     for (const double compliance : compliances)
-      if (newton.yield(*problem_, tolerance, compliance, regionBudget, best)) break;
+      if (engines.walk.yield(tolerance, compliance, regionBudget, best)) break;
     // In the mean over its directions: what moves nothing along its normal may be asked to, and is
     // named then.
     map_.meanDiagonal(felt_);
@@ -100,7 +98,6 @@ bool Search::compromise(Engines<Motion>& engines, double tolerance, int regionBu
 /// walk is tried from wherever they are.
 template <class Motion>
 Outcome Search::wander(Engines<Motion>& engines, const Task& task, Solution& best) {
-  ProximalNewton<Motion>& newton = engines.walk;
   constexpr int shortest = 100, longest = 3200, tryFromAfar = 40;
   const auto sweepsLeft = [&](int most) { return task.sweepsLeft(best, most); };
   const auto regionsLeft = [&](int most) { return task.regionsLeft(best, most); };
@@ -114,9 +111,8 @@ Outcome Search::wander(Engines<Motion>& engines, const Task& task, Solution& bes
     else
       settle(task, keptShare * task.tolerance, best);
     if (best.residual <= task.tolerance) return Outcome::Reached;
-    newton.setProblem(*problem_, map_);
-    Outcome outcome =
-        newton.walk(*problem_, task.tolerance, unknownRegion, regionsLeft(longWalk), best);
+    engines.space.setProblem(*problem_, map_);
+    Outcome outcome = engines.walk.walk(task.tolerance, unknownRegion, regionsLeft(longWalk), best);
     if (outcome != Outcome::Lost) return outcome;
 
     const int count = sweepsLeft(length);
@@ -124,8 +120,8 @@ Outcome Search::wander(Engines<Motion>& engines, const Task& task, Solution& bes
     machines().sweeps.sweep(*problem_, count, wandering_.r);
     best.sweeps += count;
     consider(wandering_, best);
-    outcome = newton.walkFrom(wandering_, *problem_, task.tolerance,
-                              firstWeight(wandering_, leastAfar), regionsLeft(tryFromAfar), best);
+    outcome = engines.walk.walkFrom(wandering_, task.tolerance, firstWeight(wandering_, leastAfar),
+                                    regionsLeft(tryFromAfar), best);
     if (outcome != Outcome::Lost) return outcome;
   }
   return Outcome::Lost;
@@ -133,7 +129,7 @@ Outcome Search::wander(Engines<Motion>& engines, const Task& task, Solution& bes
 
 template Outcome Search::findBack(Engines<BodyMotion>&, const Task&, Solution&);
 template Outcome Search::findBack(Engines<FactoredMotion>&, const Task&, Solution&);
-template Outcome Search::outlast(ProximalNewton<BodyMotion>&, const Task&, Solution&);
-template Outcome Search::outlast(ProximalNewton<FactoredMotion>&, const Task&, Solution&);
+template Outcome Search::outlast(Engines<BodyMotion>&, const Task&, Solution&);
+template Outcome Search::outlast(Engines<FactoredMotion>&, const Task&, Solution&);
 
 }  // namespace delassus

@@ -47,7 +47,7 @@ double Search::soften(const Task& task, Solution& best) {
 /// answer is found. In islands of thousands that one compliance would have to turn back and forth
 /// for each of the places where something is wedged, whatever the others do; there it begins at the
 /// best answer so far.
-bool Search::setOutOnPath(ProximalNewton<BodyMotion>& newton, const Task& task, int budget,
+bool Search::setOutOnPath(Engines<BodyMotion>& engines, const Task& task, int budget,
                           Solution& best) {
   constexpr double moderate = 1e-2, soft = 1;
   const bool isLarge = isLargeHeap(*problem_);
@@ -58,9 +58,9 @@ bool Search::setOutOnPath(ProximalNewton<BodyMotion>& newton, const Task& task, 
     softness = soften(task, best);
     if (softness == 0) return false;
   }
-  newton.setProblem(*problem_, map_);
+  engines.space.setProblem(*problem_, map_);
   CompliancePath& path = machines().path;
-  path.setProblem(newton.lendMotion(), *problem_, map_);
+  path.setProblem(engines.space.lendMotion(), *problem_, map_);
   if (!isLarge) return path.setOut(softStart_, softness, budget, best);
   path.setCenter(best);
   return path.setOut(best.r, softness, budget, best) || path.setOut(best.r, soft, budget, best);
@@ -70,7 +70,7 @@ bool Search::setOutOnPath(ProximalNewton<BodyMotion>& newton, const Task& task, 
 /// nearly rigid. Not in large piles, where it takes ten thousands of factors and gains next to
 /// nothing.
 template <class Motion>
-Outcome Search::harden(ProximalNewton<Motion>& newton, const Task& task, Solution& best) {
+Outcome Search::harden(Engines<Motion>& engines, const Task& task, Solution& best) {
   constexpr double nearlyRigid = 1e-5, rigid = 1e-8, finest = 1e-7;
   constexpr int few = 600, regions = 60;
   if constexpr (std::is_same_v<Motion, BodyMotion>) {
@@ -80,17 +80,17 @@ Outcome Search::harden(ProximalNewton<Motion>& newton, const Task& task, Solutio
     if (budget <= 0 || isLargePile(*problem_) || !CompliancePath::canFollow(*problem_))
       return Outcome::Lost;
     const int begun = best.factorisations, walked = best.regions;
-    if (!setOutOnPath(newton, task, budget, best)) return Outcome::Lost;
+    if (!setOutOnPath(engines, task, budget, best)) return Outcome::Lost;
     CompliancePath& path = machines().path;
     for (double compliance = nearlyRigid; compliance >= rigid; compliance *= 0.1) {
       if (!path.descend(compliance, budget - (best.factorisations - begun), best))
         return Outcome::Lost;
       wandering_.r = path.reactions();
       consider(wandering_, best);
-      newton.forgetFactor();  // the path has factored in the same space
+      engines.space.forgetFactor();  // the path has factored in the same space
       const double weight = std::max(compliance, finest);
       const Outcome outcome =
-          newton.walkFrom(wandering_, *problem_, task.tolerance, weight, regions, best);
+          engines.walk.walkFrom(wandering_, task.tolerance, weight, regions, best);
       best.regions = walked;
       if (outcome != Outcome::Lost) return outcome;
     }
@@ -98,7 +98,7 @@ Outcome Search::harden(ProximalNewton<Motion>& newton, const Task& task, Solutio
   return Outcome::Lost;
 }
 
-template Outcome Search::harden(ProximalNewton<BodyMotion>&, const Task&, Solution&);
-template Outcome Search::harden(ProximalNewton<FactoredMotion>&, const Task&, Solution&);
+template Outcome Search::harden(Engines<BodyMotion>&, const Task&, Solution&);
+template Outcome Search::harden(Engines<FactoredMotion>&, const Task&, Solution&);
 
 }  // namespace delassus

@@ -63,26 +63,26 @@ constexpr double disturbed = 1e-3;  ///< share of the demands that reactions lea
 
 /// What comes before the first walk. Lost: the walk finishes.
 template <class Motion>
-Outcome Search::startOut(ProximalNewton<Motion>& newton, const Task& task, Solution& best) {
+Outcome Search::startOut(Engines<Motion>& engines, const Task& task, Solution& best) {
   const double demand = problem_->demand(), aim = keptShare * task.tolerance;
   const auto isReached = [&] { return best.residual <= task.tolerance; };
   wandering_.residual = infinity;  // of what a hold leaves
-  if (isHurried_ && hold(newton, task, best)) return Outcome::Reached;
+  if (isHurried_ && hold(engines, task, best)) return Outcome::Reached;
   if (!task.guess && !isLargePile(*problem_)) {
     forceActiveSet(*problem_, best.activeSet);
-    const Outcome outcome = newton.walkFromRegion(*problem_, task.tolerance, forcedRegion,
-                                                  task.regionsLeft(best, shortWalk), best);
+    const Outcome outcome = engines.walk.walkFromRegion(task.tolerance, forcedRegion,
+                                                        task.regionsLeft(best, shortWalk), best);
     if (outcome != Outcome::Lost) return outcome;
   }
-  if (!isHurried_ && hold(newton, task, best)) return Outcome::Reached;
+  if (!isHurried_ && hold(engines, task, best)) return Outcome::Reached;
   if (task.options.economies.oneRegion && hasOneRegion(*problem_)) {
-    const Outcome outcome = newton.walk(*problem_, task.tolerance, knownRegion,
-                                        task.regionsLeft(best, shortWalk), best);
+    const Outcome outcome =
+        engines.walk.walk(task.tolerance, knownRegion, task.regionsLeft(best, shortWalk), best);
     if (outcome != Outcome::Lost) return outcome;
-  } else if (react(newton, task, best)) {
+  } else if (react(engines, task, best)) {
     return Outcome::Reached;
-  } else if (!task.guess && alternate(newton, task, best)) {
-    return finish(newton, task, best);
+  } else if (!task.guess && alternate(engines, task, best)) {
+    return finish(engines, task, best);
   }
   if (isHurried_) {
     sweepAll(task, aim, best);
@@ -90,8 +90,8 @@ Outcome Search::startOut(ProximalNewton<Motion>& newton, const Task& task, Solut
     if (isReached()) return Outcome::Reached;
   } else if (best.residual > disturbed * demand && isHeap(*problem_)) {
     settle(task, aim, best);
-    newton.setProblem(*problem_, map_);  // patches were at work here
-    if (isReached()) return isLargeHeap(*problem_) ? Outcome::Reached : finish(newton, task, best);
+    engines.space.setProblem(*problem_, map_);  // patches were at work here
+    if (isReached()) return isLargeHeap(*problem_) ? Outcome::Reached : finish(engines, task, best);
   } else if (best.residual > disturbed * demand) {
     if (isLargePile(*problem_))
       sweepWhileItGains(task, aim, best);
@@ -119,14 +119,14 @@ bool Search::mayHold(const Task& task, const Solution& best) const {
 /// Holds all that touches. Who has few sweeps pays a region for it and no sweeps; these are made as
 /// if it had not been tried, and what it has come to waits in wandering_.
 template <class Motion>
-bool Search::hold(ProximalNewton<Motion>& newton, const Task& task, Solution& best) {
+bool Search::hold(Engines<Motion>& engines, const Task& task, Solution& best) {
   constexpr int mostSteps = 40;
   const int sweeps = best.sweeps;
   const int most = isHurried_ ? mostSteps : task.sweepsLeft(best, mostSteps);
   if (most <= 0 || !mayHold(task, best)) return false;
   if (isHurried_) trial_.takeReactions(best);
   holdActiveSet(*problem_, best.r, best.activeSet);
-  const bool isHeld = newton.holdAll(*problem_, task.tolerance, most, best);
+  const bool isHeld = engines.forced.hold(task.tolerance, most, best);
   if (!isHurried_) return isHeld;
   best.sweeps = sweeps;
   if (!isHeld && best.residual < trial_.residual) {
@@ -155,7 +155,7 @@ bool Search::condense(const Task& task, Solution& best) {
 /// costs no more than the factor of their bodies; and else with such factors, where contacts are
 /// not so many that some of them are always in a wrong region.
 template <class Motion>
-bool Search::react(ProximalNewton<Motion>& newton, const Task& task, Solution& best) {
+bool Search::react(Engines<Motion>& engines, const Task& task, Solution& best) {
   constexpr int few = 36;  // unknowns
   constexpr int mostContacts = 300, fewSteps = 30, manySteps = 40;
   if (isHurried_ || task.regionsLeft(best) <= 0) return false;
@@ -167,30 +167,30 @@ bool Search::react(ProximalNewton<Motion>& newton, const Task& task, Solution& b
       problem_->contacts() > mostContacts || isLargeHeap(*problem_) ||
       (isLargePile(*problem_) && (!task.guess || problem_->rows() < problem_->contacts()));
   if (isTooLarge || !problem_->disks.empty()) return false;
-  return newton.react(*problem_, task.tolerance,
-                      task.regionsLeft(best, task.guess ? fewSteps : manySteps), trial_, best);
+  return engines.reactions.solve(
+      task.tolerance, task.regionsLeft(best, task.guess ? fewSteps : manySteps), trial_, best);
 }
 
 /// Alternating directions. False if they do not reach the tolerance.
 template <class Motion>
-bool Search::alternate(ProximalNewton<Motion>& newton, const Task& task, Solution& best) {
+bool Search::alternate(Engines<Motion>& engines, const Task& task, Solution& best) {
   constexpr int alternations = 300;  // bring a large pile to rest
   if (isHurried_) return false;
   const int most = task.sweepsLeft(best, alternations);
-  return newton.alternate(*problem_, keptShare * task.tolerance, most, best);
+  return engines.alternation.alternate(keptShare * task.tolerance, most, best);
 }
 
 /// What is left after a few steps is slow to go; one in the region that has been found takes it
 /// away.
 template <class Motion>
-Outcome Search::finish(ProximalNewton<Motion>& newton, const Task& task, Solution& best) {
+Outcome Search::finish(Engines<Motion>& engines, const Task& task, Solution& best) {
   const int most = task.regionsLeft(best, fewRegions);
   const double aim = polishedShare * task.tolerance;
-  if (best.residual > aim) newton.polish(*problem_, aim, knownRegion, most, best);
+  if (best.residual > aim) engines.walk.polish(aim, knownRegion, most, best);
   return Outcome::Reached;
 }
 
-template Outcome Search::startOut(ProximalNewton<BodyMotion>&, const Task&, Solution&);
-template Outcome Search::startOut(ProximalNewton<FactoredMotion>&, const Task&, Solution&);
+template Outcome Search::startOut(Engines<BodyMotion>&, const Task&, Solution&);
+template Outcome Search::startOut(Engines<FactoredMotion>&, const Task&, Solution&);
 
 }  // namespace delassus

@@ -79,6 +79,15 @@ struct Solution : WorkDone {
     residualRms = other.residualRms;
   }
 
+  /// Has these reactions, and what they do, if their residual is smaller.
+  void takeIfBetter(const VectorXd& candidate, const VectorXd& velocity,
+                    const VelocityResidual& measured) {
+    if (!(measured.max < residual)) return;
+    r = candidate;
+    u = velocity;
+    setResidual(measured);
+  }
+
   void setResidual(const VelocityResidual& measured) {
     residual = measured.max;
     residualRms = measured.rms;

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "delassus/proximal_newton.h"
+#include "delassus/proximal_walk.h"
 #include "delassus/solver.h"
 #include "tests/support/pressed_piles.h"
 #include "tests/support/turning_piles.h"
@@ -40,8 +40,8 @@ class Way {
  public:
   explicit Way(const Problem& problem) : problem_(problem) {
     map_.setProblem(problem_);
-    newton_.setProblem(problem_, map_);
-    path_.setProblem(newton_.lendMotion(), problem_, map_);
+    space_.setProblem(problem_, map_);
+    path_.setProblem(space_.lendMotion(), problem_, map_);
     count_.start(problem_.q);
   }
 
@@ -68,7 +68,7 @@ class Way {
  private:
   const Problem& problem_;
   NaturalMap map_;
-  ProximalNewton<BodyMotion> newton_;
+  ProximalSpace<BodyMotion> space_;
   CompliancePath path_;
   Solution count_;
 };

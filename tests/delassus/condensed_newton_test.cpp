@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "delassus/proximal_newton.h"
+#include "delassus/proximal_walk.h"
 #include "delassus/solver.h"
 #include "tests/support/random_piles.h"
 #include "tests/support/turning_piles.h"
@@ -113,10 +113,11 @@ TEST(CondensedNewton, MovesAsTheWalkDoes) {
     const CondensedAttempt attempt = condenseFromRest(chain.problem);
     NaturalMap map;
     map.setProblem(chain.problem);
-    ProximalNewton<BodyMotion> walk;
-    walk.setProblem(chain.problem, map);
+    ProximalSpace<BodyMotion> space;
+    space.setProblem(chain.problem, map);
     Solution other = startFrom(chain.problem, map, VectorXd::Zero(chain.problem.size()));
-    const Outcome outcome = walk.walk(chain.problem, attempt.tolerance, 1e-2, 400, other);
+    const Outcome outcome =
+        ProximalWalk<BodyMotion>(space).walk(attempt.tolerance, 1e-2, 400, other);
     if (!attempt.reached || outcome != Outcome::Reached) continue;
     ++compared;
     EXPECT_LE(motionDistance(chain, attempt.solution.r, other.r), 1e-6);

@@ -2,9 +2,10 @@
 /// name it: frictionless islands (Gauss' principle) and towers at rest.
 #include <gtest/gtest.h>
 
+#include "delassus/alternation.h"
 #include "delassus/interior_point.h"
 #include "delassus/pivoting.h"
-#include "delassus/proximal_newton.h"
+#include "delassus/proximal_walk.h"
 #include "delassus/region.h"
 #include "delassus/solver.h"
 #include "delassus/sweeps.h"
@@ -32,17 +33,17 @@ class Tiers {
     return r;
   }
   VectorXd newton() {
-    ProximalNewton<BodyMotion> newton;
-    newton.setProblem(problem_, map_);
+    ProximalSpace<BodyMotion> space;
+    space.setProblem(problem_, map_);
     Solution best = startFrom(problem_, map_, VectorXd::Zero(problem_.size()));
-    EXPECT_EQ(newton.walk(problem_, tolerance_, 1e-2, 400, best), Outcome::Reached);
+    EXPECT_EQ(ProximalWalk<BodyMotion>(space).walk(tolerance_, 1e-2, 400, best), Outcome::Reached);
     return best.r;
   }
   VectorXd alternating() {
-    ProximalNewton<BodyMotion> newton;
-    newton.setProblem(problem_, map_);
+    ProximalSpace<BodyMotion> space;
+    space.setProblem(problem_, map_);
     Solution best = startFrom(problem_, map_, VectorXd::Zero(problem_.size()));
-    EXPECT_TRUE(newton.alternate(problem_, tolerance_, 1000, best)) << best.residual;
+    EXPECT_TRUE(Alternation<BodyMotion>(space).alternate(tolerance_, 1000, best)) << best.residual;
     return best.r;
   }
   VectorXd interiorPoint() {

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "delassus/proximal_newton.h"
+#include "delassus/proximal_walk.h"
 #include "delassus/solver.h"
 #include "delassus/sweeps.h"
 #include "tests/support/random_piles.h"
@@ -275,12 +275,13 @@ TEST(TurningFriction, TheRightRegionIsConfirmedAtOnce) {
     ASSERT_EQ(s.status, Status::Solved) << k;
     NaturalMap map;
     map.setProblem(island.problem);
-    ProximalNewton<BodyMotion> newton;
-    newton.setProblem(island.problem, map);
+    ProximalSpace<BodyMotion> space;
+    space.setProblem(island.problem, map);
     s.regions = 0;
     const double tolerance = 1e-8 * island.problem.q.cwiseAbs().maxCoeff();
     s.residual = infinity;
-    confirmed += newton.walkFromRegion(island.problem, tolerance, 1e-6, 8, s) == Outcome::Reached;
+    confirmed +=
+        ProximalWalk<BodyMotion>(space).walkFromRegion(tolerance, 1e-6, 8, s) == Outcome::Reached;
   }
   EXPECT_GE(confirmed, samples - 2);
 }

@@ -4,20 +4,23 @@
 
 #include "delassus/cone.h"
 #include "delassus/length.h"
-#include "delassus/proximal_newton.h"
+#include "delassus/proximal_walk.h"
 
 namespace delassus {
 
 /// The reaction `r` to center + step. Where the law leaves that as it is, the change is the step to
 /// all its digits, of which the difference of two large reactions keeps few.
 template <class Motion>
-void ProximalNewton<Motion>::answer(int at, double step, double r) {
+void ProximalWalk<Motion>::answer(int at, double step, double r) {
   r_[at] = r;
   change_[at] = r == center_[at] + step ? step : r - center_[at];
 }
 
+/// r = P(z), the change r − r_k and, if asked, its derivative, for relative velocities u = u_k +
+/// J̃ δ.
 template <class Motion>
-void ProximalNewton<Motion>::respond(const Problem& problem, const VectorXd& u, Stiffness* G) {
+void ProximalWalk<Motion>::respond(const VectorXd& u, Stiffness* G) {
+  const Problem& problem = this->problem();
   change_.resize(problem.size());
   const int n = problem.contacts(), m = problem.rows();
   for (int i = 0; i < n; ++i) {
@@ -43,28 +46,15 @@ void ProximalNewton<Motion>::respond(const Problem& problem, const VectorXd& u, 
     const Vec2 r = projectOnDisk(z, radius);
     for (int j = 0; j < disk.unknowns; ++j) answer(disk.first + j, step[j], r[j]);
     if (G)
-      answerOfDisk(disk, static_cast<int>(k), mode, z, radius * l_[disk.first] / length,
-                   disk.grows(r_), *G);
+      space_.answerOfDisk(disk, static_cast<int>(k), mode, z, radius * l_[disk.first] / length,
+                          disk.grows(r_), *G);
   }
 }
 
-/// −dr/du of a disk: of one that slides along `direction`, its own part is across, where it may
-/// turn, and its governor moves the rim along, if the disk still grows with it.
+/// The same in one given region, that of `from`: an affine answer, right if the region is.
 template <class Motion>
-void ProximalNewton<Motion>::answerOfDisk(const Disk& disk, int k, Mode mode, const Vec2& direction,
-                                          double turn, bool grows, Stiffness& G) const {
-  Stiffness::OfDisk& answer = G.disks[k];
-  answer = {};
-  G.rows.segment(disk.first - 3 * static_cast<int>(G.contacts.size()), disk.unknowns).setZero();
-  if (mode == Mode::Stick) answer.own.diagonal().setConstant(l_[disk.first]);
-  if (mode != Mode::Slide) return;
-  const Vec2 along = direction.normalized();
-  answer.own = turn * (Mat2::Identity() - along * along.transpose());
-  if (grows) answer.governor = disk.radius * along * G.ofNormal(disk);
-}
-
-template <class Motion>
-void ProximalNewton<Motion>::respondInRegion(const Problem& problem, const Solution& from) {
+void ProximalWalk<Motion>::respondInRegion(const Solution& from) {
+  const Problem& problem = this->problem();
   const int n = problem.contacts(), m = problem.rows();
   for (int i = 0; i < n; ++i) {
     const int at = 3 * i;
@@ -113,7 +103,7 @@ void ProximalNewton<Motion>::respondInRegion(const Problem& problem, const Solut
     // Turns as a contact does.
     const double turn = length > 0 ? length / (length / l + disk.of(from.u).norm()) : 0;
     const bool grows = disk.grows(from.r);
-    answerOfDisk(disk, static_cast<int>(k), mode, g, turn, grows, G_);
+    space_.answerOfDisk(disk, static_cast<int>(k), mode, g, turn, grows, G_);
     const Vec2 held = disk.of(center_) - l * u;
     const double load = grows ? r_[disk.governor] : disk.mostLoad;
     const Vec2 rim = disk.radius * load * g.normalized() - G_.disks[k].own * u;
@@ -121,13 +111,9 @@ void ProximalNewton<Motion>::respondInRegion(const Problem& problem, const Solut
   }
 }
 
-template void ProximalNewton<BodyMotion>::respond(const Problem&, const VectorXd&, Stiffness*);
-template void ProximalNewton<BodyMotion>::respondInRegion(const Problem&, const Solution&);
-template void ProximalNewton<BodyMotion>::answerOfDisk(const Disk&, int, Mode, const Vec2&, double,
-                                                       bool, Stiffness&) const;
-template void ProximalNewton<FactoredMotion>::respond(const Problem&, const VectorXd&, Stiffness*);
-template void ProximalNewton<FactoredMotion>::respondInRegion(const Problem&, const Solution&);
-template void ProximalNewton<FactoredMotion>::answerOfDisk(const Disk&, int, Mode, const Vec2&,
-                                                           double, bool, Stiffness&) const;
+template void ProximalWalk<BodyMotion>::respond(const VectorXd&, Stiffness*);
+template void ProximalWalk<BodyMotion>::respondInRegion(const Solution&);
+template void ProximalWalk<FactoredMotion>::respond(const VectorXd&, Stiffness*);
+template void ProximalWalk<FactoredMotion>::respondInRegion(const Solution&);
 
 }  // namespace delassus

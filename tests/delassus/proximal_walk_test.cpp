@@ -1,5 +1,5 @@
 /// The walk from region to region.
-#include "delassus/proximal_newton.h"
+#include "delassus/proximal_walk.h"
 
 #include <gtest/gtest.h>
 
@@ -17,16 +17,16 @@ class Walk {
   explicit Walk(const Problem& problem)
       : problem_(problem), tolerance_(1e-10 * problem.q.cwiseAbs().maxCoeff()) {
     map_.setProblem(problem_);
-    newton_.setProblem(problem_, map_);
+    space_.setProblem(problem_, map_);
   }
 
   Solution from(const VectorXd& r) const { return startFrom(problem_, map_, r); }
   Solution atRest() const { return from(VectorXd::Zero(problem_.size())); }
   Outcome walk(Solution& best, double alpha = 1e-2, int budget = 200) {
-    return newton_.walk(problem_, tolerance_, alpha, budget, best);
+    return walk_.walk(tolerance_, alpha, budget, best);
   }
   Outcome walkFromRegion(Solution& best, double alpha = 1e-6) {
-    return newton_.walkFromRegion(problem_, tolerance_, alpha, 200, best);
+    return walk_.walkFromRegion(tolerance_, alpha, 200, best);
   }
   double tolerance() const { return tolerance_; }
 
@@ -34,7 +34,8 @@ class Walk {
   const Problem& problem_;
   double tolerance_;
   NaturalMap map_;
-  ProximalNewton<Motion> newton_;
+  ProximalSpace<Motion> space_;
+  ProximalWalk<Motion> walk_{space_};
 };
 
 using BodyWalk = Walk<BodyMotion>;
@@ -52,7 +53,7 @@ VectorXd selfStress(const PileIsland& island, double size) {
   return s;
 }
 
-TEST(ProximalNewton, ReachedMeansThatTheLawHolds) {
+TEST(ProximalWalk, ReachedMeansThatTheLawHolds) {
   Random random(61);
   int reached = 0;
   constexpr int samples = 100;
@@ -74,7 +75,7 @@ TEST(ProximalNewton, ReachedMeansThatTheLawHolds) {
 }
 
 // A fixed point is an exact solution for any α: the regularisation leaves no trace.
-TEST(ProximalNewton, TheWeightLeavesNoTraceInTheMotion) {
+TEST(ProximalWalk, TheWeightLeavesNoTraceInTheMotion) {
   Random random(62);
   for (int k = 0; k < 30; ++k) {
     const PileIsland island = smoothTower(1 + k % 6, 100, random);
@@ -89,7 +90,7 @@ TEST(ProximalNewton, TheWeightLeavesNoTraceInTheMotion) {
   }
 }
 
-TEST(ProximalNewton, TheMotionDoesNotDependOnTheStart) {
+TEST(ProximalWalk, TheMotionDoesNotDependOnTheStart) {
   Random random(63);
   for (int k = 0; k < 50; ++k) {
     const PileIsland island = smoothTower(1 + k % 6, 1e3, random);
@@ -103,7 +104,7 @@ TEST(ProximalNewton, TheMotionDoesNotDependOnTheStart) {
 }
 
 // A body space has the columns of J̃, a factored W those of its rank: the same walk in either.
-TEST(ProximalNewton, TheSpaceDoesNotMatter) {
+TEST(ProximalWalk, TheSpaceDoesNotMatter) {
   Random random(64);
   for (int k = 0; k < 20; ++k) {
     const PileIsland island = smoothTower(1 + k % 4, 10, random);
@@ -118,7 +119,7 @@ TEST(ProximalNewton, TheSpaceDoesNotMatter) {
 }
 
 // The region of the solution, given from the start, is the only one that is factored.
-TEST(ProximalNewton, AKnownRegionIsFactoredOnce) {
+TEST(ProximalWalk, AKnownRegionIsFactoredOnce) {
   Random random(65);
   for (const int height : {1, 4, 10}) {
     const PileIsland island(makeTower(std::vector<double>(height, 2), 0.5, 0, random));
@@ -131,7 +132,7 @@ TEST(ProximalNewton, AKnownRegionIsFactoredOnce) {
 }
 
 // Corners of a level tower: whatever the guess was, all carry the same.
-TEST(ProximalNewton, FromTheRegionTheShareIsTheSmoothest) {
+TEST(ProximalWalk, FromTheRegionTheShareIsTheSmoothest) {
   Random random(66);
   const int height = 3;
   const PileIsland island(makeTower(std::vector<double>(height, 2), 0.5, 0, random));
@@ -148,7 +149,7 @@ TEST(ProximalNewton, FromTheRegionTheShareIsTheSmoothest) {
 }
 
 // The reactions of the last step may hold a self-stress. No demand asks to change it.
-TEST(ProximalNewton, ASelfStressThatNothingFeelsIsKept) {
+TEST(ProximalWalk, ASelfStressThatNothingFeelsIsKept) {
   Random random(67);
   const PileIsland island(makeTower({2, 2, 2}, 0.5, 0, random));
   BodyWalk walk(island.problem);
@@ -165,7 +166,7 @@ TEST(ProximalNewton, ASelfStressThatNothingFeelsIsKept) {
   EXPECT_LT(motionDistance(island, best.r, smooth.r), 1e-7);
 }
 
-TEST(ProximalNewton, NeverReturnsAWorseAnswerThanItWasGiven) {
+TEST(ProximalWalk, NeverReturnsAWorseAnswerThanItWasGiven) {
   Random random(68);
   for (int k = 0; k < 60; ++k) {
     Pile pile = makeTower(randomMasses(1 + k % 6, 1e3, random), 0, 1, random);
@@ -183,21 +184,21 @@ TEST(ProximalNewton, NeverReturnsAWorseAnswerThanItWasGiven) {
 }
 
 // One object for many islands: nothing of the last one shows.
-TEST(ProximalNewton, HasNoMemory) {
+TEST(ProximalWalk, HasNoMemory) {
   Random random(69);
   const PileIsland large = smoothTower(5, 10, random), small = smoothTower(2, 10, random);
   NaturalMap map;
-  ProximalNewton<BodyMotion> used;
-  const auto answer = [&](ProximalNewton<BodyMotion>& newton, const Problem& problem) {
+  ProximalSpace<BodyMotion> used;
+  const auto answer = [&](ProximalSpace<BodyMotion>& space, const Problem& problem) {
     map.setProblem(problem);
-    newton.setProblem(problem, map);
+    space.setProblem(problem, map);
     Solution best = startFrom(problem, map, VectorXd::Zero(problem.size()));
-    newton.walk(problem, 1e-9, 1e-2, 200, best);
+    ProximalWalk<BodyMotion>(space).walk(1e-9, 1e-2, 200, best);
     return best.r;
   };
   answer(used, large.problem);
   const VectorXd second = answer(used, small.problem);
-  ProximalNewton<BodyMotion> fresh;
+  ProximalSpace<BodyMotion> fresh;
   EXPECT_EQ(second, answer(fresh, small.problem));
 }
 

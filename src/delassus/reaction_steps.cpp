@@ -1,32 +1,32 @@
-/// Newton's method in the space of reactions, with the vectors of the walk.
+#include "delassus/reaction_steps.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "delassus/cone.h"
 #include "delassus/proximal_centers.h"
-#include "delassus/proximal_newton.h"
 
 namespace delassus {
 
 /// Its steps around one center, for `descend`: r and v are those of `at`.
 template <class Motion>
-class ProximalNewton<Motion>::Reactions {
+class ReactionSteps<Motion>::AroundCenter {
  public:
-  Reactions(ProximalNewton& walk, const Problem& problem, double alpha, Solution& at)
-      : problem_(problem),
-        motion_(walk.motion_),
-        scale_(walk.scale_),
-        l_(walk.l_),
+  AroundCenter(ProximalSpace<Motion>& space, double alpha, Solution& at)
+      : problem_(space.problem()),
+        motion_(space.motion()),
+        scale_(space.scale),
+        l_(space.l),
         perScale_(1 + alpha),
         r_(at.r),
         v_(at.u),
-        F_(walk.center_),
-        change_(walk.change_),
-        delta_(walk.delta_),
-        felt_(walk.trialU_),
-        last_(walk.u_),
-        kept_(walk.fromU_),
-        G_(walk.G_) {}
+        F_(space.storage[0]),
+        change_(space.storage[1]),
+        delta_(space.storage[2]),
+        felt_(space.storage[3]),
+        last_(space.storage[4]),
+        kept_(space.storage[5]),
+        G_(space.G) {}
 
   double error();
   bool step(double& error);
@@ -53,7 +53,7 @@ class ProximalNewton<Motion>::Reactions {
 
 /// F at r and v. Returns ‖ρ F‖, m/s.
 template <class Motion>
-double ProximalNewton<Motion>::Reactions::error() {
+double ReactionSteps<Motion>::AroundCenter::error() {
   const int contactsEnd = 3 * problem_.contacts();
   F_.resize(problem_.size());
   double sum = 0;
@@ -73,7 +73,7 @@ double ProximalNewton<Motion>::Reactions::error() {
 
 /// G and B F of a contact in the region of r and v.
 template <class Motion>
-void ProximalNewton<Motion>::Reactions::answer(int contact) {
+void ReactionSteps<Motion>::AroundCenter::answer(int contact) {
   const int at = 3 * contact;
   const double mu = problem_.friction[contact], rho = this->rho(at);
   const Vec3 z = r_.segment<3>(at) - v_.segment<3>(at) / rho, F = F_.segment<3>(at);
@@ -103,7 +103,7 @@ void ProximalNewton<Motion>::Reactions::answer(int contact) {
 }
 
 template <class Motion>
-void ProximalNewton<Motion>::Reactions::answerAll() {
+void ReactionSteps<Motion>::AroundCenter::answerAll() {
   const int contactsEnd = 3 * problem_.contacts();
   change_.resize(problem_.size());
   for (int i = 0; i < problem_.contacts(); ++i) answer(i);
@@ -118,7 +118,7 @@ void ProximalNewton<Motion>::Reactions::answerAll() {
 
 /// Goes where F would be zero in this region; `error` is then that of there.
 template <class Motion>
-bool ProximalNewton<Motion>::Reactions::step(double& error) {
+bool ReactionSteps<Motion>::AroundCenter::step(double& error) {
   const int contactsEnd = 3 * problem_.contacts();
   answerAll();
   if (!motion_.factorise(G_)) return false;
@@ -138,28 +138,26 @@ bool ProximalNewton<Motion>::Reactions::step(double& error) {
 }
 
 template <class Motion>
-bool ProximalNewton<Motion>::react(const Problem& problem, double tolerance, int budget,
-                                   Solution& next, Solution& best) {
-  forgetFactor();
-  const auto moveOn = [&](const Solution& from, double alpha, double enough, int steps,
+bool ReactionSteps<Motion>::solve(double tolerance, int budget, Solution& next, Solution& best) {
+  space_.forgetFactor();
+  const auto moveOn = [&](const Solution& from, double alpha, double enough, int most,
                           Solution& to) {
-    setWeights(alpha);
+    space_.setWeights(alpha);
     to.takeReactions(from);
-    Reactions reactions(*this, problem, alpha, to);
-    const Descent descent = descend(reactions, enough, steps);
-    makeFeasible(problem, to.r);
-    to.setResidual(map_->measure(to.r, felt_, to.u));
+    AroundCenter steps(space_, alpha, to);
+    const Descent descent = descend(steps, enough, most);
+    makeFeasible(space_.problem(), to.r);
+    to.setResidual(space_.measure(to.r, to.u));
     return descent;
   };
   int left = budget;
-  const bool isReached = moveCenters(moveOn, *map_, tolerance, left, next, best);
+  const bool isReached = moveCenters(moveOn, space_.map(), tolerance, left, next, best);
   best.regions += budget - left;
   best.factorisations += budget - left;
   return isReached;
 }
 
-template bool ProximalNewton<BodyMotion>::react(const Problem&, double, int, Solution&, Solution&);
-template bool ProximalNewton<FactoredMotion>::react(const Problem&, double, int, Solution&,
-                                                    Solution&);
+template class ReactionSteps<BodyMotion>;
+template class ReactionSteps<FactoredMotion>;
 
 }  // namespace delassus

@@ -1,4 +1,4 @@
-#include "delassus/proximal_newton.h"
+#include "delassus/proximal_walk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,56 +11,53 @@
 namespace delassus {
 
 template <class Motion>
-void ProximalNewton<Motion>::setProblem(const Problem& problem, const NaturalMap& map) {
-  map_ = &map;
-  motion_.setProblem(problem);
-  map.meanDiagonal(scale_);
-  if (problem.W.inBodySpace())
-    compliance_ = problem.W.bodySpace().compliance;
-  else
-    compliance_.setZero(problem.size());
-  G_.reset(problem);
-  fromU_.resize(problem.size());
-  alongU_.resize(problem.size());
-  forgetFactor();
-}
+ProximalWalk<Motion>::ProximalWalk(ProximalSpace<Motion>& space)
+    : space_(space),
+      scale_(space.scale),
+      l_(space.l),
+      felt_(space.felt),
+      G_(space.G),
+      center_(space.storage[0]),
+      u_(space.storage[1]),
+      r_(space.storage[2]),
+      delta_(space.storage[3]),
+      change_(space.storage[4]),
+      error_(space.storage[5]),
+      step_(space.storage[6]),
+      trialDelta_(space.storage[7]),
+      trialError_(space.storage[8]),
+      trialU_(space.storage[9]),
+      fromU_(space.storage[10]),
+      alongU_(space.storage[11]) {}
 
 template <class Motion>
-void ProximalNewton<Motion>::setWeights(double alpha) {
+void ProximalWalk<Motion>::setWeights(double alpha) {
   constexpr double finest = 1e-7, coarsest = 1e-2;
-  l_ = (compliance_ + alpha * scale_).cwiseInverse();
+  space_.setWeights(alpha);
   enough_ = std::clamp(alpha, finest, coarsest);
 }
 
+/// The inner accuracy that answers within this tolerance need.
 template <class Motion>
-void ProximalNewton<Motion>::setTolerance(double tolerance) {
+void ProximalWalk<Motion>::setTolerance(double tolerance) {
   // An error of the motion (in energy norm) that no contact can tell from the tolerance.
   fine_ = 0.1 * tolerance / std::sqrt(scale_.maxCoeff());
 }
 
-template <class Motion>
-bool ProximalNewton<Motion>::factorise(Solution& count) {
-  if (keepsFactors_ && hasFactor_ && factored_ == G_) return true;
-  ++count.factorisations;
-  hasFactor_ = motion_.factorise(G_);
-  if (hasFactor_) factored_ = G_;
-  return hasFactor_;
-}
-
 /// What the bodies feel of r_ beyond the center, J̃ᵀ (r − r_k).
 template <class Motion>
-const VectorXd& ProximalNewton<Motion>::felt() {
-  motion_.impulse(change_, felt_);
+const VectorXd& ProximalWalk<Motion>::felt() {
+  space_.motion().impulse(change_, felt_);
   return felt_;
 }
 
 /// The norm of the error after this share of the step.
 template <class Motion>
-double ProximalNewton<Motion>::tryStep(const Problem& problem, double share) {
+double ProximalWalk<Motion>::tryStep(double share) {
   trialDelta_ = delta_ + share * step_;
-  motion_.relativeVelocity(trialDelta_, trialU_);
+  space_.motion().relativeVelocity(trialDelta_, trialU_);
   trialU_ += u_;
-  respond(problem, trialU_, nullptr);
+  respond(trialU_, nullptr);
   trialError_ = trialDelta_ - felt();
   return trialError_.norm();
 }
@@ -71,31 +68,31 @@ double ProximalNewton<Motion>::tryStep(const Problem& problem, double share) {
 /// So the step goes on from wall to wall as long as the error falls, and ends a hair's breadth
 /// behind the last: the next one knows the region there. False if it does not fall.
 template <class Motion>
-bool ProximalNewton<Motion>::stepAlong(const Problem& problem, double& error) {
+bool ProximalWalk<Motion>::stepAlong(double& error) {
   constexpr int mostHalvings = 10, mostWalls = 4;
   constexpr double hair = 1e-6;
-  double share = 1, least = tryStep(problem, share);
+  double share = 1, least = tryStep(share);
   for (int h = 1; !(least <= (1 - 1e-4 * share) * error); ++h) {
     if (h == mostHalvings) return false;
     share *= 0.5;
-    least = tryStep(problem, share);
+    least = tryStep(share);
   }
   if (share < 1) {
     const double tooLong = 2 * share;
-    motion_.relativeVelocity(delta_, fromU_);
+    space_.motion().relativeVelocity(delta_, fromU_);
     fromU_ += u_;
-    motion_.relativeVelocity(step_, alongU_);
+    space_.motion().relativeVelocity(step_, alongU_);
     double tried = share;
     for (int k = 0; k < mostWalls; ++k) {
-      const double wall = nextWallAlong(problem, tried);
+      const double wall = nextWallAlong(tried);
       if (!(wall < tooLong)) break;
       tried = (1 + hair) * wall;
-      const double now = tryStep(problem, tried);
+      const double now = tryStep(tried);
       if (!(now < least)) break;
       least = now;
       share = tried;
     }
-    if (tried != share) tryStep(problem, share);
+    if (tried != share) tryStep(share);
   }
   error = least;
   return true;
@@ -103,23 +100,23 @@ bool ProximalNewton<Motion>::stepAlong(const Problem& problem, double& error) {
 
 /// The first wall after this share of the step.
 template <class Motion>
-double ProximalNewton<Motion>::nextWallAlong(const Problem& problem, double after) const {
+double ProximalWalk<Motion>::nextWallAlong(double after) const {
   double first = infinity;
-  const int n = problem.contacts();
+  const int n = problem().contacts();
   for (int i = 0; i < n; ++i) {
     const int at = 3 * i;
     const Vec3 l = l_.segment<3>(at);
     const Vec3 z = center_.segment<3>(at) - l.cwiseProduct(fromU_.segment<3>(at));
     const Vec3 d = -l.cwiseProduct(alongU_.segment<3>(at));
-    first = std::min(first, nextWall(z, d, problem.friction[i], after));
+    first = std::min(first, nextWall(z, d, problem().friction[i], after));
   }
   const auto z = [this](int at) { return center_[at] - l_[at] * fromU_[at]; };
   const auto d = [this](int at) { return -l_[at] * alongU_[at]; };
-  for (int i = 0; i < problem.rows(); ++i) {
+  for (int i = 0; i < problem().rows(); ++i) {
     const int at = 3 * n + i;
-    first = std::min(first, nextWall(z(at), d(at), problem.lower[i], problem.upper[i], after));
+    first = std::min(first, nextWall(z(at), d(at), problem().lower[i], problem().upper[i], after));
   }
-  for (const Disk& disk : problem.disks) {
+  for (const Disk& disk : problem().disks) {
     const Vec2 own = disk.of(center_) - l_[disk.first] * disk.of(fromU_);
     const Vec2 along = -l_[disk.first] * disk.of(alongU_);
     const Vec3 from(z(disk.governor), own[0], own[1]), way(d(disk.governor), along[0], along[1]);
@@ -129,28 +126,29 @@ double ProximalNewton<Motion>::nextWallAlong(const Problem& problem, double afte
 }
 
 template <class Motion>
-typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
-    const Problem& problem, int& budget, Solution& count, const Solution* region) {
+typename ProximalWalk<Motion>::Inner ProximalWalk<Motion>::solveProximal(int& budget,
+                                                                         Solution& count,
+                                                                         const Solution* region) {
   // An inner answer only has to be better than what the outer step corrects anyway; at round-off
   // the line search stalls.
   constexpr double stalled = 1e-2;
   constexpr int mostSteps = 40;
-  delta_.setZero(motion_.size());
+  delta_.setZero(space_.motion().size());
   trialU_ = u_;
 
   if (region) {
     if (budget-- <= 0) return Inner::Failed;
     ++count.regions;
-    respondInRegion(problem, *region);
-    if (!factorise(count)) return Inner::Failed;
+    respondInRegion(*region);
+    if (!space_.factorise(count)) return Inner::Failed;
     change_ = r_ - center_;
     delta_ = felt();
-    motion_.solve(delta_);
+    space_.motion().solve(delta_);
     if (!delta_.allFinite()) return Inner::Failed;
-    motion_.relativeVelocity(delta_, trialU_);
+    space_.motion().relativeVelocity(delta_, trialU_);
     trialU_ += u_;
   }
-  respond(problem, trialU_, nullptr);
+  respond(trialU_, nullptr);
   error_ = delta_ - felt();
   double error = error_.norm();
   for (int k = 0; k < mostSteps; ++k) {
@@ -158,14 +156,13 @@ typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
     if (error <= std::max(enough_ * size, fine_)) return Inner::Converged;
     if (budget-- <= 0) return Inner::Failed;
     ++count.regions;
-    respond(problem, trialU_, &G_);
-    if (!factorise(count)) return Inner::Failed;
+    respond(trialU_, &G_);
+    if (!space_.factorise(count)) return Inner::Failed;
     step_ = -error_;
-    motion_.solve(step_);
+    space_.motion().solve(step_);
     if (!step_.allFinite()) return Inner::Failed;
 
-    if (!stepAlong(problem, error))
-      return error <= stalled * size ? Inner::Converged : Inner::Failed;
+    if (!stepAlong(error)) return error <= stalled * size ? Inner::Converged : Inner::Failed;
     delta_.swap(trialDelta_);
     error_.swap(trialError_);
   }
@@ -173,55 +170,52 @@ typename ProximalNewton<Motion>::Inner ProximalNewton<Motion>::solveProximal(
 }
 
 template <class Motion>
-Outcome ProximalNewton<Motion>::walk(const Problem& problem, double tolerance, double alpha,
-                                     int regionBudget, Solution& best) {
-  return walkFrom(best, problem, tolerance, alpha, regionBudget, best);
+Outcome ProximalWalk<Motion>::walk(double tolerance, double alpha, int regionBudget,
+                                   Solution& best) {
+  return walkFrom(best, tolerance, alpha, regionBudget, best);
 }
 
 template <class Motion>
-Outcome ProximalNewton<Motion>::walkFrom(const Solution& start, const Problem& problem,
-                                         double tolerance, double alpha, int regionBudget,
-                                         Solution& best) {
+Outcome ProximalWalk<Motion>::walkFrom(const Solution& start, double tolerance, double alpha,
+                                       int regionBudget, Solution& best) {
   center_ = start.r;
   u_ = start.u;
-  return converge(problem, tolerance, alpha, regionBudget, false, start.residual, best);
+  return converge(tolerance, alpha, regionBudget, false, start.residual, best);
 }
 
 template <class Motion>
-Outcome ProximalNewton<Motion>::walkFromRegion(const Problem& problem, double tolerance,
-                                               double alpha, int regionBudget, Solution& best) {
-  center_.setZero(problem.size());
-  u_ = problem.q;
+Outcome ProximalWalk<Motion>::walkFromRegion(double tolerance, double alpha, int regionBudget,
+                                             Solution& best) {
+  center_.setZero(problem().size());
+  u_ = problem().q;
   constexpr double unknown = infinity;
-  return converge(problem, tolerance, alpha, regionBudget, true, unknown, best);
+  return converge(tolerance, alpha, regionBudget, true, unknown, best);
 }
 
+/// r_ is the next center, and the best answer if its residual is the smallest.
 template <class Motion>
-void ProximalNewton<Motion>::moveTo(const VelocityResidual& residual, Solution& best) {
+void ProximalWalk<Motion>::moveTo(const VelocityResidual& residual, Solution& best) {
   center_ = r_;
   u_.swap(trialU_);
-  if (!(residual.max < best.residual)) return;
-  best.r = center_;
-  best.u = u_;
-  best.setResidual(residual);
+  best.takeIfBetter(center_, u_, residual);
 }
 
 template <class Motion>
-void ProximalNewton<Motion>::polish(const Problem& problem, double tolerance, double alpha,
-                                    int regionBudget, Solution& best) {
+void ProximalWalk<Motion>::polish(double tolerance, double alpha, int regionBudget,
+                                  Solution& best) {
   center_ = best.r;
   u_ = best.u;
   r_ = center_;
   setTolerance(tolerance);
   setWeights(alpha);
-  if (solveProximal(problem, regionBudget, best, nullptr) == Inner::Failed) return;
+  if (solveProximal(regionBudget, best, nullptr) == Inner::Failed) return;
   moveTo(measure(), best);
 }
 
+/// From the reactions center_ with the natural residual `residual`.
 template <class Motion>
-Outcome ProximalNewton<Motion>::converge(const Problem& problem, double tolerance,
-                                         double firstWeight, int regionBudget, bool fromRegion,
-                                         double residual, Solution& best) {
+Outcome ProximalWalk<Motion>::converge(double tolerance, double firstWeight, int regionBudget,
+                                       bool fromRegion, double residual, Solution& best) {
   constexpr double smallest = 1e-12, largest = 10, hardly = 1e-7;
   // Shares of the residual. A step that leaves more than `slow` asks for a smaller weight; more
   // than `tooSlow`, and no digits come by themselves; more than `atItsEnd` with the smallest
@@ -236,7 +230,7 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
     setWeights(alpha.value());
     const int regionsBefore = regionBudget;
     const Solution* region = fromRegion && outer == 0 ? &best : nullptr;
-    if (solveProximal(problem, regionBudget, best, region) == Inner::Failed) {
+    if (solveProximal(regionBudget, best, region) == Inner::Failed) {
       // Where the budget ends, what is half done may be better than nothing.
       if (regionBudget <= 0) moveTo(measure(), best);
       if (best.residual <= tolerance) return Outcome::Reached;
@@ -248,14 +242,14 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
     const VelocityResidual measured = measure();
     const double now = measured.max;
     if (now > std::max(stuck * residual, tolerance) && alpha.value() <= hardly &&
-        growsInVain(problem, tolerance, now)) {
-      compromise(problem, best);
+        growsInVain(tolerance, now)) {
+      compromise(best);
       return Outcome::Incompatible;
     }
     moveTo(measured, best);
     // Some digits more if they come by themselves: then the next step may stand on these reactions.
     const double aim = now > tooSlow * residual ? tolerance : polishedShare * tolerance;
-    if (now <= std::max(aim, map_->roundOff(center_))) return Outcome::Reached;
+    if (now <= std::max(aim, space_.map().roundOff(center_))) return Outcome::Reached;
     // A region that is known needs a small weight to finish; one that still changes needs a larger
     // one.
     if (now > atItsEnd * residual && alpha.isLeast()) return Outcome::Lost;
@@ -265,7 +259,7 @@ Outcome ProximalNewton<Motion>::converge(const Problem& problem, double toleranc
   return Outcome::Lost;
 }
 
-template class ProximalNewton<BodyMotion>;
-template class ProximalNewton<FactoredMotion>;
+template class ProximalWalk<BodyMotion>;
+template class ProximalWalk<FactoredMotion>;
 
 }  // namespace delassus

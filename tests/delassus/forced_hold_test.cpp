@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "delassus/proximal_newton.h"
+#include "delassus/forced_hold.h"
 #include "delassus/solver.h"
 #include "tests/support/random_piles.h"
 #include "tests/support/turning_piles.h"
@@ -24,9 +24,9 @@ bool holdAll(const Problem& problem, double tolerance, Solution& best) {
   best.activeSet.contacts.assign(problem.contacts(), Mode::Stick);
   best.activeSet.rows.assign(problem.rows(), RowState::Free);
   best.activeSet.disks.assign(problem.disks.size(), Mode::Stick);
-  ProximalNewton<Motion> engine;
-  engine.setProblem(problem, map);
-  return engine.holdAll(problem, tolerance, budget, best);
+  ProximalSpace<Motion> space;
+  space.setProblem(problem, map);
+  return ForcedHold<Motion>(space).hold(tolerance, budget, best);
 }
 
 double toleranceOf(const Problem& problem) { return 1e-10 * problem.q.cwiseAbs().maxCoeff(); }
@@ -145,13 +145,14 @@ TEST(Holding, LetsGoOfWhatIsOpen) {
   const Problem problem = PileIsland(pile).problem;
   NaturalMap map;
   map.setProblem(problem);
-  ProximalNewton<BodyMotion> engine;
-  engine.setProblem(problem, map);
+  ProximalSpace<BodyMotion> space;
+  space.setProblem(problem, map);
+  ForcedHold<BodyMotion> forced(space);
   for (const int open : {0, problem.contacts()}) {
     Solution best = startFrom(problem, map, randomReactions(problem, 0.3, random));
     best.activeSet.contacts.assign(problem.contacts(), Mode::Stick);
     std::fill_n(best.activeSet.contacts.begin(), open, Mode::Open);
-    EXPECT_EQ(engine.holdAll(problem, toleranceOf(problem), budget, best), open == 0);
+    EXPECT_EQ(forced.hold(toleranceOf(problem), budget, best), open == 0);
   }
 }
 

@@ -1,7 +1,8 @@
 /// Newton's method in the space of reactions.
 #include <gtest/gtest.h>
 
-#include "delassus/proximal_newton.h"
+#include "delassus/proximal_walk.h"
+#include "delassus/reaction_steps.h"
 #include "delassus/solver.h"
 #include "tests/support/random_piles.h"
 
@@ -16,18 +17,18 @@ class Attempt {
   explicit Attempt(const Problem& problem, double share = 1e-9)
       : problem_(problem), tolerance_(share * problem.q.cwiseAbs().maxCoeff()) {
     map_.setProblem(problem_);
-    newton_.setProblem(problem_, map_);
+    space_.setProblem(problem_, map_);
   }
 
   bool from(const VectorXd& r, int budget = 100) {
     best = startFrom(problem_, map_, r);
     before = best.residual;
     Solution next;
-    return newton_.react(problem_, tolerance_, budget, next, best);
+    return steps_.solve(tolerance_, budget, next, best);
   }
   bool fromRest() { return from(VectorXd::Zero(problem_.size())); }
   double tolerance() const { return tolerance_; }
-  ProximalNewton<Motion>& newton() { return newton_; }
+  ProximalSpace<Motion>& space() { return space_; }
 
   Solution best;
   double before = 0;
@@ -36,7 +37,8 @@ class Attempt {
   const Problem& problem_;
   double tolerance_;
   NaturalMap map_;
-  ProximalNewton<Motion> newton_;
+  ProximalSpace<Motion> space_;
+  ReactionSteps<Motion> steps_{space_};
 };
 
 /// Boxes on each other, with friction that differs from contact to contact, none at some, after a
@@ -47,7 +49,7 @@ PileIsland disturbedTower(int height, double massRatio, double disturbance, Rand
   return PileIsland(pile);
 }
 
-TEST(ProximalReactions, ReachedMeansThatTheLawHolds) {
+TEST(ReactionSteps, ReachedMeansThatTheLawHolds) {
   Random random(301);
   constexpr int samples = 100;
   int reached = 0;
@@ -66,7 +68,7 @@ TEST(ProximalReactions, ReachedMeansThatTheLawHolds) {
 }
 
 // Without friction there is one motion, whoever finds it and from wherever.
-TEST(ProximalReactions, MovesAsTheWalkDoes) {
+TEST(ReactionSteps, MovesAsTheWalkDoes) {
   Random random(302);
   for (int k = 0; k < 30; ++k) {
     const PileIsland island(
@@ -80,7 +82,7 @@ TEST(ProximalReactions, MovesAsTheWalkDoes) {
 }
 
 // A body space has the columns of J̃, a factored W those of its rank: the same steps in either.
-TEST(ProximalReactions, TheSpaceDoesNotMatter) {
+TEST(ReactionSteps, TheSpaceDoesNotMatter) {
   Random random(303);
   int both = 0;
   for (int k = 0; k < 30; ++k) {
@@ -97,7 +99,7 @@ TEST(ProximalReactions, TheSpaceDoesNotMatter) {
 }
 
 // Reactions that are right but for a few digits have their region right, and need no search.
-TEST(ProximalReactions, FewStepsMendWhatIsNearlyRight) {
+TEST(ReactionSteps, FewStepsMendWhatIsNearlyRight) {
   Random random(304);
   int few = 0;
   constexpr int samples = 50;
@@ -114,7 +116,7 @@ TEST(ProximalReactions, FewStepsMendWhatIsNearlyRight) {
   EXPECT_GE(few, 0.9 * samples);
 }
 
-TEST(ProximalReactions, SpendsNoMoreThanItsBudgetAndLosesNothing) {
+TEST(ReactionSteps, SpendsNoMoreThanItsBudgetAndLosesNothing) {
   Random random(305);
   for (int k = 0; k < 60; ++k) {
     const PileIsland island = disturbedTower(1 + k % 6, 1e3, 1, random);
@@ -128,14 +130,14 @@ TEST(ProximalReactions, SpendsNoMoreThanItsBudgetAndLosesNothing) {
 }
 
 // It takes the vectors of the walk, and none of it shows there.
-TEST(ProximalReactions, LeaveTheWalkAsItWas) {
+TEST(ReactionSteps, LeaveTheWalkAsItWas) {
   Random random(306);
   const PileIsland island = disturbedTower(4, 10, 0.1, random);
   const auto walk = [&](Attempt<BodyMotion>& attempt) {
     NaturalMap map;
     map.setProblem(island.problem);
     Solution best = startFrom(island.problem, map, VectorXd::Zero(island.problem.size()));
-    attempt.newton().walk(island.problem, attempt.tolerance(), 1e-2, 200, best);
+    ProximalWalk<BodyMotion>(attempt.space()).walk(attempt.tolerance(), 1e-2, 200, best);
     return best.r;
   };
   Attempt<BodyMotion> used(island.problem), fresh(island.problem);

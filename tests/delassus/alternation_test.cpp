@@ -1,7 +1,7 @@
 /// Alternating directions alone.
 #include <gtest/gtest.h>
 
-#include "delassus/proximal_newton.h"
+#include "delassus/alternation.h"
 #include "delassus/solver.h"
 #include "tests/support/random_piles.h"
 #include "tests/support/turning_piles.h"
@@ -16,9 +16,9 @@ bool alternate(const Problem& problem, double tolerance, int budget, Solution& b
   NaturalMap map;
   map.setProblem(problem);
   best = startFrom(problem, map, best.r.size() > 0 ? best.r : VectorXd::Zero(problem.size()));
-  ProximalNewton<Motion> engine;
-  engine.setProblem(problem, map);
-  return engine.alternate(problem, tolerance, budget, best);
+  ProximalSpace<Motion> space;
+  space.setProblem(problem, map);
+  return Alternation<Motion>(space).alternate(tolerance, budget, best);
 }
 
 // Eight contacts a box squeeze each other, which takes many regions to unravel and hardly any

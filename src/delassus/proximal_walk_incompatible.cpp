@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "delassus/proximal_newton.h"
+#include "delassus/proximal_walk.h"
 
 namespace delassus {
 
@@ -16,76 +16,74 @@ namespace delassus {
 /// −d·u/√(d·W d), and that is beyond any that the demands could ask for. Nearly singular W with
 /// compatible demands let reactions grow long, too.
 template <class Motion>
-bool ProximalNewton<Motion>::growsInVain(const Problem& problem, double tolerance,
-                                         double residual) {
+bool ProximalWalk<Motion>::growsInVain(double tolerance, double residual) {
   VectorXd &d = change_, &open = step_, &moved = trialError_;  // in storage that is free now
   d = r_ - center_;
-  const int frictional = 3 * problem.contacts(), plainRows = problem.disksBegin() - frictional;
+  const int frictional = 3 * problem().contacts(), plainRows = problem().disksBegin() - frictional;
   open = d.cwiseQuotient(l_);
   auto demands = open.segment(frictional, plainRows);
   if (plainRows == 0 || demands.cwiseAbs().maxCoeff() < 0.1 * residual) return false;
   demands.setZero();
   if (open.cwiseAbs().maxCoeff() > 1e-6 * residual) return false;
-  motion_.impulse(d, felt_);
-  motion_.relativeVelocity(felt_, moved);
+  space_.motion().impulse(d, felt_);
+  space_.motion().relativeVelocity(felt_, moved);
   // Neither a tolerance beside which the residual is small nor the rounding of reactions that are
   // large proves anything.
-  const double still = std::min(tolerance, map_->roundOff(r_));
+  const double still = std::min(tolerance, space_.map().roundOff(r_));
   if (moved.cwiseAbs().maxCoeff() > std::max(still, 1e-6 * residual)) return false;
 
   constexpr double impossible = 1e3, rounding = 64 * std::numeric_limits<double>::epsilon();
   const double energy =
       std::abs(d.dot(moved)) + rounding * d.cwiseAbs2().dot(scale_);  // that of W is known no finer
-  const double asked = problem.q.cwiseAbs().cwiseQuotient(scale_.cwiseSqrt()).maxCoeff();
+  const double asked = problem().q.cwiseAbs().cwiseQuotient(scale_.cwiseSqrt()).maxCoeff();
   return -d.dot(trialU_) > impossible * asked * std::sqrt(energy);
 }
 
 /// Takes the part along d = r − center out of the reactions, and names those whose demands it was.
 template <class Motion>
-void ProximalNewton<Motion>::compromise(const Problem& problem, Solution& best) {
+void ProximalWalk<Motion>::compromise(Solution& best) {
   VectorXd &d = change_, &open = step_, &shares = trialError_;  // in storage that is free now
   d = r_ - center_;
   open = scale_.cwiseProduct(d);
   best.r = center_ - d * (open.dot(center_) / open.dot(d));
   // Where a bound or a disk needs a share of d, the reactions stay as large as they have grown.
-  const auto rows = best.r.tail(problem.rows()).array();
+  const auto rows = best.r.tail(problem().rows()).array();
   const auto narrow = [&](const Disk& disk) {
     return disk.of(best.r).norm() > (1 + 1e-9) * disk.radiusAt(best.r);
   };
-  if ((rows < problem.lower.array()).any() || (rows > problem.upper.array()).any() ||
-      std::any_of(problem.disks.begin(), problem.disks.end(), narrow))
+  if ((rows < problem().lower.array()).any() || (rows > problem().upper.array()).any() ||
+      std::any_of(problem().disks.begin(), problem().disks.end(), narrow))
     best.r = r_;
-  best.setResidual(map_->measure(best.r, felt_, best.u));
+  best.setResidual(space_.map().measure(best.r, felt_, best.u));
   // Compared in √J: the units of a row must not decide whether it is named.
   shares = scale_.cwiseSqrt().cwiseProduct(d);
   const double largest = shares.cwiseAbs().maxCoeff();
   best.blamed.clear();
-  for (int i = 0; i < problem.contacts(); ++i)
+  for (int i = 0; i < problem().contacts(); ++i)
     if (shares.segment<3>(3 * i).norm() > 0.1 * largest) best.blamed.push_back(3 * i);
-  for (int at = 3 * problem.contacts(); at < problem.size(); ++at)
+  for (int at = 3 * problem().contacts(); at < problem().size(); ++at)
     if (std::abs(shares[at]) > 0.1 * largest) best.blamed.push_back(at);
 }
 
 template <class Motion>
-bool ProximalNewton<Motion>::yield(const Problem& problem, double tolerance, double alpha,
-                                   int& regionBudget, Solution& best) {
-  center_.setZero(problem.size());
-  u_ = problem.q;
+bool ProximalWalk<Motion>::yield(double tolerance, double alpha, int& regionBudget,
+                                 Solution& best) {
+  center_.setZero(problem().size());
+  u_ = problem().q;
   r_ = center_;
   setTolerance(tolerance);
   setWeights(alpha);
-  if (solveProximal(problem, regionBudget, best, nullptr) == Inner::Failed) return false;
+  if (solveProximal(regionBudget, best, nullptr) == Inner::Failed) return false;
   best.residual = infinity;
   moveTo(measure(), best);
   return true;
 }
 
-template bool ProximalNewton<BodyMotion>::growsInVain(const Problem&, double, double);
-template bool ProximalNewton<FactoredMotion>::growsInVain(const Problem&, double, double);
-template void ProximalNewton<BodyMotion>::compromise(const Problem&, Solution&);
-template void ProximalNewton<FactoredMotion>::compromise(const Problem&, Solution&);
-template bool ProximalNewton<BodyMotion>::yield(const Problem&, double, double, int&, Solution&);
-template bool ProximalNewton<FactoredMotion>::yield(const Problem&, double, double, int&,
-                                                    Solution&);
+template bool ProximalWalk<BodyMotion>::growsInVain(double, double);
+template bool ProximalWalk<FactoredMotion>::growsInVain(double, double);
+template void ProximalWalk<BodyMotion>::compromise(Solution&);
+template void ProximalWalk<FactoredMotion>::compromise(Solution&);
+template bool ProximalWalk<BodyMotion>::yield(double, double, int&, Solution&);
+template bool ProximalWalk<FactoredMotion>::yield(double, double, int&, Solution&);
 
 }  // namespace delassus

@@ -1,11 +1,11 @@
-/// All that touches is held: the paper's forced motion, with the vectors of the walk.
+#include "delassus/forced_hold.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "delassus/cone.h"
 #include "delassus/length.h"
 #include "delassus/options.h"
-#include "delassus/proximal_newton.h"
 
 namespace delassus {
 namespace {
@@ -46,53 +46,53 @@ bool isHeld(const ActiveSet& set, int unknown) {
 /// The weights here, without those that are not held, and the Newton matrix. change_ is what those
 /// have to lose.
 template <class Motion>
-void ProximalNewton<Motion>::setHold(const Problem& problem, const ActiveSet& set) {
-  const int n = problem.contacts();
-  setWeights(alpha);
+void ForcedHold<Motion>::setHold(const ActiveSet& set) {
+  const int n = problem().contacts();
+  space_.setWeights(alpha);
   change_.setZero(r_.size());
   for (int i = 0; i < n; ++i) {
     auto l = l_.segment<3>(3 * i);
-    l.tail<2>() *= problem.friction[i] > 0 ? tangentShare : 0;
+    l.tail<2>() *= problem().friction[i] > 0 ? tangentShare : 0;
     if (!isHeld(set, 3 * i)) {
       l.setZero();
       change_.segment<3>(3 * i) = -r_.segment<3>(3 * i);
     }
     G_.contacts[i] = l.asDiagonal();
   }
-  for (int at = 3 * n; at < problem.size(); ++at)
+  for (int at = 3 * n; at < problem().size(); ++at)
     if (!isHeld(set, at)) l_[at] = 0;
-  G_.rows = l_.tail(problem.rows());
-  for (std::size_t k = 0; k < problem.disks.size(); ++k) {
-    const Disk& disk = problem.disks[k];
+  G_.rows = l_.tail(problem().rows());
+  for (std::size_t k = 0; k < problem().disks.size(); ++k) {
+    const Disk& disk = problem().disks[k];
     const bool held = isHeld(set, disk.governor);
     if (!held) {
       l_.segment(disk.first, disk.unknowns).setZero();
       disk.put(-disk.of(r_), change_);
     }
-    answerOfDisk(disk, static_cast<int>(k), held ? Mode::Stick : Mode::Open, Vec2::Zero(), 0, false,
-                 G_);
+    space_.answerOfDisk(disk, static_cast<int>(k), held ? Mode::Stick : Mode::Open, Vec2::Zero(), 0,
+                        false, G_);
   }
 }
 
 /// How those of r_ that lie outside their cones, bounds and disks are to move, in change_; returns
 /// the size of all that, (m/s)².
 template <class Motion>
-double ProximalNewton<Motion>::moveAllInside(const Problem& problem, double demand) {
-  const int n = problem.contacts();
+double ForcedHold<Motion>::moveAllInside(double demand) {
+  const int n = problem().contacts();
   change_.setZero(r_.size());
   for (int i = 0; i < n; ++i) {
     const int at = 3 * i;
-    const double mu = problem.friction[i];
+    const double mu = problem().friction[i];
     if (!isInside(r_.segment<3>(at), mu))
       change_.segment<3>(at) = moveInside(r_.segment<3>(at), mu, marginShare * demand / scale_[at]);
   }
-  for (int i = 0; i < problem.rows(); ++i) {
+  for (int i = 0; i < problem().rows(); ++i) {
     const int at = 3 * n + i;
-    const double lower = problem.lower[i], upper = problem.upper[i];
+    const double lower = problem().lower[i], upper = problem().upper[i];
     if (r_[at] < lower || r_[at] > upper)
       change_[at] = moveInside(r_[at], lower, upper, marginShare * demand / scale_[at]);
   }
-  for (const Disk& disk : problem.disks) {
+  for (const Disk& disk : problem().disks) {
     const Vec2 r = disk.of(r_);
     const double length = r.norm(), radius = disk.radiusAt(r_);
     if (length > radius) disk.put(beyond * (innerShare * radius / length - 1) * r, change_);
@@ -103,34 +103,33 @@ double ProximalNewton<Motion>::moveAllInside(const Problem& problem, double dema
 /// r_ ← r_ + change_ − L u, where u is the relative velocity that goes with the new r_; u_ goes
 /// with it.
 template <class Motion>
-void ProximalNewton<Motion>::holdOnce() {
-  center_ = r_ + change_;
+void ForcedHold<Motion>::holdOnce() {
+  moved_ = r_ + change_;
   u_ += compliance_.cwiseProduct(change_);
   change_ -= l_.cwiseProduct(u_);
-  motion_.impulse(change_, felt_);
-  motion_.solve(felt_);
-  motion_.relativeVelocity(felt_, trialU_);
-  u_ += trialU_;
+  space_.motion().impulse(change_, felt_);
+  space_.motion().solve(felt_);
+  space_.motion().relativeVelocity(felt_, measuredU_);
+  u_ += measuredU_;
   change_ = l_.cwiseProduct(u_);
-  r_ = center_ - change_;
+  r_ = moved_ - change_;
   u_ -= compliance_.cwiseProduct(change_);
 }
 
 /// Steps from r_, u_ and change_ until all lie inside, and some more for the last digits.
 template <class Motion>
-bool ProximalNewton<Motion>::holdOn(const Problem& problem, double tolerance, int budget,
-                                    Solution& best) {
+bool ForcedHold<Motion>::holdOn(double tolerance, int budget, Solution& best) {
   // Where something has to give way, what lies outside stays as large as it is, or grows.
   constexpr int mostIdle = 10, mostStuck = 4;
   constexpr double halved = 0.5, unchanged = 0.8;
   constexpr double unknown = infinity;
-  const double demand = problem.demand();
+  const double demand = problem().demand();
   double mark = unknown, outside = unknown, residual = unknown;
   for (int k = 0, idle = 0, stuck = 0; k < budget && idle < mostIdle && stuck < mostStuck; ++k) {
     holdOnce();
     ++best.sweeps;
     const double before = outside;
-    outside = moveAllInside(problem, demand);
+    outside = moveAllInside(demand);
     if (outside > 0) {
       stuck = outside > unchanged * before ? stuck + 1 : 0;
       ++idle;
@@ -138,33 +137,47 @@ bool ProximalNewton<Motion>::holdOn(const Problem& problem, double tolerance, in
       continue;
     }
     const double residualBefore = residual;
-    const VelocityResidual measured = measure();
+    const VelocityResidual measured = space_.measure(r_, measuredU_);
     residual = measured.max;
-    moveTo(measured, best);
+    u_.swap(measuredU_);
+    best.takeIfBetter(r_, u_, measured);
     if (residual <= polishedShare * tolerance || residual > 0.1 * residualBefore) break;
   }
   return best.residual <= tolerance;
 }
 
 template <class Motion>
-bool ProximalNewton<Motion>::holdAll(const Problem& problem, double tolerance, int budget,
-                                     Solution& best) {
+ForcedHold<Motion>::ForcedHold(ProximalSpace<Motion>& space)
+    : space_(space),
+      scale_(space.scale),
+      compliance_(space.compliance),
+      l_(space.l),
+      felt_(space.felt),
+      G_(space.G),
+      r_(space.storage[0]),
+      u_(space.storage[1]),
+      change_(space.storage[2]),
+      moved_(space.storage[3]),
+      measuredU_(space.storage[4]) {}
+
+template <class Motion>
+bool ForcedHold<Motion>::hold(double tolerance, int budget, Solution& best) {
   r_ = best.r;
   u_ = best.u;
-  setHold(problem, best.activeSet);
+  setHold(best.activeSet);
   ++best.regions;
-  if (!factorise(best)) return false;
+  if (!space_.factorise(best)) return false;
   const bool startsFromNothing = !r_.any();
   const int end = best.sweeps + budget;
-  if (holdOn(problem, tolerance, budget, best)) return true;
+  if (holdOn(tolerance, budget, best)) return true;
   if (startsFromNothing) return false;
-  r_.setZero(problem.size());
-  u_ = problem.q;
+  r_.setZero(problem().size());
+  u_ = problem().q;
   change_ = r_;
-  return holdOn(problem, tolerance, end - best.sweeps, best);
+  return holdOn(tolerance, end - best.sweeps, best);
 }
 
-template bool ProximalNewton<BodyMotion>::holdAll(const Problem&, double, int, Solution&);
-template bool ProximalNewton<FactoredMotion>::holdAll(const Problem&, double, int, Solution&);
+template class ForcedHold<BodyMotion>;
+template class ForcedHold<FactoredMotion>;
 
 }  // namespace delassus

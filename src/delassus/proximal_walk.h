@@ -1,0 +1,91 @@
+#pragma once
+
+#include "delassus/outcome.h"
+#include "delassus/proximal_space.h"
+
+namespace delassus {
+
+/// The walk from region to region: a proximal Newton method in a motion space (algorithms §6.10,
+/// written in increments).
+///
+/// Around reactions r_k the law is answered by z = r_k − l (u_k + J̃ δ) with l = 1/(compliance +
+/// A), A = α W_aa, and r = P(z), P the projection of z_n on [0, ∞) and then of z_t on the disk of
+/// radius μ r_n (for rows: on the bounds; for disks, with the r_n found so, on that of radius κ
+/// r_n). Each inner Newton step solves δ = J̃ᵀ (r − r_k) in one region; each outer step takes r_k ←
+/// r. A fixed point is an exact solution of Coulomb's law for any α, and the regularisation leaves
+/// no trace in it.
+template <class Motion>
+class ProximalWalk {
+ public:
+  /// Walks on the problem of `space`, which must outlive it.
+  explicit ProximalWalk(ProximalSpace<Motion>& space);
+  ProximalSpace<Motion>& space() { return space_; }
+
+  /// Improves best.r (with its u and residual) until its natural residual is at most `tolerance`
+  /// (m/s), or the region budget is spent. `alpha`: first proximal weight. Among redundant contacts
+  /// the limit stays near the reactions it came from: a self-stress changes only as much as the
+  /// demands ask.
+  Outcome walk(double tolerance, double alpha, int regionBudget, Solution& best);
+
+  /// The same from other reactions than the best: `start` gives r, u and the residual.
+  Outcome walkFrom(const Solution& start, double tolerance, double alpha, int regionBudget,
+                   Solution& best);
+
+  /// The same as `walk`, but tests the region best.activeSet first and starts its reactions from
+  /// zero: the limit is the smoothest share (least norm) among redundant contacts, whatever the
+  /// guess was.
+  Outcome walkFromRegion(double tolerance, double alpha, int regionBudget, Solution& best);
+
+  /// One outer step from reactions that keep the law already, which are left as they are if it does
+  /// not better them. A second one would find nothing but rounding: errors shrink by `alpha`.
+  void polish(double tolerance, double alpha, int regionBudget, Solution& best);
+
+  /// The answer if all were compliant by `alpha` W_aa: where demands are incompatible, that is a
+  /// compromise. Takes the place of `best`, u and residual being those of the problem itself. False
+  /// if it is not found within the budget.
+  bool yield(double tolerance, double alpha, int& regionBudget, Solution& best);
+
+ private:
+  enum class Inner { Converged, Failed };
+
+  // proximal_walk.cpp: inner and outer steps.
+  void setTolerance(double tolerance);
+  void setWeights(double alpha);
+  double tryStep(double share);
+  bool stepAlong(double& error);
+  double nextWallAlong(double after) const;
+  Inner solveProximal(int& budget, Solution& count, const Solution* region);
+  Outcome converge(double tolerance, double firstWeight, int regionBudget, bool fromRegion,
+                   double residual, Solution& best);
+  VelocityResidual measure() { return space_.measure(r_, trialU_); }
+  void moveTo(const VelocityResidual& residual, Solution& best);
+  const VectorXd& felt();
+
+  // proximal_walk_response.cpp: how contacts, rows and disks answer the motion.
+  void respond(const VectorXd& u, Stiffness* G);
+  void respondInRegion(const Solution& from);
+  void answer(int at, double step, double r);
+
+  // proximal_walk_incompatible.cpp: where demands contradict each other.
+  bool growsInVain(double tolerance, double residual);
+  void compromise(Solution& best);
+
+  const Problem& problem() const { return space_.problem(); }
+
+  ProximalSpace<Motion>& space_;
+  const VectorXd &scale_, &l_;
+  VectorXd& felt_;
+  Stiffness& G_;
+  VectorXd &center_, &u_;  ///< r_k and u_k
+  VectorXd &r_, &delta_;   ///< the answer of the inner problem
+  VectorXd& change_;       ///< r − r_k
+  VectorXd& error_;        ///< δ − J̃ᵀ (r − r_k)
+  VectorXd &step_, &trialDelta_, &trialError_, &trialU_;
+  VectorXd &fromU_, &alongU_;  ///< u where a step begins, and of all of it
+  /// Share of the step that is inner error small enough: what a large weight leaves is larger
+  /// anyway.
+  double enough_ = 0;
+  double fine_ = 0;  ///< inner error that is small enough whatever the size of the step
+};
+
+}  // namespace delassus
