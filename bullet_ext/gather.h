@@ -67,7 +67,7 @@ bool warmStarts(const btContactSolverInfo& info);
 /// Rows of the joints as their getInfo1 and getInfo2 answer. With the joint's damping D and its
 /// dimensionless softness χ:
 ///
-///     target = error + (1 − D) J v_f,   compliance = max(χ, leastSoftness) W_ii
+///     target = error + (1 − D) J v_f,   compliance = max(χ, softness) W_ii   (softness.h)
 ///
 /// W_ii is that of the masses without linear and angular factors, as in Bullet's solvers. A row
 /// whose impulse could move nothing, since its bodies are locked along it, takes no part (Bullet's

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
@@ -63,6 +64,11 @@ double unfactoredResponse(const Group& group, int body, const Row6& J) {
          angular.dot(toCore(rigid.getInvInertiaTensorWorld()) * angular);
 }
 
+double unfactoredResponse(const Group& group, const Row& row) {
+  return unfactoredResponse(group, row.a, row.jacobianA) +
+         unfactoredResponse(group, row.b, row.jacobianB);
+}
+
 double relativeVelocity(const Group& group, int body, const Row6& J) {
   return body >= 0 ? J.dot(group.bodies[body].velocity) : 0;
 }
@@ -88,8 +94,7 @@ Row toRow(const Group& group, int a, int b, const InfoRow& info, double damping,
   row.target = info.error + (1 - damping) * q;
   row.lower = toCoreBound(info.lower <= -breakingImpulse ? -breakingImpulse : info.lower);
   row.upper = toCoreBound(info.upper >= breakingImpulse ? breakingImpulse : info.upper);
-  row.compliance = complianceOf(info.cfm, unfactoredResponse(group, a, row.jacobianA) +
-                                              unfactoredResponse(group, b, row.jacobianB));
+  row.compliance = complianceOf(info.cfm, unfactoredResponse(group, row));
 
   // An infinite error means "as hard as you may" (six-dof spring 2): the row stays at its bound.
   if (std::abs(info.error) >= SIMD_INFINITY) {
@@ -132,6 +137,23 @@ void gatherRows(Group& group, btTypedConstraint& joint, double lastImpulse, doub
   }
   source.rowCount = static_cast<int>(group.rows.size()) - source.firstRow;
   group.joints.push_back(source);
+}
+
+/// Has the joints of mechanisms with loops give by loopSoftness at least.
+void softenLoops(Group& group) {
+  if (loopSoftness <= leastSoftness || group.joints.size() < 2) return;
+  const auto bodyOf = [&](int body) { return group.movable(body) ? body : JointLoops::standing; };
+  group.loops.reset(static_cast<int>(group.bodies.size()));
+  for (const JointSource& joint : group.joints) {
+    if (joint.rowCount == 0) continue;
+    const Row& row = group.rows[joint.firstRow];
+    group.loops.add(bodyOf(row.a), bodyOf(row.b));
+  }
+  group.loops.close();
+  if (!group.loops.hasLoops()) return;
+  for (Row& row : group.rows)
+    if (group.loops.isLooped(group.movable(row.a) ? row.a : row.b))
+      row.compliance = std::max(row.compliance, loopSoftness * unfactoredResponse(group, row));
 }
 
 /// Whether the joint says where its bodies are relative to each other, in some direction at least.
@@ -184,6 +206,7 @@ void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
       group.obsolete.push_back(&joint);
     }
   }
+  softenLoops(group);
 }
 
 }  // namespace delassus::bullet

@@ -27,7 +27,7 @@ void Group::clear() {
 std::size_t Group::bytes() const {
   return bytesOf(bodies, bodySources, contacts, contactSources, pushes, guess, idle, restless, rows,
                  rowGuess, joints, multiBodyRows, asked) +
-         obsolete.capacity() * sizeof(void*) + indexOf.bytes() + joined.bytes() +
+         obsolete.capacity() * sizeof(void*) + indexOf.bytes() + joined.bytes() + loops.bytes() +
          articulation.bytes();
 }
 

@@ -7,6 +7,7 @@
 #include "bullet_ext/address_table.h"
 #include "bullet_ext/contact_event.h"
 #include "bullet_ext/joined_bodies.h"
+#include "bullet_ext/joint_loops.h"
 #include "delassus/articulation.h"
 #include "delassus/body.h"
 #include "delassus/contact.h"
@@ -91,6 +92,7 @@ struct Group {
 
   AddressTable indexOf;
   JoinedBodies joined;
+  JointLoops loops;
   std::vector<InfoRow> asked;  ///< of the joint that is being gathered
 
   void clear();

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "bullet_ext/group.h"
-#include "bullet_ext/soften.h"
+#include "bullet_ext/thrown_bodies.h"
 #include "delassus/bytes.h"
 #include "delassus/contact_motion.h"
 

@@ -8,7 +8,7 @@
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "bullet_ext/group.h"
 #include "bullet_ext/names.h"
-#include "bullet_ext/soften.h"
+#include "bullet_ext/thrown_bodies.h"
 #include "delassus/bytes.h"
 #include "delassus/island.h"
 #include "delassus/residual.h"

@@ -32,7 +32,7 @@ struct IslandResult {
   int restless;     ///< one of its bodies, if other reactions were found than those of the last
                     ///< step; or −1
   bool open;        ///< the check has left it to be solved
-  bool isSoftened;  ///< the exact answer would throw a body (soften.h)
+  bool isSoftened;  ///< the exact answer would throw a body (thrown_bodies.h)
   /// First unknowns of the contacts and rows that keep it from being solved.
   std::vector<int> blamed;
 };

@@ -38,6 +38,7 @@ nlohmann::ordered_json toJson(const std::string& scene, const RunSummary& run) {
   json["bodies"] = run.bodies;
   json["contacts_max"] = run.contactsMax;
   json["ms_first"] = run.msFirst;
+  json["ms_mean"] = run.msMean;
   json["ms_median"] = run.msMedian;
   json["ms_p95"] = run.msP95;
   json["residual_rms"] = run.residualRms;

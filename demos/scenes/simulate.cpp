@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -109,6 +110,7 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
     summary.modes = writtenModes(dynamics);
   }
   summary.msFirst = milliseconds.front();
+  summary.msMean = std::accumulate(milliseconds.begin(), milliseconds.end(), 0.0) / summary.steps;
   summary.msMedian = median(milliseconds);
   summary.msP95 = quantile(milliseconds, 0.95);
   summary.residualMax = settledResidual.max;

@@ -36,7 +36,8 @@ struct RunSummary {
   double hz = 60;
   int bodies = 0;
   int contactsMax = 0;
-  double msFirst = 0, msMedian = 0, msP95 = 0;  ///< msFirst: of the first step, from nothing
+  double msFirst = 0;  ///< of the first step, from nothing
+  double msMean = 0, msMedian = 0, msP95 = 0;
   double residualRms = 0, residualMax = 0;
   int stepsAbove = 0;              ///< of all, those with a residual above `strict`, or lost
   int stepsLost = 0;               ///< of all, those that ended with a body that is nowhere

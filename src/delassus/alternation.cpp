@@ -16,10 +16,10 @@ Alternation<Motion>::Alternation(ProximalSpace<Motion>& space)
       scale_(space.scale),
       l_(space.l),
       felt_(space.felt),
-      x_(space.storage[0]),
-      y_(space.storage[1]),
-      z_(space.storage[2]),
-      u_(space.storage[3]) {}
+      x_(space.ofUnknowns[0]),
+      y_(space.ofUnknowns[1]),
+      z_(space.ofUnknowns[2]),
+      u_(space.ofUnknowns[3]) {}
 
 template <class Motion>
 void Alternation<Motion>::alternateOnce() {

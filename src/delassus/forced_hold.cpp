@@ -154,11 +154,11 @@ ForcedHold<Motion>::ForcedHold(ProximalSpace<Motion>& space)
       l_(space.l),
       felt_(space.felt),
       G_(space.G),
-      r_(space.storage[0]),
-      u_(space.storage[1]),
-      change_(space.storage[2]),
-      moved_(space.storage[3]),
-      measuredU_(space.storage[4]) {}
+      r_(space.ofUnknowns[0]),
+      u_(space.ofUnknowns[1]),
+      change_(space.ofUnknowns[2]),
+      moved_(space.ofUnknowns[3]),
+      measuredU_(space.ofUnknowns[4]) {}
 
 template <class Motion>
 bool ForcedHold<Motion>::hold(double tolerance, int budget, Solution& best) {

@@ -14,8 +14,7 @@ void ProximalSpace<Motion>::setProblem(const Problem& problem, const NaturalMap&
     compliance.setZero(problem.size());
   G.reset(problem);
   // Seldom used: had they not their size at once, some later step would be the first to allocate.
-  storage[10].resize(problem.size());
-  storage[11].resize(problem.size());
+  for (const int seldom : {5, 6}) ofUnknowns[seldom].resize(problem.size());
   forgetFactor();
 }
 

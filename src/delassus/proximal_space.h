@@ -46,7 +46,8 @@ class ProximalSpace {
 
   std::size_t bytes() const {
     std::size_t sum = motion_.bytes() + G.bytes() + factored_.bytes();
-    for (const VectorXd& vector : storage) sum += bytesOf(vector);
+    for (const VectorXd& vector : ofUnknowns) sum += bytesOf(vector);
+    for (const VectorXd& vector : ofMotion) sum += bytesOf(vector);
     return sum + bytesOf(scale, compliance, l, felt);
   }
 
@@ -55,8 +56,10 @@ class ProximalSpace {
   VectorXd l;           ///< the weights, kg
   Stiffness G;          ///< of a region, −dr/du
   VectorXd felt;        ///< J̃ᵀ of some reactions
-  /// What the methods work in, each giving names to its own part: nothing outlives a call.
-  std::array<VectorXd, 12> storage;
+  /// What the methods work in, each giving names to its own part: nothing outlives a call. By size:
+  /// one entry for each unknown, and for each direction of the motion space.
+  std::array<VectorXd, 7> ofUnknowns;
+  std::array<VectorXd, 5> ofMotion;
 
  private:
   const Problem* problem_ = nullptr;

@@ -17,18 +17,18 @@ ProximalWalk<Motion>::ProximalWalk(ProximalSpace<Motion>& space)
       l_(space.l),
       felt_(space.felt),
       G_(space.G),
-      center_(space.storage[0]),
-      u_(space.storage[1]),
-      r_(space.storage[2]),
-      delta_(space.storage[3]),
-      change_(space.storage[4]),
-      error_(space.storage[5]),
-      step_(space.storage[6]),
-      trialDelta_(space.storage[7]),
-      trialError_(space.storage[8]),
-      trialU_(space.storage[9]),
-      fromU_(space.storage[10]),
-      alongU_(space.storage[11]) {}
+      center_(space.ofUnknowns[0]),
+      u_(space.ofUnknowns[1]),
+      r_(space.ofUnknowns[2]),
+      delta_(space.ofMotion[0]),
+      change_(space.ofUnknowns[3]),
+      error_(space.ofMotion[1]),
+      step_(space.ofMotion[2]),
+      trialDelta_(space.ofMotion[3]),
+      trialError_(space.ofMotion[4]),
+      trialU_(space.ofUnknowns[4]),
+      fromU_(space.ofUnknowns[5]),
+      alongU_(space.ofUnknowns[6]) {}
 
 template <class Motion>
 void ProximalWalk<Motion>::setWeights(double alpha) {

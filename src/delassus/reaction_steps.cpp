@@ -20,12 +20,12 @@ class ReactionSteps<Motion>::AroundCenter {
         perScale_(1 + alpha),
         r_(at.r),
         v_(at.u),
-        F_(space.storage[0]),
-        change_(space.storage[1]),
-        delta_(space.storage[2]),
-        felt_(space.storage[3]),
-        last_(space.storage[4]),
-        kept_(space.storage[5]),
+        F_(space.ofUnknowns[0]),
+        change_(space.ofUnknowns[1]),
+        delta_(space.ofMotion[0]),
+        felt_(space.ofUnknowns[2]),
+        last_(space.ofUnknowns[3]),
+        kept_(space.ofUnknowns[4]),
         G_(space.G) {}
 
   double error();

@@ -19,7 +19,7 @@ class Atlas : public delassus::test::CommandCall {
   Outcome draw(const fs::path& out) const { return call("atlas --out " + out.string()); }
 };
 
-TEST_F(Atlas, drawsEveryFigureAsVectorsAndPixels) {
+TEST_F(Atlas, DrawsEveryFigureAsVectorsAndPixels) {
   const Outcome outcome = draw(folder_ / "atlas");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   int files = 0;
@@ -36,7 +36,7 @@ TEST_F(Atlas, drawsEveryFigureAsVectorsAndPixels) {
       << "nothing is left beside the figures";
 }
 
-TEST_F(Atlas, findsBulletWhereTheorySays) {
+TEST_F(Atlas, FindsBulletWhereTheorySays) {
   const auto [status, out, err] = draw(folder_ / "atlas");
   ASSERT_EQ(status, 0) << err;
   const std::regex count("([0-9]+) of ([0-9]+)");
@@ -52,7 +52,7 @@ TEST_F(Atlas, findsBulletWhereTheorySays) {
       << out;
 }
 
-TEST_F(Atlas, repeatsByteForByte) {
+TEST_F(Atlas, RepeatsByteForByte) {
   ASSERT_EQ(draw(folder_ / "once").status, 0);
   ASSERT_EQ(draw(folder_ / "twice").status, 0);
   for (const auto& file : fs::directory_iterator(folder_ / "once"))
@@ -60,7 +60,7 @@ TEST_F(Atlas, repeatsByteForByte) {
         << file.path();
 }
 
-TEST_F(Atlas, namesTheFileThatCannotBeWritten) {
+TEST_F(Atlas, NamesTheFileThatCannotBeWritten) {
   write("file", "in the way");
   const Outcome outcome = draw(folder_ / "file");
   EXPECT_EQ(outcome.status, 1);

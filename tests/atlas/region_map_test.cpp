@@ -28,7 +28,7 @@ double angle(const Vector2d& from, const Vector2d& to) {
   return turn < 0 ? turn + 2 * M_PI : turn;
 }
 
-TEST(RegionsOf, fillThePlaneOnce) {
+TEST(RegionsOf, FillThePlaneOnce) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 200; ++i) {
     double sum = 0;
@@ -43,7 +43,7 @@ TEST(RegionsOf, fillThePlaneOnce) {
   }
 }
 
-TEST(RegionsOf, holdOneAnswerEach) {
+TEST(RegionsOf, HoldOneAnswerEach) {
   std::mt19937_64 random(2);
   std::uniform_real_distribution<double> share(0.001, 0.999);
   for (int i = 0; i < 200; ++i) {

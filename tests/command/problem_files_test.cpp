@@ -26,7 +26,7 @@ class ProblemFiles : public delassus::test::CommandCall {
   }
 };
 
-TEST_F(ProblemFiles, solvesAProblem) {
+TEST_F(ProblemFiles, SolvesAProblem) {
   const Outcome outcome = call("solve " + easyProblem() + " --json --solution " + file("solution"));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const json solved = json::parse(outcome.out);
@@ -42,7 +42,7 @@ TEST_F(ProblemFiles, solvesAProblem) {
 }
 
 // An empty problem is of the kind that its file says.
-TEST_F(ProblemFiles, tellsTheKindOfAProblemByItsFormat) {
+TEST_F(ProblemFiles, TellsTheKindOfAProblemByItsFormat) {
   const std::string contacts =
       write("none.fc3d", "delassus-problem v1\nname none\ncontacts 0\nblocks 0\nmu\nq\nW\nend\n");
   const std::string rows = write("none.lcp", "lcp v1\nname none\nsize 0\nentries 0\nq\nM\nend\n");
@@ -56,7 +56,7 @@ TEST_F(ProblemFiles, tellsTheKindOfAProblemByItsFormat) {
 }
 
 // printf may give what is not a number a sign.
-TEST_F(ProblemFiles, saysNanInWordsAndNullInJson) {
+TEST_F(ProblemFiles, SaysNanInWordsAndNullInJson) {
   std::string text = read(easyProblem());
   text.replace(text.find("-1 0.1"), 6, "-1e200 0.1");
   const std::string huge = write("huge.fc3d", text);
@@ -66,7 +66,7 @@ TEST_F(ProblemFiles, saysNanInWordsAndNullInJson) {
   EXPECT_TRUE(json::parse(call("solve --json " + huge).out)["rel"].is_null());
 }
 
-TEST_F(ProblemFiles, doesNotWriteOverItsInput) {
+TEST_F(ProblemFiles, DoesNotWriteOverItsInput) {
   const std::string problem = easyProblem(), before = read(problem);
   std::filesystem::create_symlink(problem, file("link"));
   for (const std::string& solution : {problem, file("link"), folder_.string() + "/./easy.fc3d"}) {
@@ -96,7 +96,7 @@ TEST_F(ProblemFiles, doesNotWriteOverItsInput) {
 }
 
 // Names are bytes; JSON is UTF-8.
-TEST_F(ProblemFiles, tellsAnyNameInJson) {
+TEST_F(ProblemFiles, TellsAnyNameInJson) {
   const std::string problem = easyProblem();
   std::string text = read(problem);
   text.replace(text.find("easy"), 4, "e\xe4sy");
@@ -105,7 +105,7 @@ TEST_F(ProblemFiles, tellsAnyNameInJson) {
   EXPECT_EQ(json::parse(outcome.out)["name"], "e\xef\xbf\xbdsy");
 }
 
-TEST_F(ProblemFiles, endsWithThreeAboveTheTolerance) {
+TEST_F(ProblemFiles, EndsWithThreeAboveTheTolerance) {
   // u = −1 whatever r is: no solution.
   const std::string hopeless =
       write("hopeless.lcp", "lcp v1\nname hopeless\nsize 1\nentries 1\nq\n-1\nM\n0 0 0\nend\n");
@@ -114,7 +114,7 @@ TEST_F(ProblemFiles, endsWithThreeAboveTheTolerance) {
   EXPECT_NE(json::parse(outcome.out)["status"], "solved");
 }
 
-TEST_F(ProblemFiles, namesAProblemThatCannotBeRead) {
+TEST_F(ProblemFiles, NamesAProblemThatCannotBeRead) {
   const std::string good = read(easyProblem());
   std::string twoContacts = good;
   twoContacts.replace(twoContacts.find("contacts 1"), 10, "contacts 2");
@@ -130,7 +130,7 @@ TEST_F(ProblemFiles, namesAProblemThatCannotBeRead) {
   }
 }
 
-TEST_F(ProblemFiles, dumpsWhatItCanSolve) {
+TEST_F(ProblemFiles, DumpsWhatItCanSolve) {
   const Outcome dumped = call("dump stack_10 --at 0.1 --out " + file("stack.fc3d"));
   ASSERT_EQ(dumped.status, 0) << dumped.err;
   const Outcome solved = call("solve " + file("stack.fc3d") + " --json");
@@ -140,7 +140,7 @@ TEST_F(ProblemFiles, dumpsWhatItCanSolve) {
 
 // A file that is standard output, or a pipe that is, holds what any other would; what is said about
 // it goes elsewhere.
-TEST_F(ProblemFiles, writesToStandardOutputAsToAFile) {
+TEST_F(ProblemFiles, WritesToStandardOutputAsToAFile) {
   const std::string problem = easyProblem();
   for (const auto& [command, flag] :
        {std::pair<std::string, std::string>("dump one_box --at 0", " --out "),
@@ -164,7 +164,7 @@ TEST_F(ProblemFiles, writesToStandardOutputAsToAFile) {
   EXPECT_EQ(lines(many.err), 1) << many.err;
 }
 
-TEST_F(ProblemFiles, dumpsContactsWithJointsAsContacts) {
+TEST_F(ProblemFiles, DumpsContactsWithJointsAsContacts) {
   const Outcome dumped = call("dump gripper --at 1 --out " + file("gripper.fc3d"));
   ASSERT_EQ(dumped.status, 0) << dumped.err;
   EXPECT_NE(dumped.out.find(" equations put in"), std::string::npos) << dumped.out;
@@ -173,7 +173,7 @@ TEST_F(ProblemFiles, dumpsContactsWithJointsAsContacts) {
   EXPECT_EQ(solved.status, 0) << solved.out << solved.err;
 }
 
-TEST_F(ProblemFiles, dumpsAnIslandAFile) {
+TEST_F(ProblemFiles, DumpsAnIslandAFile) {
   const Outcome dumped = call("dump box_headings --at 0 --out " + file("box.fc3d"));
   ASSERT_EQ(dumped.status, 0) << dumped.err;
   for (int i = 0; i < 12; ++i)
@@ -187,7 +187,7 @@ TEST_F(ProblemFiles, dumpsAnIslandAFile) {
 }
 
 // A name in a problem is one word; a file's need not be.
-TEST_F(ProblemFiles, dumpsFilesOfAnyName) {
+TEST_F(ProblemFiles, DumpsFilesOfAnyName) {
   const std::filesystem::path world = delassus::test::sharedFolder() / "worlds" / "spider.bullet";
   if (!std::filesystem::exists(world)) GTEST_SKIP() << delassus::test::noSharedFolder;
   std::filesystem::copy_file(world, file("my\tblack spider.bullet"));

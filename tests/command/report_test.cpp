@@ -53,7 +53,7 @@ class Report : public delassus::test::CommandCall {
   std::string said_;
 };
 
-TEST_F(Report, judgesTheSameProblemBySolvers) {
+TEST_F(Report, JudgesTheSameProblemBySolvers) {
   ASSERT_EQ(report("--scenes stack_10 --parts same_problem,persisting"), 0) << said();
   const auto rows = rowsOf(out() / "same_problem" / "stack_10.csv");
   ASSERT_FALSE(rows.empty());
@@ -77,7 +77,7 @@ TEST_F(Report, judgesTheSameProblemBySolvers) {
 
 // The samples are those of a world that is watched: with one method more, those of the others stay
 // to the last digit.
-TEST_F(Report, measuresLeaveTheWorldAsItIs) {
+TEST_F(Report, MeasuresLeaveTheWorldAsItIs) {
   const auto rows = [&](const std::string& flags) {
     EXPECT_EQ(report("--scenes card_house --parts same_problem" + flags), 0) << said();
     std::map<std::string, std::map<std::string, std::string>> all;
@@ -94,7 +94,7 @@ TEST_F(Report, measuresLeaveTheWorldAsItIs) {
       EXPECT_EQ(many.at(sample).at(column), row.at(column)) << sample << ' ' << column;
 }
 
-TEST_F(Report, goesOnWhereItWasInterrupted) {
+TEST_F(Report, GoesOnWhereItWasInterrupted) {
   const std::string what = "--scenes one_box,stack_10 --parts own_trajectory";
   ASSERT_EQ(report(what), 0) << said();
   const fs::path kept = out() / "own_trajectory" / "one_box.csv",
@@ -106,7 +106,7 @@ TEST_F(Report, goesOnWhereItWasInterrupted) {
   EXPECT_TRUE(fs::exists(lost));
 }
 
-TEST_F(Report, doesNotMixTwoReports) {
+TEST_F(Report, DoesNotMixTwoReports) {
   const std::string what = "--scenes one_box --parts own_trajectory";
   ASSERT_EQ(report(what), 0) << said();
   EXPECT_EQ(report("--scenes one_box,incline --parts own_trajectory --resume"), 1);
@@ -122,7 +122,7 @@ TEST_F(Report, doesNotMixTwoReports) {
 }
 
 // Whoever left them there, and whether or not a command is noted beside them.
-TEST_F(Report, takesNoOldMeasuresForNewOnes) {
+TEST_F(Report, TakesNoOldMeasuresForNewOnes) {
   const std::string what = "--scenes one_box --parts own_trajectory";
   for (const char* leftThere : {"own_trajectory/one_box.csv", "own_trajectory/one_box.svg"}) {
     fs::create_directories(out() / "own_trajectory");
@@ -133,7 +133,7 @@ TEST_F(Report, takesNoOldMeasuresForNewOnes) {
   EXPECT_FALSE(fs::exists(out() / "own_trajectory" / "one_box.svg")) << "nobody could draw it";
 }
 
-TEST_F(Report, leavesOtherPeoplesFilesAlone) {
+TEST_F(Report, LeavesOtherPeoplesFilesAlone) {
   const std::string what = "--scenes one_box --parts own_trajectory";
   fs::create_directories(out() / "own_trajectory");
   write("report/own_trajectory/notes.txt", "mine");
@@ -148,7 +148,7 @@ TEST_F(Report, leavesOtherPeoplesFilesAlone) {
   EXPECT_TRUE(fs::exists(out() / "own_trajectory" / "one_box.csv"));
 }
 
-TEST_F(Report, saysWhatToDoWhereNoFolderCanBe) {
+TEST_F(Report, SaysWhatToDoWhereNoFolderCanBe) {
   write("plain", "mine");
   for (const std::string where : {"plain", "plain/in"})
     for (const char* which : {"--parts time_step", "--stability --one-precision --parts angles"}) {
@@ -176,19 +176,19 @@ TEST_F(Report, saysWhatToDoWhereNoFolderCanBe) {
 }
 
 // NNCG throws the ragdolls out of the numbers at once.
-TEST_F(Report, callsALostWorldLost) {
+TEST_F(Report, CallsALostWorldLost) {
   ASSERT_EQ(report("--scenes ragdolls --solvers nncg:1000 --parts own_trajectory"), 0) << said();
   for (auto row : rowsOf(out() / "own_trajectory" / "ragdolls.csv"))
     EXPECT_EQ(row["drift"] == "nan", row["method"] == "nncg:1000") << row["method"];
   EXPECT_NE(read(out() / "report.md").find("lost: not a number"), std::string::npos);
 }
 
-TEST_F(Report, whatPersistsIsMeasuredToo) {
+TEST_F(Report, WhatPersistsIsMeasuredToo) {
   ASSERT_EQ(report("--scenes one_box --parts persisting"), 0) << said();
   EXPECT_NE(read(out() / "report.md").find("Which contacts persist"), std::string::npos);
 }
 
-TEST_F(Report, tellsWhatItLacks) {
+TEST_F(Report, TellsWhatItLacks) {
   EXPECT_EQ(report("--scenes one_bx"), 1);
   EXPECT_NE(said().find("one_box"), std::string::npos);
   EXPECT_EQ(report("--parts nonsense"), 2);
@@ -200,7 +200,7 @@ TEST_F(Report, tellsWhatItLacks) {
   EXPECT_NE(read(out() / "report.md").find("gnuplot is missing"), std::string::npos);
 }
 
-TEST_F(Report, findsTheOrderOfTheIntegrator) {
+TEST_F(Report, FindsTheOrderOfTheIntegrator) {
   ASSERT_EQ(report("--parts time_step"), 0) << said();
   for (const char* scene : {"ball_off_ball", "sliding_ladder", "incline"}) {
     std::map<double, double> errors;
@@ -221,7 +221,7 @@ TEST_F(Report, findsTheOrderOfTheIntegrator) {
 }
 
 // Wedges down to where rounding ends them: both precisions, stock beside ours.
-TEST_F(Report, mapsWhatHoldsUpToWhere) {
+TEST_F(Report, MapsWhatHoldsUpToWhere) {
   ASSERT_EQ(report("--stability --parts angles,wedge_pair"), 0) << said();
   const auto rows = rowsOf(out() / "stability" / "double" / "angles" / "opposite.csv");
   ASSERT_FALSE(rows.empty());
@@ -248,7 +248,7 @@ TEST_F(Report, mapsWhatHoldsUpToWhere) {
   EXPECT_TRUE(fs::exists(out() / "stability" / "wedge_pair.svg"));
 }
 
-TEST_F(Report, mapGoesOnWhereItWasInterrupted) {
+TEST_F(Report, MapGoesOnWhereItWasInterrupted) {
   const std::string what = "--stability --one-precision --parts angles";
   ASSERT_EQ(report(what), 0) << said();
   const fs::path folder = out() / "stability" / "double" / "angles";
@@ -266,7 +266,7 @@ TEST_F(Report, mapGoesOnWhereItWasInterrupted) {
 
 // One economy at a time: more work, the same motion. A part that is named twice is made once, and
 // what it does not look at is told.
-TEST_F(Report, tellsWhatEachEconomyIsWorth) {
+TEST_F(Report, TellsWhatEachEconomyIsWorth) {
   ASSERT_EQ(report("--scenes stack_10,ball_off_ball --parts ablation,ablation"), 0) << said();
   EXPECT_NE(said().find("--solvers is for same_problem"), std::string::npos) << said();
   EXPECT_EQ(said().find("--scenes is for"), std::string::npos) << said();

@@ -41,7 +41,7 @@ void expectSameBits(const Pile& pile, int lengths, int masses) {
   EXPECT_EQ(a.activeSet.contacts, b.activeSet.contacts);
 }
 
-TEST(Units, towersAnswerInTheSameBits) {
+TEST(Units, TowersAnswerInTheSameBits) {
   Random random(1);
   for (int round = 0; round < 10; ++round) {
     Pile tower = makeTower(randomMasses(6, 1e3, random), 0.5, 0.3, random);
@@ -51,7 +51,7 @@ TEST(Units, towersAnswerInTheSameBits) {
   }
 }
 
-TEST(Units, pyramidsAnswerInTheSameBits) {
+TEST(Units, PyramidsAnswerInTheSameBits) {
   Random random(2);
   for (int round = 0; round < 3; ++round)
     for (const auto& [lengths, masses] : {std::pair(13, -20), {-13, 30}})

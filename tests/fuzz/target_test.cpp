@@ -12,7 +12,7 @@
 namespace delassus::test {
 namespace {
 
-TEST(Fuzz, changedSeedsBreakNoLaw) {
+TEST(Fuzz, ChangedSeedsBreakNoLaw) {
   std::map<std::string, long> counts;
   const int rounds = fuzzRounds(target.usualRounds);
   for (int round = 0; round < rounds; ++round) {
@@ -29,7 +29,7 @@ TEST(Fuzz, changedSeedsBreakNoLaw) {
   for (const auto& [what, count] : counts) std::printf("%s %ld\n", what.c_str(), count);
 }
 
-TEST(Fuzz, foundCasesStayMended) {
+TEST(Fuzz, FoundCasesStayMended) {
   const std::filesystem::path folder = std::filesystem::path(DELASSUS_FUZZ_CASES) / target.name;
   if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "none was found yet";
   for (const auto& file : std::filesystem::directory_iterator(folder)) {

@@ -12,7 +12,7 @@
 namespace demos {
 namespace {
 
-TEST(RunApart, bringsTheNumbersBack) {
+TEST(RunApart, BringsTheNumbersBack) {
   std::vector<double> sent;
   for (int i = 0; i < 100000; ++i) sent.push_back(1.0 / (i + 1));
   const ApartResult result = runApart([&] { return sent; }, {60});
@@ -20,7 +20,7 @@ TEST(RunApart, bringsTheNumbersBack) {
   EXPECT_EQ(result.numbers, sent);
 }
 
-TEST(RunApart, leavesThisProcessAsItIs) {
+TEST(RunApart, LeavesThisProcessAsItIs) {
   int state = 1;
   runApart(
       [&] {
@@ -31,7 +31,7 @@ TEST(RunApart, leavesThisProcessAsItIs) {
   EXPECT_EQ(state, 1);
 }
 
-TEST(RunApart, endsWorkThatNeverEnds) {
+TEST(RunApart, EndsWorkThatNeverEnds) {
   const ApartResult result = runApart(
       []() -> std::vector<double> {
         while (true) pause();
@@ -41,7 +41,7 @@ TEST(RunApart, endsWorkThatNeverEnds) {
   EXPECT_TRUE(result.numbers.empty());
 }
 
-TEST(RunApart, survivesACrashAndAnException) {
+TEST(RunApart, SurvivesACrashAndAnException) {
   EXPECT_EQ(runApart([]() -> std::vector<double> { _exit(3); }, {60}).ending, Ending::Crashed);
   EXPECT_EQ(runApart([]() -> std::vector<double> { throw 1; }, {60}).ending, Ending::Crashed);
 }
@@ -57,7 +57,7 @@ int statusOf(pid_t child) {
 }
 
 // Whoever kills a process with work apart does not know of the work.
-TEST(RunApart, endsWithItsParent) {
+TEST(RunApart, EndsWithItsParent) {
   int ends[2];
   ASSERT_EQ(pipe(ends), 0);
   // An orphan becomes a child of this process.

@@ -5,7 +5,7 @@
 namespace demos {
 namespace {
 
-TEST(CallCommand, returnsStatusAndText) {
+TEST(CallCommand, ReturnsStatusAndText) {
   const CommandResult echo = callCommand({"echo", "two words"});
   EXPECT_EQ(echo.status, 0);
   EXPECT_EQ(echo.text, "two words\n");

@@ -7,16 +7,16 @@ namespace demos::report::stability {
 namespace {
 
 // Milankovitch 1907: t/R = 0.1075 for ever more joints.
-TEST(ArchLimit, ofManyVoussoirsIsMilankovitchs) {
+TEST(ArchLimit, OfManyVoussoirsIsMilankovitchs) {
   EXPECT_NEAR(leastArchThickness(400, 1), 0.1075, 5e-4);
 }
 
-TEST(ArchLimit, fewerJointsNeedLess) {
+TEST(ArchLimit, FewerJointsNeedLess) {
   EXPECT_LT(leastArchThickness(6, 1), leastArchThickness(12, 1));
   EXPECT_LT(leastArchThickness(12, 1), leastArchThickness(400, 1) + 1e-3);
 }
 
-TEST(ArchLimit, isAShareOfTheRadius) {
+TEST(ArchLimit, IsAShareOfTheRadius) {
   EXPECT_NEAR(leastArchThickness(6, 5), 5 * leastArchThickness(6, 1), 1e-9);
 }
 

@@ -18,7 +18,7 @@ double speedAt(const Motion& motion, double t) {
   return std::hypot(b.x - a.x, b.y - a.y) / (2 * dt);
 }
 
-TEST(BallOffBall, keepsItsEnergyOnTheBallAndInTheAir) {
+TEST(BallOffBall, KeepsItsEnergyOnTheBallAndInTheAir) {
   const double start = 0.05;
   const auto motion = [&](double t) { return ballOffBallAt(t, 1, start); };
   for (const double t : {0.3, 0.6, 0.9, 1.2, 1.5}) {
@@ -27,7 +27,7 @@ TEST(BallOffBall, keepsItsEnergyOnTheBallAndInTheAir) {
   }
 }
 
-TEST(BallOffBall, leavesAtTwoThirdsOfItsHeight) {
+TEST(BallOffBall, LeavesAtTwoThirdsOfItsHeight) {
   const double start = 0.05;
   // On the ball the distance is one, and never less.
   for (double t = 0.01; t < 2; t += 0.01) {
@@ -40,7 +40,7 @@ TEST(BallOffBall, leavesAtTwoThirdsOfItsHeight) {
   }
 }
 
-TEST(SlidingLadder, keepsItsEnergyOnTheWall) {
+TEST(SlidingLadder, KeepsItsEnergyOnTheWall) {
   // ½ m L² (1 + j) θ'² + m g L sin θ, with |v| = L |θ'| as long as both ends slide.
   const double start = 1.3, j = 1.0 / 3;
   const auto motion = [&](double t) { return slidingLadderAt(t, 1, start, j); };
@@ -52,7 +52,7 @@ TEST(SlidingLadder, keepsItsEnergyOnTheWall) {
   }
 }
 
-TEST(SlidingLadder, movesOnWithConstantSpeedFromTheWall) {
+TEST(SlidingLadder, MovesOnWithConstantSpeedFromTheWall) {
   const double start = 1.3, j = 1.0 / 3;
   const auto x = [&](double t) { return slidingLadderAt(t, 1, start, j).x; };
   double left = 0.1;
@@ -63,7 +63,7 @@ TEST(SlidingLadder, movesOnWithConstantSpeedFromTheWall) {
   EXPECT_LT(x(left - 0.1) - x(left - 0.1 - dt), x(left - 0.05) - x(left - 0.05 - dt));
 }
 
-TEST(Incline, movesOnlyAboveTheFrictionAngle) {
+TEST(Incline, MovesOnlyAboveTheFrictionAngle) {
   EXPECT_EQ(inclineWay(1, std::atan(0.5) - 0.01, 0.5), 0);
   EXPECT_NEAR(inclineWay(2, 0.5, 0), 2 * gravity * std::sin(0.5), 1e-12);
 }

@@ -19,7 +19,7 @@ class Csv : public testing::Test {
   void TearDown() override { std::filesystem::remove_all(folder_); }
 };
 
-TEST_F(Csv, readsWhatItWrote) {
+TEST_F(Csv, ReadsWhatItWrote) {
   CsvTable table({"name", "value"});
   const std::vector<std::string> words{"plain", "a,b", "say \"so\"", "", "delassus:1e-4"};
   for (std::size_t i = 0; i < words.size(); ++i) table.add({words[i], csvNumber(1 / (1.0 + i))});
@@ -32,19 +32,19 @@ TEST_F(Csv, readsWhatItWrote) {
   }
 }
 
-TEST_F(Csv, tellsWordsFromNumbers) {
+TEST_F(Csv, TellsWordsFromNumbers) {
   CsvTable table({"value"});
   for (const char* word : {"nan", "", "12 apples", "done"}) table.add({word});
   for (int i = 0; i < table.rows(); ++i) EXPECT_TRUE(std::isnan(table.number(i, "value"))) << i;
   EXPECT_THROW(table.text(0, "other"), std::out_of_range);
 }
 
-TEST_F(Csv, refusesALineOfAnotherLength) {
+TEST_F(Csv, RefusesALineOfAnotherLength) {
   writeFile(folder_ / "t.csv", "a,b\n1,2\n3\n");
   EXPECT_THROW(CsvTable::read(folder_ / "t.csv"), std::runtime_error);
 }
 
-TEST_F(Csv, leavesNothingUnfinishedBehind) {
+TEST_F(Csv, LeavesNothingUnfinishedBehind) {
   CsvTable({"a"}).write(folder_ / "t.csv");
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
@@ -56,7 +56,7 @@ TEST_F(Csv, leavesNothingUnfinishedBehind) {
 }
 
 // A folder in the way of a file: all is written but for the last step.
-TEST_F(Csv, leavesNothingUnfinishedBehindWhenItFails) {
+TEST_F(Csv, LeavesNothingUnfinishedBehindWhenItFails) {
   std::filesystem::create_directories(folder_ / "t.csv" / "in the way");
   EXPECT_THROW(CsvTable({"a"}).write(folder_ / "t.csv"), std::runtime_error);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);

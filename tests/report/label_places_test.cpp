@@ -11,7 +11,7 @@ namespace {
 
 constexpr double letter = 0.015, line = 0.04;
 
-TEST(PlaceLabels, keepsNamesApartAndInside) {
+TEST(PlaceLabels, KeepsNamesApartAndInside) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> share(0, 0.8);
   for (int sample = 0; sample < 20; ++sample) {
@@ -35,7 +35,7 @@ TEST(PlaceLabels, keepsNamesApartAndInside) {
   }
 }
 
-TEST(PlaceLabels, putsALonelyNameRightBesideItsPoint) {
+TEST(PlaceLabels, PutsALonelyNameRightBesideItsPoint) {
   const std::vector<Label> placed =
       placeLabels({{"alone", "", 0.3, 0.5}}, {{0.3, 0.5}}, letter, line);
   EXPECT_GT(placed[0].textX, 0.3);

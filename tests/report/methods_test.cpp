@@ -32,7 +32,7 @@ MethodRun run(const CapturedStep& step, const char* method, const StepMemory& me
   return runMethod(methodNamed(method), step, StepProblem(step, 0), memory, timing);
 }
 
-TEST(Method, repeatsTheWorkOfItsFirstRun) {
+TEST(Method, RepeatsTheWorkOfItsFirstRun) {
   for (const char* scene : {"stack_10", "arch", "pyramid_10"})
     lookAtStep(scene, 0, [scene](const CapturedStep& step) {
       const StepMemory nothing(readMemory(step).size());
@@ -48,7 +48,7 @@ TEST(Method, repeatsTheWorkOfItsFirstRun) {
     });
 }
 
-TEST(Method, beginsFromWhatThePointsCarry) {
+TEST(Method, BeginsFromWhatThePointsCarry) {
   lookAtStep("stack_10", 30, [](const CapturedStep& step) {
     EXPECT_EQ(run(step, "delassus", readMemory(step), 3).regions, 0);
     EXPECT_GT(run(step, "delassus", StepMemory(readMemory(step).size()), 3).regions, 0);
@@ -56,7 +56,7 @@ TEST(Method, beginsFromWhatThePointsCarry) {
 }
 
 // Joints are known again by the impulse that they were left with.
-TEST(StepProblem, leavesJointsAsTheyAre) {
+TEST(StepProblem, LeavesJointsAsTheyAre) {
   int joints = 0;
   lookAtStep("ragdolls", 20, [&joints](const CapturedStep& step) {
     std::vector<btScalar> before;

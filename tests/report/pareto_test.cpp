@@ -20,7 +20,7 @@ std::vector<Effort> randomEfforts(std::mt19937_64& random, int count) {
   return efforts;
 }
 
-TEST(Front, keepsWhatNoOtherBeatsInBoth) {
+TEST(Front, KeepsWhatNoOtherBeatsInBoth) {
   std::mt19937_64 random(1);
   for (int sample = 0; sample < 50; ++sample) {
     const std::vector<Effort> efforts = randomEfforts(random, 20);
@@ -35,7 +35,7 @@ TEST(Front, keepsWhatNoOtherBeatsInBoth) {
   }
 }
 
-TEST(Front, fallsInErrorAsCostRises) {
+TEST(Front, FallsInErrorAsCostRises) {
   std::mt19937_64 random(2);
   const std::vector<Effort> kept = front(randomEfforts(random, 100));
   for (std::size_t i = 1; i < kept.size(); ++i) {
@@ -44,7 +44,7 @@ TEST(Front, fallsInErrorAsCostRises) {
   }
 }
 
-TEST(Cheapest, isAsGoodAsAskedAndNoneIsCheaper) {
+TEST(Cheapest, IsAsGoodAsAskedAndNoneIsCheaper) {
   std::mt19937_64 random(3);
   const std::vector<Effort> efforts = randomEfforts(random, 50);
   for (const double error : {1e-9, 0.1, 1.0, 10.0}) {
@@ -60,7 +60,7 @@ TEST(Cheapest, isAsGoodAsAskedAndNoneIsCheaper) {
 
 // Wherever some other family is cheaper at some error, a corner of the list shows it: compared with
 // a dense scan.
-TEST(Defeats, findEveryErrorAtWhichAnotherIsCheaper) {
+TEST(Defeats, FindEveryErrorAtWhichAnotherIsCheaper) {
   std::mt19937_64 random(4);
   for (int sample = 0; sample < 50; ++sample) {
     const std::vector<Effort> efforts = randomEfforts(random, 12);
@@ -74,20 +74,20 @@ TEST(Defeats, findEveryErrorAtWhichAnotherIsCheaper) {
   }
 }
 
-TEST(Defeats, leaveOutErrorsThatAreNotAsked) {
+TEST(Defeats, LeaveOutErrorsThatAreNotAsked) {
   const std::vector<Effort> efforts{effort("a", 2, 1e-3), effort("b", 1, 1e-1)};
   EXPECT_EQ(defeats(efforts, "a", 1).size(), 1U);
   EXPECT_TRUE(defeats(efforts, "a", 1e-2).empty());
 }
 
-TEST(Defeats, takeCostsWithOverlappingSpreadsAsEqual) {
+TEST(Defeats, TakeCostsWithOverlappingSpreadsAsEqual) {
   std::vector<Effort> efforts{effort("a", 2, 1e-3), effort("b", 1, 1e-2)};
   EXPECT_EQ(defeats(efforts, "a", 1).size(), 1U);
   efforts[0].costLow = 0.9;
   EXPECT_TRUE(defeats(efforts, "a", 1).empty());
 }
 
-TEST(Defeats, nameAnErrorThatIsNotReached) {
+TEST(Defeats, NameAnErrorThatIsNotReached) {
   const std::vector<Effort> efforts{effort("a", 1, 1e-1), effort("b", 2, 1e-2)};
   const std::vector<Defeat> list = defeats(efforts, "a", 1);
   ASSERT_EQ(list.size(), 1U);

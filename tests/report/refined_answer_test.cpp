@@ -51,7 +51,7 @@ struct Step {
   }
 };
 
-TEST(RefinedAnswer, aColumnUnderAWeightOfABillionStands) {
+TEST(RefinedAnswer, AColumnUnderAWeightOfABillionStands) {
   Step step;
   double above = 0;
   for (int i = 0; i < 10; ++i) {
@@ -66,7 +66,7 @@ TEST(RefinedAnswer, aColumnUnderAWeightOfABillionStands) {
   EXPECT_NEAR(answer.r[0] / (above * fall), 1, 1e-15);
 }
 
-TEST(RefinedAnswer, aBlockSlidesAsCoulombSays) {
+TEST(RefinedAnswer, ABlockSlidesAsCoulombSays) {
   // Its centre is the point of touch, so that nothing turns it: v_t loses μ g h.
   const double mu = 0.3, speed = 2, heading = 0.7;
   Step step;
@@ -80,7 +80,7 @@ TEST(RefinedAnswer, aBlockSlidesAsCoulombSays) {
   EXPECT_LT(std::abs(v[1]), 1e-18);
 }
 
-TEST(RefinedAnswer, redundantPointsStillGiveOneMotion) {
+TEST(RefinedAnswer, RedundantPointsStillGiveOneMotion) {
   Step step;
   step.bodies = {block(1, {0.1, -fall, 0})};
   for (const double x : {-0.5, 0.5})
@@ -94,7 +94,7 @@ TEST(RefinedAnswer, redundantPointsStillGiveOneMotion) {
   EXPECT_LT(answer.motion.cwiseAbs().maxCoeff(), 1e-18);
 }
 
-TEST(RefinedAnswer, rowsEndAtTheirBounds) {
+TEST(RefinedAnswer, RowsEndAtTheirBounds) {
   // A motor asks for 2 m/s along e_x, with no more than 0.5 N·s.
   Step step;
   step.bodies = {block(4, Vec3::Zero())};
@@ -111,7 +111,7 @@ TEST(RefinedAnswer, rowsEndAtTheirBounds) {
   EXPECT_EQ(answer.motion[0], 0.125);
 }
 
-TEST(RefinedAnswer, contradictionsAreNotCertified) {
+TEST(RefinedAnswer, ContradictionsAreNotCertified) {
   // Between two floors that close on it.
   Step step;
   step.bodies = {block(1, Vec3::Zero())};

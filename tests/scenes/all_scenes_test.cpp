@@ -68,14 +68,14 @@ bool isLarge(const std::string& scene) {
          scene == "voronoi_cells" || scene.rfind("benchmark_", 0) == 0;
 }
 
-TEST_P(EveryScene, keepsTheLawInItsFirstSteps) {
+TEST_P(EveryScene, KeepsTheLawInItsFirstSteps) {
   const SceneDescription& scene = findScene(GetParam());
   expectLawKept(scene.build, isLarge(scene.name) ? 0.05 : 0.5, scene.hz);
 }
 
 class WholeScene : public testing::TestWithParam<std::string> {};
 
-TEST_P(WholeScene, keepsTheLawToItsEndSlow) {
+TEST_P(WholeScene, KeepsTheLawToItsEndSlow) {
   const SceneDescription& scene = findScene(GetParam());
   expectLawKept(scene.build, scene.seconds, scene.hz);
 }
@@ -105,7 +105,7 @@ class PassiveScene : public testing::TestWithParam<std::string> {};
 
 // What is lifted out of a penetration by the erp gains height; that is the only source of energy,
 // and a small one.
-TEST_P(PassiveScene, gainsNoEnergy) {
+TEST_P(PassiveScene, GainsNoEnergy) {
   OnRegions run(GetParam());
   double weight = 0;
   for (const btRigidBody* body : run.world->movableBodies())
@@ -146,12 +146,12 @@ class EveryWorld : public testing::TestWithParam<std::string> {
 
 // The boxes of `slope` touch nothing for two seconds. What may end above the tolerance is a share
 // of all five.
-TEST_P(EveryWorld, keepsTheLawInItsFirstSteps) {
+TEST_P(EveryWorld, KeepsTheLawInItsFirstSteps) {
   expectLawKept([this] { return loadBulletFile(path()).world; }, GetParam() == "slope" ? 2.25 : 0.5,
                 60, seconds);
 }
 
-TEST_P(EveryWorld, keepsTheLawForFiveSecondsSlow) {
+TEST_P(EveryWorld, KeepsTheLawForFiveSecondsSlow) {
   expectLawKept([this] { return loadBulletFile(path()).world; }, seconds);
 }
 

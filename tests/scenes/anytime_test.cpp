@@ -29,7 +29,7 @@ StepResidual judgeStep(const SceneDescription& scene, int steps, const std::stri
 
 class OneStep : public testing::TestWithParam<const char*> {};
 
-TEST_P(OneStep, isNoWorseThanSequentialImpulsesWithAsManySweeps) {
+TEST_P(OneStep, IsNoWorseThanSequentialImpulsesWithAsManySweeps) {
   constexpr double rounding = 1e-9, alike = 1.1;
   const SceneDescription& scene = findScene(GetParam());
   for (const int steps : {0, 40})
@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(catalogue, OneStep,
 
 // Step after step, what one leaves the next one has to mend: errors must not feed each other. With
 // full reactions to start from they do: a pile swings for ever.
-TEST(Anytime, isNoWorseInTheLongRun) {
+TEST(Anytime, IsNoWorseInTheLongRun) {
   for (const char* scene : {"stack_40", "arch", "wall_and_ball"})
     for (const char* sweeps : {"10", "40"}) {
       SCOPED_TRACE(std::string(scene) + ", " + sweeps);
@@ -64,7 +64,7 @@ TEST(Anytime, isNoWorseInTheLongRun) {
 }
 
 // What rests needs no budget: it is held in the first step, and kept.
-TEST(Anytime, whatRestsIsExactOnTheSmallestBudget) {
+TEST(Anytime, WhatRestsIsExactOnTheSmallestBudget) {
   for (const char* scene :
        {"one_box", "stack_10", "stack_10_heavy_top", "stack_40", "pyramid_10", "wall_20x10"}) {
     SCOPED_TRACE(scene);

@@ -18,7 +18,7 @@ double firstOverlap(World& world) {
   return deepestPenetration(world.dynamics());
 }
 
-TEST(BenchmarkScenes, haveTheCountsOfBullets) {
+TEST(BenchmarkScenes, HaveTheCountsOfBullets) {
   const std::pair<const char*, std::size_t> scenes[] = {{"benchmark_boxes", 3008},
                                                         {"benchmark_town", 1076},
                                                         {"benchmark_ragdolls", 136 * 11},
@@ -31,7 +31,7 @@ TEST(BenchmarkScenes, haveTheCountsOfBullets) {
   }
 }
 
-TEST(BenchmarkScenes, dollsHangTogether) {
+TEST(BenchmarkScenes, DollsHangTogether) {
   const auto world = buildBenchmarkRagdolls();
   EXPECT_EQ(world->dynamics().getNumConstraints(), 136 * 10);
   EXPECT_LT(largestJointError(world->dynamics()), byPrecision(1e-9, 1e-4));
@@ -39,7 +39,7 @@ TEST(BenchmarkScenes, dollsHangTogether) {
 
 /// The cells are cut out of a cube of 6 m: together they fill it, but for the gaps that Bullet's
 /// margin fills.
-TEST(VoronoiCells, fillTheirBlock) {
+TEST(VoronoiCells, FillTheirBlock) {
   constexpr double half = 3, height = 1, density = 100, allowed = 0.08;
   for (const int count : {1, 2, 90}) {
     const auto world = buildVoronoiCells(count, height);
@@ -63,7 +63,7 @@ TEST(VoronoiCells, fillTheirBlock) {
 }
 
 // Falling together they do not push each other: free flight to the ground.
-TEST(VoronoiCells, fallAsOne) {
+TEST(VoronoiCells, FallAsOne) {
   OnRegions run(buildVoronoiCells(12, 1));
   const int steps = 20;  // at 0.45 s it would land
   const Drift drift(*run.world);
@@ -72,7 +72,7 @@ TEST(VoronoiCells, fallAsOne) {
   EXPECT_NEAR(drift.largest(), fallen, byPrecision(1e-6, 1e-3));
 }
 
-TEST(VoronoiCells, landOnTheGroundAndStayOnIt) {
+TEST(VoronoiCells, LandOnTheGroundAndStayOnIt) {
   OnRegions run(buildVoronoiCells(8, 0.2));
   for (int i = 0; i < 90; ++i) {
     run.world->step(1 / hz);
@@ -103,7 +103,7 @@ Drive drive(World& world, double seconds) {
   return end;
 }
 
-TEST(VehicleOnPlanks, crossesAsInStock) {
+TEST(VehicleOnPlanks, CrossesAsInStock) {
   OnRegions run("vehicle_on_planks");
   const Drive ours = drive(*run.world, 10);
   EXPECT_LT(ours.chassis.x(), -10) << "it has crossed";

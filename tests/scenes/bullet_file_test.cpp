@@ -44,7 +44,7 @@ class BulletFile : public testing::Test {
   }
 };
 
-TEST_F(BulletFile, bringsBackAWorldAsItWas) {
+TEST_F(BulletFile, BringsBackAWorldAsItWas) {
   const auto original = buildStack(3, 7);
   original->dynamics().setGravity(vec3(0, -5, 1));
   original->dynamics().getSolverInfo().m_erp2 = btScalar(0.8);
@@ -58,7 +58,7 @@ TEST_F(BulletFile, bringsBackAWorldAsItWas) {
                 original->movableBodies()[i]->getInvMass(), 1e-6);
 }
 
-TEST_F(BulletFile, keepsGravityButNotTheSolverSettingsAndSaysSo) {
+TEST_F(BulletFile, KeepsGravityButNotTheSolverSettingsAndSaysSo) {
   const auto original = buildStack(1, 1);
   original->dynamics().getSolverInfo().m_erp2 = btScalar(0.8);
   const LoadedFile loaded = loadBulletFile(write("box.bullet", serialised(*original)));
@@ -72,7 +72,7 @@ TEST_F(BulletFile, keepsGravityButNotTheSolverSettingsAndSaysSo) {
 
 // Found by fuzzing: Bullet reads from nowhere when something comes near such a shape, some steps
 // later.
-TEST_F(BulletFile, refusesShapesWithoutPoints) {
+TEST_F(BulletFile, RefusesShapesWithoutPoints) {
   btConvexHullShape hull;
   btCompoundShape compound;
   compound.addChildShape(btTransform::getIdentity(), &hull);
@@ -88,7 +88,7 @@ TEST_F(BulletFile, refusesShapesWithoutPoints) {
   }
 }
 
-TEST_F(BulletFile, namesWhatCannotBeRead) {
+TEST_F(BulletFile, NamesWhatCannotBeRead) {
   const std::string missing = (folder_ / "no" / "such.bullet").string();
   EXPECT_NE(complaintAbout(missing).find(missing), std::string::npos);
   EXPECT_NE(complaintAbout(folder_.string()).find("directory"), std::string::npos);
@@ -97,7 +97,7 @@ TEST_F(BulletFile, namesWhatCannotBeRead) {
             std::string::npos);
 }
 
-TEST_F(BulletFile, refusesATruncatedFileOfAnyLength) {
+TEST_F(BulletFile, RefusesATruncatedFileOfAnyLength) {
   const std::string whole = serialised(*buildStack(2, 1));
   for (std::size_t length = 6; length < whole.size(); length += 1 + whole.size() / 97) {
     const std::string complaint = complaintAbout(write("part.bullet", whole.substr(0, length)));

@@ -7,7 +7,7 @@
 namespace demos {
 namespace {
 
-TEST(Catalogue, describesEveryScene) {
+TEST(Catalogue, DescribesEveryScene) {
   std::set<std::string> names;
   for (const SceneDescription& scene : catalogue()) {
     EXPECT_TRUE(names.insert(scene.name).second) << scene.name << " is there twice";
@@ -21,11 +21,11 @@ TEST(Catalogue, describesEveryScene) {
   }
 }
 
-TEST(Catalogue, findsByName) {
+TEST(Catalogue, FindsByName) {
   for (const SceneDescription& scene : catalogue()) EXPECT_EQ(&findScene(scene.name), &scene);
 }
 
-TEST(Catalogue, namesTheNearestOfAnUnknownScene) {
+TEST(Catalogue, NamesTheNearestOfAnUnknownScene) {
   const auto messageFor = [](const std::string& name) -> std::string {
     try {
       findScene(name);
@@ -39,7 +39,7 @@ TEST(Catalogue, namesTheNearestOfAnUnknownScene) {
   EXPECT_NE(messageFor("").find("there is no scene ''"), std::string::npos);
 }
 
-TEST(EditDistance, countsLetters) {
+TEST(EditDistance, CountsLetters) {
   EXPECT_EQ(editDistance("", ""), 0);
   EXPECT_EQ(editDistance("", "arch"), 4);
   EXPECT_EQ(editDistance("arch", "arch"), 0);

@@ -31,12 +31,12 @@ State stateAfter(int kind, int steps, int batch = 128) {
   return stateOf(*run.world);
 }
 
-TEST(Determinism, twoRunsHaveTheSameBits) {
+TEST(Determinism, TwoRunsHaveTheSameBits) {
   for (int kind = 0; kind < mixtures; ++kind)
     EXPECT_EQ(stateAfter(kind, 45), stateAfter(kind, 45)) << "mixture " << kind;
 }
 
-TEST(Determinism, batchSizesHaveTheSameBits) {
+TEST(Determinism, BatchSizesHaveTheSameBits) {
   for (int kind = 0; kind < mixtures; ++kind) {
     const State usual = stateAfter(kind, 45, 128);
     EXPECT_EQ(stateAfter(kind, 45, 0), usual) << "mixture " << kind;
@@ -44,7 +44,7 @@ TEST(Determinism, batchSizesHaveTheSameBits) {
   }
 }
 
-TEST(Determinism, fourThreadsHaveTheBitsOfOne) {
+TEST(Determinism, FourThreadsHaveTheBitsOfOne) {
   State threaded[mixtures];
   std::vector<std::thread> threads;
   for (int kind = 0; kind < mixtures; ++kind)
@@ -54,7 +54,7 @@ TEST(Determinism, fourThreadsHaveTheBitsOfOne) {
     EXPECT_EQ(threaded[kind], stateAfter(kind, 45)) << "mixture " << kind;
 }
 
-TEST(Determinism, fourThreadsOnTheSameSceneAgree) {
+TEST(Determinism, FourThreadsOnTheSameSceneAgree) {
   State threaded[4];
   std::vector<std::thread> threads;
   for (State& state : threaded) threads.emplace_back([&state] { state = stateAfter(2, 30); });

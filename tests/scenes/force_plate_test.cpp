@@ -12,7 +12,7 @@
 namespace demos {
 namespace {
 
-TEST(ForcePlate, readsForceAndMomentsOfStatics) {
+TEST(ForcePlate, ReadsForceAndMomentsOfStatics) {
   OnRegions run("force_plate");
   for (int step = 0; step < 300; ++step) {
     run.world->step(h);
@@ -27,7 +27,7 @@ TEST(ForcePlate, readsForceAndMomentsOfStatics) {
 
 // What statics leaves open between four feet is shared by least norm where no reactions are
 // remembered: none of it is self-stress.
-TEST(ForcePlate, sharesByLeastNormAtFirst) {
+TEST(ForcePlate, SharesByLeastNormAtFirst) {
   OnRegions run("force_plate");
   run.world->step(h);
   ASSERT_LT(footForceError(*run.world, h), byPrecision(1e-6, 1e-3));
@@ -36,7 +36,7 @@ TEST(ForcePlate, sharesByLeastNormAtFirst) {
   EXPECT_NEAR(selfStress, 0, byPrecision(1e-6, 1e-3) * staticsOf(feet).force);
 }
 
-TEST(ForcePlate, stockReadsPerCentsOff) {
+TEST(ForcePlate, StockReadsPerCentsOff) {
   for (const std::string name : {"si:10", "si2:10"}) {
     NamedSolver stock(name);  // outlives the world
     const SceneDescription& scene = findScene("force_plate");

@@ -13,7 +13,7 @@ std::vector<Slope> slopesAt(double angle) {
   return slopes;
 }
 
-TEST(Incline, holdsOneDegreeBelowTheFrictionAngle) {
+TEST(Incline, HoldsOneDegreeBelowTheFrictionAngle) {
   OnRegions run(buildInclines(slopesAt(frictionAngle() - degree)));
   const Drift drift(*run.world);
   run.world->run(10, hz);
@@ -54,7 +54,7 @@ std::vector<SlidingStep> slide(double angle, double heading, double seconds) {
 // friction is along the new one). Now and then Bullet's narrow phase leaves two points under the
 // box, which then tips on to the missing ones: such a spell begins with the points, while the law
 // goes on being solved.
-TEST(Incline, acceleratesByTheLawAboveTheFrictionAngle) {
+TEST(Incline, AcceleratesByTheLawAboveTheFrictionAngle) {
   const double angle = frictionAngle() + degree;
   const double expected = 9.81 * (std::sin(angle) - usualFriction * std::cos(angle));
   const double flat = byPrecision(1e-5, 1e-3);
@@ -81,7 +81,7 @@ TEST(Incline, acceleratesByTheLawAboveTheFrictionAngle) {
 }
 
 // Semi-implicit Euler stops v/(μ g h) steps later, v²/(2 μ g) − v h/2 further on.
-TEST(BoxHeadings, stopOnOneCircle) {
+TEST(BoxHeadings, StopOnOneCircle) {
   constexpr double speed = 4;
   OnRegions run(buildBoxHeadings(12, speed));
   run.world->run(3, hz);
@@ -97,7 +97,7 @@ TEST(BoxHeadings, stopOnOneCircle) {
 }
 
 // The same with rolling friction: 5/7 κ g/R in the place of μ g, and no part for the mass.
-TEST(RollingBalls, rollOutAfterTheirDistance) {
+TEST(RollingBalls, RollOutAfterTheirDistance) {
   constexpr double speed = 3;
   const std::vector<RollingBall> balls{{0.2, 1}, {0.1, 1}, {0.06, 1}, {0.06, 100}};
   OnRegions run(buildRollingBalls(balls, speed));

@@ -7,7 +7,7 @@
 namespace demos {
 namespace {
 
-TEST(Gripper, liftsTheBoxWithoutSlip) {
+TEST(Gripper, LiftsTheBoxWithoutSlip) {
   OnRegions run("gripper");
   btRigidBody& box = run.body(0);
   btRigidBody& palm = run.body(1);
@@ -20,7 +20,7 @@ TEST(Gripper, liftsTheBoxWithoutSlip) {
               below, 1e-3);
 }
 
-TEST(HeavyBallChain, keepsItsLength) {
+TEST(HeavyBallChain, KeepsItsLength) {
   const SceneDescription& scene = findScene("heavy_ball_chain");
   OnRegions run(scene.build());
   constexpr double length = 20 * 0.5;
@@ -49,7 +49,7 @@ std::vector<double> energyOfCradle(double rate, std::unique_ptr<btConstraintSolv
 
 constexpr double cradleSwing = 9.81 * 3 * (1 - 0.70710678);  // of one ball from 45 degrees, J
 
-TEST(NewtonCradle, gainsNoEnergyButTheIntegrators) {
+TEST(NewtonCradle, GainsNoEnergyButTheIntegrators) {
   const std::vector<double> energy = energyOfCradle(60, nullptr);
   EXPECT_LT(*std::max_element(energy.begin(), energy.end()), 0.02 * cradleSwing);
 }
@@ -57,7 +57,7 @@ TEST(NewtonCradle, gainsNoEnergyButTheIntegrators) {
 // At other rates the first blow finds the balls a few millimetres inside each other, and the erp of
 // Bullet's contact law pushes them apart: the law's energy, which stock run to convergence gains to
 // the same joule.
-TEST(NewtonCradle, hasTheEnergyOfStockRunToConvergence) {
+TEST(NewtonCradle, HasTheEnergyOfStockRunToConvergence) {
   for (const double rate : {60., 120., 240.}) {
     const std::vector<double> ours = energyOfCradle(rate, nullptr);
     const std::vector<double> stock =
@@ -68,7 +68,7 @@ TEST(NewtonCradle, hasTheEnergyOfStockRunToConvergence) {
   }
 }
 
-TEST(Ragdolls, keepTheirJointsWhileTheyFall) {
+TEST(Ragdolls, KeepTheirJointsWhileTheyFall) {
   OnRegions run(buildRagdolls(2));
   for (int i = 0; i < int(1.5 * hz); ++i) {
     run.world->step(1 / hz);
@@ -76,7 +76,7 @@ TEST(Ragdolls, keepTheirJointsWhileTheyFall) {
   }
 }
 
-TEST(DominoRun, fallsToTheLastSlow) {
+TEST(DominoRun, FallsToTheLastSlow) {
   OnRegions run("domino_run");
   run.world->run(10, hz);
   for (const btRigidBody* domino : run.world->movableBodies()) {

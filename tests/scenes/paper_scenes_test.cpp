@@ -56,7 +56,7 @@ void expectPredictedOutcome(std::unique_ptr<World> built) {
 
 class BeadInAngle : public testing::TestWithParam<double> {};
 
-TEST_P(BeadInAngle, keepsWhatTheRegionSaysInAllDirections) {
+TEST_P(BeadInAngle, KeepsWhatTheRegionSaysInAllDirections) {
   for (int degree = 0; degree < 360; ++degree) {
     SCOPED_TRACE("force at " + std::to_string(degree) + " degrees");
     expectPredictedOutcome(buildBeadInAngle(GetParam(), degree * M_PI / 180));
@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(narrowAndWide, BeadInAngle,
                          testing::Values(-0.5, -0.99, -0.9999, 0.5, 0.9));
 
 // Paper §10: dropping every contact with a negative forced reaction is wrong in both ways.
-TEST(BeadInAngle, refutesTheCurrentIdea) {
+TEST(BeadInAngle, RefutesTheCurrentIdea) {
   const auto analyse = [](const std::string& scene) {
     OnRegions run(scene);
     const MatrixXd normals = planeNormals(*run.world);
@@ -86,7 +86,7 @@ TEST(BeadInAngle, refutesTheCurrentIdea) {
   expectPredictedOutcome(findScene("bead_in_angle_wide").build());
 }
 
-TEST(BeadInTrihedron, keepsWhatTheRegionSaysOverTheSphere) {
+TEST(BeadInTrihedron, KeepsWhatTheRegionSaysOverTheSphere) {
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;
   for (const double height : {0.2, 0.4, 0.8})
@@ -98,7 +98,7 @@ TEST(BeadInTrihedron, keepsWhatTheRegionSaysOverTheSphere) {
     }
 }
 
-TEST(BeadUnderPlane, fallsFreelyFromTheFirstStep) {
+TEST(BeadUnderPlane, FallsFreelyFromTheFirstStep) {
   OnRegions run("bead_under_plane");
   for (int k = 1; k <= 30; ++k) {
     run.world->step(h);
@@ -109,7 +109,7 @@ TEST(BeadUnderPlane, fallsFreelyFromTheFirstStep) {
 
 // Rod of mass m, inertia I, supports at ±a: A = 1/m + a²/I on the diagonal, B = 1/m − a²/I beside
 // it (theory §4).
-TEST(RodOnSupports, liftsOffWhereTheRegionSays) {
+TEST(RodOnSupports, LiftsOffWhereTheRegionSays) {
   for (const double a : {0.4, 0.8, 1.5, 1.9})
     for (const double pull : {2.0, 4.0, 6.0, 8.0, 20.0, 60.0}) {
       SCOPED_TRACE(testing::Message() << "supports at " << a << " m, pull " << pull << " N");
@@ -157,7 +157,7 @@ void expectProportionalToStep(const std::vector<double>& errors) {
     EXPECT_LT(errors[i], 0.75 * errors[i - 1] + rounding) << "halving " << i;
 }
 
-TEST(BallOffBall, leavesAtTwoThirdsOfItsHeight) {
+TEST(BallOffBall, LeavesAtTwoThirdsOfItsHeight) {
   constexpr double start = 3 * M_PI / 180;
   std::vector<double> errors;
   for (const double hz : {120., 240., 480., 960.}) {
@@ -171,7 +171,7 @@ TEST(BallOffBall, leavesAtTwoThirdsOfItsHeight) {
   expectProportionalToStep(errors);
 }
 
-TEST(SlidingLadder, leavesTheWallAtTwoThirdsOfItsHeight) {
+TEST(SlidingLadder, LeavesTheWallAtTwoThirdsOfItsHeight) {
   constexpr double start = 75 * M_PI / 180;
   std::vector<double> errors;
   for (const double hz : {120., 240., 480., 960.}) {

@@ -11,7 +11,7 @@
 namespace demos {
 namespace {
 
-TEST(Simulate, tellsWhatWasLeftOutOnceWithTheNumberOfSteps) {
+TEST(Simulate, TellsWhatWasLeftOutOnceWithTheNumberOfSteps) {
   const auto world = buildGridOfBoxes(2, 3);
   const btScalar notANumber = std::numeric_limits<btScalar>::quiet_NaN();
   world->movableBodies()[1]->setAngularVelocity(btVector3(0, notANumber, 0));
@@ -23,7 +23,7 @@ TEST(Simulate, tellsWhatWasLeftOutOnceWithTheNumberOfSteps) {
   EXPECT_EQ(run.regions->solved, 3 * 30) << "the islands of the other boxes";
 }
 
-TEST(Simulate, tellsNothingOfASoundWorld) {
+TEST(Simulate, TellsNothingOfASoundWorld) {
   const RunSummary run = runFor(*buildStack(3, 1), "delassus", 0.5);
   EXPECT_EQ(run.regions->leftOut, 0);
   EXPECT_EQ(run.regions->nonFinite, 0);
@@ -35,7 +35,7 @@ TEST(Simulate, tellsNothingOfASoundWorld) {
 
 // Bullet leaves a body that is nowhere out of all contacts: what is left of the world looks
 // perfect.
-TEST(Simulate, callsALostWorldLost) {
+TEST(Simulate, CallsALostWorldLost) {
   for (const char* solver : {"si:10", "delassus"}) {
     const auto world = buildStack(3, 1);
     const btScalar notANumber = std::numeric_limits<btScalar>::quiet_NaN();
@@ -49,7 +49,7 @@ TEST(Simulate, callsALostWorldLost) {
   }
 }
 
-TEST(Simulate, losesAWorldFromTheStepInWhichItIsLost) {
+TEST(Simulate, LosesAWorldFromTheStepInWhichItIsLost) {
   const auto world = buildStack(3, 1);
   world->setScript([&body = *world->movableBodies()[0]](double time) {
     const btScalar notANumber = std::numeric_limits<btScalar>::quiet_NaN();
@@ -62,7 +62,7 @@ TEST(Simulate, losesAWorldFromTheStepInWhichItIsLost) {
 }
 
 // Whoever goes on with the world must not meet what looked on, nor the settings of another solver.
-TEST(Simulate, givesTheWorldItsOwnSolverBackWhateverEndsTheRun) {
+TEST(Simulate, GivesTheWorldItsOwnSolverBackWhateverEndsTheRun) {
   for (const char* solver : {"si2:37", "dantzig:1e-6", "delassus"}) {
     const auto world = buildStack(3, 1);
     btDiscreteDynamicsWorld& dynamics = world->dynamics();
@@ -83,7 +83,7 @@ TEST(Simulate, givesTheWorldItsOwnSolverBackWhateverEndsTheRun) {
   }
 }
 
-TEST(Tunnelling, countsWhatIsBehindASurfaceOrFellOutBelow) {
+TEST(Tunnelling, CountsWhatIsBehindASurfaceOrFellOutBelow) {
   World world;
   addGround(world);
   world.add(0, world.plane(btVector3(-1, 0, 0), -20), at(0, 0, 0), {});  // x < 20
@@ -105,7 +105,7 @@ TEST(Tunnelling, countsWhatIsBehindASurfaceOrFellOutBelow) {
 
 // Of a slab of 2 m: the first box lands, the second dips in and is pushed out, the third is nearer
 // to the lower side.
-TEST(Simulate, countsWhatFallsThrough) {
+TEST(Simulate, CountsWhatFallsThrough) {
   for (const double speed : {1.0, 100.0, 150.0}) {
     const auto world = buildGridOfBoxes(2, 3);
     btRigidBody& box = *world->movableBodies()[2];
@@ -115,7 +115,7 @@ TEST(Simulate, countsWhatFallsThrough) {
   }
 }
 
-TEST(Simulate, namesWhatIsNotSolved) {
+TEST(Simulate, NamesWhatIsNotSolved) {
   NamedSolver hasty("delassus/1");
   const auto world = buildStack(10, 1000);
   world->movableBodies()[9]->setLinearVelocity(btVector3(1, 0, 0));

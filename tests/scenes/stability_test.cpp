@@ -15,18 +15,18 @@ double driftIn(World& world, int steps, double timeStep) {
   return allFinite(stateOf(world)) ? largest : INFINITY;
 }
 
-TEST(Stability, aStackUnderAMillionTimesItsWeightStandsSlow) {
+TEST(Stability, AStackUnderAMillionTimesItsWeightStandsSlow) {
   OnRegions run(buildStack(10, 1e6));
   EXPECT_LT(driftIn(*run.world, 600, 1.0 / 60), byPrecision(1e-6, 1e-4));
 }
 
-TEST(Stability, aTowerOfTwoHundredStandsSlow) {
+TEST(Stability, ATowerOfTwoHundredStandsSlow) {
   OnRegions run(buildStack(200, 1));
   EXPECT_LT(driftIn(*run.world, 300, 1.0 / 60), byPrecision(1e-6, 1e-3));
 }
 
 // W has a condition of 1e12, and neither plane's demand contradicts the other's.
-TEST(Stability, aBallIsHeldInAWedgeOfAMicroradian) {
+TEST(Stability, ABallIsHeldInAWedgeOfAMicroradian) {
   constexpr double angle = 1e-6;
   const double c = std::cos(angle), s = std::sin(angle);
   OnRegions run(buildBead({vec3(c, s, 0), vec3(-c, s, 0)}, vec3(0, -beadForce, 0)));
@@ -34,26 +34,26 @@ TEST(Stability, aBallIsHeldInAWedgeOfAMicroradian) {
   EXPECT_EQ(run.solver.report().solved, 1);
 }
 
-TEST(Stability, aStackStandsInStepsOfAMicrosecondSlow) {
+TEST(Stability, AStackStandsInStepsOfAMicrosecondSlow) {
   constexpr int steps = 1000;
   constexpr double timeStep = 1e-6, fall = 0.5 * 9.81 * steps * timeStep * steps * timeStep;
   OnRegions run(buildStack(10, 1000));
   EXPECT_LT(driftIn(*run.world, steps, timeStep), 1e-3 * fall);
 }
 
-TEST(Stability, aStackStandsInStepsOfAFifthOfASecondSlow) {
+TEST(Stability, AStackStandsInStepsOfAFifthOfASecondSlow) {
   OnRegions run(buildStack(10, 1000));
   EXPECT_LT(driftIn(*run.world, 50, 0.2), 1e-3);
 }
 
-TEST(Stability, aCubeStaysWhereItIsForAnHourSlow) {
+TEST(Stability, ACubeStaysWhereItIsForAnHourSlow) {
   OnRegions run(buildGridOfBoxes(1, 3));
   EXPECT_LT(driftIn(*run.world, 3600 * 60, 1.0 / 60), 1e-6);
 }
 
 /// Bullet's narrow phase knows no masses, and powers of four have exact roots: the same bits, step
 /// after step.
-TEST(Stability, massesInOtherUnitsMoveTheSameSlow) {
+TEST(Stability, MassesInOtherUnitsMoveTheSameSlow) {
   std::vector<btScalar> usual;
   for (const double unit : {1.0, std::ldexp(1, 20), std::ldexp(1, -20)}) {
     OnRegions run(buildPyramid(4));

@@ -28,7 +28,7 @@ void expectStanding(std::unique_ptr<World> built, double seconds, double toleran
   testing::Test::RecordProperty("drift_um", int(1e6 * drift.largest()));
 }
 
-TEST(Stack, ofOneToTenBoxesStandsForASecond) {
+TEST(Stack, OfOneToTenBoxesStandsForASecond) {
   for (const int count : {1, 2, 3, 5, 10}) {
     SCOPED_TRACE(std::to_string(count) + " boxes");
     expectStanding(buildStack(count, 1), 1, stackTolerance);
@@ -36,20 +36,20 @@ TEST(Stack, ofOneToTenBoxesStandsForASecond) {
   }
 }
 
-TEST(Pyramid, ofTenStandsForASecond) { expectStanding(buildPyramid(10), 1, stackTolerance); }
+TEST(Pyramid, OfTenStandsForASecond) { expectStanding(buildPyramid(10), 1, stackTolerance); }
 // In a tall pile the largest residual stays for long where it is while loads go down layer by
 // layer.
-TEST(Pyramid, ofAHundredRowsIsBroughtToRestByAlternationsSlow) {
+TEST(Pyramid, OfAHundredRowsIsBroughtToRestByAlternationsSlow) {
   OnRegions run("pyramid_100");
   run.world->step(1.0 / 60);
   EXPECT_LE(run.solver.report().residualMax, byPrecision(1e-8, 1e-6));
   EXPECT_LE(run.solver.report().regions, 16);
 }
-TEST(Wall, ofFiveRowsStandsForASecond) { expectStanding(buildWall(5, 5), 1, stackTolerance); }
+TEST(Wall, OfFiveRowsStandsForASecond) { expectStanding(buildWall(5, 5), 1, stackTolerance); }
 
 // Rounding is no motion: it would grow from step to step, and the pile would be solved again for
 // ever.
-TEST(Standing, isTheSameToTheLastBit) {
+TEST(Standing, IsTheSameToTheLastBit) {
   for (const char* scene : {"islands_100", "stack_40", "pyramid_20", "wall_20x10"}) {
     SCOPED_TRACE(scene);
     OnRegions run(scene);
@@ -66,7 +66,7 @@ TEST(Standing, isTheSameToTheLastBit) {
 // Nor is it in piles that have been disturbed, once they are at rest again; but Bullet, which takes
 // every pose apart and puts it together again, turns what does not turn by its last digits: in
 // float one step in ten may be solved, whatever the blow was.
-TEST(Standing, isNotSolvedAgainWhereABlowHasPassed) {
+TEST(Standing, IsNotSolvedAgainWhereABlowHasPassed) {
   constexpr int blows = 8, steps = 60;
   int solved = 0;
   for (int blow = 0; blow < blows; ++blow) {
@@ -103,10 +103,10 @@ void expectStandingUnlikeStock(int boxes, double topMass) {
   EXPECT_GT(driftOfStack("si:10", boxes, topMass), 1);
 }
 
-TEST(Stack, ofTenWithAHeavyTopStandsForTenSeconds) { expectStandingUnlikeStock(10, 1000); }
+TEST(Stack, OfTenWithAHeavyTopStandsForTenSeconds) { expectStandingUnlikeStock(10, 1000); }
 // Impulses of 1e8 N·s on boxes of 1 kg, which hear of differences of 1e-8: a step must keep the
 // digits that reactions lose.
-TEST(Stack, underABillionTimesTheWeightOfABoxIsSolvedInAFewRegions) {
+TEST(Stack, UnderABillionTimesTheWeightOfABoxIsSolvedInAFewRegions) {
   OnRegions run(buildStack(10, 1e9));
   for (int i = 0; i < 120; ++i) {
     run.world->step(1 / hz);
@@ -114,7 +114,7 @@ TEST(Stack, underABillionTimesTheWeightOfABoxIsSolvedInAFewRegions) {
     EXPECT_LE(run.solver.report().residualMax, 1e-6) << i;
   }
 }
-TEST(Stack, ofFortyStandsForTenSeconds) { expectStandingUnlikeStock(40, 1); }
+TEST(Stack, OfFortyStandsForTenSeconds) { expectStandingUnlikeStock(40, 1); }
 
 /// Joints of an arch may open by what the erp of its contacts leaves: it stands if it comes to rest
 /// near where it was.
@@ -155,18 +155,18 @@ void expectMostlyResting(const std::string& scene, double seconds, double tolera
   EXPECT_LT(drifts[1], tolerance);
 }
 
-TEST(Arch, standsForASecond) { expectResting("arch", 1, 0.02); }
+TEST(Arch, StandsForASecond) { expectResting("arch", 1, 0.02); }
 
 // In float, Bullet's narrow phase tells of two stones that they overlap by 0.6 m or all their
 // thickness, 1 m, for a step: one of 12 starts, and three of six of the thin arch.
-TEST(Arch, standsForTenSecondsSlow) { expectMostlyResting("arch", 10, 0.02, 0.2); }
+TEST(Arch, StandsForTenSecondsSlow) { expectMostlyResting("arch", 10, 0.02, 0.2); }
 
 // Bullet keeps four points of a joint, one of which is new in each step. Where two that the thrust
 // needs replace each other for ever, that stone creeps, some centimetres in ten seconds: from two
 // of 69 starts.
-TEST(Arch, thinStandsForTenSeconds) { expectMostlyResting("arch_thin", 10, 0.02, 0.2); }
+TEST(Arch, ThinStandsForTenSeconds) { expectMostlyResting("arch_thin", 10, 0.02, 0.2); }
 
-TEST(CardHouse, standsForTenSeconds) { expectResting("card_house", 10, 0.01); }
+TEST(CardHouse, StandsForTenSeconds) { expectResting("card_house", 10, 0.01); }
 
 }  // namespace
 }  // namespace demos

@@ -8,7 +8,7 @@
 namespace demos {
 namespace {
 
-TEST(Quantile, isOneOfTheValuesByItsRank) {
+TEST(Quantile, IsOneOfTheValuesByItsRank) {
   const std::vector<double> values{5, 1, 4, 2, 3};
   EXPECT_EQ(quantile(values, 0), 1);
   EXPECT_EQ(quantile(values, 0.25), 2);
@@ -20,7 +20,7 @@ TEST(Quantile, isOneOfTheValuesByItsRank) {
   EXPECT_TRUE(std::isnan(median({})));
 }
 
-TEST(LargerOf, keepsWhatIsNotANumber) {
+TEST(LargerOf, KeepsWhatIsNotANumber) {
   const double lost = std::nan("");
   EXPECT_EQ(largerOf(1, 2), 2);
   EXPECT_EQ(largerOf(2, 1), 2);

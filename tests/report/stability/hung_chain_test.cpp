@@ -16,27 +16,27 @@ constexpr double rate = 120, seconds = 1.5, allowed = 0.05;
 
 HungChain chainWith(double ballMass) { return {links, ballMass, rate}; }
 
-TEST(HungChain, holdsBelowTheLimitAndBreaksBeyondIt) {
+TEST(HungChain, HoldsBelowTheLimitAndBreaksBeyondIt) {
   const double limit = heaviestBall(links, 1 / rate);
   EXPECT_LT(worstError(hungChain(chainWith(0.7 * limit), seconds)), allowed);
   EXPECT_GT(worstError(hungChain(chainWith(2 * limit), seconds)), allowed);
 }
 
-TEST(HungChain, limitsOfMassAndRateAreOne) {
+TEST(HungChain, LimitsOfMassAndRateAreOne) {
   for (const double ball : {10.0, 1e3, 1e6}) {
     const double h = 1 / leastRate(links, ball);
     EXPECT_NEAR(heaviestBall(links, h) / ball, 1, 1e-9);
   }
 }
 
-TEST(HungChain, stiffenedHoldsFarBeyondTheLimit) {
+TEST(HungChain, StiffenedHoldsFarBeyondTheLimit) {
   HungChain chain = chainWith(1000 * heaviestBall(links, 1 / rate));
   EXPECT_GT(worstError(hungChain(chain, seconds)), allowed);
   chain.stiffened = true;
   EXPECT_LT(worstError(hungChain(chain, seconds)), allowed);
 }
 
-TEST(HungChain, asManySubstepsAsTheLimitAsksForHoldIt) {
+TEST(HungChain, AsManySubstepsAsTheLimitAsksForHoldIt) {
   const double ball = 10 * heaviestBall(links, 1 / rate);
   HungChain chain = chainWith(ball);
   chain.substeps = 4;  // √10 < 4
@@ -44,7 +44,7 @@ TEST(HungChain, asManySubstepsAsTheLimitAsksForHoldIt) {
   EXPECT_LT(worstError(hungChain(chain, seconds)), allowed);
 }
 
-TEST(HungChain, substepsAreSteps) {
+TEST(HungChain, SubstepsAreSteps) {
   NamedSolver solverOfA("delassus"), solverOfB("delassus");
   const Trial a = hungChain({links, 10, 60, 4}, 0.5), b = hungChain({links, 10, 240}, 0.5);
   a.world->setSolver(solverOfA.solver());

@@ -21,20 +21,20 @@ void expectToLast(const std::string& name, double seconds) {
   EXPECT_LT(worstError(sweep.build(seconds), 10), sweep.allowed);
 }
 
-TEST(LongRuns, cube) { expectToLast("cube", 60); }
-TEST(LongRuns, conveyor) { expectToLast("conveyor", 60); }
-TEST(LongRuns, stackOfForty) { expectToLast("stack_40_long", 5); }
+TEST(LongRuns, Cube) { expectToLast("cube", 60); }
+TEST(LongRuns, Conveyor) { expectToLast("conveyor", 60); }
+TEST(LongRuns, StackOfForty) { expectToLast("stack_40_long", 5); }
 
 // Ten hours.
-TEST(LongRunsSlow, cubeSlow) { expectToLast("cube", 36000); }
+TEST(LongRunsSlow, CubeSlow) { expectToLast("cube", 36000); }
 // One hour.
-TEST(LongRunsSlow, conveyorSlow) { expectToLast("conveyor", 3600); }
-TEST(LongRunsSlow, stackOfFortySlow) { expectToLast("stack_40_long", 3600); }
+TEST(LongRunsSlow, ConveyorSlow) { expectToLast("conveyor", 3600); }
+TEST(LongRunsSlow, StackOfFortySlow) { expectToLast("stack_40_long", 3600); }
 // Two minutes: its hour takes three to twenty of the processor.
-TEST(LongRunsSlow, archSlow) { expectToLast("arch_long", 120); }
+TEST(LongRunsSlow, ArchSlow) { expectToLast("arch_long", 120); }
 
 // What moves the arch is the recovery of depths that the narrow phase brings in.
-TEST(LongRunsSlow, archWithoutRecoveryStaysWhereItSettledSlow) {
+TEST(LongRunsSlow, ArchWithoutRecoveryStaysWhereItSettledSlow) {
   constexpr double settled = 20, rate = 60;
   NamedSolver named("delassus");
   Trial trial = sweepOf("arch_unrecovered").build(60);

@@ -13,7 +13,7 @@ namespace demos::report::stability {
 namespace {
 
 // A lost body has neither a place nor an energy: no error may call that rest.
-TEST(Sweep, aLostBodyIsNotAtRest) {
+TEST(Sweep, ALostBodyIsNotAtRest) {
   const btScalar notANumber = std::numeric_limits<btScalar>::quiet_NaN();
   for (const int lost : {0, 2}) {  // the first and the last that is looked at
     Trial drift = drifting(buildStack(3, 1), 1), gain = gaining(buildStack(3, 1), 1);

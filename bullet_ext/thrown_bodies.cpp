@@ -1,4 +1,4 @@
-#include "bullet_ext/soften.h"
+#include "bullet_ext/thrown_bodies.h"
 
 #include <Eigen/Geometry>
 

@@ -1,0 +1,110 @@
+/// Mechanisms in which joints close loops, and so hold some things twice.
+#include "bullet_ext/joint_loops.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "tests/support/bullet_world.h"
+
+namespace delassus::test {
+namespace {
+
+using bullet::JointLoops;
+
+TEST(JointLoops, AreThoseOfTheirMechanismAlone) {
+  constexpr int standing = JointLoops::standing;
+  JointLoops loops;
+  for (int round = 0; round < 2; ++round) {  // nothing of the first shows in the second
+    loops.reset(9);
+    // A ring 0 1 2 with a tail 3, a chain 4 5 that hangs, a bridge 6 7 that is held at both ends.
+    loops.add(0, 1);
+    loops.add(1, 2);
+    loops.add(2, 0);
+    loops.add(2, 3);
+    loops.add(standing, 4);
+    loops.add(4, 5);
+    loops.add(6, standing);
+    loops.add(6, 7);
+    loops.add(standing, 7);
+    loops.close();
+    EXPECT_TRUE(loops.hasLoops());
+    for (const int body : {0, 1, 2, 3, 6, 7}) EXPECT_TRUE(loops.isLooped(body)) << body;
+    for (const int body : {4, 5, 8}) EXPECT_FALSE(loops.isLooped(body)) << body;
+  }
+  loops.reset(2);
+  loops.add(0, 1);
+  loops.close();
+  EXPECT_FALSE(loops.hasLoops());
+  // Two hinges of a door.
+  loops.reset(1);
+  loops.add(0, standing);
+  loops.add(0, standing);
+  loops.close();
+  EXPECT_TRUE(loops.isLooped(0));
+}
+
+/// A closed chain of hinged plates that stands on the ground or falls freely.
+struct Track {
+  DelassusWorld world;
+  std::vector<btRigidBody*> plates;
+
+  Track(int count, bool hasGround) {
+    if (hasGround) world.addGround();
+    const double radius = count * 0.4 / SIMD_2_PI;
+    const auto joint = [&](int i) {
+      const double angle = SIMD_2_PI * i / count;
+      return btVector3(btScalar(radius * std::cos(angle)),
+                       btScalar(radius * (1 + std::sin(angle)) + 0.1), 0);
+    };
+    for (int i = 0; i < count; ++i) {
+      const btVector3 way = joint(i + 1) - joint(i);
+      const btQuaternion turn({0, 0, 1}, btScalar(std::atan2(way.y(), way.x())));
+      plates.push_back(&world.addBody(std::make_unique<btBoxShape>(btVector3(0.16, 0.04, 0.3)),
+                                      btTransform(turn, (joint(i) + joint(i + 1)) / 2), 1));
+    }
+    for (int i = 0; i < count; ++i) {
+      btRigidBody &a = *plates[i], &b = *plates[(i + 1) % count];
+      const btTransform toA = a.getWorldTransform().inverse(),
+                        toB = b.getWorldTransform().inverse();
+      const btVector3 axis(0, 0, 1), place = joint(i + 1);
+      auto& hinge = world.addJoint<btHingeConstraint>(a, b, toA * place, toB * place, axis, axis);
+      world->removeConstraint(&hinge);
+      world->addConstraint(&hinge, true);  // neighbours do not collide
+    }
+    plates[0]->setLinearVelocity({btScalar(0.1), 0, btScalar(0.01)});
+  }
+};
+
+// As it bends, what its hinges hold twice contradicts itself by ever so little: taken at its word,
+// that would be met by any reaction, and no step could be solved.
+TEST(JointLoops, TracksFallFreely) {
+  Track track(12, false);
+  int unsolved = 0;
+  for (int step = 0; step < 240; ++step) {
+    track.world.advance();
+    unsolved += track.world.report().islands - track.world.report().solved;
+  }
+  EXPECT_LE(unsolved, tolerance(0, 20));
+  const double fallen = track.world.gravity * 4;
+  for (const btRigidBody* plate : track.plates)
+    EXPECT_NEAR(plate->getLinearVelocity().y(), -fallen, 0.2);
+}
+
+TEST(JointLoops, TracksLandAndComeToRest) {
+  Track track(20, true);
+  double fastest = 0;
+  for (int step = 0; step < 300; ++step) {
+    track.world.advance();
+    for (const btRigidBody* plate : track.plates)
+      fastest = std::max(fastest, double(plate->getLinearVelocity().length()));
+  }
+  EXPECT_LT(fastest, 30);
+  for (const btRigidBody* plate : track.plates) EXPECT_LT(plate->getLinearVelocity().length(), 0.3);
+}
+
+}  // namespace
+}  // namespace delassus::test

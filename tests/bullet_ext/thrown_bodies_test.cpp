@@ -1,0 +1,114 @@
+/// What is pinched is not thrown, whatever the exact answer is; and what is not pinched keeps it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tests/support/bullet_world.h"
+
+namespace delassus::test {
+namespace {
+
+/// A press comes down on a column of four balls or boxes, every other one off the line by `lean`, m.
+struct Press {
+  static constexpr double speed = 1.2, half = 0.3;  // m/s, m
+  static constexpr int height = 4;
+  DelassusWorld world;
+  std::vector<btRigidBody*> column;
+  btRigidBody* plate;
+
+  Press(bool areBalls, double lean, double mu) {
+    world.addGround();
+    for (const double side : {-1, 1}) {
+      world.addBox({0.5, 6, 6}, {btScalar(2.5 * side), 4, 0}, 0);
+      world.addBox({6, 6, 0.5}, {0, 4, btScalar(2.5 * side)}, 0);
+    }
+    const btScalar h(half);
+    for (int i = 0; i < height; ++i) {
+      const btVector3 place(btScalar((i % 2) * lean), btScalar(half * (2 * i + 1)), 0);
+      column.push_back(areBalls ? &world.addSphere(h, place) : &world.addBox({h, h, h}, place));
+      column.back()->setFriction(btScalar(mu));
+    }
+    plate = &world.addBox({2.2, 0.2, 2.2}, {0, btScalar(top(0)), 0}, 0);
+    plate->setFriction(btScalar(mu));
+    plate->setCollisionFlags(plate->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+  }
+  static double top(int step) { return 2 * half * height + 0.3 - speed * step / 60; }
+
+  /// The fastest that anything of the column is within `steps`, m/s.
+  double fastest(int steps) {
+    double most = 0;
+    for (int step = 0; step < steps; ++step) {
+      plate->setWorldTransform(world.at({0, btScalar(top(step)), 0}));
+      world.advance();
+      softened += world.report().softened;
+      if (world.report().softened > 0) messages = world.report().messages;
+      for (const btRigidBody* body : column)
+        most = std::max(most, double(body->getLinearVelocity().length()));
+    }
+    return most;
+  }
+  int softened = 0;
+  std::vector<std::string> messages;
+};
+
+// The exact answer throws them at km/s through the walls.
+TEST(ThrownBodies, APressThrowsNothing) {
+  int softened = 0;
+  for (const bool areBalls : {true, false})
+    for (const double lean : {0.0, 1e-3, 0.05})
+      for (const double mu : {0.0, 0.5}) {
+        SCOPED_TRACE(testing::Message() << (areBalls ? "balls " : "boxes ") << lean << " " << mu);
+        Press press(areBalls, lean, mu);
+        EXPECT_LT(press.fastest(80), 20 * Press::speed);
+        softened += press.softened;
+        if (press.softened > 0) {
+          EXPECT_NE(press.messages.front().find("would throw a body"), std::string::npos);
+        }
+        for (const btRigidBody* body : press.column) {
+          const btVector3 place = body->getWorldTransform().getOrigin();
+          EXPECT_LT(std::max(std::abs(place.x()), std::abs(place.z())), 3) << "through a wall";
+        }
+      }
+  EXPECT_GT(softened, 0);
+}
+
+// A seesaw with arms of 1 : 5, and a bat that a motor turns: what is fast there is asked for.
+TEST(ThrownBodies, LeversAndBatsAreExact) {
+  DelassusWorld world;
+  btRigidBody& board = world.addBox({3, btScalar(0.05), 0.5}, {2, 1, 0}, 1);
+  btRigidBody& post = world.addBox({0.1, 0.1, 0.1}, {0, btScalar(0.5), 0}, 0);
+  world.addJoint<btHingeConstraint>(board, post, btVector3(-2, 0, 0), btVector3(0, 0.5, 0),
+                                    btVector3(0, 0, 1), btVector3(0, 0, 1));
+  world.addSphere(0.2, {btScalar(4.8), btScalar(1.25), 0}, btScalar(0.1));
+  world.addSphere(0.2, {btScalar(-0.9), btScalar(1.6), 0}, 200).setLinearVelocity({0, -5, 0});
+
+  btRigidBody& bat = world.addBox({1, 0.1, 0.1}, {1, 5, 5}, 1);
+  btRigidBody& axle = world.addBox({0.05, 0.05, 0.05}, {0, 5, 5}, 0);
+  auto& motor = world.addJoint<btHingeConstraint>(
+      bat, axle, btVector3(-1, 0, 0), btVector3(0, 0, 0), btVector3(0, 1, 0), btVector3(0, 1, 0));
+  motor.enableAngularMotor(true, 20, 1e6);
+  world.addSphere(0.1, {btScalar(1.9), 5, btScalar(5.2)}, 1);
+  world.addSphere(0.1, {btScalar(1.9), 5, btScalar(4.8)}, 1);
+  for (int step = 0; step < 60; ++step) {
+    world.advance();
+    EXPECT_EQ(world.report().softened, 0) << step;
+  }
+}
+
+// Without gravity, and at rest, there is nothing that could be thrown.
+TEST(ThrownBodies, RestIsNoThrow) {
+  DelassusWorld world;
+  world->setGravity({0, 0, 0});
+  world.addGround();
+  for (int i = 0; i < 5; ++i) world.addCube({0, btScalar(0.5 + i), 0});
+  for (int step = 0; step < 20; ++step) {
+    world.advance();
+    EXPECT_EQ(world.report().softened, 0) << step;
+  }
+}
+
+}  // namespace
+}  // namespace delassus::test
