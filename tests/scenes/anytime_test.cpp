@@ -27,27 +27,40 @@ StepResidual judgeStep(const SceneDescription& scene, int steps, const std::stri
   return residual;
 }
 
-class OneStep : public testing::TestWithParam<const char*> {};
-
-TEST_P(OneStep, IsNoWorseThanSequentialImpulsesWithAsManySweeps) {
-  constexpr double rounding = 1e-9, alike = 1.1;
-  const SceneDescription& scene = findScene(GetParam());
-  for (const int steps : {0, 40})
-    for (const int sweeps : {10, 50}) {
+class OneStep : public testing::TestWithParam<const char*> {
+ protected:
+  void expectNoWorseThanStock(int sweeps) const {
+    constexpr double rounding = 1e-9, alike = 1.1;
+    const SceneDescription& scene = findScene(GetParam());
+    for (const int steps : {0, 40}) {
       const std::string budget = std::to_string(sweeps);
       const StepResidual ours = judgeStep(scene, steps, "delassus/" + budget);
       const StepResidual stock = judgeStep(scene, steps, "si:" + budget);
       EXPECT_LE(ours.rms(), alike * stock.rms() + rounding) << steps << " steps, " << sweeps;
       EXPECT_LE(ours.max, alike * stock.max + rounding) << steps << " steps, " << sweeps;
     }
+  }
+};
+class FewSweeps : public OneStep {};
+class ManySweeps : public OneStep {};
+
+TEST_P(ManySweeps, AreNoWorseThanAsManyOfSequentialImpulses) {
+  for (const int sweeps : {10, 50}) expectNoWorseThanStock(sweeps);
+}
+TEST_P(FewSweeps, AreNoWorseThanAsManyOfSequentialImpulses) {
+  for (const int sweeps : {1, 2}) expectNoWorseThanStock(sweeps);
 }
 
 // Not the first step of `incline`: where all of a body slides one way, stock's friction along that
-// line is the easier law.
-INSTANTIATE_TEST_SUITE_P(catalogue, OneStep,
+// line is the easier law. And few sweeps of `gripper` leave up to half as much again.
+INSTANTIATE_TEST_SUITE_P(catalogue, ManySweeps,
                          testing::Values("stack_10", "stack_10_heavy_top", "pyramid_10", "arch",
                                          "card_house", "box_headings", "domino_run", "gripper",
                                          "ragdolls", "heavy_ball_chain", "wall_and_ball"));
+INSTANTIATE_TEST_SUITE_P(catalogue, FewSweeps,
+                         testing::Values("stack_10", "stack_10_heavy_top", "pyramid_10", "arch",
+                                         "card_house", "box_headings", "domino_run", "ragdolls",
+                                         "heavy_ball_chain", "wall_and_ball"));
 
 // Step after step, what one leaves the next one has to mend: errors must not feed each other. With
 // full reactions to start from they do: a pile swings for ever.
