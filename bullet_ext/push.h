@@ -21,8 +21,8 @@ struct Group;
 /// What is pinched between faces that lean against each other by ε would leave them at p/ε, and
 /// what may move along a small part of a normal alone, in a plane world, just so. Where bodies
 /// would slip past each other by more than `reach` times the largest p of their island, it is
-/// solved again as if contacts gave a little, s' > 0 (thrown_bodies.h): by no more than some times p then,
-/// however small ε is.
+/// solved again as if contacts gave a little, s' > 0 (thrown_bodies.h): by no more than some times
+/// p then, however small ε is.
 struct Pushes {
   std::vector<Contact> contacts;  ///< those that take part, without friction
   std::vector<Body> bodies;       ///< push velocities; empty if nothing has to move

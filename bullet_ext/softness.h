@@ -11,8 +11,9 @@ namespace delassus::bullet {
 /// the mass of its lighter body slips by M times this of what it stops. ODE softens all of its
 /// joints alike (its default CFM).
 constexpr double leastSoftness = sizeof(btScalar) == sizeof(double) ? 1e-10 : 1e-8;
-/// The same where joints close a loop (joint_loops.h): as the mechanism drifts, they contradict each
-/// other by far more than poses are rounded, and what meets that is in inverse proportion to this.
+/// The same where joints close a loop (joint_loops.h): as the mechanism drifts, they contradict
+/// each other by far more than poses are rounded, and what meets that is in inverse proportion to
+/// this.
 constexpr double loopSoftness = 1e-8;
 
 /// The compliance of a row with Bullet's `cfm` (a fault of which stays one) and this W_ii.

@@ -162,9 +162,8 @@ bool throwsOne(const Group& group, const Island& island, double demand, const An
 
 /// Takes the answer back, and finds that for contacts that give a little. Its residual is that of
 /// the law as it stands.
-void solveSoftened(const Group& group, const Island& island, const Problem& problem, Bench& bench,
-                   Answer& answer, IslandResult& result) {
-  const Problem rigid = problem;  // whose storage is used again
+void solveSoftened(const Group& group, const Island& island, Bench& bench, Answer& answer,
+                   IslandResult& result) {
   std::vector<Contact> contacts = group.contacts;
   for (const std::vector<int>* own : {&island.frictional, &island.frictionless})
     for (const int k : *own) soften(group.bodies, contacts[k]);
@@ -176,6 +175,7 @@ void solveSoftened(const Group& group, const Island& island, const Problem& prob
   for (const int body : island.bodies) answer.bodies[body] = group.bodies[body];
   keepReactions(island, solution, answer);
   applyReaction(answer.bodies, group.contacts, group.rows, island, solution.r);
+  const Problem& rigid = bench.assembler.assemble(group.bodies, group.contacts, group.rows, island);
   const VelocityResidual residual = naturalResidual(rigid, solution.r);
   result.isSoftened = true;
   result.status = Status::Incompatible;
@@ -207,7 +207,7 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
     if (articulated)
       bench.coupling.addGain(group.articulation, solution.r, answer.gains);
     else if (throwsOne(group, island, problem.demand(), answer))
-      solveSoftened(group, island, problem, bench, answer, result);
+      solveSoftened(group, island, bench, answer, result);
   } else {
     // Better no reaction than one that spoils the world; the residual says how good that is.
     for (int i : island.frictional) answer.contacts[i].setZero();

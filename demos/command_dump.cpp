@@ -40,7 +40,7 @@ class ProblemCatcher : public SolverDecorator {
   const std::vector<Problem>& problems() const { return problems_; }
 
  protected:
-  void beforeGroup(const GroupArguments& arguments) override {
+  void beforeGroup(const GroupInput& arguments) override {
     if (!catching_) return;
     bullet::Group group;
     StepReport ignored;

@@ -29,14 +29,14 @@ class StepCatcher : public SolverDecorator {
   const std::vector<double>& normalReactions() const { return normalReactions_; }
 
  protected:
-  void beforeGroup(const GroupArguments& arguments) override {
+  void beforeGroup(const GroupInput& arguments) override {
     StepReport ignored;
     bullet::gatherGroup(group_, arguments, ignored);
     problem_ = Problem();
     for (const Island& island : splitIslands(group_.bodies, group_.contacts, group_.rows))
       problem_ = assemble(group_.bodies, group_.contacts, group_.rows, island);
   }
-  void afterGroup(const GroupArguments&) override {
+  void afterGroup(const GroupInput&) override {
     normalReactions_.clear();
     for (const bullet::PointSource& source : group_.contactSources)
       normalReactions_.push_back(source.manifold->getContactPoint(source.point).m_appliedImpulse);

@@ -79,7 +79,7 @@ std::optional<btVector3> anchor(const btTypedConstraint& joint) {
 
 }  // namespace
 
-void PersistenceWatch::beforeGroup(const GroupArguments& group) {
+void PersistenceWatch::beforeGroup(const GroupInput& group) {
   for (int i = 0; i < group.manifoldCount; ++i) {
     const btPersistentManifold& manifold = *group.manifolds[i];
     for (int j = 0; j < manifold.getNumContacts(); ++j) {

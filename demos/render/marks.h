@@ -28,7 +28,7 @@ class PersistenceWatch : public SolverDecorator {
   }
 
  protected:
-  void beforeGroup(const GroupArguments& group) override;
+  void beforeGroup(const GroupInput& group) override;
 
  private:
   bool first_ = true;

@@ -26,14 +26,14 @@ double statusBytes(const std::string& key) {
 
 }  // namespace
 
-void MemoryPeak::beforeGroup(const GroupArguments&) {
+void MemoryPeak::beforeGroup(const GroupInput&) {
   // Memory that was used before and is free now would be taken again unseen.
   malloc_trim(0);
   std::ofstream("/proc/self/clear_refs") << "5";  // sets the high-water mark back to now
   before_ = statusBytes("VmRSS");
 }
 
-void MemoryPeak::afterGroup(const GroupArguments&) {
+void MemoryPeak::afterGroup(const GroupInput&) {
   const double taken = statusBytes("VmHWM") - before_;
   peak_ = taken >= 0 ? std::max(peak_, taken) : taken;
 }

@@ -14,8 +14,8 @@ class MemoryPeak : public SolverDecorator {
   double bytes() const { return peak_; }
 
  protected:
-  void beforeGroup(const GroupArguments&) override;
-  void afterGroup(const GroupArguments&) override;
+  void beforeGroup(const GroupInput&) override;
+  void afterGroup(const GroupInput&) override;
 
  private:
   double before_ = 0, peak_ = 0;

@@ -37,10 +37,10 @@ double StepResidual::rms() const { return count > 0 ? std::sqrt(sumOfSquares / d
 
 StepResidual JudgedSolver::takeResidual() { return std::exchange(residual_, {}); }
 
-void JudgedSolver::beforeGroup(const GroupArguments& arguments) {
+void JudgedSolver::beforeGroup(const GroupInput& arguments) {
   btContactSolverInfo info = *arguments.info;
   info.m_globalCfm = cfm_;
-  GroupArguments judged = arguments;
+  GroupInput judged = arguments;
   judged.info = &info;
   StepReport ignored;
   const WatchedJoints watched(arguments.constraints, arguments.constraintCount);
@@ -48,7 +48,7 @@ void JudgedSolver::beforeGroup(const GroupArguments& arguments) {
   lendFeedback(arguments);
 }
 
-void JudgedSolver::afterGroup(const GroupArguments& arguments) {
+void JudgedSolver::afterGroup(const GroupInput& arguments) {
   const std::vector<double> rows = rowReactions(arguments.info->m_timeStep);
   takeFeedbackBack();
 
@@ -98,7 +98,7 @@ void JudgedSolver::addTurning(const Island& island, const Problem& problem, Vect
   r.tail(count) = radius.cwiseProduct(leastNorm(W * radius.asDiagonal(), missing));
 }
 
-void JudgedSolver::lendFeedback(const GroupArguments& arguments) {
+void JudgedSolver::lendFeedback(const GroupInput& arguments) {
   lent_.clear();
   lent_.resize(std::size_t(arguments.constraintCount));
   borrowers_.clear();

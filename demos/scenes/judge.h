@@ -35,11 +35,11 @@ class JudgedSolver : public SolverDecorator {
   StepResidual takeResidual();
 
  protected:
-  void beforeGroup(const GroupArguments& group) override;
-  void afterGroup(const GroupArguments& group) override;
+  void beforeGroup(const GroupInput& group) override;
+  void afterGroup(const GroupInput& group) override;
 
  private:
-  void lendFeedback(const GroupArguments& arguments);
+  void lendFeedback(const GroupInput& arguments);
   std::vector<double> rowReactions(double timeStep) const;
   void addTurning(const delassus::Island& island, const delassus::Problem& problem,
                   delassus::VectorXd& r) const;

@@ -6,8 +6,7 @@
 
 namespace demos {
 
-/// The arguments of one solveGroup call.
-using GroupArguments = delassus::bullet::GroupInput;
+using delassus::bullet::GroupInput;
 
 /// A solver that hands everything on to another one. Those derived from it look on.
 class SolverDecorator : public btConstraintSolver {
@@ -21,8 +20,8 @@ class SolverDecorator : public btConstraintSolver {
                       int manifoldCount, btTypedConstraint** constraints, int constraintCount,
                       const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
                       btDispatcher* dispatcher) override {
-    const GroupArguments group{bodies,      bodyCount,       manifolds, manifoldCount,
-                               constraints, constraintCount, &info,     dispatcher};
+    const GroupInput group{bodies,      bodyCount,       manifolds, manifoldCount,
+                           constraints, constraintCount, &info,     dispatcher};
     beforeGroup(group);
     const btScalar answer =
         inner_.solveGroup(bodies, bodyCount, manifolds, manifoldCount, constraints, constraintCount,
@@ -37,8 +36,8 @@ class SolverDecorator : public btConstraintSolver {
   btConstraintSolverType getSolverType() const override { return inner_.getSolverType(); }
 
  protected:
-  virtual void beforeGroup(const GroupArguments&) {}
-  virtual void afterGroup(const GroupArguments&) {}
+  virtual void beforeGroup(const GroupInput&) {}
+  virtual void afterGroup(const GroupInput&) {}
 
  private:
   btConstraintSolver& inner_;

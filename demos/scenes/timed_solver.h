@@ -16,8 +16,8 @@ class TimedSolver : public SolverDecorator {
   double takeSeconds() { return std::exchange(seconds_, 0); }
 
  protected:
-  void beforeGroup(const GroupArguments&) override { begin_ = Clock::now(); }
-  void afterGroup(const GroupArguments&) override {
+  void beforeGroup(const GroupInput&) override { begin_ = Clock::now(); }
+  void afterGroup(const GroupInput&) override {
     seconds_ += std::chrono::duration<double>(Clock::now() - begin_).count();
   }
 

@@ -11,7 +11,8 @@
 namespace delassus::test {
 namespace {
 
-/// A press comes down on a column of four balls or boxes, every other one off the line by `lean`, m.
+/// A press comes down on a column of four balls or boxes, every other one off the line by `lean`,
+/// m.
 struct Press {
   static constexpr double speed = 1.2, half = 0.3;  // m/s, m
   static constexpr int height = 4;
