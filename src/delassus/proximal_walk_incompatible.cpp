@@ -54,7 +54,7 @@ void ProximalWalk<Motion>::compromise(Solution& best) {
   if ((rows < problem().lower.array()).any() || (rows > problem().upper.array()).any() ||
       std::any_of(problem().disks.begin(), problem().disks.end(), narrow))
     best.r = r_;
-  best.setResidual(space_.map().measure(best.r, felt_, best.u));
+  best.setResidual(space_.measure(best.r, best.u));
   // Compared in √J: the units of a row must not decide whether it is named.
   shares = scale_.cwiseSqrt().cwiseProduct(d);
   const double largest = shares.cwiseAbs().maxCoeff();

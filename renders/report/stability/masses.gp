@@ -736,7 +736,8 @@ set object 367 rectangle from screen 0.132812, screen 0.4624 to screen 0.168281,
 set label "t" at screen 0.150547, screen 0.4704 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 368 rectangle from screen 0.168281, screen 0.4624 to screen 0.20375, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.186016, screen 0.4704 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 369 rectangle from screen 0.20375, screen 0.4624 to screen 0.239219, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 369 rectangle from screen 0.20375, screen 0.4624 to screen 0.239219, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.221484, screen 0.4704 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 370 rectangle from screen 0.239219, screen 0.4624 to screen 0.274687, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.256953, screen 0.4704 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 371 rectangle from screen 0.274688, screen 0.4624 to screen 0.310156, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -753,7 +754,8 @@ set object 376 rectangle from screen 0.452031, screen 0.4624 to screen 0.4875, s
 set label "x" at screen 0.469766, screen 0.4704 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:1000 float" at screen 0.126562, screen 0.4544 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set arrow from screen 0.250825, screen 0.4624 to screen 0.250825, screen 0.4464 nohead front lw 2.5 lc rgb '#000000'
-set object 377 rectangle from screen 0.132812, screen 0.4464 to screen 0.168281, screen 0.4624 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 377 rectangle from screen 0.132812, screen 0.4464 to screen 0.168281, screen 0.4624 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
+set label "t" at screen 0.150547, screen 0.4544 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 378 rectangle from screen 0.168281, screen 0.4464 to screen 0.20375, screen 0.4624 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.186016, screen 0.4544 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 379 rectangle from screen 0.20375, screen 0.4464 to screen 0.239219, screen 0.4624 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1

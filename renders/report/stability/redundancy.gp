@@ -398,8 +398,8 @@ set object 260 rectangle from screen 0.854492, screen 0.0848708 to screen 0.8988
 set label "t" at screen 0.87666, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 261 rectangle from screen 0.898828, screen 0.0848708 to screen 0.943164, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.920996, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 262 rectangle from screen 0.943164, screen 0.0848708 to screen 0.9875, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.965332, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 262 rectangle from screen 0.943164, screen 0.0848708 to screen 0.9875, screen 0.121771 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.965332, screen 0.103321 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "1" at screen 0.65498, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "4" at screen 0.699316, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)
 set label "16" at screen 0.743652, screen 0.0664207 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 10)

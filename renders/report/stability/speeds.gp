@@ -528,8 +528,8 @@ set object 337 rectangle from screen 0.721484, screen 0.39645 to screen 0.76582,
 set object 338 rectangle from screen 0.76582, screen 0.39645 to screen 0.810156, screen 0.416174 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 339 rectangle from screen 0.810156, screen 0.39645 to screen 0.854492, screen 0.416174 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 340 rectangle from screen 0.854492, screen 0.39645 to screen 0.898828, screen 0.416174 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 341 rectangle from screen 0.898828, screen 0.39645 to screen 0.943164, screen 0.416174 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.920996, screen 0.406312 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 341 rectangle from screen 0.898828, screen 0.39645 to screen 0.943164, screen 0.416174 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.920996, screen 0.406312 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 342 rectangle from screen 0.943164, screen 0.39645 to screen 0.9875, screen 0.416174 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:10 double" at screen 0.626563, screen 0.386588 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 343 rectangle from screen 0.632812, screen 0.376726 to screen 0.677148, screen 0.39645 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1

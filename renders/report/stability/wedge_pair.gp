@@ -92,8 +92,8 @@ set object 50 rectangle from screen 0.239219, screen 0.665552 to screen 0.274687
 set object 51 rectangle from screen 0.274688, screen 0.665552 to screen 0.310156, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 52 rectangle from screen 0.310156, screen 0.665552 to screen 0.345625, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 53 rectangle from screen 0.345625, screen 0.665552 to screen 0.381094, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 54 rectangle from screen 0.381094, screen 0.665552 to screen 0.416563, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.398828, screen 0.682274 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 54 rectangle from screen 0.381094, screen 0.665552 to screen 0.416563, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.398828, screen 0.682274 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 55 rectangle from screen 0.416563, screen 0.665552 to screen 0.452031, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.434297, screen 0.682274 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 56 rectangle from screen 0.452031, screen 0.665552 to screen 0.4875, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
