@@ -146,6 +146,16 @@ Mat2 DelassusMatrix::pairBlock(int first) const {
   return W;
 }
 
+double DelassusMatrix::diagonalOfRow(int unknown) const {
+  if (!inBodySpace_) return entries_.coeff(unknown, unknown);
+  const ScalarRow& c = bodySpace().rows[unknown - 3 * bodySpace().contacts.size()];
+  double entry = bodySpace().compliance[unknown];
+  if (c.a >= 0) entry += c.Ja.squaredNorm();
+  if (c.b >= 0) entry += c.Jb.squaredNorm();
+  for (const BodySpace::Part& p : bodySpace().partsOf(unknown)) entry += p.J.row(0).squaredNorm();
+  return entry;
+}
+
 VectorXd DelassusMatrix::diagonal() const {
   std::vector<Mat3> blocks;
   if (inBodySpace_)

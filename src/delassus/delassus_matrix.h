@@ -89,6 +89,8 @@ class DelassusMatrix {
   Mat3 contactBlock(int first) const;
   /// The 2x2 diagonal block of the two rows whose unknowns start at `first`.
   Mat2 pairBlock(int first) const;
+  /// The entry in the diagonal of the row that is this unknown.
+  double diagonalOfRow(int unknown) const;
   VectorXd diagonal() const;
   /// The same where contactBlock of each contact is known.
   void diagonal(const std::vector<Mat3>& contactBlocks, VectorXd& d) const;

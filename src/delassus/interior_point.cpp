@@ -13,7 +13,8 @@ double longestStep(double x, double d) { return d < 0 ? -x / d : infinity; }
 
 }  // namespace
 
-/// Reactions and velocities of the size of the demands, in the middle of their cones.
+/// Reactions and velocities of the size of all velocities, also of those that ask for nothing, in
+/// the middle of their cones.
 template <class Motion>
 void InteriorPoint<Motion>::start(const Problem& problem, const NaturalMap& map) {
   const int n = problem.contacts(), m = problem.rows();
@@ -24,7 +25,7 @@ void InteriorPoint<Motion>::start(const Problem& problem, const NaturalMap& map)
   weight_ = proximal * scale_;
   if (problem.W.inBodySpace()) weight_ += problem.W.bodySpace().compliance;
 
-  const double speed = std::max(problem.demand(), 1e-300);
+  const double speed = std::max(problem.q.lpNorm<Eigen::Infinity>(), 1e-300);
   r_ = VectorXd::Zero(problem.size());
   cones_.resize(n);
   degree_ = 0;

@@ -126,7 +126,7 @@ bool IslandCheck::isFree(const std::vector<Body>& bodies, const std::vector<Cont
   return true;
 }
 
-/// Projects r, gives the bodies the velocities that it leaves, and returns the largest |q|.
+/// Projects r, gives the bodies the velocities that it leaves, and returns the largest demand.
 double IslandCheck::move(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
                          const std::vector<Row>& rows, const Island& island,
                          std::vector<Body>& moved, VectorXd& r) {
@@ -147,21 +147,26 @@ double IslandCheck::move(const std::vector<Body>& bodies, const std::vector<Cont
   int at = 0;
   for (int i : island.frictional) {
     const Contact& c = contacts[i];
-    demand = std::max(demand, relativeVelocity(bodies, c).cwiseAbs().maxCoeff());
+    const Vec3 q = relativeVelocity(bodies, c);
+    demand = std::max({demand, -q[0], std::abs(q[1]), std::abs(q[2])});
     r.segment<3>(at) = projectOnCone(r.segment<3>(at), c.friction);
     push(c, c.frame * r.segment<3>(at));
     at += 3;
   }
   for (int i : island.frictionless) {
     const Contact& c = contacts[i];
-    demand = std::max(demand, std::abs(normalVelocity(bodies, c)));
+    demand = std::max(demand, -normalVelocity(bodies, c));
     r[at] = std::max(r[at], 0.0);
     push(c, c.frame.col(0) * r[at++]);
   }
   const int rowsBegin = at;
   for (int i : island.rows) {
     const Row& c = rows[i];
-    demand = std::max(demand, std::abs(relativeVelocity(bodies, c)));
+    const double q = relativeVelocity(bodies, c);
+    if (std::abs(q) > demand)
+      demand = std::max(demand, c.governor >= 0 ? std::abs(q) : demandOf(q, c.lower, c.upper, [&] {
+                          return diagonal(bodies, c) + c.compliance;
+                        }));
     if (c.governor < 0)
       r[at] = std::clamp(r[at], c.lower, c.upper);
     else if (!c.paired)

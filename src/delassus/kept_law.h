@@ -46,7 +46,7 @@ inline Disk diskAt(const std::vector<Row>& rows, const Island& island, int k, in
 /// leave: no W is built for it. Velocities, modes and the residual go to the solution, too.
 class KeptLaw {
  public:
-  /// `share`: of the tolerance, that may be used; `demand`: the largest |q|, m/s.
+  /// `share`: of the tolerance, that may be used; `demand`: the largest, m/s.
   KeptLaw(const std::vector<Body>& moved, const std::vector<Contact>& contacts,
           const std::vector<Row>& rows, const Island& island, const Options& options, double share,
           double demand, Solution& solution);

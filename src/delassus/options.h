@@ -13,9 +13,9 @@ namespace delassus {
 constexpr double keptShare = 1e-1, polishedShare = 1e-4;
 
 struct Options {
-  /// Natural residual to reach, relative to the largest |q_i| of the island (m/s, rad/s), but no
-  /// less than the rounding of q (Problem::roundOff); > 0. Where friction is more than 1 it is
-  /// toleranceFor(friction).
+  /// Natural residual to reach, relative to the largest demand of the island (Problem::demand; m/s,
+  /// rad/s), but no less than the rounding of q (Problem::roundOff); > 0. Where friction is more
+  /// than 1 it is toleranceFor(friction).
   double tolerance = 1e-8;
   /// Most regions visited per island. Budgets count work, never time: the same input takes the same
   /// work everywhere. Work in a patch of an island counts by its share of what the island costs. 0

@@ -115,6 +115,20 @@ bool areContactsFit(const Problem& problem) {
 
 }  // namespace
 
+double Problem::demand() const {
+  const int n = contacts();
+  double largest = 0;
+  for (int at = 0; at < 3 * n; at += 3)
+    largest = std::max({largest, -q[at], std::abs(q[at + 1]), std::abs(q[at + 2])});
+  for (int i = 0; i < rows(); ++i) {
+    const int at = 3 * n + i;
+    if (std::abs(q[at]) > largest)
+      largest = std::max(
+          largest, demandOf(q[at], lower[i], upper[i], [this, at] { return W.diagonalOfRow(at); }));
+  }
+  return largest;
+}
+
 Interval allowedWithoutFriction(const Problem& problem, int unknown) {
   const int row = unknown - 3 * problem.contacts();
   if (row >= 0) return {problem.lower[row], problem.upper[row]};

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -32,9 +34,24 @@ struct Problem {
   /// Of W those of the body space.
   std::size_t bytes() const { return W.bytes() + bytesOf(q, friction, lower, upper, disks); }
   int disksBegin() const { return disks.empty() ? size() : disks.front().first; }
-  /// The largest demand max |q_i|, m/s; 0 without unknowns.
-  double demand() const { return q.size() > 0 ? q.cwiseAbs().maxCoeff() : 0; }
+  /// The largest demand, m/s: of contacts −q_n and |q_t|, of rows demandOf; 0 if there is none.
+  double demand() const;
 };
+
+/// What a row can ask for, m/s: |q| at most, and no more than its own reactions can change, were it
+/// alone,
+///
+///     min(|q|, W_aa b),   b = upper if q < 0, else −lower
+///
+/// A limit that is open asks for nothing; a motor of little force, whatever its speed, for little.
+/// If b or W_aa < 0 it is |q|. `ownSize()` is W_aa, of the few rows that need it.
+template <class OwnSize>
+double demandOf(double q, double lower, double upper, const OwnSize& ownSize) {
+  const double bound = q < 0 ? upper : -lower;
+  if (bound < 0 || bound == infinity) return std::abs(q);
+  const double change = bound > 0 ? ownSize() * bound : 0;
+  return change < 0 ? std::abs(q) : std::min(std::abs(q), change);
+}
 
 /// Where the reaction of one unknown may lie.
 struct Interval {

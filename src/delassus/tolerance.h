@@ -9,7 +9,7 @@ namespace delassus {
 
 /// The natural residual that an answer may leave, m/s, where friction is at most μ:
 ///
-///     max(toleranceFor(μ) max |q_i|, rounding of q)
+///     max(toleranceFor(μ) largest demand, rounding of q)
 inline double toleranceOf(const Options& options, double friction, double demand, double roundOff) {
   return std::max(options.toleranceFor(friction) * demand, roundOff);
 }

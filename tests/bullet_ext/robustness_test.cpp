@@ -227,6 +227,49 @@ bool breakFriction(btManifoldPoint& point, const btCollisionObjectWrapper*, int,
   return true;
 }
 
+// The usual way to have a motor of constant torque: its target says nothing about the pile that it
+// stands on.
+TEST(Robustness, ATargetOutOfReachLeavesTheRestAsExact) {
+  const auto motionOf = [](btScalar target) {
+    DelassusWorld world;
+    world.addGround();
+    btRigidBody* top = nullptr;
+    for (int i = 0; i < 4; ++i)
+      top = &world.addCube(btVector3(0, btScalar(0.5) + i, 0), i == 3 ? 100 : 1);
+    btRigidBody& rotor = world.addBox(btVector3(btScalar(0.4), btScalar(0.1), btScalar(0.4)),
+                                      btVector3(0, btScalar(4.3), 0), 1);
+    const btVector3 up(0, 1, 0);
+    auto& hinge = world.addJoint<btHingeConstraint>(*top, rotor, up * btScalar(0.7),
+                                                    up * btScalar(-0.1), up, up);
+    hinge.enableAngularMotor(true, target, btScalar(0.02));
+    world.advance(120);
+    EXPECT_GT(std::abs(rotor.getAngularVelocity().y()), 20);
+    return top->getCenterOfMassPosition();
+  };
+  for (const double target : {1e3, 1e7, 1e10})
+    EXPECT_LT((motionOf(btScalar(target)) - btVector3(0, btScalar(3.5), 0)).length(),
+              tolerance(1e-6, 2e-3))
+        << target;
+}
+
+// A wall 1.5 cm away, that is 1500 m/s in a step of 10 µs, stops nothing that glides along it.
+TEST(Robustness, OpenPointsStopNothingInShortSteps) {
+  constexpr btScalar h = btScalar(1e-5);
+  constexpr int steps = 200;
+  DelassusWorld world;
+  world.addGround();
+  btRigidBody& ball = world.addSphere(btScalar(0.5), btVector3(0, btScalar(0.5), 0));
+  btRigidBody& wall = world.addBox(btVector3(1, 5, 5), btVector3(btScalar(1.515), 0, 0), 0);
+  for (btRigidBody* body : {&ball, &wall}) body->setFriction(0);
+  const btScalar force = btScalar(0.01);
+  for (int i = 0; i < steps; ++i) {
+    ball.applyCentralForce(btVector3(0, 0, force));
+    world->stepSimulation(h, 0);
+  }
+  EXPECT_EQ(world.report().contacts, 2);
+  EXPECT_NEAR(ball.getLinearVelocity().z(), steps * h * force, 1e-3 * steps * h * force);
+}
+
 TEST(Robustness, ABrokenContactIsNamedAndLeftOut) {
   DelassusWorld world;
   world.addGround();

@@ -246,6 +246,22 @@ TEST(NaturalResidual, BlocksThatVanishAreJudgedToo) {
   EXPECT_GT(naturalResidual(problem, Eigen::Vector2d(1, 2)).max, 0.1) << "not complementary";
 }
 
+// What asks for a velocity that its own reactions cannot give says nothing about how exact the
+// others are to be.
+TEST(Demand, IsWhatReactionsCanAnswer) {
+  const Mat3 W = Mat3::Identity();
+  EXPECT_EQ(oneContact(W, {-3, 1, -2}, 0.5).demand(), 3);
+  EXPECT_EQ(oneContact(W, {1500, 1, -2}, 0.5).demand(), 2) << "it is open";
+  EXPECT_EQ(oneRow(2, -1e9, -infinity, infinity).demand(), 1e9) << "a joint";
+  EXPECT_EQ(oneRow(2, -5, 0, infinity).demand(), 5) << "a limit that is met";
+  EXPECT_EQ(oneRow(2, 1e9, 0, infinity).demand(), 0) << "one that is open";
+  EXPECT_EQ(oneRow(2, -1e9, -0.1, 0.3).demand(), 2 * 0.3) << "a motor of little force";
+  EXPECT_EQ(oneRow(2, 1e9, -0.1, 0.3).demand(), 2 * 0.1) << "the other way";
+  EXPECT_EQ(oneRow(2, 0.05, -0.1, 0.3).demand(), 0.05) << "that it can reach";
+  EXPECT_EQ(oneRow(0, -1e9, -0.1, 0.3).demand(), 0) << "where nothing moves";
+  EXPECT_EQ(Problem().demand(), 0);
+}
+
 TEST(NaturalResidual, NamesTheWorstAndNeverHidesANaN) {
   MatrixXd W = MatrixXd::Identity(8, 8);
   VectorXd q = VectorXd::Zero(8), r = VectorXd::Zero(8);
