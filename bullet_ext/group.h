@@ -46,14 +46,19 @@ struct JointSource {
   int firstRow, rowCount;  ///< among Group::rows
   int lastRow;             ///< the joint's own last row, or -1 if that row takes no part
   double lastImpulse;      ///< that the last step left in the joint, N·s
+  /// What its rows did to the velocity of its bodies in the last step, in world axes, N·s. Rows do
+  /// not tell it: Bullet turns those of a hinge about, between two bodies whose arms it weighs.
+  Vec3 lastPullOnA = Vec3::Zero(), lastPullOnB = Vec3::Zero();
 };
+
+constexpr int noDof = -1;
 
 /// A row that an Extension has added.
 struct MultiBodyRowSource {
   int row;  ///< among Group::rows
   btMultiBodyConstraint* constraint;
   int asked;     ///< among the rows that the constraints made
-  int dof;       ///< the constraint's own number of it
+  int dof;       ///< the constraint's own number of it; noDof if it keeps no impulse of it
   double guess;  ///< the impulse that the last step left there
 };
 

@@ -1,5 +1,6 @@
 #include "bullet_ext/multi_body_rows.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -82,6 +83,15 @@ btMultiBodySolverConstraint blankRow() {
   return row;
 }
 
+/// How many impulses a constraint keeps: those of users may keep fewer than they have rows, and
+/// Bullet writes none but where a row names its constraint.
+class KeptImpulses : public btMultiBodyConstraint {
+ public:
+  static int countOf(const btMultiBodyConstraint& constraint) {
+    return std::min(constraint.getNumRows(), (constraint.*&KeptImpulses::m_data).size());
+  }
+};
+
 constexpr const char* brokenBody = "one of its bodies is left out";
 
 /// What is wrong with a row as it was put together, whose joint rows are those after the first so
@@ -135,20 +145,21 @@ void MultiBodyRows::gatherConstraint(Group& group, btMultiBodyConstraint& constr
                                      const btContactSolverInfo& info, StepReport& report) {
   const int begin = asked_.size();
   askRows(constraint, info);
+  const int kept = KeptImpulses::countOf(constraint);
   for (int k = begin; k < asked_.size(); ++k) {
     const int named = asked_[k].m_orgDofIndex;
     const int dof = named >= 0 ? named : k - begin;
-    if (dof < constraint.getNumRows()) addRow(group, constraint, k, dof, report);
+    addRow(group, constraint, k, dof < kept ? dof : noDof, report);
   }
   // A limit that is not reached has no row; its impulse is none.
-  for (int dof = 0; dof < constraint.getNumRows(); ++dof)
-    constraint.internalSetAppliedImpulse(dof, 0);
+  for (int dof = 0; dof < kept; ++dof) constraint.internalSetAppliedImpulse(dof, 0);
 }
 
 void MultiBodyRows::askRows(btMultiBodyConstraint& constraint, const btContactSolverInfo& info) {
-  // Bullet's arrays hand out what was there before.
+  // Bullet's arrays hand out what was there before. Who makes more rows than was said makes few.
+  constexpr int more = 6;
   const int begin = asked_.size();
-  asked_.resize(begin + constraint.getNumRows(), blankRow());
+  asked_.resize(begin + constraint.getNumRows() + more, blankRow());
   asked_.resizeNoInitialize(begin);
   constraint.createConstraintRows(asked_, data_, info);
 }
@@ -157,7 +168,8 @@ void MultiBodyRows::addRow(Group& group, btMultiBodyConstraint& constraint, int 
                            StepReport& report) {
   const btMultiBodySolverConstraint& from = asked_[asked];
   const auto leaveOut = [&](const char* fault) {
-    report.leaveOut("row " + std::to_string(dof) + " of " + nameOf(constraint), fault);
+    const std::string name = dof == noDof ? "a row" : "row " + std::to_string(dof);
+    report.leaveOut(name + " of " + nameOf(constraint), fault);
   };
   if (!(from.m_jacDiagABInv > 0)) {
     // Bullet switches off, by d = 0, what it cannot divide by: also what is no number.
@@ -178,7 +190,7 @@ void MultiBodyRows::addRow(Group& group, btMultiBodyConstraint& constraint, int 
   group.rows.push_back(row);
   group.softRows += from.m_cfm > 0;
   group.multiBodyRows.push_back(
-      {rowIndex, &constraint, asked, dof, constraint.getAppliedImpulse(dof)});
+      {rowIndex, &constraint, asked, dof, dof == noDof ? 0 : constraint.getAppliedImpulse(dof)});
 }
 
 /// What is wrong with a row as Bullet made it, or null.
@@ -257,7 +269,7 @@ void MultiBodyRows::writeBack(const Group& group, const Answer& answer,
   for (const MultiBodyRowSource& source : group.multiBodyRows) {
     const btMultiBodySolverConstraint& row = asked_[source.asked];
     const auto r = static_cast<btScalar>(answer.rows[source.row]);
-    source.constraint->internalSetAppliedImpulse(source.dof, r);
+    if (source.dof != noDof) source.constraint->internalSetAppliedImpulse(source.dof, r);
     const btScalar force = r / info.m_timeStep;
     if (row.m_multiBodyA)
       addForce(*row.m_multiBodyA, row.m_linkA, row.m_contactNormal1 * force,
