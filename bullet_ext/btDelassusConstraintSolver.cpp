@@ -208,6 +208,7 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(const GroupIn
   if (warmStarts(info)) {
     w.memory.recall(w.group);
     if (extension) extension->recall(w.group);
+    w.memory.fitTimeStep(w.group, info.m_timeStep);
     if (geometricStiffness_) addTo(report_.stiffened, w.stiffness.stiffen(w.group, info));
   }
   laps.end(report_.secondsGather);
@@ -234,7 +235,7 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(const GroupIn
   const Work work = w.countSolve(counts, report_);
   report_.workspaceBytes =
       std::max(report_.workspaceBytes, w.bytes() + (extension ? extension->bytes() : 0));
-  w.memory.keep(w.group, w.answer);
+  w.memory.keep(w.group, w.answer, info.m_timeStep);
 
   w.events.clear();
   writeVelocities(w.group, w.answer);

@@ -54,14 +54,6 @@ Arms armsOf(const btTypedConstraint& joint) {
   return {a.getBasis() * arms.onA, b.getBasis() * arms.onB};
 }
 
-/// What the joint did to one of its bodies in the last step, N·s.
-Vec3 impulseOf(const Group& group, const JointSource& joint, Row6 Row::*jacobian) {
-  Vec3 sum = Vec3::Zero();
-  for (int i = joint.firstRow; i < joint.firstRow + joint.rowCount; ++i)
-    sum += group.rowGuess[i] * (group.rows[i].*jacobian).head<3>().transpose();
-  return sum;
-}
-
 /// h² K of an impulse at an arm, kg m².
 Mat3 stiffnessOf(const Vec3& impulse, const Vec3& arm, double h) {
   const double size = impulse.norm(), length = arm.norm();
@@ -74,18 +66,17 @@ Mat3 stiffnessOf(const Vec3& impulse, const Vec3& arm, double h) {
 
 int GeometricStiffness::stiffen(Group& group, const btContactSolverInfo& info) {
   const double h = info.m_timeStep;
-  if (group.rowGuess.empty()) return 0;
+  if (group.joints.empty()) return 0;
   stiffness_.assign(group.bodies.size(), Mat3::Zero());
   for (const JointSource& joint : group.joints) {
     if (joint.rowCount == 0) continue;
     const Row& first = group.rows[joint.firstRow];
     const Arms arms = armsOf(*joint.constraint);
-    const auto add = [&](int body, Row6 Row::*jacobian, const btVector3& arm) {
-      if (!group.movable(body)) return;
-      stiffness_[body] += stiffnessOf(impulseOf(group, joint, jacobian), toCore(arm), h);
+    const auto add = [&](int body, const Vec3& pull, const btVector3& arm) {
+      if (group.movable(body)) stiffness_[body] += stiffnessOf(pull, toCore(arm), h);
     };
-    add(first.a, &Row::jacobianA, arms.onA);
-    add(first.b, &Row::jacobianB, arms.onB);
+    add(first.a, joint.lastPullOnA, arms.onA);
+    add(first.b, joint.lastPullOnB, arms.onB);
   }
 
   constexpr double slow = 1, fast = 2;

@@ -28,9 +28,9 @@ struct Group;
 class GeometricStiffness {
  public:
   /// Changes the inertia and the free velocity of such bodies; call it when all is gathered and
-  /// recalled. The forces are those of the last step, Group::rowGuess; the arms those of the
-  /// joint's pivots or frames, so that only Bullet's own kinds of joints count. Answers with the
-  /// number of bodies changed.
+  /// recalled. The forces are those of the last step, JointSource::lastPullOnA and B; the arms
+  /// those of the joint's pivots or frames, so that only Bullet's own kinds of joints count.
+  /// Answers with the number of bodies changed.
   int stiffen(Group& group, const btContactSolverInfo& info);
 
   std::size_t bytes() const { return stiffness_.capacity() * sizeof(Mat3); }

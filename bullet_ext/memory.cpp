@@ -31,6 +31,20 @@ int endOfManifold(const Group& group, int begin) {
   return end;
 }
 
+int numberOf(const btCollisionObject* body) {
+  const btBroadphaseProxy* proxy = body ? body->getBroadphaseHandle() : nullptr;
+  return proxy ? proxy->m_uniqueId : 0;
+}
+
+/// What the rows of a joint push one of its bodies with, N·s.
+Vec3 pullOf(const Group& group, const JointSource& joint, const std::vector<double>& reactions,
+            Row6 Row::*jacobian) {
+  Vec3 sum = Vec3::Zero();
+  for (int i = joint.firstRow; i < joint.firstRow + joint.rowCount; ++i)
+    sum += reactions[i] * (group.rows[i].*jacobian).head<3>().transpose();
+  return sum;
+}
+
 /// Where the reaction of a row of turning friction stands in a Turn.
 int placeOf(const std::vector<Row>& rows, std::size_t row) {
   if (rows[row].paired) return 1;
@@ -46,16 +60,18 @@ void Memory::Step::clear() {
   points.clear();
   turns.clear();
   rows.clear();
+  pulls.clear();
   restless.clear();
 }
 
 Memory::Owner Memory::ownerOf(const PointSource& point) {
-  return {point.manifold, point.bodyA, point.bodyB, 0, 0, 0};
+  return {point.manifold, point.bodyA, point.bodyB, numberOf(point.bodyA), numberOf(point.bodyB)};
 }
 
 Memory::Owner Memory::ownerOf(const JointSource& joint, double impulse) {
-  const btTypedConstraint& constraint = *joint.constraint;
-  return {&constraint, &constraint.getRigidBodyA(), &constraint.getRigidBodyB(), impulse, 0, 0};
+  const btRigidBody *a = &joint.constraint->getRigidBodyA(),
+                    *b = &joint.constraint->getRigidBodyB();
+  return {joint.constraint, a, b, numberOf(a), numberOf(b), impulse};
 }
 
 void Memory::Owners::clear() {
@@ -78,6 +94,7 @@ void Memory::nextStep() {
   announced_ = true;
   std::swap(last_, now_);
   now_.clear();
+  now_.length = last_.length;  // if all sleep in this step
   groups_.clear();
 }
 
@@ -200,14 +217,33 @@ void Memory::recall(Group& group) {
   }
 
   group.rowGuess.assign(group.rows.size(), 0);
-  for (const JointSource& joint : group.joints) {
+  recallJoints(group);
+  recallTurns(group);
+}
+
+void Memory::recallJoints(Group& group) {
+  for (JointSource& joint : group.joints) {
     const Owner* owner = last_.joints.find(ownerOf(joint, joint.lastImpulse));
+    if (!owner) continue;
+    const Pulls& pulls = last_.pulls[last_.joints.indexOf(*owner)];
+    joint.lastPullOnA = pulls.onA;
+    joint.lastPullOnB = pulls.onB;
     // A limit or motor that came or went shifts the rows: then they start from zero.
-    if (!owner || owner->end - owner->begin != joint.rowCount) continue;
+    if (owner->end - owner->begin != joint.rowCount) continue;
     for (int i = 0; i < joint.rowCount; ++i)
       group.rowGuess[joint.firstRow + i] = last_.rows[owner->begin + i];
   }
-  recallTurns(group);
+}
+
+void Memory::fitTimeStep(Group& group, double h) const {
+  if (last_.length == h || last_.length == 0) return;
+  const double ratio = h / last_.length;
+  for (Vec3& guess : group.guess) guess *= ratio;
+  for (double& guess : group.rowGuess) guess *= ratio;
+  for (JointSource& joint : group.joints) {
+    joint.lastPullOnA *= ratio;
+    joint.lastPullOnB *= ratio;
+  }
 }
 
 const Memory::Turn* Memory::nearestTurn(const Owner& owner, const Vec3& arm) const {
@@ -254,8 +290,9 @@ void Memory::keepTurns(const Group& group, const Answer& answer) {
   }
 }
 
-void Memory::keep(const Group& group, const Answer& answer) {
+void Memory::keep(const Group& group, const Answer& answer, double h) {
   if (!announced_) return;
+  now_.length = h;
   // By what a group is known when it comes again; one that has neither has no reactions to keep.
   const void* sign = !group.contactSources.empty() ? group.contactSources.front().manifold
                      : !group.joints.empty()       ? group.joints.front().constraint
@@ -287,21 +324,27 @@ void Memory::keep(const Group& group, const Answer& answer) {
   for (const IslandResult& island : answer.islands)
     if (island.restless >= 0 && group.bodySources[island.restless].rigid)
       now_.restless.push_back(group.bodySources[island.restless].rigid);
+  keepJoints(group, answer);
+  keepTurns(group, answer);
+}
+
+void Memory::keepJoints(const Group& group, const Answer& answer) {
   for (const JointSource& joint : group.joints) {
     const auto first = static_cast<int>(now_.rows.size());
     for (int i = 0; i < joint.rowCount; ++i) now_.rows.push_back(answer.rows[joint.firstRow + i]);
+    now_.pulls.push_back({pullOf(group, joint, answer.rows, &Row::jacobianA),
+                          pullOf(group, joint, answer.rows, &Row::jacobianB)});
     Owner& owner = now_.joints.add(ownerOf(joint, writtenImpulse(joint, answer)));
     owner.begin = first;
     owner.end = first + joint.rowCount;
   }
-  keepTurns(group, answer);
 }
 
 std::size_t Memory::bytes() const {
   std::size_t sum = restless_.bytes() + groups_.bytes();
   for (const Step* step : {&last_, &now_})
     sum += step->manifolds.bytes() + step->turners.bytes() + step->joints.bytes() +
-           bytesOf(step->points, step->turns, step->rows) +
+           bytesOf(step->points, step->turns, step->rows, step->pulls) +
            step->restless.capacity() * sizeof(void*);
   return sum;
 }

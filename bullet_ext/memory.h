@@ -19,8 +19,8 @@ struct Answer;
 /// all points of the manifold share the rest, so that together they push and turn as those of the
 /// last step did (a point that is alone: push). Pointers serve to recognise, in the order of the
 /// arrays; nothing is read through them. What a user deletes and makes anew may lie where the old
-/// one lay: it is recognised only if the bodies, and the impulse that a joint carries, are the same
-/// too.
+/// one lay: it is recognised only if the bodies, the numbers that their world gave them, and the
+/// impulse that a joint carries, are the same too.
 class Memory {
  public:
   /// What was kept since the last call is what is recalled from now on. Nothing is kept before the
@@ -30,17 +30,23 @@ class Memory {
   /// Fills the guesses, and the digits of guesses, that `group` lacks. Call once per group, before
   /// `keep`.
   void recall(Group& group);
-  void keep(const Group& group, const Answer& answer);
+  /// Forces go on from step to step, and impulses are as long as these: all guesses of `group`, by
+  /// whomever, are made those of a step of h, s.
+  void fitTimeStep(Group& group, double h) const;
+  /// h: of this step, s.
+  void keep(const Group& group, const Answer& answer, double h);
 
   std::size_t bytes() const;
 
  private:
   struct Owner {
     const void *object, *bodyA, *bodyB;  ///< object: manifold or joint
-    double impulse;                      ///< that a joint was left with, N·s
-    int begin, end;                      ///< among points or rows
+    int numberOfA, numberOfB;            ///< of the bodies, in the broadphase; 0 if in none
+    double impulse = 0;                  ///< that a joint was left with, N·s
+    int begin = 0, end = 0;              ///< among points or rows
     bool isSame(const Owner& other) const {
       return object == other.object && bodyA == other.bodyA && bodyB == other.bodyB &&
+             numberOfA == other.numberOfA && numberOfB == other.numberOfB &&
              impulse == other.impulse && std::signbit(impulse) == std::signbit(other.impulse);
     }
   };
@@ -62,6 +68,7 @@ class Memory {
     Owner& last() { return list_.back(); }
     /// The one that is the same as `wanted`, or null.
     const Owner* find(const Owner& wanted);
+    std::size_t indexOf(const Owner& found) const { return &found - list_.data(); }
     std::size_t bytes() const { return list_.capacity() * sizeof(Owner) + indexOf_.bytes(); }
 
    private:
@@ -76,11 +83,16 @@ class Memory {
     Vec3 arm;       ///< as above
     Vec3 reaction;  ///< spinning, then rolling about its two axes, N·m·s
   };
+  struct Pulls {
+    Vec3 onA, onB;  ///< JointSource::lastPullOnA, lastPullOnB
+  };
   struct Step {
+    double length = 0;  ///< s; 0: not known
     Owners manifolds, turners, joints;
     std::vector<Point> points;
     std::vector<Turn> turns;
     std::vector<double> rows;
+    std::vector<Pulls> pulls;  ///< of each joint
     /// Of each restless island, with a contact if it has any.
     std::vector<const btCollisionObject*> restless;
     void clear();
@@ -88,6 +100,8 @@ class Memory {
 
   static Owner ownerOf(const PointSource& point);
   static Owner ownerOf(const JointSource& joint, double impulse);
+  void recallJoints(Group& group);
+  void keepJoints(const Group& group, const Answer& answer);
   void recallRestless(Group& group);
   void recallPoints(Group& group, int begin, int end);
   void recallDigits(Group& group, int begin, int end, const Owner& owner) const;

@@ -297,6 +297,62 @@ TEST(ChangingWorlds, ANewJointIsNotTakenForTheOneThatLayThere) {
   expectSameBits(run(true), run(false));
 }
 
+TEST(ChangingWorlds, ANewBodyIsNotTakenForTheOneThatLayThere) {
+  // The same place in memory, the same pose: only the number that the world gives it is new.
+  const auto run = [](bool atTheSamePlace) {
+    DelassusWorld world;
+    world.addGround();
+    for (const int i : {0, 1})
+      world.addCube({btScalar(0.17) * i, btScalar(0.49) + btScalar(0.99) * i, btScalar(0.1) * i});
+    btBoxShape shape(btVector3(btScalar(0.5), btScalar(0.5), btScalar(0.5)));
+    alignas(16) unsigned char places[2][sizeof(btRigidBody)];
+    const auto put = [&](int place, const btRigidBody* like) {
+      btVector3 inertia;
+      shape.calculateLocalInertia(3, inertia);
+      btRigidBody::btRigidBodyConstructionInfo info(3, nullptr, &shape, inertia);
+      info.m_startWorldTransform = like ? like->getWorldTransform()
+                                        : world.at({btScalar(0.3), btScalar(2.46), btScalar(0.1)});
+      const btVector3 velocity = like ? like->getLinearVelocity() : btVector3(0, 0, 0),
+                      turning = like ? like->getAngularVelocity() : btVector3(0, 0, 0);
+      if (like) like->~btRigidBody();
+      auto* body = new (places[place]) btRigidBody(info);
+      body->setLinearVelocity(velocity);
+      body->setAngularVelocity(turning);
+      world->addRigidBody(body);
+      return body;
+    };
+    btRigidBody* body = put(0, nullptr);
+    world.advance(19);
+    world->removeRigidBody(body);
+    body = put(atTheSamePlace ? 0 : 1, body);
+    std::vector<btScalar> motion;
+    for (int i = 0; i < 20; ++i) {
+      world.advance();
+      const std::vector<btScalar> now = motionOf(world);
+      motion.insert(motion.end(), now.begin(), now.end());
+    }
+    world->removeRigidBody(body);
+    body->~btRigidBody();
+    return motion;
+  };
+  expectSameBits(run(true), run(false));
+}
+
+// Who renders as fast as it goes has no two steps of the same length.
+TEST(ChangingWorlds, WhatRestsIsKeptInStepsOfAnyLength) {
+  DelassusWorld world;
+  world.addGround();
+  for (int i = 0; i < 3; ++i) world.addCube({0, btScalar(0.5) + i, 0});
+  world.advance(5);
+  int kept = 0;
+  for (int i = 0; i < 50; ++i) {
+    world->stepSimulation(BulletWorld::step * (1 + btScalar(0.1) * btScalar(i % 7)), 0);
+    kept += world.report().keptIslands;
+    EXPECT_EQ(world.report().solved, 1);
+  }
+  EXPECT_GE(kept, tolerance(50, 40)) << "of 50";
+}
+
 TEST(ChangingWorlds, StepsThatNobodyAnnouncesTakeNoMoreMemory) {
   // A solver pool does not call prepareSolve.
   DelassusWorld world;

@@ -58,6 +58,8 @@ class Touch {
 const std::vector<Vec3> corners{{-1, 0.5, 0.5}, {-1, -0.5, 0.5}, {-1, -0.5, -0.5}, {-1, 0.5, -0.5}};
 const std::vector<Vec3> reactions{{3, 0.5, 0.1}, {2, -0.2, 0.3}, {1, 0.1, 0}, {4, 0, -0.4}};
 
+constexpr double h = 1.0 / 60;  ///< s
+
 Answer answerOf(const std::vector<Vec3>& contacts) {
   Answer answer;
   answer.contacts = contacts;
@@ -69,7 +71,7 @@ TEST(Memory, FreshPointsPushAndTurnAsThoseThatAreGone) {
   const Vec6 before = touch.wrench(reactions);
   Memory memory;
   memory.nextStep();
-  memory.keep(touch.group(), answerOf(reactions));
+  memory.keep(touch.group(), answerOf(reactions), h);
   memory.nextStep();
 
   touch.replace({{-1, 0.4, 0.3}, {-1, -0.5, 0.5}, {-1, -0.3, -0.5}, {-1, 0.5, -0.2}}, true);
@@ -82,7 +84,7 @@ TEST(Memory, PointsThatStayHaveAllTheirDigits) {
   Touch touch(corners);
   Memory memory;
   memory.nextStep();
-  memory.keep(touch.group(), answerOf(reactions));
+  memory.keep(touch.group(), answerOf(reactions), h);
   memory.nextStep();
 
   // As the narrow phase may have ordered them.
@@ -107,7 +109,7 @@ TEST(Memory, PointsAlikeKeepTheirOwnDigits) {
   Touch touch(corners);
   Memory memory;
   memory.nextStep();
-  memory.keep(touch.group(), answerOf(alike));
+  memory.keep(touch.group(), answerOf(alike), h);
   memory.nextStep();
   for (std::size_t i = 0; i < alike.size(); ++i)
     touch.group().guess[i] = Vec3(static_cast<btScalar>(alike[i][0]), 0, 0);
@@ -121,7 +123,7 @@ TEST(Memory, FreshPointsThatCannotCarryTheWrenchStartInsideTheirCones) {
   Touch touch(corners);
   Memory memory;
   memory.nextStep();
-  memory.keep(touch.group(), answerOf({{0, 0, 0}, {0.1, 0, 0}, {6, 3, 0}, {6, -3, 0}}));
+  memory.keep(touch.group(), answerOf({{0, 0, 0}, {0.1, 0, 0}, {6, 3, 0}, {6, -3, 0}}), h);
   memory.nextStep();
   touch.replace({{-1, 0.5, 0.5}, {-1, 0.4, 0.5}, {-1, 0.4, 0.4}, {-1, 0.5, 0.4}}, true);
   memory.recall(touch.group());
@@ -146,7 +148,7 @@ TEST(Memory, ALonePointTakesOverTheForce) {
     const Vec6 before = touch.wrench(last);
     Memory memory;
     memory.nextStep();
-    memory.keep(touch.group(), answerOf(last));
+    memory.keep(touch.group(), answerOf(last), h);
     memory.nextStep();
 
     touch.replace({{-1, 0.3, 0.1}}, true);
@@ -164,7 +166,7 @@ TEST(Memory, PointsThatStayAreLeftAlone) {
   Touch touch(corners);
   Memory memory;
   memory.nextStep();
-  memory.keep(touch.group(), answerOf(reactions));
+  memory.keep(touch.group(), answerOf(reactions), h);
   memory.nextStep();
   touch.replace({{-1, 0.4, 0.3}, {-1, -0.5, 0.5}, {-1, -0.3, -0.5}, {-1, 0.5, -0.2}}, false);
   memory.recall(touch.group());
