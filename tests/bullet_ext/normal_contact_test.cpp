@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "tests/support/bullet_world.h"
 
@@ -88,6 +89,14 @@ TEST(Contacts, WhatRoundingTellsOfADistanceIsNoGapAndNoOverlap) {
   EXPECT_NEAR(velocityFarOut(-tiny, 0), rounds ? 0 : 0.2 * tiny / h, roundOff);
   EXPECT_NEAR(velocityFarOut(tiny, 0.1), -tiny / h, roundOff);
   EXPECT_NEAR(velocityFarOut(gap, 0), -gap / h, roundOff);
+}
+
+// What is nearer or deeper than four roundings of both places, of 50 m each, is where it is.
+TEST(Contacts, FourRoundingsOfTheirPlacesAreNoDistance) {
+  constexpr double rounding = 2 * 50 * precision;
+  EXPECT_NEAR(velocityFarOut(3 * rounding, 0), 0, 0.1 * rounding / h);
+  EXPECT_NEAR(velocityFarOut(6 * rounding, 0), -6 * rounding / h, rounding / h);
+  EXPECT_NEAR(velocityFarOut(3 * rounding, 0.1), -3 * rounding / h, rounding / h) << "it moves";
 }
 
 TEST(Parity, Row09RestitutionHasAThreshold) {
@@ -238,6 +247,25 @@ TEST(Push, StacksThatOverlapArePushedExactly) {
         << i;
 }
 
+// A plate that they lift off a post, deep in it as well, leaves it as fast as it must.
+TEST(Push, WhatLeavesIsNoSlip) {
+  constexpr int boxes = 15;
+  constexpr double depth = 0.05;
+  DelassusWorld world;
+  world->setGravity({0, 0, 0});
+  world.addGround();
+  btRigidBody* plate = nullptr;
+  for (int i = 0; i < boxes; ++i)
+    plate = &world.addBox({btScalar(i + 1 < boxes ? 0.5 : 1.5), 0.5, 0.5},
+                          {0, btScalar(0.5 + i - (i + 1) * depth), 0}, 1);
+  const double y = plate->getWorldTransform().getOrigin().y();
+  world.addBox({btScalar(0.1), 1, 0.5}, {btScalar(1.2), btScalar(y - 1.5 + depth), 0}, 0);
+  world.advance();
+  EXPECT_EQ(world.report().pushSoftened, 0);
+  EXPECT_NEAR(plate->getWorldTransform().getOrigin().y() - y, 0.2 * boxes * depth,
+              tolerance(1e-9, 1e-5));
+}
+
 /// What a push does in one step to a cube that leans over and is deep in the ground with an edge.
 struct Pushed {
   double rise, turn;
@@ -319,16 +347,23 @@ bool soften(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
   return true;
 }
 
-double depthWithPointSoftness(const PointSoftness& softness) {
-  pointSoftness = softness;
-  gContactAddedCallback = soften;
-  const double depth = restingDepth([](BulletWorld& world, btRigidBody& ball) {
-    world.info().m_globalCfm = btScalar(0.002);
-    ball.setCollisionFlags(ball.getCollisionFlags() |
+/// Calls it for a body as long as it lives.
+struct WithPointSoftness {
+  WithPointSoftness(btRigidBody& body, const PointSoftness& softness) {
+    pointSoftness = softness;
+    gContactAddedCallback = soften;
+    body.setCollisionFlags(body.getCollisionFlags() |
                            btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+  }
+  ~WithPointSoftness() { gContactAddedCallback = nullptr; }
+};
+
+double depthWithPointSoftness(const PointSoftness& softness) {
+  std::optional<WithPointSoftness> given;
+  return restingDepth([&](BulletWorld& world, btRigidBody& ball) {
+    world.info().m_globalCfm = btScalar(0.002);
+    given.emplace(ball, softness);
   });
-  gContactAddedCallback = nullptr;
-  return depth;
 }
 
 TEST(Parity, Row15PointSoftnessReplacesEachNumber) {
@@ -341,6 +376,36 @@ TEST(Parity, Row15PointSoftnessReplacesEachNumber) {
               resting);
   EXPECT_NEAR(depthWithPointSoftness({cfm | erp, btScalar(0.01), btScalar(0.4)}),
               softDepth(0.01, 0.4), resting);
+}
+
+// Not even one that names its softness, if that is none.
+TEST(Parity, Row15OnlyAPointThatGivesIsNotSplit) {
+  for (const double cfm : {0.0, 0.01}) {
+    DelassusWorld world;
+    btRigidBody& ball = addTouching(world, {-0.05});
+    const WithPointSoftness given(ball, {BT_CONTACT_FLAG_HAS_CONTACT_CFM, btScalar(cfm)});
+    world.advance();
+    EXPECT_EQ(world.report().pushIslands, cfm > 0 ? 0 : 1) << cfm;
+    EXPECT_EQ(ball.getLinearVelocity().y() > roundOff, cfm > 0) << cfm;
+  }
+}
+
+TEST(Parity, Row15NegativeSoftnessIsNone) {
+  DelassusWorld world;
+  btRigidBody& ball = addTouching(world, {0, 1, 0});
+  const WithPointSoftness given(ball, {BT_CONTACT_FLAG_HAS_CONTACT_CFM, btScalar(-0.005)});
+  world.advance();
+  EXPECT_NEAR(ball.getLinearVelocity().y(), 0, roundOff);
+}
+
+TEST(Parity, Row16ASpringWithoutStiffnessAndDampingCarriesNothing) {
+  DelassusWorld world;
+  world.addGround();
+  btRigidBody& ball = world.addSphere(radius, {0, btScalar(radius - 0.01), 0});
+  const WithPointSoftness given(ball, {BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING});
+  world.advance();
+  EXPECT_NEAR(ball.getLinearVelocity().y(), -g * h, roundOff);
+  EXPECT_EQ(world.report().contacts, 1) << "nothing is wrong with it";
 }
 
 TEST(Parity, Row16SpringCarriesAtAllDepthsSplitOrNot) {
