@@ -3,7 +3,9 @@
 #include <BulletDynamics/ConstraintSolver/btFixedConstraint.h>
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <memory>
+#include <vector>
 
 #include "bullet_ext/softness.h"
 #include "tests/support/bullet_world.h"
@@ -58,6 +60,59 @@ TEST(JoinedBodies, OverlapIsMendedOnceTheJointIsGone) {
   bolted.joint->setEnabled(false);
   bolted.world.advance(120);
   EXPECT_NEAR(bolted.box->getWorldTransform().getOrigin().y(), 1.25, 1e-3);
+}
+
+/// One of Bullet's joints that hold, of two bodies at their centres.
+using Hold = std::function<btTypedConstraint&(DelassusWorld&, btRigidBody&, btRigidBody&)>;
+const btTransform centre = btTransform::getIdentity();
+template <class Joint>
+btTypedConstraint& framed(DelassusWorld& world, btRigidBody& a, btRigidBody& b) {
+  return world.addJoint<Joint>(a, b, centre, centre, true);
+}
+const std::vector<Hold> holds{
+    [](auto& world, auto& a, auto& b) -> btTypedConstraint& {
+      return world.template addJoint<btPoint2PointConstraint>(a, b, btVector3(0, 0, 0),
+                                                              btVector3(0, 0, 0));
+    },
+    framed<btHingeConstraint>,
+    framed<btSliderConstraint>,
+    framed<btGeneric6DofConstraint>,
+    framed<btGeneric6DofSpringConstraint>,
+    [](auto& world, auto& a, auto& b) -> btTypedConstraint& {
+      return world.template addJoint<btConeTwistConstraint>(a, b, centre, centre);
+    },
+    [](auto& world, auto& a, auto& b) -> btTypedConstraint& {
+      return world.template addJoint<btGeneric6DofSpring2Constraint>(a, b, centre, centre);
+    },
+    [](auto& world, auto& a, auto& b) -> btTypedConstraint& {
+      return world.template addJoint<btFixedConstraint>(a, b, centre, centre);
+    }};
+
+// A deep overlap is split, unless a joint holds the two now.
+TEST(JoinedBodies, AreThoseOfEveryJointThatHolds) {
+  for (std::size_t kind = 0; kind < holds.size(); ++kind) {
+    SCOPED_TRACE(kind);
+    DelassusWorld world;
+    btRigidBody& wall = world.addBox({1, 1, 1}, {0, 0, 0}, 0);
+    btRigidBody& box = world.addBox({0.25, 0.25, 0.25}, {0, btScalar(1.15), 0});
+    btTypedConstraint& joint = holds[kind](world, wall, box);
+    joint.setEnabled(false);
+    world.advance();
+    EXPECT_EQ(world.report().pushIslands, 1) << "a disabled joint holds nothing";
+    joint.setEnabled(true);
+    world.advance();
+    EXPECT_EQ(world.report().pushIslands, 0);
+  }
+}
+
+// Gears hold no places.
+TEST(JoinedBodies, AreNotThoseOfAGear) {
+  DelassusWorld world;
+  btRigidBody& wall = world.addBox({1, 1, 1}, {0, 0, 0}, 0);
+  btRigidBody& box = world.addBox({0.25, 0.25, 0.25}, {0, btScalar(1.15), 0});
+  world.addJoint<btGearConstraint>(wall, box, btVector3(1, 0, 0), btVector3(1, 0, 0));
+  world.advance();
+  EXPECT_EQ(world.report().pushIslands, 1);
 }
 
 // The contact gives by what the heavy one answers.

@@ -8,6 +8,8 @@
 #include <memory>
 #include <vector>
 
+#include "bullet_ext/gather.h"
+#include "bullet_ext/softness.h"
 #include "tests/support/bullet_world.h"
 
 namespace delassus::test {
@@ -45,6 +47,40 @@ TEST(JointLoops, AreThoseOfTheirMechanismAlone) {
   loops.add(0, standing);
   loops.close();
   EXPECT_TRUE(loops.isLooped(0));
+}
+
+/// A joint of one row, a motor that may not push.
+class Idle : public btTypedConstraint {
+ public:
+  explicit Idle(btRigidBody& body) : btTypedConstraint(MAX_CONSTRAINT_TYPE, body) {}
+  void getInfo1(btConstraintInfo1* info) override { info->m_numConstraintRows = info->nub = 1; }
+  void getInfo2(btConstraintInfo2* info) override {
+    info->m_J1linearAxis[0] = 1;
+    info->m_lowerLimit[0] = info->m_upperLimit[0] = 0;
+  }
+  void setParam(int, btScalar, int) override {}
+  btScalar getParam(int, int) const override { return 0; }
+};
+
+// Of one body that is held at its centre, W is 1/m.
+TEST(JointLoops, GiveByTheirOwnSoftnessFromTwoJointsOn) {
+  constexpr double mass = 4;
+  for (const int holds : {1, 2})
+    for (const int idle : {0, 1}) {
+      DelassusWorld world;
+      btRigidBody& body = world.addCube({0, 0, 0}, mass);
+      std::vector<btTypedConstraint*> joints;
+      for (int i = 0; i < idle; ++i) joints.push_back(&world.addJoint<Idle>(body));
+      for (int i = 0; i < holds; ++i)
+        joints.push_back(&world.addJoint<btPoint2PointConstraint>(body, btVector3(0, 0, 0)));
+      bullet::Group group;
+      StepReport report;
+      bullet::gatherJoints(group, joints.data(), holds + idle, world.info(), report);
+      ASSERT_EQ(group.rows.size(), std::size_t(3 * holds)) << "what may not push has no row";
+      const double softness = holds == 1 ? bullet::leastSoftness : bullet::loopSoftness;
+      for (const Row& row : group.rows)
+        EXPECT_NEAR(row.compliance, softness / mass, 10 * precision * softness);
+    }
 }
 
 /// A closed chain of hinged plates that stands on the ground or falls freely.

@@ -337,5 +337,36 @@ TEST(Parity, Row28EveryJointTypeUnderDampingAndSoftnessOfTheWorld) {
         }
 }
 
+/// Pushes a body along x as hard as it may, one way or the other.
+class Ram : public btTypedConstraint {
+ public:
+  Ram(btRigidBody& body, btScalar error)
+      : btTypedConstraint(MAX_CONSTRAINT_TYPE, body), error_(error) {}
+  void getInfo1(btConstraintInfo1* info) override { info->m_numConstraintRows = info->nub = 1; }
+  void getInfo2(btConstraintInfo2* info) override {
+    info->m_J1linearAxis[0] = 1;
+    info->m_constraintError[0] = error_;
+    info->m_lowerLimit[0] = -2;
+    info->m_upperLimit[0] = 3;
+  }
+  void setParam(int, btScalar, int) override {}
+  btScalar getParam(int, int) const override { return 0; }
+
+ private:
+  btScalar error_;
+};
+
+// That is what an infinite error asks for.
+TEST(Joints, ARowMayPushAsHardAsItMayEitherWay) {
+  for (const btScalar error : {SIMD_INFINITY, -SIMD_INFINITY}) {
+    DelassusWorld world;
+    btRigidBody& body = world.addCube({0, 0, 0}, 4);
+    world.addJoint<Ram>(body, error);
+    world.advance();
+    EXPECT_NEAR(body.getLinearVelocity().x(), (error > 0 ? 3 : -2) / 4.0, 10 * precision);
+    EXPECT_TRUE(world.report().messages.empty());
+  }
+}
+
 }  // namespace
 }  // namespace delassus::test

@@ -132,6 +132,35 @@ TEST(Parity, Row30FeedbackHasTheMomentsAboutTheBodies) {
   EXPECT_NEAR((feedback.m_appliedTorqueBodyB - onWall).length(), 0, near);
 }
 
+// What a body is locked along it is not told of.
+TEST(Parity, Row30FeedbackHasTheFactorsOfTheBodies) {
+  const auto run = [](BulletWorld& world) {
+    btRigidBody& a = world.addCube({0, 0, 0}, 3);
+    btRigidBody& b = world.addCube({2, 0, 0}, 3);
+    for (btRigidBody* body : {&a, &b}) {
+      body->setLinearFactor({1, 0, 0});
+      body->setAngularFactor({0, 0, body == &a ? btScalar(1) : btScalar(0.5)});
+    }
+    auto& joint = world.addJoint<btPoint2PointConstraint>(a, b, btVector3(1, 0, 0),
+                                                          btVector3(-1, btScalar(0.2), 0));
+    btJointFeedback feedback;
+    joint.setJointFeedback(&feedback);
+    a.setAngularVelocity({0, 0, 1});
+    b.setLinearVelocity({1, 0, 0});
+    world.advance();
+    return feedback;
+  };
+  DelassusWorld ours;
+  StockWorld stock;
+  const btJointFeedback a = run(ours), b = run(stock);
+  EXPECT_GT(a.m_appliedTorqueBodyB.length(), 1);
+  const double near = tolerance(1e-6, 1e-3) * a.m_appliedTorqueBodyB.length();
+  EXPECT_NEAR((a.m_appliedForceBodyA - b.m_appliedForceBodyA).length(), 0, near);
+  EXPECT_NEAR((a.m_appliedForceBodyB - b.m_appliedForceBodyB).length(), 0, near);
+  EXPECT_NEAR((a.m_appliedTorqueBodyA - b.m_appliedTorqueBodyA).length(), 0, near);
+  EXPECT_NEAR((a.m_appliedTorqueBodyB - b.m_appliedTorqueBodyB).length(), 0, near);
+}
+
 TEST(Parity, Row30BreaksAboveItsThreshold) {
   for (double factor : {0.99, 1.01}) {
     Hanging hanging;
@@ -254,6 +283,17 @@ TEST(Parity, Row32ConstraintsWithoutRowsSolveThemselves) {
   EXPECT_EQ(ours.report().obsoleteConstraints, 1);
 }
 
+// What it leaves alone is not solved again.
+TEST(Joints, AConstraintWithoutRowsThatDoesNothingIsCalledOnce) {
+  DelassusWorld world;
+  world->setGravity({0, 0, 0});
+  btRigidBody& body = world.addCube({0, 10, 0});
+  const FallBrake& brake = world.addJoint<FallBrake>(body, btScalar(1));
+  world.advance();
+  EXPECT_EQ(brake.calls, 1);
+  EXPECT_EQ(world.report().obsoleteConstraints, 0);
+}
+
 // The rest of the group keeps its bits, whoever else is in it.
 TEST(Joints, AConstraintWithoutRowsLeavesOtherIslandsAlone) {
   const auto run = [](bool brakes) {
@@ -308,6 +348,25 @@ TEST(Joints, AConstraintWithoutRowsThatDisablesItselfIsCalledOnce) {
   const btVector3 velocity = run(ours);
   EXPECT_NEAR((velocity - btVector3(1, btScalar(-0.1), 0)).length(), 0, 100 * precision);
   EXPECT_NEAR((velocity - run(stock)).length(), 0, 100 * precision);
+}
+
+// Without a budget four points are trouble, until the constraint lifts the body off them.
+TEST(Joints, TroubleThatAConstraintWithoutRowsEndsIsNotTold) {
+  Options options;
+  options.newtonBudget = options.sweepBudget = 0;
+  OwningWorld<btDiscreteDynamicsWorld, btDelassusConstraintSolver> world(
+      std::make_unique<btDelassusConstraintSolver>(options));
+  world.addGround();
+  btRigidBody& box = world.addCube({0, btScalar(0.5), 0});
+  int troubles = 0;
+  world.solver().setTroubleListener([&](const ContactEvent&) { ++troubles; });
+  for (const bool lifts : {false, true}) {
+    if (lifts) world.addJoint<FallBrake>(box, btScalar(-1));
+    world.advance();
+    EXPECT_EQ(world.solver().report().outOfBudget, lifts ? 0 : 1);
+    EXPECT_EQ(troubles > 0, !lifts);
+    troubles = 0;
+  }
 }
 
 /// Looks at its second body, in solveConstraintObsolete.
