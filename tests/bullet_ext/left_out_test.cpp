@@ -209,6 +209,10 @@ TEST(LeftOut, ABrokenContactIsAsIfItWereNotThere) {
        [](auto& p) {
          p.m_normalWorldOnB = {0, 2, 0};
        }},
+      {"its normal is not a unit vector",
+       [](auto& p) {
+         p.m_normalWorldOnB = {0, btScalar(1.002), 0};
+       }},
       {"its normal points into the other body",
        [](auto& p) {
          p.m_normalWorldOnB = {0, -1, 0};
@@ -238,6 +242,18 @@ TEST(LeftOut, ABrokenContactIsAsIfItWereNotThere) {
     EXPECT_EQ(two.troubles[0].trouble, Trouble::LeftOut);
     EXPECT_EQ(two.troubles[0].to, Mode::Open);
   }
+}
+
+// Far out, what is left of a distance may have either sign.
+TEST(LeftOut, ADistanceThatIsRoundingDoesNotTellOfItsNormal) {
+  TwoContacts two;
+  two.solve([](btManifoldPoint& p) {
+    p.m_distance1 = -10 * SIMD_EPSILON;
+    p.m_positionWorldOnA = {1, 10 * SIMD_EPSILON, 0};
+    p.m_positionWorldOnB = {1, 0, 0};
+  });
+  EXPECT_THAT(two.solver.report().messages, IsEmpty());
+  EXPECT_EQ(two.solver.report().contacts, 2);
 }
 
 TEST(LeftOut, FrictionWithoutLimitIsNoFault) {
@@ -353,6 +369,23 @@ class BrokenMover : public btTypedConstraint {
     body.internalApplyImpulse({1, 0, 0}, {0, 0, 0}, notANumber);
   }
 };
+
+/// Goes on in every sweep.
+class Mover : public BrokenMover {
+ public:
+  using BrokenMover::BrokenMover;
+  void solveConstraintObsolete(btSolverBody& body, btSolverBody&, btScalar) override {
+    body.internalApplyImpulse({1, 0, 0}, {0, 0, 0}, btScalar(0.1));
+  }
+};
+
+TEST(LeftOut, AConstraintThatSolvesItselfToNoNumberIsAskedOnce) {
+  DelassusWorld world;
+  world.addJoint<BrokenMover>(world.addCube({0, 0, 0}));
+  world.addJoint<Mover>(world.addCube({5, 0, 0}));
+  world.advance();
+  EXPECT_EQ(world.report().leftOut, 1);
+}
 
 TEST(LeftOut, AConstraintThatSolvesItselfToNoNumber) {
   DelassusWorld world;
