@@ -9,6 +9,7 @@
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "bullet_ext/gather.h"
 #include "bullet_ext/solve_group.h"
+#include "delassus/turning_friction.h"
 #include "tests/support/bullet_world.h"
 
 namespace delassus::test {
@@ -159,6 +160,95 @@ TEST(Memory, ALonePointTakesOverTheForce) {
     EXPECT_LE(guess.tail<2>().norm(), 0.5 * guess[0] * (1 + 1e-12));
     EXPECT_NEAR(force[0], before[0], 1e-12) << "inside the cone the normal force is the same";
     for (int k = 1; k < 3; ++k) EXPECT_NEAR(force[k], lengths[k] > 0 ? before[k] : 0, 1e-12);
+  }
+}
+
+// Even where one that is fresh has come nearer to where they were.
+TEST(Memory, PointsThatStayClaimTheirOwnPast) {
+  Touch touch({corners[0], corners[2]});
+  const std::vector<Vec3> last{{0, 0, 0}, {5, 1, 0}};
+  Memory memory;
+  memory.nextStep();
+  memory.keep(touch.group(), answerOf(last));
+  memory.nextStep();
+
+  touch.replace({corners[2] + Vec3(0, 0.1, 0), corners[2]}, true);
+  touch.group().contactSources[1].fresh = false;
+  touch.group().guess[1] = last[1];
+  memory.recall(touch.group());
+  EXPECT_LT((touch.group().guess[0] - last[0]).norm(), 1e-12) << "what the one that is gone bore";
+  EXPECT_LT((touch.group().guess[1] - last[1]).norm(), 1e-12);
+}
+
+// All that a manifold touches with may be in the centre of its body.
+TEST(Memory, PointsWithoutArmsPushOn) {
+  Touch touch({Vec3::Zero(), Vec3::Zero()});
+  Memory memory;
+  memory.nextStep();
+  memory.keep(touch.group(), answerOf({{3, 0.5, 0}, {2, 0, 0.5}}));
+  memory.nextStep();
+  touch.replace({Vec3::Zero(), Vec3::Zero()}, true);
+  memory.recall(touch.group());
+  EXPECT_LT((touch.wrench(touch.group().guess).head<3>() - Vec3(5, 0.5, 0.5)).norm(), 1e-9);
+}
+
+// As their reactions change places, so do the moments.
+TEST(Memory, WhatResistsTurningStartsAsTheNearestEnded) {
+  Touch touch({corners[0], corners[2]});
+  TurningFriction friction;
+  friction.spinning = friction.rolling = 0.1;
+  friction.axes.setIdentity();
+  for (int i : {0, 1}) addRows(friction, touch.group().contacts[i], i, touch.group().rows);
+  touch.group().turningRows = static_cast<int>(touch.group().rows.size());
+  Answer answer = answerOf({{1, 0, 0}, {1, 0, 0}});
+  answer.rows = {1, 2, 3, 4, 5, 6};
+  Memory memory;
+  memory.nextStep();
+  memory.keep(touch.group(), answer);
+  memory.nextStep();
+  touch.replace({corners[2] + Vec3(0, 0.1, 0), corners[0]}, false);
+  memory.recall(touch.group());
+  EXPECT_EQ(touch.group().rowGuess, std::vector<double>({4, 5, 6, 1, 2, 3}));
+}
+
+// By them the island is known again; a body that is new where another one was has none of them.
+TEST(Memory, RestlessAreTheContactsThatABodyHadBefore) {
+  DelassusWorld world;
+  btRigidBody& body = world.addCube({0, 0, 0});
+  Touch touch(corners);
+  touch.group().bodySources = {{&body, Vec6::Zero()}};
+  for (PointSource& source : touch.group().contactSources) source.bodyA = &body;
+  Answer answer = answerOf(reactions);
+  answer.islands.resize(1);
+  answer.islands[0].restless = 0;
+  Memory memory;
+  memory.nextStep();
+  memory.keep(touch.group(), answer);
+  memory.nextStep();
+  touch.group().contactSources[1].fresh = true;
+  memory.recall(touch.group());
+  EXPECT_EQ(touch.group().restless, std::vector<char>({1, 0, 1, 1}));
+}
+
+// A limit that comes or goes shifts the rows of its joint.
+TEST(Memory, AJointWithOtherRowsStartsFromNothing) {
+  DelassusWorld world;
+  btPoint2PointConstraint joint(world.addCube({0, 0, 0}), btVector3(0, 0, 0));
+  Group group;
+  group.rows.resize(2);
+  group.joints = {{&joint, 0, 2, 1, 0}};
+  Answer answer;
+  answer.rows = {3, 4};
+  Memory memory;
+  for (const int rows : {2, 3}) {
+    memory.nextStep();
+    memory.keep(group, answer);
+    memory.nextStep();
+    Group next;
+    next.rows.resize(rows);
+    next.joints = {{&joint, 0, rows, rows - 1, 4}};
+    memory.recall(next);
+    EXPECT_EQ(next.rowGuess, rows == 2 ? answer.rows : std::vector<double>(3, 0));
   }
 }
 
