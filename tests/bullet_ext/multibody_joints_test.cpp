@@ -117,6 +117,57 @@ TEST(MultiBodyJoints, AMotorWhoseStrengthIsNoNumberIsLeftOut) {
       << world.report().messages[0];
 }
 
+// What it would act on does not show in the row of the next one, whichever Bullet takes that for.
+TEST(MultiBodyJoints, WhatMayNotPushOrIsBrokenIsNone) {
+  enum class Other { None, Weak, Broken };
+  const auto velocities = [](Other other, bool isFirst) {
+    DelassusMultiBodyWorld world;
+    const Chain chain(world, 2);
+    world.finish(*chain.tree);
+    const auto addMotor = [&] {
+      world.addConstraint<btMultiBodyJointMotor>(chain.tree, 1, btScalar(1), btScalar(100));
+    };
+    if (!isFirst) addMotor();
+    if (other == Other::Weak)
+      world
+          .addConstraint<btMultiBodyPoint2Point>(chain.tree, 0, nullptr, btVector3(0.5, 0, 0),
+                                                 btVector3(1, 0, 0))
+          .setMaxAppliedImpulse(0);
+    if (other == Other::Broken)
+      world.addConstraint<btMultiBodyJointMotor>(chain.tree, 0, btScalar(3),
+                                                 std::numeric_limits<btScalar>::quiet_NaN());
+    if (isFirst) addMotor();
+    world.advance();
+    EXPECT_EQ(world.report().rows, 1);
+    return std::vector<btScalar>{chain.tree->getJointVel(0), chain.tree->getJointVel(1)};
+  };
+  const std::vector<btScalar> alone = velocities(Other::None, false);
+  for (const Other other : {Other::Weak, Other::Broken})
+    for (const bool isFirst : {true, false}) EXPECT_EQ(velocities(other, isFirst), alone);
+}
+
+/// A motor whose row names a number that no row of its has.
+class Misnamed : public btMultiBodyJointMotor {
+ public:
+  using btMultiBodyJointMotor::btMultiBodyJointMotor;
+  void createConstraintRows(btMultiBodyConstraintArray& rows, btMultiBodyJacobianData& data,
+                            const btContactSolverInfo& info) override {
+    btMultiBodyJointMotor::createConstraintRows(rows, data, info);
+    rows[rows.size() - 1].m_orgDofIndex = getNumRows();
+  }
+};
+
+TEST(MultiBodyJoints, ARowOfNoNumberIsNone) {
+  DelassusMultiBodyWorld world;
+  world->setGravity(btVector3(0, 0, 0));
+  const Chain chain(world, 1);
+  world.finish(*chain.tree);
+  world.addConstraint<Misnamed>(chain.tree, 0, btScalar(1), btScalar(100));
+  world.advance();
+  EXPECT_EQ(world.report().rows, 0);
+  EXPECT_EQ(chain.tree->getJointVel(0), 0);
+}
+
 /// Largest number, or one that is large enough: no bound.
 TEST(MultiBodyJoints, AMotorOfUnlimitedStrengthHasNoBound) {
   for (const btScalar most : {btScalar(BT_LARGE_FLOAT), SIMD_INFINITY}) {

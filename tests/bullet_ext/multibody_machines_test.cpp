@@ -172,6 +172,40 @@ TEST(MultiBodyMachines, SameBitsEveryTime) {
 }
 
 /// Three links of 10 g and a ball of 100 kg, hung up.
+/// Keeps a body from falling faster than 1 m/s, in solveConstraintObsolete alone.
+class Parachute : public btTypedConstraint {
+ public:
+  explicit Parachute(btRigidBody& body) : btTypedConstraint(MAX_CONSTRAINT_TYPE, body) {}
+  void getInfo1(btConstraintInfo1* info) override { info->m_numConstraintRows = info->nub = 0; }
+  void getInfo2(btConstraintInfo2*) override {}
+  void setParam(int, btScalar, int) override {}
+  btScalar getParam(int, int) const override { return 0; }
+  void solveConstraintObsolete(btSolverBody& body, btSolverBody&, btScalar) override {
+    const btVector3 velocity =
+        body.m_linearVelocity + body.m_externalForceImpulse + body.getDeltaLinearVelocity();
+    const btScalar missing = -1 - velocity.y();
+    if (missing > 0)
+      body.internalApplyImpulse(btVector3(0, 1, 0) * body.internalGetInvMass(), {0, 0, 0},
+                                missing / body.internalGetInvMass().y());
+  }
+};
+
+// Solved again and again as the constraint goes on, a tree gains what the last answer gives it.
+TEST(MultiBodyMachines, AConstraintWithoutRowsCarriesATree) {
+  DelassusMultiBodyWorld world;
+  world.info().m_numIterations = 1000;  // sweeps of the user's own method
+  btRigidBody& table = world.addCube({0, 10, 0}, 1);
+  world.addJoint<Parachute>(table);
+  table.setAngularFactor(0);
+  const btScalar radius = btScalar(0.5);
+  btMultiBody& ball = world.addTree(0, 1, btVector3(1, 1, 1), false, {0, 10 + 2 * radius, 0});
+  world.addCollider(ball, -1, std::make_unique<btSphereShape>(radius));
+  world.finish(ball);
+  world.advance(60);
+  EXPECT_NEAR(table.getLinearVelocity().y(), -1, tolerance(1e-6, 1e-3));
+  EXPECT_NEAR(ball.getBaseVel().y(), -1, tolerance(1e-6, 1e-3));
+}
+
 TEST(MultiBodyMachines, RopesOfRigidBodiesAreStiffenedToo) {
   DelassusMultiBodyWorld world;
   dynamic_cast<btDelassusMultiBodyConstraintSolver&>(world.solver()).setGeometricStiffness(true);

@@ -88,7 +88,9 @@ TEST(MultiBodyRestitution, ALinkThatRestsOnABoxDoesNotHop) {
 /// pulled. Its speed at the end.
 double pulledFoot(MultiBodyWorld& world, double softness, double pull) {
   world.info().m_frictionCFM = btScalar(softness);
-  world.addGround();
+  btRigidBody& ground = world.addGround();
+  ground.setCollisionFlags(ground.getCollisionFlags() |
+                           btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
   const btVector3 zero(0, 0, 0), inertia(1, 1, 1);
   const btQuaternion straight = btQuaternion::getIdentity();
   btMultiBody& tree = world.addTree(2, 0, zero, true, {0, radius, 0});
@@ -113,6 +115,27 @@ TEST(MultiBodyFriction, SlipsInProportionToItsForceAndSoftness) {
       EXPECT_NEAR(speed, softness * pull, tolerance(1e-9, 1e-5)) << softness << " " << pull;
       EXPECT_NEAR(speed, pulledFoot(stock, softness, pull), tolerance(1e-9, 1e-5));
     }
+}
+
+/// Gives each new point directions of its own, along x and z, and a softness.
+bool giveSoftDirections(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+                        const btCollisionObjectWrapper*, int, int) {
+  point.m_contactPointFlags |= BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED;
+  point.m_lateralFrictionDir1 = {1, 0, 0};
+  point.m_lateralFrictionDir2 = {0, 0, 1};
+  point.m_frictionCFM = btScalar(0.4);
+  return true;
+}
+
+// As that of a rigid body, u = χ W r, by the mean of both W: 2/kg along x, 0 across the rail.
+TEST(MultiBodyFriction, OfDirectionsIsAsSoftAsTheirPointSays) {
+  DelassusMultiBodyWorld world;
+  world.info().m_solverMode |=
+      SOLVER_ENABLE_FRICTION_DIRECTION_CACHING | SOLVER_USE_2_FRICTION_DIRECTIONS;
+  gContactAddedCallback = giveSoftDirections;
+  const double pull = 2, speed = pulledFoot(world, 0, pull);
+  gContactAddedCallback = nullptr;
+  EXPECT_NEAR(speed, 0.4 * (0.5 * 2) * pull * h, tolerance(1e-9, 1e-5));
 }
 
 // Stock's rigid bodies have the softness of their point alone.

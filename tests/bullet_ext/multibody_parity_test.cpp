@@ -91,6 +91,28 @@ TEST(MultiBodyParity, DeepLimitsRecoverWithSplitImpulseToo) {
   EXPECT_LE(tree.getJointPos(1), 0.1 + 1e-3);
 }
 
+// A push would move rigid bodies only.
+TEST(MultiBodyParity, DeepContactsRecoverWithSplitImpulseToo) {
+  constexpr btScalar radius = btScalar(0.5);
+  constexpr double depth = 0.1;
+  for (const bool linkFirst : {true, false}) {
+    DelassusMultiBodyWorld world;
+    world->setGravity({0, 0, 0});
+    const auto addBall = [&] { return &world.addSphere(radius, {0, btScalar(1 - depth), 0}); };
+    const btRigidBody* ball = linkFirst ? nullptr : addBall();
+    const btVector3 inertia(btScalar(0.1), btScalar(0.1), btScalar(0.1));
+    btMultiBody& link = world.addTree(0, 1, inertia, false);
+    world.addCollider(link, -1, std::make_unique<btSphereShape>(radius));
+    world.finish(link);
+    if (linkFirst) ball = addBall();
+    world.advance();
+    EXPECT_NEAR(ball->getLinearVelocity().y() - link.getBaseVel().y(), 0.2 * depth / h,
+                tolerance(1e-9, 1e-4))
+        << linkFirst;
+    EXPECT_EQ(world.report().pushIslands, 0) << linkFirst;
+  }
+}
+
 TEST(MultiBodyParity, TwoTreesOnOneKnotMoveAsInStock) {
   const auto build = [](MultiBodyWorld& world) -> btMultiBody& {
     btMultiBody& one = addChain(world, 3, true, btVector3(0, 3, 0));
@@ -252,6 +274,28 @@ TEST(MultiBodyParity, RowsThatAreNoNumbersAreLeftOutAndTold) {
   EXPECT_NE(world.report().messages[0].find("is not finite"), std::string::npos)
       << world.report().messages[0];
   EXPECT_TRUE(std::isfinite(tree.getJointVel(1)));
+}
+
+// What it was held to does not hold it any more.
+TEST(MultiBodyParity, RowsWhosePartnerIsLeftOutAreLeftOutAndTold) {
+  const auto swing = [](bool isHeld) {
+    DelassusMultiBodyWorld world;
+    btMultiBody& tree = addChain(world, 2, true, btVector3(0, 3, 0));
+    btRigidBody& box = world.addCube({0, 30, 0});
+    if (isHeld)
+      world
+          .addConstraint<btMultiBodyPoint2Point>(&tree, 1, &box, btVector3(btScalar(0.2), 0, 0),
+                                                 btVector3(0, 0, 0))
+          .setMaxAppliedImpulse(BT_LARGE_FLOAT);
+    box.setLinearVelocity({0, std::numeric_limits<btScalar>::quiet_NaN(), 0});
+    world.advance();
+    int rows = 0;
+    for (const std::string& message : world.report().messages)
+      rows += message.find("one of its bodies is left out") != std::string::npos;
+    EXPECT_EQ(rows, isHeld ? 3 : 0);
+    return tree.getJointVel(0);
+  };
+  EXPECT_EQ(swing(true), swing(false));
 }
 
 /// Link and multibody are named, by their own names where they have some.
