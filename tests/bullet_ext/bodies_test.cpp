@@ -43,9 +43,10 @@ TEST(Parity, Row02UserForceAndTorqueLastOverAllSubsteps) {
 }
 
 /// A body with three different moments of inertia, spun about the middle one.
-btRigidBody& addHandle(BulletWorld& world, int gyroscopicFlag) {
+btRigidBody& addHandle(BulletWorld& world, int gyroscopicFlag,
+                       const btVector3& inertia = btVector3(1, 2, 3)) {
   btRigidBody& body = world.addCube({0, 0, 0});
-  body.setMassProps(1, {1, 2, 3});
+  body.setMassProps(1, inertia);
   body.updateInertiaTensor();
   body.setFlags(gyroscopicFlag);
   body.setAngularVelocity({btScalar(0.01), 2, btScalar(0.01)});
@@ -67,6 +68,40 @@ TEST(Parity, Row03GyroscopicModes) {
     stock.advance(600);
     // Spin about the middle axis is unstable: rounding grows a thousandfold in ten seconds.
     expectSameMotion(a, b, tolerance(1e-9, 1e-2));
+  }
+}
+
+// Two moments that are equal do not make a ball.
+TEST(Parity, Row03ADiscWobblesWhicheverItsAxis) {
+  for (const int axis : {0, 1, 2}) {
+    btVector3 inertia(1, 1, 1);
+    inertia[axis] = 2;
+    const auto wobble = [&](BulletWorld& world) {
+      world->setGravity({0, 0, 0});
+      btRigidBody& disc = addHandle(world, BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY, inertia);
+      disc.setAngularVelocity({1, 2, 3});
+      world.advance(60);
+      return disc.getAngularVelocity();
+    };
+    DelassusWorld ours;
+    StockWorld stock;
+    const btVector3 turning = wobble(ours);
+    EXPECT_GT((turning - btVector3(1, 2, 3)).length(), 0.1) << axis;
+    EXPECT_NEAR((turning - wobble(stock)).length(), 0, tolerance(1e-9, 1e-3)) << axis;
+  }
+}
+
+// Bullet's implicit terms divide by the inertia, where there may be none.
+TEST(Parity, Row03AnAxisWithoutInertiaMakesNoBrokenBody) {
+  for (const int flag : {int(BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD),
+                         int(BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY)}) {
+    DelassusWorld world;
+    btRigidBody& body = addHandle(world, flag, {0, 0, 3});
+    body.setAngularVelocity({0, 0, 2});
+    world.advance(10);
+    EXPECT_TRUE(world.report().messages.empty()) << flag;
+    EXPECT_NEAR(body.getLinearVelocity().y(), -10 * g * h, 1e3 * precision) << flag;
+    EXPECT_NEAR(body.getAngularVelocity().z(), 2, 100 * precision) << flag;
   }
 }
 
@@ -157,6 +192,22 @@ TEST(Parity, Row06VelocityOfAStaticBodyIsIgnored) {
   ground.setLinearVelocity({5, 0, 0});
   world.advance(60);
   EXPECT_NEAR(box.getWorldTransform().getOrigin().x(), 0, tolerance(1e-10, 1e-5));
+}
+
+// Nor that of a body without mass whose static flag somebody has cleared.
+TEST(Parity, Row06VelocityOfABodyWithoutMassIsIgnored) {
+  const auto drift = [](BulletWorld& world) {
+    btRigidBody& ground = world.addGround();
+    ground.setCollisionFlags(0);
+    btRigidBody& box = world.addCube({0, btScalar(0.5), 0});
+    ground.setLinearVelocity({5, 0, 0});
+    world.advance(5);
+    return box.getLinearVelocity().x();
+  };
+  DelassusWorld ours;
+  StockWorld stock;
+  EXPECT_NEAR(drift(ours), 0, tolerance(1e-10, 1e-5));
+  EXPECT_NEAR(drift(stock), 0, tolerance(1e-10, 1e-5));
 }
 
 TEST(Parity, Row07NoMotionInLockedAxes) {

@@ -102,7 +102,12 @@ TEST(Economies, NoPushProblemWithoutDeepPenetrations) {
     EXPECT_EQ(report.plan.pushContacts, 4);
     EXPECT_EQ(report.pushIslands, 1);
   };
+  const auto withOneOnIt = [](BulletWorld& world) {
+    world.addGround();
+    for (const double y : {0.4, 1.4}) world.addCube({0, btScalar(y), 0});
+  };
   compare(&Economies::pushes, 1, atHeight(btScalar(0.4)), pushed, pushed);
+  compare(&Economies::pushes, 1, withOneOnIt, pushed, pushed);
 }
 
 TEST(Economies, NoMatrixWithoutApproachingContacts) {

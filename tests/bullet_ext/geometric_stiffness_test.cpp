@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -217,6 +218,22 @@ TEST(GeometricStiffness, HasItFromJointsOfEveryKind) {
     SCOPED_TRACE(kind);
     PulledPlate pulled(kinds[kind]);
     expectInertiaOfSprings(pulled);
+  }
+}
+
+// By tr(I⁻¹ h² K): none up to 1, all from 2 on, and its share between.
+TEST(GeometricStiffness, ComesGraduallyWhereStepsFollowNoMore) {
+  for (const double ratio : {0.9, 1.1, 1.75, 2.5}) {
+    SCOPED_TRACE(ratio);
+    PulledPlate pulled;
+    const Mat3 inverse = bullet::toCore(pulled.plate.getInvInertiaTensorWorld());
+    const double stiffness = ratio / (inverse(1, 1) + inverse(2, 2));  // about y and z
+    pulled.pull = stiffness / (2 * BulletWorld::step);
+    EXPECT_EQ(pulled.stiffen(), ratio > 1 ? 1 : 0);
+    const double share = std::clamp(ratio - 1, 0.0, 1.0);
+    const Mat3 expected =
+        inverse.inverse() + Mat3(share * Vec3(0, stiffness, stiffness).asDiagonal());
+    EXPECT_LT((pulled.group.bodies[0].inverseInertia.inverse() - expected).norm(), 1e3 * precision);
   }
 }
 

@@ -99,6 +99,27 @@ TEST(ThrownBodies, LeversAndBatsAreExact) {
   }
 }
 
+// A weight that falls on a beam beside its axle: the ends, one of which lay on a block, may be as
+// fast as they like.
+TEST(ThrownBodies, WhatIsNotPressedIsNotThrown) {
+  constexpr double mass = 1000, arm = 0.2, speed = 5, inertia = 3;
+  DelassusWorld world;
+  world->setGravity({0, 0, 0});
+  btRigidBody& beam = world.addBox({3, btScalar(0.05), btScalar(0.1)}, {0, 0, 0}, 1);
+  beam.setMassProps(1, btVector3(1, 1, 1) * btScalar(inertia));
+  beam.updateInertiaTensor();
+  world.addJoint<btHingeConstraint>(beam, btVector3(0, 0, 0), btVector3(0, 0, 1));
+  world.addBox({btScalar(0.1), 0.5, 1}, {btScalar(2.9), btScalar(-0.549), 0}, 0);
+  btRigidBody& weight = world.addSphere(0.1, {btScalar(-arm), btScalar(0.15), 0}, btScalar(mass));
+  weight.setFriction(0);
+  weight.setLinearVelocity({0, -speed, 0});
+  world.advance();
+  const double expected = mass * speed * arm / (mass * arm * arm + inertia);
+  EXPECT_EQ(world.report().softened, 0);
+  EXPECT_GE(world.report().contacts, 2);
+  EXPECT_NEAR(beam.getAngularVelocity().z(), expected, tolerance(1e-4, 1e-3) * expected);
+}
+
 // Without gravity, and at rest, there is nothing that could be thrown.
 TEST(ThrownBodies, RestIsNoThrow) {
   DelassusWorld world;

@@ -311,6 +311,20 @@ TEST(Parity, Row25AnisotropicRollingFrictionIsAnEllipse) {
     }
 }
 
+TEST(Parity, Row25WhatResistsByLessThanAThousandthRollsFreely) {
+  for (const double resists : {5e-4, 2e-3}) {
+    DelassusWorld world;
+    world.addGround();
+    btRigidBody& ball = addBall(world);
+    ball.setRollingFriction(btScalar(0.02));
+    ball.setAnisotropicFriction(vector(resists, resists, resists),
+                                btCollisionObject::CF_ANISOTROPIC_ROLLING_FRICTION);
+    roll(ball, {1, 0});
+    world.advance();
+    EXPECT_EQ(world.report().plan.rolling, resists < 1e-3 ? 0 : 1);
+  }
+}
+
 TEST(Parity, Row25IsThatOfStockOnTheAxes) {
   for (int axis : {0, 2}) {
     const auto build = [axis](BulletWorld& world) -> btRigidBody& {
