@@ -8,6 +8,7 @@
 #include "delassus/read_mode.h"
 #include "delassus/residual.h"
 #include "delassus/solver.h"
+#include "delassus/turning_friction.h"
 #include "tests/support/random_piles.h"
 #include "tests/support/turning_piles.h"
 
@@ -88,6 +89,31 @@ TEST(IslandCheck, KeepsWhatNothingMovesIfItRestsOrItsBoundLetsItBe) {
   EXPECT_FALSE(isKept(1, -1, 1, 0.5));
   EXPECT_FALSE(isKept(1, -1, 1, 1));
   EXPECT_FALSE(isKept(1, -infinity, infinity, 0));
+  EXPECT_FALSE(isKept(1, -1e-12, 1e-12, 0.5e-12)) << "in whatever unit";
+}
+
+// Spinning friction about an axis that is locked.
+TEST(IslandCheck, KeepsWhatNothingTurnsIfItRests) {
+  for (const double spin : {0.0, 1.0}) {
+    Pile pile;
+    Body& ball = pile.bodies.emplace_back();
+    ball.inverseMass.setOnes();
+    ball.inverseInertia = Vec3(1, 1, 0).asDiagonal();
+    ball.velocity << 0, 0, -1, 0, 0, spin;
+    Contact& contact = pile.contacts.emplace_back();
+    contact.a = 0;
+    contact.frame << 0, 1, 0, 0, 0, 1, 1, 0, 0;
+    TurningFriction friction;
+    friction.spinning = 0.1;
+    addRows(friction, contact, 0, pile.rows);
+    const PileIsland island(pile);
+    std::vector<Body> moved = pile.bodies;
+    Solution seen;
+    seen.r = Eigen::Vector2d(1, 0);
+    EXPECT_EQ(IslandCheck(Options()).isKept(pile.bodies, pile.contacts, pile.rows, island.island, 1,
+                                            moved, seen),
+              spin == 0);
+  }
 }
 
 TEST(IslandCheck, KeepsTheReactionsThatTheSolverFound) {
@@ -220,8 +246,8 @@ TEST(IslandCheck, WhatIsKeptAtRestIsAtRest) {
 }
 
 /// A ball of 1 kg and 1 kg m² whose centre is this high above the plane it presses on, kept there,
-/// and the velocity that is left.
-Vec6 leftOfBall(double height, const Vec6& velocity, double tolerance) {
+/// and the velocity that is left; it may be the second of the two that touch.
+Vec6 leftOfBall(double height, const Vec6& velocity, double tolerance, bool isSecond = false) {
   const double fall = StandingBox::fall;
   Pile pile;
   Body& ball = pile.bodies.emplace_back();
@@ -229,9 +255,9 @@ Vec6 leftOfBall(double height, const Vec6& velocity, double tolerance) {
   ball.inverseInertia.setIdentity();
   ball.velocity = velocity - fall * Vec6::Unit(2);
   Contact& contact = pile.contacts.emplace_back();
-  contact.a = 0;
-  contact.frame << 0, 1, 0, 0, 0, 1, 1, 0, 0;
-  contact.armA << 0, 0, -height;
+  (isSecond ? contact.b : contact.a) = 0;
+  (isSecond ? contact.armB : contact.armA) << 0, 0, -height;
+  contact.frame << 0, 1, 0, 0, 0, 1, isSecond ? -1 : 1, 0, 0;
   const PileIsland island(pile);
   std::vector<Body> moved = pile.bodies;
   Options options;
@@ -250,10 +276,41 @@ TEST(IslandCheck, WhatSpinsIsNotAtRest) {
     EXPECT_EQ(leftOfBall(height, Vec6::Unit(5), 1e-8)[5], 1) << height;
 }
 
+// However slowly its centre is left behind, what touches far out may not be slow.
+TEST(IslandCheck, WhatSpinsFarOutIsNotAtRest) {
+  constexpr double still = 1e-8 * StandingBox::fall, speed = 0.5 * still;
+  for (const bool isSecond : {false, true}) {
+    EXPECT_EQ(leftOfBall(1, speed * Vec6::Unit(5), 1e-8, isSecond)[5], 0);
+    EXPECT_EQ(leftOfBall(5, speed * Vec6::Unit(5), 1e-8, isSecond)[5], speed);
+  }
+}
+
 // Where nothing resists it goes on, however loose the tolerance.
 TEST(IslandCheck, WhatGlidesIsNotAtRest) {
   for (const double tolerance : {1e-10, 1e-8, 1e-3})
     EXPECT_EQ(leftOfBall(0.5, 1e-8 * Vec6::Unit(0), tolerance)[0], 1e-8) << tolerance;
+}
+
+// There the natural residual of an approach is small.
+TEST(IslandCheck, AWideConeHidesNoApproach) {
+  Pile pile;
+  Body& ball = pile.bodies.emplace_back();
+  ball.inverseMass.setOnes();
+  ball.inverseInertia.setIdentity();
+  ball.velocity << 1, 0, -1, 0, 0, 0;
+  Contact& contact = pile.contacts.emplace_back();
+  contact.a = 0;
+  contact.frame << 0, 1, 0, 0, 0, 1, 1, 0, 0;
+  contact.friction = 1e3;
+  const PileIsland island(pile);
+  std::vector<Body> moved = pile.bodies;
+  Options options;
+  options.tolerance = 1e-2;
+  Solution seen;
+  seen.r = VectorXd::Zero(3);
+  EXPECT_LT(naturalResidual(island.problem, seen.r).max, options.tolerance);
+  EXPECT_FALSE(IslandCheck(options).isKept(pile.bodies, pile.contacts, pile.rows, island.island, 1,
+                                           moved, seen));
 }
 
 // q ≥ 0, and only then: against the natural residual of r = 0.
@@ -282,6 +339,25 @@ TEST(IslandCheck, FreeMeansThatNoReactionIsAskedFor) {
   }
   EXPECT_GT(free, 20);
   EXPECT_LT(free, 380);
+}
+
+// However a row moves: there is no way to leave it alone.
+TEST(IslandCheck, WhatMustPushIsNotFree) {
+  for (const auto& [lower, upper] : {std::pair(1.0, 2.0), std::pair(-2.0, -1.0)})
+    for (const double velocity : {-1.0, 0.0, 1.0}) {
+      Pile pile;
+      pile.bodies.push_back(makeBox(1, 0.5, velocity * Vec6::Unit(0)));
+      Row row;
+      row.a = 0;
+      row.jacobianA[0] = 1;
+      row.lower = lower;
+      row.upper = upper;
+      pile.rows.push_back(row);
+      const PileIsland island(pile);
+      Solution seen;
+      EXPECT_FALSE(IslandCheck(Options()).isFree(pile.bodies, pile.contacts, pile.rows,
+                                                 island.island, seen));
+    }
 }
 
 TEST(IslandCheck, WhatIsNoNumberIsNotFree) {

@@ -120,7 +120,7 @@ TEST(UnfitProblem, SpoilsOnlyThePartThatItIsCoupledTo) {
 
 // They cannot be taken apart by it.
 TEST(UnfitProblem, ADiskThatPointsOutOfIt) {
-  for (const int governor : {-1, 3, 1000}) {
+  for (const int governor : {-1, 3, 4, 1000}) {  // 4: a tangent
     SCOPED_TRACE(governor);
     Problem problem = threeParts();
     problem.lower[0] = -infinity;
@@ -135,8 +135,11 @@ TEST(UnfitProblem, ADiskThatPointsOutOfIt) {
     }
   }
   Problem problem = threeParts();
-  problem.disks = {{1000, 1, 0, 0.1}};
-  EXPECT_EQ(solve(problem).status, Status::NonFinite);
+  problem.lower[0] = -infinity;
+  for (const Disk& disk : {Disk{1000, 1, 0, 0.1}, Disk{6, 2, 0, 0.1}, Disk{6, 1, 0, 0.1, 1e200}}) {
+    problem.disks = {disk};
+    EXPECT_EQ(solve(problem).status, Status::NonFinite);
+  }
 }
 
 TEST(UnfitProblem, InAPartOfAnArticulatedBody) {
@@ -156,6 +159,11 @@ TEST(UnfitProblem, AContactGivenWithAFrictionThatIsNone) {
     SCOPED_TRACE(friction);
     Pile pile = makeTower({1, 1, 1}, 0.5, 0, random);
     const VectorXd reactions = solve(PileIsland(pile).problem).r;
+    Pile others = pile;
+    others.contacts.erase(others.contacts.begin() + 2);
+    VectorXd withoutIt = VectorXd::Zero(reactions.size());
+    const VectorXd ofOthers = solve(PileIsland(others).problem).r;
+    withoutIt << ofOthers.head(6), Vec3::Zero(), ofOthers.tail(ofOthers.size() - 6);
     pile.contacts[2].friction = friction;
     const Island island = splitIslands(pile.bodies, pile.contacts, pile.rows).at(0);
     const Problem problem = assemble(pile.bodies, pile.contacts, pile.rows, island);
@@ -164,11 +172,13 @@ TEST(UnfitProblem, AContactGivenWithAFrictionThatIsNone) {
     EXPECT_EQ(solution.status, Status::NonFinite);
     EXPECT_THAT(solution.blamed, ElementsAre(6));
 
-    // Nor are reactions kept that would do with friction.
-    solution.r = reactions;
-    std::vector<Body> moved = pile.bodies;
-    EXPECT_FALSE(IslandCheck(Options()).isKept(pile.bodies, pile.contacts, pile.rows, island, 1,
-                                               moved, solution));
+    // Nor are reactions kept that would do with friction, or with none at that contact.
+    for (const VectorXd& r : {reactions, withoutIt}) {
+      solution.r = r;
+      std::vector<Body> moved = pile.bodies;
+      EXPECT_FALSE(IslandCheck(Options()).isKept(pile.bodies, pile.contacts, pile.rows, island, 1,
+                                                 moved, solution));
+    }
   }
 }
 
