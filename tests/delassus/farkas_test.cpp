@@ -57,6 +57,30 @@ TEST(Farkas, SelfStressProvesNothing) {
   }
 }
 
+// Nor do walls that come together by no more than the rounding of the velocities.
+TEST(Farkas, RoundingOfDemandsProvesNothing) {
+  Random random(207);
+  for (const double gap : {0.9, 10.0}) {
+    Problem problem = PileIsland(withoutFriction(makePressed(1, 0, 0, 0, 0, random))).problem;
+    problem.roundOff = 1e-12;
+    problem.q.setZero();
+    VectorXd stress = VectorXd::Zero(problem.size());
+    for (int i = 0; i < problem.contacts(); ++i) {
+      stress[3 * i] = 1;
+      problem.q[3 * i] = -gap * problem.roundOff;
+    }
+    for (int i = 0; i < problem.rows(); ++i) {
+      stress[3 * problem.contacts() + i] = 1;
+      problem.q[3 * problem.contacts() + i] = -gap * problem.roundOff;
+    }
+    NaturalMap map;
+    map.setProblem(problem);
+    Quarrel quarrel;
+    quarrel.setProblem(problem, map);
+    EXPECT_EQ(quarrel.leastMotion(stress) > 0, gap > 1);
+  }
+}
+
 // Friction, motors and disks ask for nothing that they would not give up.
 TEST(Farkas, WhatIsBoundedDemandsNothing) {
   Random random(202);
@@ -80,6 +104,9 @@ TEST(Farkas, WhatIsBoundedDemandsNothing) {
     const bool isStop = problem.lower[i] == -3;
     EXPECT_EQ(demands.lower[i], 0) << i;
     EXPECT_EQ(demands.upper[i], isStop ? infinity : 0) << i;
+    if (!isStop) {
+      EXPECT_EQ(demands.q[3 * problem.contacts() + i], 0) << i;
+    }
   }
 }
 
@@ -106,23 +133,49 @@ TEST(Farkas, PressedBoxesAreIncompatible) {
         }
 }
 
-// Those who only lean on what is pressed are not named.
-TEST(Farkas, BystandersAreNotNamed) {
-  Random random(205);
+/// A pressed box that another one touches, which moves like this. The contacts of that come last.
+Pile makeTouched(const Vec6& velocity, Random& random) {
   Pile pile = makePressed(1, 0.5, 0, 0.1, 1, random);
-  const int pressed = static_cast<int>(pile.contacts.size());
-  pile.bodies.push_back(makeBox(1, 0.5, (Vec6() << -1, 0, -0.2, 0, 0, 0).finished()));
+  pile.bodies.push_back(makeBox(1, 0.5, velocity));
   for (const double y : {-0.5, 0.5})
     for (const double z : {-0.5, 0.5}) {
       Contact c = makeRestingPoint(1, 0, {-0.5, y, z}, {0.5, y, z}, 0.5);
       c.frame << 1, 0, 0, 0, 1, 0, 0, 0, 1;
       pile.contacts.push_back(c);
     }
+  return pile;
+}
+
+// Those who only lean on what is pressed are not named.
+TEST(Farkas, BystandersAreNotNamed) {
+  Random random(205);
+  const Pile pile = makeTouched((Vec6() << -1, 0, -0.2, 0, 0, 0).finished(), random);
   const Solution solution = Solver().solve(PileIsland(pile).problem);
   ASSERT_EQ(solution.status, Status::Incompatible);
   std::vector<int> expected;
-  for (int i = 0; i < pressed; ++i) expected.push_back(3 * i);
+  for (int i = 0; i < static_cast<int>(pile.contacts.size()) - 4; ++i) expected.push_back(3 * i);
   EXPECT_EQ(solution.blamed, expected);
+}
+
+// What proves it pushes at demands in their sense: no contact pulls.
+TEST(Farkas, WhatIsFoundPushesAsItMay) {
+  Random random(208);
+  int found = 0;
+  for (int k = 0; k < 40; ++k) {
+    const Problem problem = PileIsland(makeTouched(normalVector(6, random), random)).problem;
+    NaturalMap map;
+    map.setProblem(problem);
+    ProximalSpace<BodyMotion> space;
+    ProximalWalk<BodyMotion> walk(space);
+    Quarrel quarrel;
+    Solution scratch, count;
+    int budget = 200;
+    space.setProblem(problem, map);
+    found += quarrel.find(walk, problem, map, 1e-8, budget, scratch, count);
+    for (int i = 0; i < problem.size(); ++i)
+      EXPECT_TRUE(allowedWithoutFriction(quarrel.demands(), i).contains(quarrel.reactions()[i]));
+  }
+  EXPECT_GT(found, 30);
 }
 
 // A wedge that can slip out does.

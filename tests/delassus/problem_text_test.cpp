@@ -203,8 +203,10 @@ TEST(ProblemText, WhatHasNoTextIsRefused) {
     EXPECT_EQ(out.str(), "") << "nothing is written before the problem is known to be writable";
   };
   Problem bad = good;
-  bad.name = "two words";
-  refused(bad);
+  for (const std::string& name : {std::string("two words"), std::string(5000, 'x')}) {
+    bad.name = name;
+    refused(bad);
+  }
   bad = good;
   bad.q[3] = std::nan("");
   refused(bad);

@@ -245,6 +245,23 @@ TEST(Release, RedundantContactsHaveOneMotionAndAShare) {
   EXPECT_GT(resting.distance, 0);
 }
 
+// Where contacts are released at rest, u is their rounding, of either sign.
+TEST(Release, NoWallIsNearerThanHere) {
+  Random random(49);
+  int here = 0;
+  for (int k = 0; k < 200; ++k) {
+    const int n = 2 + k % 4;
+    const MatrixXd W = randomDelassus(n, 100, random);
+    VectorXd r = normalVector(n, random).cwiseAbs();
+    r[k % n] = 0;
+    const ReleaseAnalysis analysis = analyseRelease(W, -W * r);
+    EXPECT_GE(analysis.distance, 0);
+    EXPECT_LT(analysis.distance, 1e-6 * normW(W, r));
+    here += analysis.distance == 0;
+  }
+  EXPECT_GT(here, 20);
+}
+
 TEST(Release, IncompatibleDemandsAreNamed) {
   MatrixXd W(2, 2);
   W << 1, -1, -1, 1;

@@ -262,6 +262,20 @@ TEST(Demand, IsWhatReactionsCanAnswer) {
   EXPECT_EQ(Problem().demand(), 0);
 }
 
+// They have a step of the unit of the others'.
+TEST(NaturalResidual, BlocksThatVanishDoNotSetTheUnitOfMass) {
+  constexpr double gram = 1024;
+  MatrixXd W = MatrixXd::Zero(2, 2);
+  W(0, 0) = 0.7;
+  const Eigen::Vector2d q(-0.3, 0.2), r(0.1, -0.95), lower(-1, -1), upper(4, 4);
+  const VelocityResidual a = naturalResidual(problemOf(W, q, {}, lower, upper), r),
+                         b = naturalResidual(problemOf(W / gram, q, {}, gram * lower, gram * upper),
+                                             gram * r);
+  EXPECT_GT(a.max, 0);
+  EXPECT_DOUBLE_EQ(a.max, b.max);
+  EXPECT_DOUBLE_EQ(a.rms, b.rms);
+}
+
 TEST(NaturalResidual, NamesTheWorstAndNeverHidesANaN) {
   MatrixXd W = MatrixXd::Identity(8, 8);
   VectorXd q = VectorXd::Zero(8), r = VectorXd::Zero(8);
@@ -314,10 +328,10 @@ TEST(NaturalResidual, ALargeReactionHidesNoVelocity) {
 }
 
 /// Of all kinds of blocks: coupled, as those of balls (arms along the normal, up to rounding), of
-/// every size, and unsymmetric.
+/// every size, unsymmetric, and with eigenvalues of both signs.
 TEST(ContactSize, IsTheLargestSingularValue) {
   RandomContact random(31);
-  for (const double coupling : {1.0, 1e-8, 1e-13, 1e-16, 0.0})
+  for (const double coupling : {1.0, 1e-5, 1e-8, 1e-13, 1e-16, 0.0})
     for (const double unit : {1e-120, 1.0, 1e120})
       for (const double skew : {0.0, 0.3})
         for (int k = 0; k < 20; ++k) {
@@ -326,6 +340,7 @@ TEST(ContactSize, IsTheLargestSingularValue) {
           W.col(0).tail<2>() *= coupling;
           W(1, 2) *= 1 + skew;
           if (k % 2) W(0, 0) *= 100;  // now the normal is the largest, now a tangent
+          if (k % 3 == 2) W -= W.trace() * Mat3::Identity();
           const double largest = (W / unit).jacobiSvd().singularValues()[0];
           EXPECT_NEAR(contactSize(W) / unit, largest, 1e-13 * largest) << W;
         }

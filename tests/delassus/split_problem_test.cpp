@@ -49,6 +49,19 @@ TEST(ProblemParts, AreWhatEntriesOfEitherTriangleConnect) {
   EXPECT_EQ(second.roundOff, problem.roundOff);
 }
 
+TEST(ProblemParts, AnEntryThatIsZeroConnectsNothing) {
+  DelassusMatrix::Sparse W = matrix(MatrixXd::Identity(2, 2)).entries();
+  for (const double entry : {0.0, 0.1}) {
+    W.coeffRef(0, 1) = W.coeffRef(1, 0) = entry;
+    Problem problem;
+    problem.W = DelassusMatrix(W);
+    problem.q = Eigen::Vector2d(-1, 1);
+    problem.lower = Eigen::Vector2d(0, 0);
+    problem.upper = Eigen::Vector2d(1, 1);
+    EXPECT_EQ(ProblemParts(problem).count(), entry == 0 ? 2 : 1);
+  }
+}
+
 TEST(ProblemParts, ADiskIsConnectedToItsGovernor) {
   Random random(60);
   Problem problem = loneContacts(2, random);
