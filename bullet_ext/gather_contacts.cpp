@@ -215,8 +215,7 @@ Vec3 guessOf(const btManifoldPoint& point, const btContactSolverInfo& info) {
   if (!warmStarts(info)) return Vec3::Zero();
   const Vec3 last{point.m_appliedImpulse, point.m_appliedImpulseLateral1,
                   point.m_appliedImpulseLateral2};
-  const bool isSound = std::isfinite(last.sum()) && last[0] >= 0;
-  return isSound ? last : Vec3::Zero();
+  return std::isfinite(last.sum()) ? last : Vec3::Zero();
 }
 
 /// The dispatcher's word, as in groups that the world has split itself; an unsplit group comes
