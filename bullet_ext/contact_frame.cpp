@@ -1,7 +1,6 @@
 #include "bullet_ext/contact_frame.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 
 #include "BulletCollision/CollisionDispatch/btCollisionObject.h"
@@ -39,7 +38,7 @@ void setUserDirections(const btManifoldPoint& point, int solverMode, ContactFram
   };
   out.axes.col(1) = inPlane(point.m_lateralFrictionDir1);
   out.motion1 = point.m_contactMotion1;
-  out.softness = std::max<double>(point.m_frictionCFM, 0);
+  out.softness = point.m_frictionCFM;
   if (solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) {
     out.axes.col(2) = inPlane(point.m_lateralFrictionDir2);
     out.motion2 = point.m_contactMotion2;
