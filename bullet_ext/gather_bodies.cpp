@@ -63,8 +63,7 @@ Vec3 gyroscopicGain(const btRigidBody& rigid, const btContactSolverInfo& info) {
     gain += toCore(rigid.computeGyroscopicImpulseImplicit_World(info.m_timeStep));
   if (flags & BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY)
     gain += toCore(rigid.computeGyroscopicImpulseImplicit_Body(info.m_timeStep));
-  // The implicit modes divide by the inertia; a body that cannot turn has none.
-  return gain.allFinite() ? gain : Vec3::Zero();
+  return gain;
 }
 
 /// Adds the inverse mass of a dynamic body and what forces do to its velocity over the step.
