@@ -121,8 +121,6 @@ btScalar writtenImpulse(const JointSource& joint, const Answer& answer) {
 }
 
 void writeJoints(const Group& group, const Answer& answer, const btContactSolverInfo& info) {
-  // Reactions at a bound are equal to it up to rounding of the library's precision.
-  constexpr double atBound = 1 - 4 * static_cast<double>(SIMD_EPSILON);
   for (const JointSource& source : group.joints) {
     btTypedConstraint& joint = *source.constraint;
     // Read before anything is disabled: a joint breaks as a whole, after its last feedback.
@@ -133,7 +131,7 @@ void writeJoints(const Group& group, const Answer& answer, const btContactSolver
       const double r = answer.rows[row];
       onA += group.rows[row].jacobianA.transpose() * r;
       onB += group.rows[row].jacobianB.transpose() * r;
-      breaks |= std::abs(r) >= breakingImpulse * atBound;
+      breaks |= std::abs(r) >= breakingImpulse;
     }
 
     joint.internalSetAppliedImpulse(writtenImpulse(source, answer));
