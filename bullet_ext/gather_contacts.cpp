@@ -188,7 +188,7 @@ bool isInverted(const btManifoldPoint& point) {
 const char* faultOfPoint(const btManifoldPoint& point, const Contact& c, double push) {
   const Vec3 normal = toCore(point.m_normalWorldOnB);
   if (!normal.allFinite()) return "its normal is not finite";
-  if (std::abs(normal.norm() - 1) > unitTolerance) return "its normal is not a unit vector";
+  if (std::abs(normal.squaredNorm() - 1) > unitTolerance) return "its normal is not a unit vector";
   if (isInverted(point)) return "its normal points into the other body";
   if (!std::isfinite(point.getDistance())) return "its distance is not finite";
   if (!c.armA.allFinite() || !c.armB.allFinite()) return "its position is not finite";

@@ -11,7 +11,7 @@ bool isHeap(const Problem& problem) {
 }
 
 bool isLargeHeap(const Problem& problem) {
-  constexpr int fewContacts = 200;
+  constexpr int fewContacts = 600;
   return isHeap(problem) && problem.contacts() > fewContacts;
 }
 

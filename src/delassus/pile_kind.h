@@ -15,7 +15,7 @@ namespace delassus {
 /// Not boxes at rest, which have 8 b contacts, and not where joints prevail: what sweeps pass along
 /// a chain body by body, a region knows at once.
 bool isHeap(const Problem& problem);
-/// A heap of more than 200 contacts, whose regions are dear: each costs hundreds of sweeps.
+/// A heap of more than 600 contacts, whose regions are dear: each costs a hundred sweeps or more.
 bool isLargeHeap(const Problem& problem);
 
 /// No heap, and more than 200 contacts and rows: boxes at rest above all, of which a patch is as

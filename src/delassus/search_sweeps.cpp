@@ -77,13 +77,13 @@ void Search::sweepWhileItGains(const Task& task, double tolerance, Solution& bes
 
 /// Sweeps as long as they gain, and where they do not, patches: what settles in this way needs no
 /// factor of the whole island. The residual may rise on the way, since a wall that is met lets
-/// others go. In large heaps they go by colour.
+/// others go. In heaps of many contacts they go by colour.
 void Search::settle(const Task& task, double tolerance, Solution& best) {
-  constexpr int patience = 6, fewSweeps = 20, manySweeps = 100;
+  constexpr int patience = 6, fewSweeps = 20, manySweeps = 100, many = 200;
   constexpr double gain = 0.7;
   // Half as many sweeps where all is remembered; elsewhere the memory is worth more than the time.
   const int memory = isHeap(*problem_) ? Anderson::longest : 4;
-  const bool byColour = setSweeps(isLargeHeap(*problem_));
+  const bool byColour = setSweeps(isHeap(*problem_) && problem_->contacts() > many);
   const int burst = byColour ? manySweeps : fewSweeps;
   double change = tolerance;  // of a velocity, that is worth a sweep by colour
   trial_.r = best.r;

@@ -8,6 +8,8 @@
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 
 #include <cmath>
+#include <memory>
+#include <vector>
 
 #include "tests/support/bullet_world.h"
 
@@ -118,6 +120,32 @@ TEST(Grounds, GImpactMesh) {
   shape->updateBound();
   world.addBody(std::move(shape), btTransform::getIdentity(), 0);
   expectRests(world, addBox(world), 1e-2);
+}
+
+// A plane has one point of a body in the first step, unless it is asked for all that touch: what
+// stands on one point alone tips.
+TEST(Grounds, APyramidStandsOnAPlaneThatIsTouchedWithAllCorners) {
+  constexpr int rows = 6;
+  DelassusWorld world;
+  static_cast<btDefaultCollisionConfiguration*>(world.dispatcher().getCollisionConfiguration())
+      ->setPlaneConvexMultipointIterations();
+  world.addBody(std::make_unique<btStaticPlaneShape>(btVector3(0, 1, 0), btScalar(0)),
+                btTransform::getIdentity(), 0);
+  std::vector<btRigidBody*> cubes;
+  std::vector<btVector3> places;
+  for (int row = 0; row < rows; ++row)
+    for (int i = 0; i < rows - row; ++i) {
+      places.emplace_back(btScalar(1.05) * (i + btScalar(0.5) * row), btScalar(0.5) + row, 0);
+      cubes.push_back(&world.addCube(places.back()));
+    }
+  for (int i = 0; i < 60; ++i) {
+    world.advance();
+    ASSERT_EQ(world.report().solved, 1) << i;
+  }
+  EXPECT_EQ(world.report().keptIslands, 1);
+  for (std::size_t i = 0; i < cubes.size(); ++i)
+    EXPECT_LT((cubes[i]->getWorldTransform().getOrigin() - places[i]).length(),
+              tolerance(1e-9, 1e-4));
 }
 
 TEST(Grounds, HullStandsOnManyPoints) {

@@ -169,7 +169,7 @@ TEST(Memory, PointsThatStayClaimTheirOwnPast) {
   const std::vector<Vec3> last{{0, 0, 0}, {5, 1, 0}};
   Memory memory;
   memory.nextStep();
-  memory.keep(touch.group(), answerOf(last));
+  memory.keep(touch.group(), answerOf(last), h);
   memory.nextStep();
 
   touch.replace({corners[2] + Vec3(0, 0.1, 0), corners[2]}, true);
@@ -185,7 +185,7 @@ TEST(Memory, PointsWithoutArmsPushOn) {
   Touch touch({Vec3::Zero(), Vec3::Zero()});
   Memory memory;
   memory.nextStep();
-  memory.keep(touch.group(), answerOf({{3, 0.5, 0}, {2, 0, 0.5}}));
+  memory.keep(touch.group(), answerOf({{3, 0.5, 0}, {2, 0, 0.5}}), h);
   memory.nextStep();
   touch.replace({Vec3::Zero(), Vec3::Zero()}, true);
   memory.recall(touch.group());
@@ -204,7 +204,7 @@ TEST(Memory, WhatResistsTurningStartsAsTheNearestEnded) {
   answer.rows = {1, 2, 3, 4, 5, 6};
   Memory memory;
   memory.nextStep();
-  memory.keep(touch.group(), answer);
+  memory.keep(touch.group(), answer, h);
   memory.nextStep();
   touch.replace({corners[2] + Vec3(0, 0.1, 0), corners[0]}, false);
   memory.recall(touch.group());
@@ -223,7 +223,7 @@ TEST(Memory, RestlessAreTheContactsThatABodyHadBefore) {
   answer.islands[0].restless = 0;
   Memory memory;
   memory.nextStep();
-  memory.keep(touch.group(), answer);
+  memory.keep(touch.group(), answer, h);
   memory.nextStep();
   touch.group().contactSources[1].fresh = true;
   memory.recall(touch.group());
@@ -242,7 +242,7 @@ TEST(Memory, AJointWithOtherRowsStartsFromNothing) {
   Memory memory;
   for (const int rows : {2, 3}) {
     memory.nextStep();
-    memory.keep(group, answer);
+    memory.keep(group, answer, h);
     memory.nextStep();
     Group next;
     next.rows.resize(rows);

@@ -146,28 +146,6 @@ TEST(MultiBodyJoints, WhatMayNotPushOrIsBrokenIsNone) {
     for (const bool isFirst : {true, false}) EXPECT_EQ(velocities(other, isFirst), alone);
 }
 
-/// A motor whose row names a number that no row of its has.
-class Misnamed : public btMultiBodyJointMotor {
- public:
-  using btMultiBodyJointMotor::btMultiBodyJointMotor;
-  void createConstraintRows(btMultiBodyConstraintArray& rows, btMultiBodyJacobianData& data,
-                            const btContactSolverInfo& info) override {
-    btMultiBodyJointMotor::createConstraintRows(rows, data, info);
-    rows[rows.size() - 1].m_orgDofIndex = getNumRows();
-  }
-};
-
-TEST(MultiBodyJoints, ARowOfNoNumberIsNone) {
-  DelassusMultiBodyWorld world;
-  world->setGravity(btVector3(0, 0, 0));
-  const Chain chain(world, 1);
-  world.finish(*chain.tree);
-  world.addConstraint<Misnamed>(chain.tree, 0, btScalar(1), btScalar(100));
-  world.advance();
-  EXPECT_EQ(world.report().rows, 0);
-  EXPECT_EQ(chain.tree->getJointVel(0), 0);
-}
-
 /// Largest number, or one that is large enough: no bound.
 TEST(MultiBodyJoints, AMotorOfUnlimitedStrengthHasNoBound) {
   for (const btScalar most : {btScalar(BT_LARGE_FLOAT), SIMD_INFINITY}) {

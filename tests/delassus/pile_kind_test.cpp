@@ -15,7 +15,7 @@ using namespace delassus::test;
 
 TEST(PileKind, SpheresAreAHeapUnlessJointsPrevail) {
   Random random(77);
-  Pile heap = makeSphereHeap(200, 4.7, 0.5, 0.1, random);
+  Pile heap = makeSphereHeap(400, 6, 0.5, 0.1, random);
   const PileIsland spheres(heap);
   EXPECT_TRUE(isHeap(spheres.problem));
   EXPECT_TRUE(isLargeHeap(spheres.problem));
@@ -29,6 +29,14 @@ TEST(PileKind, SpheresAreAHeapUnlessJointsPrevail) {
   ASSERT_GT(jointed.problem.rows(), jointed.problem.contacts());
   EXPECT_FALSE(isHeap(jointed.problem));
   EXPECT_TRUE(isLargePile(jointed.problem));
+}
+
+TEST(PileKind, FewSpheresAreASmallHeap) {
+  Random random(77);
+  const PileIsland spheres(makeSphereHeap(150, 4.7, 0.5, 0.1, random));
+  EXPECT_GT(spheres.problem.contacts(), 200);
+  EXPECT_TRUE(isHeap(spheres.problem));
+  EXPECT_FALSE(isLargeHeap(spheres.problem));
 }
 
 // Four contacts for each box.
