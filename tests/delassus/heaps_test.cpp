@@ -1,5 +1,5 @@
-/// Heaps of hundreds of contacts and more, large ones (pile_kind.h) or not, whose walk loses its way:
-/// what finds back there (search_find_back.cpp).
+/// Heaps of hundreds of contacts and more, large ones (pile_kind.h) or not, whose walk loses its
+/// way: what finds back there (search_find_back.cpp).
 #include <gtest/gtest.h>
 
 #include "delassus/residual.h"
