@@ -47,8 +47,8 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   /// (coloured_sweeps.h): it starts the others at once, and they sleep between steps. Until then,
   /// and with 1, no thread is started. The motion, the report (but for its seconds and bytes) and
   /// the order of events are the same for any number; below 1 is 1. Storage that is kept from step
-  /// to step is given back. Throws std::system_error where no thread is to be had; the caller is
-  /// alone then.
+  /// to step is given back. Throws std::system_error where no thread is to be had, and
+  /// std::bad_alloc where there is no room for so many; the caller is alone then.
   void setThreads(int threads);
   /// Has rolling and spinning friction of rigid bodies bounded as in Bullet's own solver, for
   /// worlds that were tuned with it: |τ| ≤ κ min(r_n, 1 N·s) at each point in each step, and no
