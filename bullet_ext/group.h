@@ -46,8 +46,8 @@ struct JointSource {
   int firstRow, rowCount;  ///< among Group::rows
   int lastRow;             ///< the joint's own last row, or -1 if that row takes no part
   double lastImpulse;      ///< that the last step left in the joint, N·s
-  /// What its rows did to the velocity of its bodies in the last step, in world axes, N·s. Rows do
-  /// not tell it: Bullet turns those of a hinge about, between two bodies whose arms it weighs.
+  /// What its rows pushed its bodies with in the last step, in world axes, N·s; for
+  /// GeometricStiffness alone. Last reactions do not tell: Bullet turns the rows of a hinge about.
   Vec3 lastPullOnA = Vec3::Zero(), lastPullOnB = Vec3::Zero();
 };
 

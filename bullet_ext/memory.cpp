@@ -225,9 +225,10 @@ void Memory::recallJoints(Group& group) {
   for (JointSource& joint : group.joints) {
     const Owner* owner = last_.joints.find(ownerOf(joint, joint.lastImpulse));
     if (!owner) continue;
-    const Pulls& pulls = last_.pulls[last_.joints.indexOf(*owner)];
-    joint.lastPullOnA = pulls.onA;
-    joint.lastPullOnB = pulls.onB;
+    if (const std::size_t index = last_.joints.indexOf(*owner); index < last_.pulls.size()) {
+      joint.lastPullOnA = last_.pulls[index].onA;
+      joint.lastPullOnB = last_.pulls[index].onB;
+    }
     // A limit or motor that came or went shifts the rows: then they start from zero.
     if (owner->end - owner->begin != joint.rowCount) continue;
     for (int i = 0; i < joint.rowCount; ++i)
@@ -290,7 +291,7 @@ void Memory::keepTurns(const Group& group, const Answer& answer) {
   }
 }
 
-void Memory::keep(const Group& group, const Answer& answer, double h) {
+void Memory::keep(const Group& group, const Answer& answer, double h, bool withPulls) {
   if (!announced_) return;
   now_.length = h;
   // By what a group is known when it comes again; one that has neither has no reactions to keep.
@@ -324,16 +325,17 @@ void Memory::keep(const Group& group, const Answer& answer, double h) {
   for (const IslandResult& island : answer.islands)
     if (island.restless >= 0 && group.bodySources[island.restless].rigid)
       now_.restless.push_back(group.bodySources[island.restless].rigid);
-  keepJoints(group, answer);
+  keepJoints(group, answer, withPulls);
   keepTurns(group, answer);
 }
 
-void Memory::keepJoints(const Group& group, const Answer& answer) {
+void Memory::keepJoints(const Group& group, const Answer& answer, bool withPulls) {
   for (const JointSource& joint : group.joints) {
     const auto first = static_cast<int>(now_.rows.size());
     for (int i = 0; i < joint.rowCount; ++i) now_.rows.push_back(answer.rows[joint.firstRow + i]);
-    now_.pulls.push_back({pullOf(group, joint, answer.rows, &Row::jacobianA),
-                          pullOf(group, joint, answer.rows, &Row::jacobianB)});
+    if (withPulls)
+      now_.pulls.push_back({pullOf(group, joint, answer.rows, &Row::jacobianA),
+                            pullOf(group, joint, answer.rows, &Row::jacobianB)});
     Owner& owner = now_.joints.add(ownerOf(joint, writtenImpulse(joint, answer)));
     owner.begin = first;
     owner.end = first + joint.rowCount;

@@ -33,8 +33,8 @@ class Memory {
   /// Forces go on from step to step, and impulses are as long as these: all guesses of `group`, by
   /// whomever, are made those of a step of h, s.
   void fitTimeStep(Group& group, double h) const;
-  /// h: of this step, s.
-  void keep(const Group& group, const Answer& answer, double h);
+  /// h: of this step, s. `withPulls`: those of joints are kept, too, for who asks for them.
+  void keep(const Group& group, const Answer& answer, double h, bool withPulls = false);
 
   std::size_t bytes() const;
 
@@ -92,7 +92,7 @@ class Memory {
     std::vector<Point> points;
     std::vector<Turn> turns;
     std::vector<double> rows;
-    std::vector<Pulls> pulls;  ///< of each joint
+    std::vector<Pulls> pulls;  ///< of each joint; or none
     /// Of each restless island, with a contact if it has any.
     std::vector<const btCollisionObject*> restless;
     void clear();
@@ -101,7 +101,7 @@ class Memory {
   static Owner ownerOf(const PointSource& point);
   static Owner ownerOf(const JointSource& joint, double impulse);
   void recallJoints(Group& group);
-  void keepJoints(const Group& group, const Answer& answer);
+  void keepJoints(const Group& group, const Answer& answer, bool withPulls);
   void recallRestless(Group& group);
   void recallPoints(Group& group, int begin, int end);
   void recallDigits(Group& group, int begin, int end, const Owner& owner) const;

@@ -1,0 +1,147 @@
+/// What split impulse pushes out of each other: exactly, unless it is pinched.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "tests/support/bullet_world.h"
+
+namespace delassus::test {
+namespace {
+
+/// The furthest that a body between a floor and a shelf goes in one of some steps, m: deep in both,
+/// which lean against each other.
+double furthestStep(BulletWorld& world, bool isBall, double lean, double depth) {
+  constexpr double half = 0.25;
+  world.addBox({50, 1, 50}, {0, -1, 0}, 0);
+  const btQuaternion turn({0, 0, 1}, btScalar(lean));
+  const btVector3 up = quatRotate(turn, btVector3(0, 1, 0));
+  const double gap = 2 * (half - depth);
+  world.addBody(std::make_unique<btBoxShape>(btVector3(2, 0.25, 2)),
+                btTransform(turn, btVector3(0, btScalar(gap), 0) + up * btScalar(0.25)), 0);
+  const btVector3 middle(0, btScalar(gap / 2), 0);
+  const btRigidBody& body =
+      isBall ? world.addSphere(half, middle, 1) : world.addBox({half, half, half}, middle, 1);
+  double furthest = 0;
+  for (int step = 0; step < 20; ++step) {
+    const btVector3 before = body.getWorldTransform().getOrigin();
+    world.advance();
+    const double moved = (body.getWorldTransform().getOrigin() - before).length();
+    furthest = std::max(furthest, moved);
+  }
+  return furthest;
+}
+
+// Out of a wedge the exact push is in proportion to 1/lean.
+TEST(Push, WhatIsPinchedIsNotThrown) {
+  constexpr double depth = 0.06, recovery = 0.2 * depth;
+  for (const bool isBall : {true, false})
+    for (const double lean : {0.3, 1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 0.0}) {
+      SCOPED_TRACE(testing::Message() << (isBall ? "ball, lean " : "box, lean ") << lean);
+      DelassusWorld world;
+      EXPECT_LT(furthestStep(world, isBall, lean, depth), 30 * recovery);
+    }
+}
+
+TEST(Push, WhatIsPinchedIsReported) {
+  DelassusWorld pinched;
+  furthestStep(pinched, true, 1e-3, 0.06);
+  EXPECT_EQ(pinched.report().pushSoftened, 1);
+}
+
+// In a plane world, what lies behind a body touches it with a small part of its normal.
+TEST(Push, WhatIsBehindAPlaneWorldThrowsNothing) {
+  for (const double lean : {1e-5, 1e-3, 1e-2}) {
+    SCOPED_TRACE(lean);
+    DelassusWorld world;
+    world.addGround();
+    const btTransform behind(btQuaternion({0, 1, 0}, btScalar(lean)),
+                             {0, btScalar(2.1), btScalar(-0.9)});
+    world.addBody(std::make_unique<btBoxShape>(btVector3(10, 2, 0.5)), behind, 0);
+    btRigidBody& player = world.addBox({0.5, 0.5, 0.5}, {0, 0.5, 0}, 1);
+    player.setLinearFactor({1, 1, 0});
+    player.setAngularFactor(btVector3(0, 0, 1));
+    for (int step = 0; step < 20; ++step) {
+      const btVector3 before = player.getWorldTransform().getOrigin();
+      world.advance();
+      EXPECT_LT((player.getWorldTransform().getOrigin() - before).length(), 30 * 0.2 * 0.1) << step;
+    }
+  }
+}
+
+// Those above go as far as all below them together: exactly, since none slips past the others.
+TEST(Push, StacksThatOverlapArePushedExactly) {
+  constexpr int boxes = 10;
+  constexpr double depth = 0.05;
+  DelassusWorld world;
+  world->setGravity({0, 0, 0});
+  world.addGround();
+  std::vector<btRigidBody*> stack;
+  for (int i = 0; i < boxes; ++i)
+    stack.push_back(&world.addBox({0.5, 0.5, 0.5}, {0, btScalar(0.5 + i - (i + 1) * depth), 0}, 1));
+  world.advance();
+  EXPECT_EQ(world.report().pushSoftened, 0);
+  for (int i = 0; i < boxes; ++i)
+    EXPECT_NEAR(stack[i]->getWorldTransform().getOrigin().y(), 0.5 + i - 0.8 * (i + 1) * depth,
+                tolerance(1e-9, 1e-5))
+        << i;
+}
+
+// A plate that they lift off a post, deep in it as well, leaves it as fast as it must.
+TEST(Push, WhatLeavesIsNoSlip) {
+  constexpr int boxes = 15;
+  constexpr double depth = 0.05;
+  DelassusWorld world;
+  world->setGravity({0, 0, 0});
+  world.addGround();
+  btRigidBody* plate = nullptr;
+  for (int i = 0; i < boxes; ++i)
+    plate = &world.addBox({btScalar(i + 1 < boxes ? 0.5 : 1.5), 0.5, 0.5},
+                          {0, btScalar(0.5 + i - (i + 1) * depth), 0}, 1);
+  const double y = plate->getWorldTransform().getOrigin().y();
+  world.addBox({btScalar(0.1), 1, 0.5}, {btScalar(1.2), btScalar(y - 1.5 + depth), 0}, 0);
+  world.advance();
+  EXPECT_EQ(world.report().pushSoftened, 0);
+  EXPECT_NEAR(plate->getWorldTransform().getOrigin().y() - y, 0.2 * boxes * depth,
+              tolerance(1e-9, 1e-5));
+}
+
+/// What a push does in one step to a cube that leans over and is deep in the ground with an edge.
+struct Pushed {
+  double rise, turn;
+};
+Pushed pushLeaning(BulletWorld& world, double turnErp) {
+  constexpr double lean = 0.1;
+  world->setGravity({0, 0, 0});
+  world.info().m_splitImpulseTurnErp = btScalar(turnErp);
+  world.addGround();
+  const btTransform start(btQuaternion({0, 0, 1}, btScalar(lean)), {0, btScalar(0.46), 0});
+  btRigidBody& cube =
+      world.addBody(std::make_unique<btBoxShape>(btVector3(0.5, 0.5, 0.5)), start, 1);
+  world.advance();
+  EXPECT_NEAR(cube.getAngularVelocity().length(), 0, 1e-6) << "it leaves no velocity";
+  const btTransform& pose = cube.getWorldTransform();
+  const btVector3 side = pose.getBasis().getColumn(0);
+  return {pose.getOrigin().y() - start.getOrigin().y(), std::atan2(side.y(), side.x()) - lean};
+}
+
+TEST(Parity, Row11PushTurnsByItsShare) {
+  DelassusWorld whole;
+  const Pushed all = pushLeaning(whole, 1);
+  EXPECT_GT(std::abs(all.turn), 1e-3);
+  for (const double share : {0.0, 0.1, 0.5}) {
+    DelassusWorld ours;
+    StockWorld stock;
+    const Pushed a = pushLeaning(ours, share), b = pushLeaning(stock, share);
+    EXPECT_NEAR(a.turn, share * all.turn, tolerance(1e-12, 2e-5)) << share;
+    EXPECT_NEAR(a.rise, all.rise, tolerance(1e-12, 2e-5));
+    EXPECT_NEAR(a.turn, b.turn, tolerance(1e-9, 2e-5));
+    EXPECT_NEAR(a.rise, b.rise, tolerance(1e-9, 2e-5));
+  }
+}
+
+}  // namespace
+}  // namespace delassus::test
