@@ -21,7 +21,12 @@ struct Options {
   /// work everywhere. Work in a patch of an island counts by its share of what the island costs. 0
   /// or less is none, as for all budgets; what has a formula (one contact, one row) takes its
   /// region all the same.
-  int newtonBudget = 1800;
+  int newtonBudget = 14400;
+  /// No more than these, unless what is left is still getting less (ProximalWalk::walkOn).
+  int regionsInVain() const {
+    constexpr int enough = 1800;
+    return std::min(newtonBudget, std::max(enough, newtonBudget / 8));
+  }
   /// Most block Gauss-Seidel sweeps, alternations, and steps on few contacts without their joints
   /// (condensed_newton.h), per island. Who allows few of them is in a hurry (isHurried): where
   /// joints leave few contacts (and there are ten sweeps or more) these are solved at once for one

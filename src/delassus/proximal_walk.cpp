@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "delassus/options.h"
 #include "delassus/proximal_weight.h"
@@ -9,6 +10,11 @@
 #include "delassus/wall.h"
 
 namespace delassus {
+namespace {
+
+constexpr int endless = std::numeric_limits<int>::max();  ///< patience
+
+}  // namespace
 
 template <class Motion>
 ProximalWalk<Motion>::ProximalWalk(ProximalSpace<Motion>& space)
@@ -176,11 +182,19 @@ Outcome ProximalWalk<Motion>::walk(double tolerance, double alpha, int regionBud
 }
 
 template <class Motion>
+Outcome ProximalWalk<Motion>::walkOn(double tolerance, double alpha, int patience, int regionBudget,
+                                     Solution& best) {
+  center_ = best.r;
+  u_ = best.u;
+  return converge(tolerance, alpha, patience, regionBudget, false, best.residual, best);
+}
+
+template <class Motion>
 Outcome ProximalWalk<Motion>::walkFrom(const Solution& start, double tolerance, double alpha,
                                        int regionBudget, Solution& best) {
   center_ = start.r;
   u_ = start.u;
-  return converge(tolerance, alpha, regionBudget, false, start.residual, best);
+  return converge(tolerance, alpha, endless, regionBudget, false, start.residual, best);
 }
 
 template <class Motion>
@@ -189,7 +203,7 @@ Outcome ProximalWalk<Motion>::walkFromRegion(double tolerance, double alpha, int
   center_.setZero(problem().size());
   u_ = problem().q;
   constexpr double unknown = infinity;
-  return converge(tolerance, alpha, regionBudget, true, unknown, best);
+  return converge(tolerance, alpha, endless, regionBudget, true, unknown, best);
 }
 
 /// r_ is the next center, and the best answer if its residual is the smallest.
@@ -214,19 +228,22 @@ void ProximalWalk<Motion>::polish(double tolerance, double alpha, int regionBudg
 
 /// From the reactions center_ with the natural residual `residual`.
 template <class Motion>
-Outcome ProximalWalk<Motion>::converge(double tolerance, double firstWeight, int regionBudget,
-                                       bool fromRegion, double residual, Solution& best) {
+Outcome ProximalWalk<Motion>::converge(double tolerance, double firstWeight, int patience,
+                                       int regionBudget, bool fromRegion, double residual,
+                                       Solution& best) {
   constexpr double smallest = 1e-12, largest = 10, hardly = 1e-7;
   // Shares of the residual. A step that leaves more than `slow` asks for a smaller weight; more
   // than `tooSlow`, and no digits come by themselves; more than `atItsEnd` with the smallest
   // weight, and nothing more is to come; `stuck`: reactions may grow in vain.
   constexpr double slow = 1e-2, tooSlow = 0.3, atItsEnd = 0.1, stuck = 0.5;
   constexpr int easyRegions = 6;    // an outer step of no more came easily
-  constexpr int mostOuters = 1000;  // budgets end before, unless steps take no regions
+  constexpr int mostIdle = 1000;    // steps that take no regions
   setTolerance(tolerance);
   r_ = center_;
   ProximalWeight alpha(firstWeight, smallest, largest);
-  for (int outer = 0; outer < mostOuters; ++outer) {
+  double halved = infinity;  // root mean square of the residual, m/s
+  int halvedAt = regionBudget, idle = 0;
+  for (int outer = 0; idle < mostIdle && halvedAt - regionBudget < patience; ++outer) {
     setWeights(alpha.value());
     const int regionsBefore = regionBudget;
     const Solution* region = fromRegion && outer == 0 ? &best : nullptr;
@@ -239,6 +256,7 @@ Outcome ProximalWalk<Motion>::converge(double tolerance, double firstWeight, int
       continue;
     }
     alpha.learn(regionsBefore - regionBudget <= easyRegions);
+    if (regionsBefore == regionBudget) ++idle;
     const VelocityResidual measured = measure();
     const double now = measured.max;
     if (now > std::max(stuck * residual, tolerance) && alpha.value() <= hardly &&
@@ -247,6 +265,10 @@ Outcome ProximalWalk<Motion>::converge(double tolerance, double firstWeight, int
       return Outcome::Incompatible;
     }
     moveTo(measured, best);
+    if (measured.rms <= 0.5 * halved) {
+      halved = measured.rms;
+      halvedAt = regionBudget;
+    }
     // Some digits more if they come by themselves: then the next step may stand on these reactions.
     const double aim = now > tooSlow * residual ? tolerance : polishedShare * tolerance;
     if (now <= std::max(aim, space_.map().roundOff(center_))) return Outcome::Reached;

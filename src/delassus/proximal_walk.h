@@ -27,6 +27,10 @@ class ProximalWalk {
   /// demands ask.
   Outcome walk(double tolerance, double alpha, int regionBudget, Solution& best);
 
+  /// The same for as long as it gains: until the root mean square of the residual has not halved
+  /// for `patience` regions. What masses that differ by millions leave goes that slowly, and goes.
+  Outcome walkOn(double tolerance, double alpha, int patience, int regionBudget, Solution& best);
+
   /// The same from other reactions than the best: `start` gives r, u and the residual.
   Outcome walkFrom(const Solution& start, double tolerance, double alpha, int regionBudget,
                    Solution& best);
@@ -55,8 +59,8 @@ class ProximalWalk {
   bool stepAlong(double& error);
   double nextWallAlong(double after) const;
   Inner solveProximal(int& budget, Solution& count, const Solution* region);
-  Outcome converge(double tolerance, double firstWeight, int regionBudget, bool fromRegion,
-                   double residual, Solution& best);
+  Outcome converge(double tolerance, double firstWeight, int patience, int regionBudget,
+                   bool fromRegion, double residual, Solution& best);
   VelocityResidual measure() { return space_.measure(r_, trialU_); }
   void moveTo(const VelocityResidual& residual, Solution& best);
   const VectorXd& felt();

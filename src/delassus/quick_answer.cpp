@@ -185,7 +185,7 @@ bool QuickAnswer::walk() {
   NaturalMap map;
   map.setProblem(problem_, std::move(blocks), sizes);
   if (!fitsDenseNewton(problem_, map)) return false;
-  if (!DenseNewton<fewUnknowns>().solve(problem_, map, tolerance_, options_.newtonBudget,
+  if (!DenseNewton<fewUnknowns>().solve(problem_, map, tolerance_, options_.regionsInVain(),
                                         firstGains_ ? Start::Best : Start::Rest, best_))
     return false;
   readActiveSet(problem_, map.diagonal(), best_.r, best_.u, best_.activeSet);

@@ -76,7 +76,7 @@ void Search::allow(Solution& best) {
 Outcome Search::pivotRows(const Task& task, Solution& best) {
   if (isTooLargeToFactor(*problem_)) return Outcome::Lost;
   const PivotResult result = pivot(problem_->W.dense(), problem_->q, problem_->lower,
-                                   problem_->upper, task.options.newtonBudget);
+                                   problem_->upper, task.regionsLeft(best));
   best.regions += result.regions;
   best.factorisations += result.factorisations;
   trial_.r = result.r;
@@ -146,7 +146,7 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Task& task, Solution& 
   if (task.guess) {
     // The rest is for the walk from nothing.
     Task share = task;
-    share.options.newtonBudget -= task.options.newtonBudget / 8 * 3;
+    share.reserved = task.options.regionsInVain() / 8 * 3;
     share.options.sweepBudget -= task.options.sweepBudget / 2;
     outcome = walkOnce(engines, share, best);
     if (outcome == Outcome::Lost && isLargeHeap(*problem_)) {

@@ -31,14 +31,16 @@ struct Task {
   Options options;        ///< the budgets, of all that `best` counts
   double tolerance;       ///< natural residual to reach, m/s
   const VectorXd* guess;  ///< reactions of a last step; null: there are none
+  int reserved = 0;       ///< regions for who comes later
 
+  /// Of those that may gain nothing.
   int regionsLeft(const Solution& best, int most = std::numeric_limits<int>::max()) const {
-    return std::min(most, options.newtonBudget - best.regions);
+    return std::min(most, options.regionsInVain() - reserved - best.regions);
   }
   int sweepsLeft(const Solution& best, int most = std::numeric_limits<int>::max()) const {
     return std::min(most, options.sweepBudget - best.sweeps);
   }
-  Task fromNothing() const { return {options, tolerance, nullptr}; }
+  Task fromNothing() const { return {options, tolerance, nullptr, reserved}; }
 };
 
 /// The search for the reactions of one problem after the other: by sweeps, by patches, from region

@@ -51,11 +51,12 @@ bool isOutlasted(const Problem& problem, const VectorXd& start) {
   return true;
 }
 
-/// That of some heaps, in some, the path finds what nothing else does.
+/// That of some heaps, in some, the path finds what nothing else does, but for long walks.
 void expectHardened(const std::vector<PileIsland>& heaps) {
   int hardened = 0;
   for (const PileIsland& heap : heaps) {
     Options options;
+    options.newtonBudget = options.regionsInVain();
     const VectorXd start = sweptReactions(heap.problem);
     const Solution solution = Solver(options).solve(heap.problem, start);
     if (solution.status != Status::Solved) continue;

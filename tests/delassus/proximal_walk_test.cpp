@@ -25,6 +25,9 @@ class Walk {
   Outcome walk(Solution& best, double alpha = 1e-2, int budget = 200) {
     return walk_.walk(tolerance_, alpha, budget, best);
   }
+  Outcome walkOn(Solution& best, int patience, int budget) {
+    return walk_.walkOn(tolerance_, 1e-1, patience, budget, best);
+  }
   Outcome walkFromRegion(Solution& best, double alpha = 1e-6) {
     return walk_.walkFromRegion(tolerance_, alpha, 200, best);
   }
@@ -184,6 +187,25 @@ TEST(ProximalWalk, NeverReturnsAWorseAnswerThanItWasGiven) {
 }
 
 // One object for many islands: nothing of the last one shows.
+// Masses of one and ten thousand kg: it takes more than 200 regions, each of which gains a little.
+TEST(ProximalWalk, GoesOnAsLongAsItGains) {
+  Random random(70);
+  for (int k = 0; k < 5; ++k) {
+    const PileIsland pile(makePyramid(4, 0.4, 0.3, 1e4, random));
+    BodyWalk walk(pile.problem);
+    Solution patient = walk.atRest(), hasty = walk.atRest(), poor = walk.atRest();
+    EXPECT_EQ(walk.walkOn(patient, 400, 10000), Outcome::Reached);
+    EXPECT_GT(patient.regions, 100);
+
+    // And no longer than the patience and what is left of an inner solve.
+    EXPECT_EQ(walk.walkOn(hasty, 10, 10000), Outcome::Lost);
+    EXPECT_GE(hasty.regions, 10);
+    EXPECT_LT(hasty.regions, patient.regions);
+    EXPECT_EQ(walk.walkOn(poor, 400, 50), Outcome::Lost);
+    EXPECT_EQ(poor.regions, 50);
+  }
+}
+
 TEST(ProximalWalk, HasNoMemory) {
   Random random(69);
   const PileIsland large = smoothTower(5, 10, random), small = smoothTower(2, 10, random);

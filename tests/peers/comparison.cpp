@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "tests/peers/measured.h"
-#include "tests/peers/ours.h"
 
 namespace delassus::peers {
 
@@ -101,8 +100,9 @@ std::vector<std::optional<double>> takeTurns(const Problem& problem,
 
 }  // namespace
 
-Comparison compare(const Problem& problem, const std::vector<Peer>& peers,
-                   const Conditions& conditions) {
+Comparison compare(const Problem& problem,
+                   const std::function<Contestant(double ownTolerance)>& with,
+                   const std::vector<Peer>& peers, const Conditions& conditions) {
   std::vector<Candidate> candidates;
   for (const Peer& peer : peers)
     if (const auto found = findStorage(problem, peer, conditions)) candidates.push_back(*found);
@@ -114,7 +114,7 @@ Comparison compare(const Problem& problem, const std::vector<Peer>& peers,
 
   const std::vector<Candidate> finalists = chooseFinalists(std::move(candidates));
   const std::optional<Candidate> own =
-      findTolerance(problem, "delassus", ours, conditions.tolerance, conditions.secondsLimit)
+      findTolerance(problem, "delassus", with, conditions.tolerance, conditions.secondsLimit)
           .candidate;
   std::vector<Contestant> contestants;
   if (own) contestants.push_back(own->contestant);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,7 +31,9 @@ struct Comparison {
   bool faster() const { return ours && (!best || *ours < best->seconds); }
 };
 
-Comparison compare(const Problem& problem, const std::vector<Peer>& peers,
-                   const Conditions& conditions);
+/// `with`: our solver with a tolerance of its own.
+Comparison compare(const Problem& problem,
+                   const std::function<Contestant(double ownTolerance)>& with,
+                   const std::vector<Peer>& peers, const Conditions& conditions);
 
 }  // namespace delassus::peers

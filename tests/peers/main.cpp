@@ -1,5 +1,5 @@
-/// `delassus solve` beside the best general friction solvers of others, on problem files. From the
-/// root of the project:
+/// `delassus solve` beside the best general friction solvers of others, on problem files, or (with
+/// `--piles`) on piles of light and heavy boxes. From the root of the project:
 ///
 ///     bash .ci/setup.sh peers && cmake --preset peers && cmake --build --preset peers
 ///     taskset -c 1 build-peers/tests/peers/delassus_peers ../shared/problems
@@ -22,14 +22,18 @@
 #include "demos/command.h"
 #include "demos/number_checks.h"
 #include "demos/process/interrupt.h"
+#include "tests/peers/mixed_piles.h"
+#include "tests/peers/ours.h"
 #include "tests/peers/page.h"
 #include "tests/peers/siconos.h"
+#include "tests/support/random_piles.h"
 
 namespace delassus::peers {
 
 namespace {
 
 struct Arguments {
+  bool piles = false;
   std::string folder = "../shared/problems";
   Conditions conditions;
   std::string out;
@@ -49,6 +53,23 @@ std::vector<Problem> readProblems(const std::string& folder) {
     return std::make_pair(a.contacts(), a.name) < std::make_pair(b.contacts(), b.name);
   });
   return problems;
+}
+
+/// A problem, and our solver for it.
+struct Subject {
+  Problem problem;
+  std::function<Contestant(double ownTolerance)> ours;
+};
+
+std::vector<Subject> subjectsOf(const Arguments& arguments) {
+  std::vector<Subject> subjects;
+  if (arguments.piles)
+    for (const Problem& pile : mixedPiles())
+      subjects.push_back({test::withEntries(pile), [pile](double own) { return oursOn(pile, own); }});
+  else
+    for (Problem& problem : readProblems(arguments.folder))
+      subjects.push_back({std::move(problem), ours});
+  return subjects;
 }
 
 /// What is said goes to standard output, and to a file if one is named.
@@ -71,17 +92,17 @@ class Page {
 };
 
 void comparePeers(const Arguments& arguments) {
-  const std::vector<Problem> problems = readProblems(arguments.folder);
+  const std::vector<Subject> subjects = subjectsOf(arguments);
   const std::vector<Peer> peers = siconosSolvers();
   Page page(arguments.out);
   const demos::InterruptWatch watch;
   useOneThread();
 
-  page.say(preface());
+  page.say(arguments.piles ? prefaceOfPiles() : prefaceOfFiles());
   page.say(tableHeading(int(peers.size())));
   std::vector<Comparison> comparisons;
-  for (const Problem& problem : problems) {
-    comparisons.push_back(compare(problem, peers, arguments.conditions));
+  for (const auto& [problem, with] : subjects) {
+    comparisons.push_back(compare(problem, with, peers, arguments.conditions));
     page.say(tableRow(comparisons.back()));
   }
   page.say("\n" + summary(comparisons, arguments.conditions));
@@ -95,6 +116,8 @@ int run(int argc, char** argv) {
       ->check(CLI::ExistingDirectory)
       ->type_name("PROBLEMS_DIR")
       ->capture_default_str();
+  app.add_flag("--piles", arguments.piles,
+               "piles of light and heavy boxes, and no files (quarter of an hour)");
   app.add_option("--tolerance", arguments.conditions.tolerance,
                  "what both rel and vel have to reach")
       ->check(demos::greaterThanZero)

@@ -28,4 +28,8 @@ Contestant ours(double ownTolerance) {
   };
 }
 
+Contestant oursOn(const Problem& own, double ownTolerance) {
+  return [own, with = ours(ownTolerance)](const Problem&) { return with(own); };
+}
+
 }  // namespace delassus::peers

@@ -21,7 +21,7 @@ std::string bold(const std::string& words) { return "**" + words + "**"; }
 
 }  // namespace
 
-std::string preface() {
+std::string prefaceOfFiles() {
   return R"(# Problem files, beside the solvers of others
 
     bash .ci/setup.sh peers && cmake --preset peers && cmake --build --preset peers
@@ -30,6 +30,20 @@ std::string preface() {
 Frictional contact problems of other people's simulators, with W as entries: `delassus solve` and the seven general solvers of
 Siconos 4.4 (NSGS, NSN_AC, NSN_FB, ADMM, PROX, FPP, VI_EG), cold and in turn, each with the tolerance of its own, and the
 peers in the storage of W, that make it fastest. Milliseconds of one processor: quote the ratios.
+
+)";
+}
+
+std::string prefaceOfPiles() {
+  return R"(# Piles of light and heavy boxes, beside the solvers of others
+
+    bash .ci/setup.sh peers && cmake --preset peers && cmake --build --preset peers
+    taskset -c 1 build-peers/tests/peers/delassus_peers --piles --out renders/report/piles.md
+
+Square pyramids of boxes, every other layer a thousand or a million times as heavy, friction 0.4, all boxes moving and turning
+at up to 0.3 m/s and rad/s on top of what gravity adds in a step of 1/60 s: a step of an earthquake, from no reactions.
+`delassus::solve` in the motion of the bodies, as in worlds, and the seven general solvers of Siconos 4.4 (NSGS, NSN_AC, NSN_FB,
+ADMM, PROX, FPP, VI_EG) on the entries of W; all else as in [the page of problem files](peers.md).
 
 )";
 }

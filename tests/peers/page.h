@@ -8,7 +8,8 @@
 namespace delassus::peers {
 
 /// What is compared, how, and by which command.
-std::string preface();
+std::string prefaceOfFiles();
+std::string prefaceOfPiles();
 
 /// The comparisons as a table of Markdown, line by line, so that it can be watched as it grows.
 std::string tableHeading(int peers);
