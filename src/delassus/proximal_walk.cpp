@@ -236,12 +236,12 @@ Outcome ProximalWalk<Motion>::converge(double tolerance, double firstWeight, int
   // than `tooSlow`, and no digits come by themselves; more than `atItsEnd` with the smallest
   // weight, and nothing more is to come; `stuck`: reactions may grow in vain.
   constexpr double slow = 1e-2, tooSlow = 0.3, atItsEnd = 0.1, stuck = 0.5;
-  constexpr int easyRegions = 6;    // an outer step of no more came easily
-  constexpr int mostIdle = 1000;    // steps that take no regions
+  constexpr int easyRegions = 6;  // an outer step of no more came easily
+  constexpr int mostIdle = 1000;  // outer steps that take no regions, which no budget ends
   setTolerance(tolerance);
   r_ = center_;
   ProximalWeight alpha(firstWeight, smallest, largest);
-  double halved = infinity;  // root mean square of the residual, m/s
+  double toHalve = infinity;  // root mean square of the residual, m/s
   int halvedAt = regionBudget, idle = 0;
   for (int outer = 0; idle < mostIdle && halvedAt - regionBudget < patience; ++outer) {
     setWeights(alpha.value());
@@ -265,8 +265,8 @@ Outcome ProximalWalk<Motion>::converge(double tolerance, double firstWeight, int
       return Outcome::Incompatible;
     }
     moveTo(measured, best);
-    if (measured.rms <= 0.5 * halved) {
-      halved = measured.rms;
+    if (measured.rms <= 0.5 * toHalve) {
+      toHalve = measured.rms;
       halvedAt = regionBudget;
     }
     // Some digits more if they come by themselves: then the next step may stand on these reactions.
@@ -274,11 +274,11 @@ Outcome ProximalWalk<Motion>::converge(double tolerance, double firstWeight, int
     if (now <= std::max(aim, space_.map().roundOff(center_))) return Outcome::Reached;
     // A region that is known needs a small weight to finish; one that still changes needs a larger
     // one.
-    if (now > atItsEnd * residual && alpha.isLeast()) return Outcome::Lost;
+    if (now > atItsEnd * residual && alpha.isLeast()) break;
     if (now > slow * residual) alpha.shrink();
     residual = now;
   }
-  return Outcome::Lost;
+  return best.residual <= tolerance ? Outcome::Reached : Outcome::Lost;
 }
 
 template class ProximalWalk<BodyMotion>;

@@ -27,8 +27,8 @@ class ProximalWalk {
   /// demands ask.
   Outcome walk(double tolerance, double alpha, int regionBudget, Solution& best);
 
-  /// The same for as long as it gains: until the root mean square of the residual has not halved
-  /// for `patience` regions. What masses that differ by millions leave goes that slowly, and goes.
+  /// The same for as long as it gains: it ends where the root mean square of the residual has not
+  /// halved for `patience` regions. Between light and heavy bodies errors go that slowly, and go.
   Outcome walkOn(double tolerance, double alpha, int patience, int regionBudget, Solution& best);
 
   /// The same from other reactions than the best: `start` gives r, u and the residual.

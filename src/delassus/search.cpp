@@ -107,7 +107,7 @@ Outcome Search::pivotRows(const Task& task, Solution& best) {
 ///   - in large heaps plain sweeps, to outlast what hurried ones run past;
 ///   - a proof that nothing can meet the demands; a second walk, but in large islands, as bold as
 ///     what the first has left allows; an interior point, which comes down between the walls; a
-///     longer walk from there; and `wander`.
+///     walk from there that goes on as long as it gains; and `wander`.
 template <class Motion>
 Outcome Search::walkOnce(Engines<Motion>& engines, const Task& task, Solution& best) {
   engines.space.setProblem(*problem_, map_);

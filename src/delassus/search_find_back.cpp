@@ -9,7 +9,7 @@ namespace delassus {
 
 template <class Motion>
 Outcome Search::findBack(Engines<Motion>& engines, const Task& task, Solution& best) {
-  constexpr int proof = 90, interiorSteps = 40, inPile = 1000;
+  constexpr int proof = 90, interiorSteps = 40, longInPiles = 1000;
   const bool isSmall = !isLargeHeap(*problem_) && !isLargePile(*problem_);
   if (task.regionsLeft(best) <= 0) return Outcome::Lost;
   if (compromise(engines, task.tolerance, task.regionsLeft(best, proof), best))
@@ -23,7 +23,7 @@ Outcome Search::findBack(Engines<Motion>& engines, const Task& task, Solution& b
   if (engines.interior.solve(engines.space.lendMotion(), *problem_, map_, task.tolerance,
                              task.regionsLeft(best, interiorSteps), best))
     return Outcome::Reached;
-  const int patience = isLargePile(*problem_) ? inPile : longWalk;
+  const int patience = isLargePile(*problem_) ? longInPiles : longWalk;
   outcome = engines.walk.walkOn(task.tolerance, firstWeight(best, leastAfar),
                                 task.regionsLeft(best, patience),
                                 task.options.newtonBudget - best.regions, best);

@@ -65,7 +65,8 @@ std::vector<Subject> subjectsOf(const Arguments& arguments) {
   std::vector<Subject> subjects;
   if (arguments.piles)
     for (const Problem& pile : mixedPiles())
-      subjects.push_back({test::withEntries(pile), [pile](double own) { return oursOn(pile, own); }});
+      subjects.push_back(
+          {test::withEntries(pile), [pile](double own) { return oursOn(pile, own); }});
   else
     for (Problem& problem : readProblems(arguments.folder))
       subjects.push_back({std::move(problem), ours});

@@ -14,8 +14,8 @@ std::vector<Problem> mixedPiles() {
       Random random(layers);
       const test::PileIsland island(test::makePyramid(layers, friction, speed, ratio, random));
       piles.push_back(island.problem);
-      piles.back().name = std::to_string(island.pile.bodies.size()) + " boxes, 1 : " +
-                          (ratio > 1e4 ? "1e6" : "1e3");
+      piles.back().name = std::to_string(island.pile.bodies.size()) +
+                          " boxes, 1 : " + (ratio > 1e4 ? "1e6" : "1e3");
     }
   return piles;
 }

@@ -1,129 +1,129 @@
 # Draws pyramid.svg and pyramid.png: gnuplot pyramid.gp
 $line0_0 << EOD
-4 5.4445 4 4
-16 43.7877 16 16
-64 53.8963 64 64
-256 931.202 256 256
-1024 1127.37 1024 1024
-4096 1922.43 4096 4096
+4 2.792 4 4
+16 21.2326 16 16
+64 66.5958 64 64
+256 265.485 256 256
+1024 814.828 1024 1024
+4096 2410.99 4096 4096
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 3.03875 4 4
-16 30.3229 16 16
-64 32.1865 64 64
-256 24.5743 256 256
-1024 172.25 1024 1024
-4096 1134.84 4096 4096
+4 1.52875 4 4
+16 15.7925 16 16
+64 30.0296 64 64
+256 19.7613 256 256
+1024 103.128 1024 1024
+4096 729.483 4096 4096
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.75325 4 4
-16 0.666875 16 16
-64 0.663578 64 64
-256 0.484875 256 256
-1024 0.541695 1024 1024
-4096 0.723421 4096 4096
-15876 1.00316 15876 15876
-40000 1.20454 40000 40000
+4 0.4055 4 4
+16 0.358938 16 16
+64 1.11313 64 64
+256 0.389352 256 256
+1024 0.456127 1024 1024
+4096 0.525008 4096 4096
+15876 0.914925 15876 15876
+40000 1.01799 40000 40000
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 5.05975 4 4
-16 4.70694 16 16
-64 4.58002 64 64
-256 5.62871 256 256
-1024 3.71304 1024 1024
-4096 5.44796 4096 4096
-15876 6.57913 15876 15876
-40000 6.05988 40000 40000
+4 2.7415 4 4
+16 3.35313 16 16
+64 7.01134 64 64
+256 2.88608 256 256
+1024 3.38498 1024 1024
+4096 3.32355 4096 4096
+15876 5.14315 15876 15876
+40000 6.27043 40000 40000
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.91475 4 4
-16 0.869437 16 16
-64 0.867312 64 64
-256 0.637957 256 256
-1024 0.764309 1024 1024
-4096 1.05269 4096 4096
-15876 1.29243 15876 15876
-40000 1.69546 40000 40000
+4 0.47225 4 4
+16 0.548687 16 16
+64 1.02517 64 64
+256 0.500617 256 256
+1024 0.602134 1024 1024
+4096 0.637947 4096 4096
+15876 1.14236 15876 15876
+40000 1.03714 40000 40000
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 2.34 4 4
-16 3.85706 16 16
-64 7.46372 64 64
-256 15.3262 256 256
-1024 105.359 1024 1024
-4096 349.895 4096 4096
+4 1.32675 4 4
+16 1.87675 16 16
+64 6.62875 64 64
+256 8.91999 256 256
+1024 73.5507 1024 1024
+4096 275.222 4096 4096
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 1.7915 4 4
-16 2.39413 16 16
-64 16.6572 64 64
+4 0.81675 4 4
+16 1.02438 16 16
+64 13.3767 64 64
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 1.86175 4 4
-16 2.25125 16 16
-64 13.1394 64 64
-256 337.959 256 256
-1024 8287.52 1024 1024
+4 0.79475 4 4
+16 1.12475 16 16
+64 8.96506 64 64
+256 235.204 256 256
+1024 6443.67 1024 1024
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-4 16.1187 4 4
+4 7.37775 4 4
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-256 2.0521 256 256
-1024 4.84966 1024 1024
-4096 16.3512 4096 4096
+256 2.02342 256 256
+1024 4.32128 1024 1024
+4096 13.9674 4096 4096
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-1024 4.62029 1024 1024
-4096 16.257 4096 4096
+1024 4.1943 1024 1024
+4096 13.8035 4096 4096
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4096 5.31251 4096 4096
-15876 20.222 15876 15876
-40000 68.8906 40000 40000
+4096 4.67763 4096 4096
+15876 14.295 15876 15876
+40000 68.8333 40000 40000
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4096 5.31251 4096 4096
-15876 20.222 15876 15876
-40000 68.8906 40000 40000
+4096 4.67763 4096 4096
+15876 14.295 15876 15876
+40000 68.8333 40000 40000
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4096 5.43949 4096 4096
-15876 20.5988 15876 15876
-40000 68.9152 40000 40000
+4096 4.7063 4096 4096
+15876 14.508 15876 15876
+40000 69.0176 40000 40000
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-256 5.09542 256 256
-1024 70.0908 1024 1024
-4096 1085.37 4096 4096
+256 5.10771 256 256
+1024 69.9187 1024 1024
+4096 1084.42 4096 4096
 EOD
 $marks1_5 << EOD
 EOD
@@ -132,8 +132,8 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-256 9.3143 256 256
-1024 137.069 1024 1024
+256 9.15866 256 256
+1024 136.11 1024 1024
 EOD
 $marks1_7 << EOD
 EOD
@@ -165,22 +165,22 @@ set logscale y
 set ytics 10 nomirror
 set mytics
 set format y "10^{%T}"
-set yrange [0.1:100000]
+set yrange [0.1:10000]
 set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.180137 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.228157 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.297077 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.076027, graph 0.449354 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.0566038, graph 0.367889 to graph 0.076027, graph 0.449354 nohead lw 0.6 lc rgb '#999999'
-set label "dantzig" at graph 0.304914, graph 0.253887 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.285491, graph 0.370267 to graph 0.304914, graph 0.253887 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:10" at graph 0.648245, graph 0.590656 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.648245, graph 0.675822 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.648245, graph 0.725613 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.533801, graph 0.819737 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.836374, graph 0.201548 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.684225, graph 0.238081 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.359459 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.076027, graph 0.466688 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.0566038, graph 0.373585 to graph 0.076027, graph 0.466688 nohead lw 0.6 lc rgb '#999999'
+set label "dantzig" at graph 0.152765, graph 0.576563 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.285491, graph 0.42527 to graph 0.266068, graph 0.576563 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:10" at graph 0.648245, graph 0.687937 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.648245, graph 0.772603 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.648245, graph 0.876439 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.533801, graph 0.961827 left front noenhanced textcolor rgb '#555555'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -228,14 +228,14 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.244093, graph 0.314398 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.493358, graph 0.315026 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.836374, graph 0.45954 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.471178 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.50613 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.459579 to graph 0.836374, graph 0.50613 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig:1e-6" at graph 0.0516134, graph 0.534234 left front noenhanced textcolor rgb '#555555'
-set label "pgs:10" at graph 0.493358, graph 0.758895 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.244093, graph 0.308273 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.493358, graph 0.286279 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.45945 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.45945 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.506292 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.45974 to graph 0.836374, graph 0.506292 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.0516134, graph 0.533473 left front noenhanced textcolor rgb '#555555'
+set label "pgs:10" at graph 0.493358, graph 0.758799 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \

@@ -1,80 +1,80 @@
 # Draws wall.svg and wall.png: gnuplot wall.gp
 $line0_0 << EOD
-4 4.493 4 4
-8 4.36275 8 8
-44 45.8004 44 44
-240 837.197 240 240
-992 1274.73 992 992
-4156 1415.2 4156 4156
+4 2.24525 4 4
+8 2.47663 8 8
+44 24.0599 44 44
+240 190.47 240 240
+992 944.532 992 992
+4156 1820.62 4156 4156
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 2.88575 4 4
-8 3.1705 8 8
-44 29.5531 44 44
-240 28.5723 240 240
-992 29.2099 992 992
-4156 438.759 4156 4156
+4 1.6925 4 4
+8 1.60075 8 8
+44 15.2443 44 44
+240 17.3423 240 240
+992 17.6364 992 992
+4156 316.796 4156 4156
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.799 4 4
-8 0.669375 8 8
-44 0.711909 44 44
-240 0.717137 240 240
-992 0.677624 992 992
-4156 0.776566 4156 4156
-17032 0.84161 17032 17032
-42644 1.03347 42644 42644
+4 0.40275 4 4
+8 0.367 8 8
+44 0.366795 44 44
+240 0.422883 240 240
+992 0.410773 992 992
+4156 0.608525 4156 4156
+17032 0.767676 17032 17032
+42644 1.02229 42644 42644
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 4.7905 4 4
-8 4.63462 8 8
-44 4.72334 44 44
-240 5.18061 240 240
-992 4.72282 992 992
-4156 5.00936 4156 4156
-17032 5.42081 17032 17032
-42644 6.4484 42644 42644
+4 2.81475 4 4
+8 2.54062 8 8
+44 2.55827 44 44
+240 3.01222 240 240
+992 3.03799 992 992
+4156 4.96075 4156 4156
+17032 5.39039 17032 17032
+42644 6.94359 42644 42644
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.88775 4 4
-8 0.82225 8 8
-44 0.876795 44 44
-240 0.899112 240 240
-992 1.146 992 992
-4156 0.814436 4156 4156
-17032 1.21882 17032 17032
-42644 1.3388 42644 42644
+4 0.51875 4 4
+8 0.454125 8 8
+44 0.521159 44 44
+240 0.531762 240 240
+992 0.547949 992 992
+4156 0.880542 4156 4156
+17032 1.0312 17032 17032
+42644 1.36928 42644 42644
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 2.3405 4 4
-8 1.98975 8 8
-44 5.77857 44 44
-240 15.6092 240 240
-992 71.6691 992 992
-4156 332.889 4156 4156
+4 1.07725 4 4
+8 1.14062 8 8
+44 2.58073 44 44
+240 7.68535 240 240
+992 43.7416 992 992
+4156 323.122 4156 4156
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 1.5815 4 4
+4 1.21825 4 4
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 1.41 4 4
-8 1.60787 8 8
-44 7.63005 44 44
-240 255.127 240 240
+4 0.703 4 4
+8 0.81625 8 8
+44 2.72795 44 44
+240 194.009 240 240
 EOD
 $marks0_7 << EOD
 EOD
@@ -83,42 +83,42 @@ EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-992 4.62029 992 992
-4156 16.6011 4156 4156
+992 4.11648 992 992
+4156 13.9223 4156 4156
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-992 3.50208 992 992
-4156 14.0657 4156 4156
+992 3.35053 992 992
+4156 13.652 4156 4156
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4156 9.95328 4156 4156
-17032 33.1612 17032 17032
-42644 73.6829 42644 42644
+4156 8.77363 4156 4156
+17032 29.6346 17032 17032
+42644 68.9848 42644 42644
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4156 9.95328 4156 4156
-17032 33.1612 17032 17032
-42644 73.6829 42644 42644
+4156 8.77363 4156 4156
+17032 29.5567 17032 17032
+42644 68.9848 42644 42644
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4156 10.0803 4156 4156
-17032 33.4275 17032 17032
-42644 73.7812 42644 42644
+4156 8.82278 4156 4156
+17032 29.6919 17032 17032
+42644 69.2838 42644 42644
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-240 4.46464 240 240
-992 65.7326 992 992
-4156 1119.82 4156 4156
+240 4.53837 240 240
+992 65.7449 992 992
+4156 1118.57 4156 4156
 EOD
 $marks1_5 << EOD
 EOD
@@ -127,7 +127,7 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-240 8.16742 240 240
+240 8.09779 240 240
 EOD
 $marks1_7 << EOD
 EOD
@@ -164,15 +164,15 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.202859 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.684225, graph 0.248619 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig" at graph 0.076027, graph 0.135072 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.239814 to graph 0.076027, graph 0.135072 nohead lw 0.6 lc rgb '#555555'
-set label "si:100" at graph 0.836374, graph 0.36189 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.411697, graph 0.716265 left front noenhanced textcolor rgb '#555555'
-set label "pgs:10" at graph 0.645488, graph 0.70446 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.645488, graph 0.751721 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.645488, graph 0.830163 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.201914 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.076027, graph 0.08913 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.217147 to graph 0.076027, graph 0.08913 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.836374, graph 0.250574 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.368317 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.178618, graph 0.657564 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-4" at graph 0.645488, graph 0.700156 left front noenhanced textcolor rgb '#0060a8'
+set label "pgs:10" at graph 0.509525, graph 0.701873 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus" at graph 0.645488, graph 0.852044 left front noenhanced textcolor rgb '#0060a8'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -217,16 +217,16 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig:1e-6" at graph 0.076027, graph 0.111642 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.228021 to graph 0.076027, graph 0.111642 nohead lw 0.6 lc rgb '#555555'
-set label "delassus:1e-4" at graph 0.245344, graph 0.321954 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.494609, graph 0.374862 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.475186, graph 0.305034 to graph 0.494609, graph 0.374862 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:10" at graph 0.836374, graph 0.466842 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.47848 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.513538 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.466986 to graph 0.836374, graph 0.513538 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:10" at graph 0.494609, graph 0.762287 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.076027, graph 0.0990744 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.227092 to graph 0.076027, graph 0.0990744 nohead lw 0.6 lc rgb '#555555'
+set label "delassus:1e-4" at graph 0.245344, graph 0.307075 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.494609, graph 0.355755 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.475186, graph 0.285928 to graph 0.494609, graph 0.355755 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.459688 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.471326 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.50671 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.460158 to graph 0.836374, graph 0.50671 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:10" at graph 0.494609, graph 0.762166 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
