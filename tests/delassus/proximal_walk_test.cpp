@@ -187,7 +187,7 @@ TEST(ProximalWalk, NeverReturnsAWorseAnswerThanItWasGiven) {
 }
 
 // One object for many islands: nothing of the last one shows.
-// Masses of one and ten thousand kg: it takes more than 200 regions, each of which gains a little.
+// Masses of one and ten thousand kg: it takes more than 100 regions, each of which gains a little.
 TEST(ProximalWalk, GoesOnAsLongAsItGains) {
   Random random(70);
   for (int k = 0; k < 5; ++k) {
@@ -196,6 +196,7 @@ TEST(ProximalWalk, GoesOnAsLongAsItGains) {
     Solution patient = walk.atRest(), hasty = walk.atRest(), poor = walk.atRest();
     EXPECT_EQ(walk.walkOn(patient, 400, 10000), Outcome::Reached);
     EXPECT_GT(patient.regions, 100);
+    EXPECT_EQ(walk.walkOn(patient, 0, 100), Outcome::Reached);  // is there already
 
     // And no longer than the patience and what is left of an inner solve.
     EXPECT_EQ(walk.walkOn(hasty, 10, 10000), Outcome::Lost);
