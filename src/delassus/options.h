@@ -43,7 +43,10 @@ struct Options {
   /// in islands of more than 200 contacts and rows that are no heaps (pile_kind.h), with rolling or
   /// spinning friction, or where W is explicit. It is looked at between strides, of which one may
   /// make a hundred. A path's start takes up to 10 000 sweeps and 600 regions, and its end up to
-  /// 240 regions, that no other budget holds.
+  /// 240 regions, that no other budget holds. In large piles (pile_kind.h) that have no reactions
+  /// to start from, those for less friction come in its place, unless this is 0 or less: at the
+  /// cost of regions, of which there are as many fewer where there are more than 1000 contacts and
+  /// rows. Not where W is explicit, either.
   int pathBudget = 30000;
   /// A guess whose residual is within this share of the tolerance comes back as it is; > 0, ≤ 1.
   /// The Bullet solvers take no more than polishedShare; before, they keep the last reactions where

@@ -134,9 +134,9 @@ void Search::polishWith(Engines<Motion>& engines, const Task& task, Solution& be
   engines.walk.polish(task.tolerance, weight, most, best);
 }
 
-/// From the last reactions, then from nothing. In large heaps the path of compliance comes between,
-/// as far as it is short: it is where what sweeps have left is small, and costs less then than to
-/// begin anew.
+/// From the last reactions, then from nothing; or from nothing, then from less friction. In large
+/// heaps the path of compliance comes between, as far as it is short: it is where what sweeps have
+/// left is small, and costs less then than to begin anew.
 template <class Motion>
 Outcome Search::walkTwice(Engines<Motion>& engines, const Task& task, Solution& best) {
   if (isHurried_) return walkOnce(engines, task, best);
@@ -159,6 +159,7 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Task& task, Solution& 
     }
   } else {
     outcome = walkOnce(engines, task, best);
+    if (outcome == Outcome::Lost) outcome = addFriction(engines, task, best);
   }
   return outcome == Outcome::Lost ? harden(engines, rest, best) : outcome;
 }

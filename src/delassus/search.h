@@ -81,8 +81,9 @@ class Search {
     return map_.bytes() + dense_.bytes() + (own_ ? own_->bytes() : 0) + trial_.bytes() +
            wandering_.bytes() + apart_.bytes() + felt_.bytes() + quarrel_.bytes() +
            patches_.bytes() + patch_.bytes() + patchAnswer_.bytes() +
-           bytesOf(residuals_, patchStart_, softStart_) + soft_.bytes() + softAnswer_.bytes() +
-           (patchSearch_ ? patchSearch_->bytes() : 0) + (softSearch_ ? softSearch_->bytes() : 0);
+           bytesOf(residuals_, patchStart_, variedStart_) + varied_.bytes() +
+           variedAnswer_.bytes() + (patchSearch_ ? patchSearch_->bytes() : 0) +
+           (variedSearch_ ? variedSearch_->bytes() : 0);
   }
 
  private:
@@ -117,8 +118,7 @@ class Search {
     }
     return *machines_;
   }
-  /// For the patches of another search, or its bodies if they were compliant: it takes turns with
-  /// that one.
+  /// For the patches of another search, or for what it varies: it takes turns with that one.
   explicit Search(Machines& machines) : machines_(&machines) {}
 
   // search.cpp: the order of ways.
@@ -168,11 +168,17 @@ class Search {
   template <class Motion>
   Outcome outlast(Engines<Motion>& engines, const Task& task, Solution& best);
 
+  // search_vary.cpp: answers to easier problems.
+  void vary();
+  Outcome answerVaried(const Task& task, Solution& best);
+  double soften(const Task& task, Solution& best);
+  template <class Motion>
+  Outcome addFriction(Engines<Motion>& engines, const Task& task, Solution& best);
+
   // search_path.cpp: the last resort.
   template <class Motion>
   Outcome harden(Engines<Motion>& engines, const Task& task, Solution& best);
   bool setOutOnPath(Engines<BodyMotion>& engines, const Task& task, int budget, Solution& best);
-  double soften(const Task& task, Solution& best);
 
   static constexpr double unknownRegion = 1e-1, knownRegion = 1e-6;  ///< proximal weights
   /// The least of a walk that begins with the best answer of quick ways, and of one that others
@@ -215,10 +221,10 @@ class Search {
   Solution patchAnswer_;
   VectorXd residuals_;
 
-  std::unique_ptr<Search> softSearch_;  ///< for bodies that are compliant
-  Problem soft_;
-  VectorXd softStart_;
-  Solution softAnswer_;
+  std::unique_ptr<Search> variedSearch_;  ///< for compliant bodies, and less friction
+  Problem varied_;
+  VectorXd variedStart_;
+  Solution variedAnswer_;
 };
 
 }  // namespace delassus

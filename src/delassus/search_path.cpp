@@ -8,41 +8,6 @@
 
 namespace delassus {
 
-/// The answer, in softAnswer_, for bodies that are as little compliant where they touch as sweeps
-/// and a short walk can find it; returns how compliant, in W_aa, or 0 if they find none.
-double Search::soften(const Task& task, Solution& best) {
-  constexpr double softest = 1, hardest = 1e-5, finer = 0.3162, tolerance = 1e-10;
-  constexpr int sweeps = 1000, regions = 60;
-  soft_.q = problem_->q;
-  soft_.friction = problem_->friction;
-  soft_.lower = problem_->lower;
-  soft_.upper = problem_->upper;
-  soft_.disks = problem_->disks;
-  soft_.roundOff = problem_->roundOff;
-  BodySpace& space = soft_.W.refill(problem_->size());
-  space = problem_->W.bodySpace();
-  map_.meanDiagonal(felt_);
-  Task few{task.options, tolerance * problem_->demand(), &softStart_};
-  few.options.sweepBudget = sweeps;
-  few.options.newtonBudget = regions;
-  few.options.pathBudget = 0;
-  if (!softSearch_) softSearch_.reset(new Search(machines()));
-  double found = 0;
-  for (double compliance = softest; compliance > hardest; compliance *= finer) {
-    space.compliance = problem_->W.bodySpace().compliance + compliance * felt_;
-    softSearch_->setProblem(soft_);
-    softAnswer_.start(soft_.q);
-    softSearch_->offer(softStart_, softAnswer_);
-    const Outcome outcome = softSearch_->walk(few, softAnswer_);
-    best.factorisations += softAnswer_.factorisations;
-    best.sweeps += softAnswer_.sweeps;
-    if (outcome != Outcome::Reached) break;
-    softStart_ = softAnswer_.r;
-    found = compliance;
-  }
-  return found;
-}
-
 /// Stands on the path of compliance: at bodies that are so compliant where they touch that their
 /// answer is found. In islands of thousands that one compliance would have to turn back and forth
 /// for each of the places where something is wedged, whatever the others do; there it begins at the
@@ -53,15 +18,15 @@ bool Search::setOutOnPath(Engines<BodyMotion>& engines, const Task& task, int bu
   const bool isLarge = isLargeHeap(*problem_);
   double softness = moderate;
   if (!isLarge) {
-    softStart_.setZero(problem_->size());
-    if (task.guess) softStart_ = *task.guess;
+    variedStart_.setZero(problem_->size());
+    if (task.guess) variedStart_ = *task.guess;
     softness = soften(task, best);
     if (softness == 0) return false;
   }
   engines.space.setProblem(*problem_, map_);
   CompliancePath& path = machines().path;
   path.setProblem(engines.space.lendMotion(), *problem_, map_);
-  if (!isLarge) return path.setOut(softStart_, softness, budget, best);
+  if (!isLarge) return path.setOut(variedStart_, softness, budget, best);
   path.setCenter(best);
   return path.setOut(best.r, softness, budget, best) || path.setOut(best.r, soft, budget, best);
 }

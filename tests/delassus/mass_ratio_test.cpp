@@ -1,6 +1,9 @@
 /// Light and heavy bodies in one pile.
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
+
+#include "delassus/cone.h"
 #include "delassus/solver.h"
 #include "tests/support/random_piles.h"
 
@@ -10,8 +13,8 @@ namespace {
 using namespace delassus::test;
 
 /// A pyramid all of whose boxes move and turn, every other layer heavier by the ratio.
-PileIsland makeMixedPyramid(int layers, double ratio, int seed) {
-  constexpr double friction = 0.4, speed = 0.3;
+PileIsland makeMixedPyramid(int layers, double ratio, int seed, double friction = 0.4) {
+  constexpr double speed = 0.3;
   Random random(seed);
   return PileIsland(makePyramid(layers, friction, speed, ratio, random));
 }
@@ -47,6 +50,63 @@ TEST(MassRatio, LargePilesAreSolvedByWalksThatGainSlow) {
     notInVain += Solver(inVain).solve(pile.problem).status == Status::OutOfBudget;
   }
   EXPECT_GE(notInVain, 1);
+}
+
+// Where a walk from no reactions is lost, one from the answer for less friction is not.
+TEST(MassRatio, PilesWithMuchFrictionAreSolvedFromLess) {
+  constexpr double friction = 1;
+  Options fromNothing;
+  fromNothing.pathBudget = 0;
+  int lostFromNothing = 0;
+  for (const int seed : {1, 2, 3, 10}) {
+    SCOPED_TRACE(seed);
+    const PileIsland pile = makeMixedPyramid(4, 1e5, seed, friction);
+    const Solution solution = Solver().solve(pile.problem);
+    expectSolved(pile.problem, solution);
+    EXPECT_LE(solution.regions, Options().newtonBudget);
+    lostFromNothing += Solver(fromNothing).solve(pile.problem).status == Status::OutOfBudget;
+  }
+  EXPECT_GE(lostFromNothing, 1);
+}
+
+/// The largest eigenvalue, in absolute value, of what an outer step of the walk (ProximalWalk) with
+/// the weight α makes of errors that are small: of
+///
+///     (1 + P' l W)⁻¹ P',   l = 1/(α W_aa),   P' = dr/dz at z = r − l u
+double growthNear(const Problem& problem, const Solution& answer, double weight) {
+  const MatrixXd W = problem.W.dense();
+  MatrixXd derivative = MatrixXd::Zero(W.rows(), W.cols());
+  VectorXd l(W.rows());
+  for (int i = 0; i < problem.contacts(); ++i) {
+    const int at = 3 * i;
+    l.segment<3>(at).setConstant(3 / (weight * W.diagonal().segment<3>(at).sum()));
+    const Vec3 z = answer.r.segment<3>(at) - l.segment<3>(at).cwiseProduct(answer.u.segment<3>(at));
+    Mat3 block;
+    reactionTo(z, problem.friction[i], &block);
+    derivative.block<3, 3>(at, at) = block;
+  }
+  const MatrixXd response = derivative * l.asDiagonal() * W;
+  const MatrixXd step =
+      (MatrixXd::Identity(W.rows(), W.cols()) + response).partialPivLu().solve(derivative);
+  return Eigen::EigenSolver<MatrixXd>(step, false).eigenvalues().cwiseAbs().maxCoeff();
+}
+
+// Why they are lost: errors grow from step to step, unless the weight is too small to be solved for
+// from afar. Sweeps are such steps, too.
+TEST(MassRatio, WithMuchFrictionAnswersMayRepel) {
+  constexpr double weight = 1e-2, rounding = 1e-6;
+  const auto repel = [](double friction) {
+    int count = 0;
+    for (int seed = 10; seed <= 15; ++seed) {
+      const PileIsland pile = makeMixedPyramid(3, 1e3, seed, friction);
+      const Solution answer = Solver().solve(pile.problem);
+      expectSolved(pile.problem, answer);
+      count += growthNear(pile.problem, answer, weight) > 1 + rounding;
+    }
+    return count;
+  };
+  EXPECT_EQ(repel(0.4), 0);
+  EXPECT_GE(repel(1), 1);
 }
 
 }  // namespace

@@ -18,9 +18,10 @@ struct Candidate {
   double seconds;
 };
 
-/// How a solver fared in one storage.
+/// How a solver fared.
 struct Trial {
   std::optional<Candidate> candidate;
+  double left = infinity;        ///< the least that a solve left of the larger of rel and vel
   Ending ending = Ending::Done;  ///< of the last solve
 };
 
@@ -31,34 +32,44 @@ Trial findTolerance(const Problem& problem, const std::string& name,
                     double secondsLimit) {
   constexpr int coarsest = 4, finest = 14;  // decades
   constexpr double glance = 2e-3;           // seconds of repeats: this only chooses who has turns
+  Trial trial;
   for (int decade = coarsest; decade <= finest; ++decade) {
     const Contestant contestant = with(std::pow(10.0, -decade));
     const Measured measured = measure(problem, contestant, secondsLimit, glance);
-    if (measured.meets(tolerance)) return {Candidate{name, contestant, median(measured.seconds)}};
+    trial.ending = measured.ending;
+    if (measured.ending == Ending::Done)
+      trial.left = std::min(trial.left, std::max(measured.rel, measured.vel));
+    if (measured.meets(tolerance)) {
+      trial.candidate = Candidate{name, contestant, median(measured.seconds)};
+      break;
+    }
     // What it cannot reach, or not in time, it cannot exceed.
-    if (measured.ending != Ending::Done || !measured.satisfied) return {{}, measured.ending};
+    if (measured.ending != Ending::Done || !measured.satisfied) break;
   }
-  return {};
+  return trial;
 }
 
-std::optional<Candidate> findStorage(const Problem& problem, const Peer& peer,
-                                     const Conditions& conditions) {
-  std::optional<Candidate> best;
+/// In the storage in which it is fastest.
+Trial findStorage(const Problem& problem, const Peer& peer, const Conditions& conditions) {
+  Trial all;
+  std::optional<Candidate>& best = all.candidate;
   for (const std::string& storage : peer.storages(problem)) {
     // From here on a storage is of use only if it is faster; a process apart takes some time of its
     // own.
     constexpr double overhead = 0.5;  // seconds
     const double secondsLimit = best ? std::min(conditions.secondsLimit, best->seconds + overhead)
                                      : conditions.secondsLimit;
-    const auto [found, ending] = findTolerance(
+    const Trial trial = findTolerance(
         problem, peer.name + ", " + storage,
         [&](double ownTolerance) { return peer.with(storage, ownTolerance); }, conditions.tolerance,
         secondsLimit);
+    const std::optional<Candidate>& found = trial.candidate;
+    all.left = std::min(all.left, trial.left);
     if (found && (!best || found->seconds < best->seconds)) best = found;
     // It loses its way whatever the storage, and not for want of a few seconds.
-    if (!best && ending == Ending::TimeLimit) break;
+    if (!best && trial.ending == Ending::TimeLimit) break;
   }
-  return best;
+  return all;
 }
 
 /// Those that may turn out to be the fastest, when they have turns with us.
@@ -103,19 +114,22 @@ std::vector<std::optional<double>> takeTurns(const Problem& problem,
 Comparison compare(const Problem& problem,
                    const std::function<Contestant(double ownTolerance)>& with,
                    const std::vector<Peer>& peers, const Conditions& conditions) {
-  std::vector<Candidate> candidates;
-  for (const Peer& peer : peers)
-    if (const auto found = findStorage(problem, peer, conditions)) candidates.push_back(*found);
-
   Comparison comparison;
+  std::vector<Candidate> candidates;
+  for (const Peer& peer : peers) {
+    const Trial trial = findStorage(problem, peer, conditions);
+    comparison.leftByPeers = std::min(comparison.leftByPeers, trial.left);
+    if (trial.candidate) candidates.push_back(*trial.candidate);
+  }
   comparison.problem = problem.name;
   comparison.contacts = problem.contacts();
   comparison.peersThatReach = int(candidates.size());
 
   const std::vector<Candidate> finalists = chooseFinalists(std::move(candidates));
-  const std::optional<Candidate> own =
-      findTolerance(problem, "delassus", with, conditions.tolerance, conditions.secondsLimit)
-          .candidate;
+  const Trial ownTrial =
+      findTolerance(problem, "delassus", with, conditions.tolerance, conditions.secondsLimit);
+  const std::optional<Candidate>& own = ownTrial.candidate;
+  comparison.leftByUs = ownTrial.left;
   std::vector<Contestant> contestants;
   if (own) contestants.push_back(own->contestant);
   for (const Candidate& finalist : finalists) contestants.push_back(finalist.contestant);

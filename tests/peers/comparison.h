@@ -27,6 +27,8 @@ struct Comparison {
   std::optional<double> ours;    ///< seconds; nothing if we miss the tolerance
   std::optional<BestPeer> best;  ///< nothing if all of them do
   int peersThatReach = 0;
+  /// The least that we, and the best of the peers, left of the larger of rel and vel in any try.
+  double leftByUs = infinity, leftByPeers = infinity;
 
   bool faster() const { return ours && (!best || *ours < best->seconds); }
 };
