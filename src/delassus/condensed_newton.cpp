@@ -122,7 +122,6 @@ Descent CondensedNewton::moveOn(const Solution& center, double alpha, double eno
 }
 
 bool CondensedNewton::solve(double tolerance, int budget, Solution& best) {
-  constexpr int mostSteps = 30;  // what takes more is found sooner by a walk
   if (!condense(best)) return false;
   const int most = std::min(budget, mostSteps);
   int left = most;

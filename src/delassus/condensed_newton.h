@@ -35,6 +35,8 @@ class CondensedNewton {
   /// Whether there is an E.
   bool hasHeld() const { return !held_.empty(); }
 
+  static constexpr int mostSteps = 30;  ///< what takes more is found sooner by a walk
+
   /// Improves best.r, with its u and residual: true if the law is kept. The factor is counted as a
   /// region, and steps, which cost about as much, as sweeps.
   bool solve(double tolerance, int budget, Solution& best);

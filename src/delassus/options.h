@@ -29,8 +29,8 @@ struct Options {
   }
   /// Most block Gauss-Seidel sweeps, alternations, and steps on few contacts without their joints
   /// (condensed_newton.h), per island. Who allows few of them is in a hurry (isHurried): where
-  /// joints leave few contacts (and there are ten sweeps or more) these are solved at once for one
-  /// region, by some tens of steps that are not counted. Elsewhere, where nothing slid, and there
+  /// joints leave few contacts these are solved at once for one region, by some tens of steps that
+  /// are not counted. Elsewhere, where nothing slid, and there
   /// are more than a dozen contacts and no heap (pile_kind.h), all is held at once for one region,
   /// its steps uncounted; without reactions to start from, a short walk from the forced motion may
   /// come next, but in large piles. If that is no answer, all sweeps are made, as sequential

@@ -139,13 +139,13 @@ bool Search::hold(Engines<Motion>& engines, const Task& task, Solution& best) {
 /// Newton's method on what is left without the joints, in few contacts. Who has few sweeps pays a
 /// region for it, and no sweeps, as for `hold`.
 bool Search::condense(const Task& task, Solution& best) {
-  constexpr int worthCondensing = 10;  // sweeps; they cost as much
-  constexpr int few = 60;              // unknowns
-  const int sweeps = best.sweeps, most = task.sweepsLeft(best);
-  if (!task.options.economies.joints || most < worthCondensing || task.regionsLeft(best) <= 0)
-    return false;
+  constexpr int few = 60, fewAlone = 36;  // unknowns
+  const int sweeps = best.sweeps;
+  const int most = isHurried_ ? CondensedNewton::mostSteps : task.sweepsLeft(best);
+  if (!task.options.economies.joints || most <= 0 || task.regionsLeft(best) <= 0) return false;
   CondensedNewton& newton = machines().condensed;
-  if (!newton.setProblem(*problem_, map_, best.r, few) || !newton.hasHeld()) return false;
+  if (!newton.setProblem(*problem_, map_, best.r, few)) return false;
+  if (!newton.hasHeld() && !(isHurried_ && problem_->size() <= fewAlone)) return false;
   const bool isReached = newton.solve(task.tolerance, most, best);
   if (isHurried_) best.sweeps = sweeps;
   return isReached;

@@ -41,26 +41,17 @@ class OneStep : public testing::TestWithParam<const char*> {
     }
   }
 };
-class FewSweeps : public OneStep {};
-class ManySweeps : public OneStep {};
-
-TEST_P(ManySweeps, AreNoWorseThanAsManyOfSequentialImpulses) {
-  for (const int sweeps : {10, 50}) expectNoWorseThanStock(sweeps);
-}
-TEST_P(FewSweeps, AreNoWorseThanAsManyOfSequentialImpulses) {
-  for (const int sweeps : {1, 2}) expectNoWorseThanStock(sweeps);
+TEST_P(OneStep, IsNoWorseThanAsManySweepsOfSequentialImpulses) {
+  for (const int sweeps : {1, 2, 3, 5, 10, 50}) expectNoWorseThanStock(sweeps);
 }
 
-// Not the first step of `incline`: where all of a body slides one way, stock's friction along that
-// line is the easier law. And few sweeps of `gripper` leave up to half as much again.
-INSTANTIATE_TEST_SUITE_P(catalogue, ManySweeps,
-                         testing::Values("stack_10", "stack_10_heavy_top", "pyramid_10", "arch",
-                                         "card_house", "box_headings", "domino_run", "gripper",
-                                         "ragdolls", "heavy_ball_chain", "wall_and_ball"));
-INSTANTIATE_TEST_SUITE_P(catalogue, FewSweeps,
-                         testing::Values("stack_10", "stack_10_heavy_top", "pyramid_10", "arch",
-                                         "card_house", "box_headings", "domino_run", "ragdolls",
-                                         "heavy_ball_chain", "wall_and_ball"));
+// Not `rolling_balls`: three sweeps leave up to 2.3 times as much of disks of rolling friction,
+// which are swept over in one way, as stock, which knows no disks, of bounds.
+INSTANTIATE_TEST_SUITE_P(catalogue, OneStep,
+                         testing::Values("sliding_ladder", "incline", "box_headings", "stack_10",
+                                         "stack_10_heavy_top", "pyramid_10", "wall_and_ball",
+                                         "arch", "card_house", "domino_run", "heavy_ball_chain",
+                                         "ragdolls", "gripper"));
 
 // Step after step, what one leaves the next one has to mend: errors must not feed each other. With
 // full reactions to start from they do: a pile swings for ever.
