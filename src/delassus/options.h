@@ -28,14 +28,14 @@ struct Options {
     return std::min(newtonBudget, std::max(enough, newtonBudget / 8));
   }
   /// Most block Gauss-Seidel sweeps, alternations, and steps on few contacts without their joints
-  /// (condensed_newton.h), per island. Who allows few of them is in a hurry (isHurried): where
-  /// joints leave few contacts these are solved at once for one region, by some tens of steps that
-  /// are not counted. Elsewhere, where nothing slid, and there
-  /// are more than a dozen contacts and no heap (pile_kind.h), all is held at once for one region,
-  /// its steps uncounted; without reactions to start from, a short walk from the forced motion may
-  /// come next, but in large piles. If that is no answer, all sweeps are made, as sequential
-  /// impulses make theirs, and a walk comes after them. There are no alternations, no second start
-  /// and no path of compliance. The numbers are in search_start_out.cpp.
+  /// (condensed_newton.h), per island. Who allows few of them is in a hurry (isHurried): few
+  /// contacts, as they are or as joints leave them, are solved at once for one region, by some tens
+  /// of steps that are not counted. Where there are more, no heap (pile_kind.h), and nothing slid,
+  /// all is held at once for one region, its steps uncounted; without reactions to start from, a
+  /// short walk from the forced motion may come next, but in large piles. If that is no answer, all
+  /// sweeps are made, as sequential impulses make theirs, and a walk comes after them. There are no
+  /// alternations, no second start and no path of compliance. The numbers are in
+  /// search_start_out.cpp.
   int sweepBudget = 64000;
   bool isHurried() const { return sweepBudget < 300; }
   /// Most factorisations along a path of compliance (compliance_path.h), of an island of up to 600

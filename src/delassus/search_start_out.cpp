@@ -136,16 +136,18 @@ bool Search::hold(Engines<Motion>& engines, const Task& task, Solution& best) {
   return isHeld;
 }
 
-/// Newton's method on what is left without the joints, in few contacts. Who has few sweeps pays a
-/// region for it, and no sweeps, as for `hold`.
+/// Newton's method on few contacts, as joints leave them. Who has few sweeps pays a region for it,
+/// and no sweeps, as for `hold`, and has it where there are no joints, too.
 bool Search::condense(const Task& task, Solution& best) {
   constexpr int few = 60, fewAlone = 36;  // unknowns
   const int sweeps = best.sweeps;
   const int most = isHurried_ ? CondensedNewton::mostSteps : task.sweepsLeft(best);
-  if (!task.options.economies.joints || most <= 0 || task.regionsLeft(best) <= 0) return false;
+  if (most <= 0 || task.regionsLeft(best) <= 0) return false;
   CondensedNewton& newton = machines().condensed;
   if (!newton.setProblem(*problem_, map_, best.r, few)) return false;
-  if (!newton.hasHeld() && !(isHurried_ && problem_->size() <= fewAlone)) return false;
+  const bool isWorthIt = newton.hasHeld() ? task.options.economies.joints
+                                          : isHurried_ && problem_->size() <= fewAlone;
+  if (!isWorthIt) return false;
   const bool isReached = newton.solve(task.tolerance, most, best);
   if (isHurried_) best.sweeps = sweeps;
   return isReached;
