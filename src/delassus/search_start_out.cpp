@@ -145,8 +145,8 @@ bool Search::condense(const Task& task, Solution& best) {
   if (most <= 0 || task.regionsLeft(best) <= 0) return false;
   CondensedNewton& newton = machines().condensed;
   if (!newton.setProblem(*problem_, map_, best.r, few)) return false;
-  const bool isWorthIt = newton.hasHeld() ? task.options.economies.joints
-                                          : isHurried_ && problem_->size() <= fewAlone;
+  const bool isWorthIt =
+      newton.hasHeld() ? task.options.economies.joints : isHurried_ && problem_->size() <= fewAlone;
   if (!isWorthIt) return false;
   const bool isReached = newton.solve(task.tolerance, most, best);
   if (isHurried_) best.sweeps = sweeps;
