@@ -106,11 +106,9 @@ NamedSolver::NamedSolver(const std::string& name) : name_(name) {
   if (formOf({family, mark}) == nullptr) refuse(name);
 
   if (family == "delassus") {
-    constexpr int sweepsOfRegion = 20;  // what a region costs in small piles; more in large ones
     delassus::Options options;
     if (mark == '/') {
-      options.sweepBudget = countIn(name, argument);
-      options.newtonBudget = std::max(1, options.sweepBudget / sweepsOfRegion);
+      options = delassus::Options::bounded(countIn(name, argument));
     } else if (mark == ':') {
       options.tolerance = numberIn(name, argument);
     }

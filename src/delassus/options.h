@@ -13,6 +13,16 @@ namespace delassus {
 constexpr double keptShare = 1e-1, polishedShare = 1e-4;
 
 struct Options {
+  /// For who has little time: so many sweeps an island, and a region for every twenty, which is
+  /// what one costs in small piles (in large ones more); at least one.
+  static Options bounded(int sweeps) {
+    constexpr int sweepsOfRegion = 20;
+    Options options;
+    options.sweepBudget = sweeps;
+    options.newtonBudget = std::max(1, sweeps / sweepsOfRegion);
+    return options;
+  }
+
   /// Natural residual to reach, relative to the largest demand of the island (Problem::demand; m/s,
   /// rad/s), but no less than the rounding of q (Problem::roundOff); > 0. Where friction is more
   /// than 1 it is toleranceFor(friction).

@@ -151,6 +151,19 @@ TEST(Solver, ASpentBudgetIsSaidAndNeverWorseThanTheGuess) {
   }
 }
 
+TEST(Solver, BoundedWorkIsSoManySweepsAndARegionForTwenty) {
+  Random random(73);
+  for (int k = 0; k < 50; ++k) {
+    const int sweeps = k % 5 * 15;
+    const PileIsland island = randomIsland(k, 10, 2, random);
+    const Options options = Options::bounded(sweeps);
+    const Solution solution = Solver(options).solve(island.problem);
+    EXPECT_LE(solution.sweeps, sweeps);
+    EXPECT_LE(solution.regions, std::max(1, sweeps / 20));
+    expectHonest(island, solution, options);
+  }
+}
+
 // Nor where no reactions at all are nearer in the mean: what counts is the largest residual.
 TEST(Solver, ASpentBudgetIsNeverWorseThanAGuessThatIsWrongEverywhere) {
   constexpr int contacts = 1000;
