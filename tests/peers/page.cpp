@@ -42,9 +42,10 @@ std::string prefaceOfPiles() {
 
 Square pyramids of boxes, every other layer a thousand or a million times as heavy, friction 0.4 or 1, all boxes moving and turning
 at up to 0.3 m/s and rad/s on top of what gravity adds in a step of 1/60 s: a step of an earthquake, from no reactions.
-`delassus::solve` in the motion of the bodies, as in worlds, and the seven general solvers of Siconos 4.4 (NSGS, NSN_AC, NSN_FB,
-ADMM, PROX, FPP, VI_EG) on the entries of W; all else as in [the page of problem files](peers.md). Of what is not solved, in
-brackets, the least that was left in any try of the larger of rel and vel.
+`delassus::solve` with W over the bodies, as in worlds, and the seven general solvers of Siconos 4.4 (NSGS, NSN_AC, NSN_FB,
+ADMM, PROX, FPP, VI_EG) on the entries of W; all else as in [the page of problem files](peers.md). Solved is what `delassus solve`
+calls so: rel and vel (its help has both measures) at 1e-8. Of what is not solved in time, in brackets, the least that was left
+of the larger of them in any try; `no answer`: no try came to an end.
 
 With a friction of 1 answers may repel whatever comes near them, sweeps and walks from region to region alike: of those to the
 pyramids of 14 boxes, 1 : 1e3, three in thirty do, with a friction of 0.4 none (`MassRatio.WithMuchFrictionAnswersMayRepel`

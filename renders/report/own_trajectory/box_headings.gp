@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.04863 1e-12 0.04863 0.04863
+0.029224 1e-12 0.029224 0.029224
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.042117 1e-12 0.042117 0.042117
+0.019209 1e-12 0.019209 0.019209
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.019574 1e-12 0.019574 0.019574
+0.012369 1e-12 0.012369 0.012369
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.085457 1e-12 0.085457 0.085457
+0.04722 1e-12 0.04722 0.04722
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.331855 1e-12 0.331855 0.331855
+0.179567 1e-12 0.179567 0.179567
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-1.62174 1e-12 1.62174 1.62174
+0.890428 1e-12 0.890428 0.890428
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.128117 1e-12 0.128117 0.128117
+0.072178 1e-12 0.072178 0.072178
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.028772 1e-12 0.028772 0.028772
+0.015172 1e-12 0.015172 0.015172
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.114266 1e-12 0.114266 0.114266
+0.062423 1e-12 0.062423 0.062423
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.201824 1e-12 0.201824 0.201824
+0.102933 1e-12 0.102933 0.102933
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.068212 1e-12 0.068212 0.068212
+0.029474 1e-12 0.029474 0.029474
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.325564 1e-12 0.325564 0.325564
+0.090325 1e-12 0.090325 0.090325
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-3.97235 1e-12 3.97235 3.97235
+1.12155 1e-12 1.12155 1.12155
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.04863 0.0168827 0.04863 0.04863
+0.029224 0.0168827 0.029224 0.029224
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.042117 0.0123288 0.042117 0.042117
+0.019209 0.0123288 0.019209 0.019209
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.019574 0.0111974 0.019574 0.019574
+0.012369 0.0111974 0.012369 0.012369
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.085457 0.0144332 0.085457 0.085457
+0.04722 0.0144332 0.04722 0.04722
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.331855 0.0144332 0.331855 0.331855
+0.179567 0.0144332 0.179567 0.179567
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-1.62174 0.0144332 1.62174 1.62174
+0.890428 0.0144332 0.890428 0.890428
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.128117 0.0123557 0.128117 0.128117
+0.072178 0.0123557 0.072178 0.072178
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.028772 0.0131251 0.028772 0.028772
+0.015172 0.0131251 0.015172 0.015172
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.114266 0.0129979 0.114266 0.114266
+0.062423 0.0129979 0.062423 0.062423
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.201824 0.0141521 0.201824 0.201824
+0.102933 0.0141521 0.102933 0.102933
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.068212 0.0161089 0.068212 0.068212
+0.029474 0.0161089 0.029474 0.029474
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.325564 0.0122605 0.325564 0.325564
+0.090325 0.0122605 0.090325 0.090325
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-3.97235 0.0469486 3.97235 3.97235
+1.12155 0.0469486 1.12155 1.12155
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.04863 9.57905e-09 0.04863 0.04863
+0.029224 9.57905e-09 0.029224 0.029224
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.042117 0.000184433 0.042117 0.042117
+0.019209 0.000184433 0.019209 0.019209
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.019574 7.46436e-06 0.019574 0.019574
+0.012369 7.46436e-06 0.012369 0.012369
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.085457 7.6924e-09 0.085457 0.085457
+0.04722 7.6924e-09 0.04722 0.04722
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.331855 8.36709e-09 0.331855 0.331855
+0.179567 8.36709e-09 0.179567 0.179567
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-1.62174 1.32551e-08 1.62174 1.62174
+0.890428 1.32551e-08 0.890428 0.890428
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.128117 4.43081e-09 0.128117 0.128117
+0.072178 4.43081e-09 0.072178 0.072178
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.028772 0.000438412 0.028772 0.028772
+0.015172 0.000438412 0.015172 0.015172
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.114266 1.022e-08 0.114266 0.114266
+0.062423 1.022e-08 0.062423 0.062423
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.201824 7.00686e-09 0.201824 0.201824
+0.102933 7.00686e-09 0.102933 0.102933
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.068212 1.25939e-05 0.068212 0.068212
+0.029474 1.25939e-05 0.029474 0.029474
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.325564 7.66175e-09 0.325564 0.325564
+0.090325 7.66175e-09 0.090325 0.090325
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-3.97235 0.26307 3.97235 3.97235
+1.12155 0.26307 1.12155 1.12155
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0131089:15.6153]
+set xrange [0.00878715:3.69073]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -223,26 +223,26 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.212033, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.191732, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.225889, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.156421, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.291631, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.264689, graph 0.5 to graph 0.291631, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.48318, graph 0.488362 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.707184, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.348803, graph 0.593103 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.321861, graph 0.5 to graph 0.348803, graph 0.593103 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.137932, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.11099, graph 0.5 to graph 0.137932, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.121604, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.305707, graph 0.5 to graph 0.278765, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.412967, graph 0.44181 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.386025, graph 0.5 to graph 0.412967, graph 0.44181 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.259808, graph 0.371983 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.232866, graph 0.5 to graph 0.259808, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.480478, graph 0.395259 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.453536, graph 0.5 to graph 0.480478, graph 0.395259 nohead lw 0.6 lc rgb '#555555'
-set label "lemke" at graph 0.833669, graph 0.534914 left front noenhanced textcolor rgb '#999999'
+set label "si:50" at graph 0.305327, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.278385, graph 0.5 to graph 0.305327, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.526464, graph 0.5 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.791543, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.375575, graph 0.593103 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.348633, graph 0.5 to graph 0.375575, graph 0.593103 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.117362, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0904197, graph 0.5 to graph 0.117362, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.140491, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.324594, graph 0.5 to graph 0.297652, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.434338, graph 0.453448 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.407396, graph 0.5 to graph 0.434338, graph 0.453448 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.2273, graph 0.371983 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.200358, graph 0.5 to graph 0.2273, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.412706, graph 0.371983 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.385764, graph 0.5 to graph 0.412706, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
+set label "lemke" at graph 0.663606, graph 0.476724 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -265,7 +265,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0131089:15.6153]
+set xrange [0.00878715:3.69073]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -277,26 +277,25 @@ unset label
 unset arrow
 unset object
 set label "si:10" at graph 0.0835457, graph 0.512921 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.480478, graph 0.544254 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.191732, graph 0.463994 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.16479, graph 0.54546 to graph 0.191732, graph 0.463994 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.348803, graph 0.604124 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.321861, graph 0.545934 to graph 0.348803, graph 0.604124 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:50" at graph 0.121604, graph 0.638402 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.305707, graph 0.556936 to graph 0.278765, graph 0.638402 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.137932, graph 0.687068 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.11099, graph 0.559051 to graph 0.137932, graph 0.687068 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.224373, graph 0.517222 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.386025, graph 0.575411 to graph 0.359083, graph 0.517222 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:50" at graph 0.125489, graph 0.579682 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.48318, graph 0.661147 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.456238, graph 0.579682 to graph 0.48318, graph 0.661147 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.707184, graph 0.59132 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.259808, graph 0.743189 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.232866, graph 0.603533 to graph 0.259808, graph 0.743189 nohead lw 0.6 lc rgb '#555555'
-set label "delassus" at graph 0.212033, graph 0.799927 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.185091, graph 0.61372 to graph 0.212033, graph 0.799927 nohead lw 0.6 lc rgb '#0060a8'
-set label "lemke" at graph 0.833669, graph 0.835812 left front noenhanced textcolor rgb '#999999'
+set label "dantzig:1e-6" at graph 0.412706, graph 0.544254 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.156421, graph 0.463994 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.129479, graph 0.54546 to graph 0.156421, graph 0.463994 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.375575, graph 0.604124 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.348633, graph 0.545934 to graph 0.375575, graph 0.604124 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:50" at graph 0.140491, graph 0.638402 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.324594, graph 0.556936 to graph 0.297652, graph 0.638402 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.117362, graph 0.570689 left front noenhanced textcolor rgb '#009e73'
+set label "pgs:50" at graph 0.245744, graph 0.517222 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.407396, graph 0.575411 to graph 0.380454, graph 0.517222 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:50" at graph 0.305327, graph 0.661147 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.278385, graph 0.579682 to graph 0.305327, graph 0.661147 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.526464, graph 0.59132 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.791543, graph 0.579682 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.0162544, graph 0.684999 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.200358, graph 0.603533 to graph 0.173416, graph 0.684999 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.225889, graph 0.718462 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.198947, graph 0.61372 to graph 0.225889, graph 0.718462 nohead lw 0.6 lc rgb '#0060a8'
+set label "lemke" at graph 0.829747, graph 0.835812 left front noenhanced textcolor rgb '#999999'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -319,7 +318,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0131089:15.6153]
+set xrange [0.00878715:3.69073]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -330,23 +329,22 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "si2:50" at graph 0.160209, graph 0.0718315 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.412967, graph 0.0706712 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.157175, graph 0.14481 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.453536, graph 0.0982586 to graph 0.426594, graph 0.14481 nohead lw 0.6 lc rgb '#555555'
-set label "si:50" at graph 0.291631, graph 0.191555 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.264689, graph 0.0984513 to graph 0.291631, graph 0.191555 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.48318, graph 0.125784 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus" at graph 0.212033, graph 0.248691 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.185091, graph 0.109036 to graph 0.212033, graph 0.248691 nohead lw 0.6 lc rgb '#0060a8'
-set label "nncg:50" at graph 0.121604, graph 0.193627 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.305707, graph 0.112161 to graph 0.278765, graph 0.193627 nohead lw 0.6 lc rgb '#009e73'
-set label "si:1000" at graph 0.707184, graph 0.124709 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.186981, graph 0.0718315 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.434338, graph 0.0706712 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.412706, graph 0.133172 left front noenhanced textcolor rgb '#555555'
+set label "si:50" at graph 0.139185, graph 0.133365 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.526464, graph 0.183974 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.499522, graph 0.102508 to graph 0.526464, graph 0.183974 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.225889, graph 0.190501 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.198947, graph 0.109036 to graph 0.225889, graph 0.190501 nohead lw 0.6 lc rgb '#0060a8'
+set label "nncg:50" at graph 0.351536, graph 0.240179 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.324594, graph 0.112161 to graph 0.351536, graph 0.240179 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000" at graph 0.791543, graph 0.124709 left front noenhanced textcolor rgb '#d55e00'
 set label "si:10" at graph 0.0835457, graph 0.430333 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.259808, graph 0.455573 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.191732, graph 0.585093 left front noenhanced textcolor rgb '#0060a8'
-set label "nncg:10" at graph 0.137932, graph 0.638514 left front noenhanced textcolor rgb '#009e73'
-set label "lemke" at graph 0.833669, graph 0.935564 left front noenhanced textcolor rgb '#999999'
+set label "dantzig" at graph 0.2273, graph 0.455573 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.156421, graph 0.585093 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg:10" at graph 0.117362, graph 0.638514 left front noenhanced textcolor rgb '#009e73'
+set label "lemke" at graph 0.829747, graph 0.935564 left front noenhanced textcolor rgb '#999999'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

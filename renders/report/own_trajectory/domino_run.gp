@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.095855 1e-12 0.095855 0.095855
+0.034461 1e-12 0.034461 0.034461
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.084914 1e-12 0.084914 0.084914
+0.029544 1e-12 0.029544 0.029544
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.100218 0.0113843 0.100218 0.100218
+0.040931 0.0113843 0.040931 0.040931
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.364076 0.00162683 0.364076 0.364076
+0.156293 0.00162683 0.156293 0.156293
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-1.35397 1e-12 1.35397 1.35397
+0.592564 1e-12 0.592564 0.592564
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-6.59804 1e-12 6.59804 6.59804
+2.91755 1e-12 2.91755 2.91755
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.551136 0.00162046 0.551136 0.551136
+0.239607 0.00162046 0.239607 0.239607
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.121599 0.00955586 0.121599 0.121599
+0.051807 0.00955586 0.051807 0.051807
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.479156 0.000600458 0.479156 0.479156
+0.21487 0.000600458 0.21487 0.21487
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-1.05181 0.00162683 1.05181 1.05181
+0.500165 0.00162683 0.500165 0.500165
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-2.41271 0.008131 2.41271 2.41271
+0.971689 0.008131 0.971689 0.971689
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-7.79264 1e-12 7.79264 7.79264
+2.27358 1e-12 2.27358 2.27358
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-7158.15 0.0113843 7158.15 7158.15
+1594.13 0.0113843 1594.13 1594.13
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.095855 0.0785152 0.095855 0.095855
+0.034461 0.0785152 0.034461 0.034461
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.084914 0.0785306 0.084914 0.084914
+0.029544 0.0785306 0.029544 0.029544
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.100218 0.0624788 0.100218 0.100218
+0.040931 0.0624788 0.040931 0.040931
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.364076 0.0810167 0.364076 0.364076
+0.156293 0.0810167 0.156293 0.156293
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-1.35397 0.0805158 1.35397 1.35397
+0.592564 0.0805158 0.592564 0.592564
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-6.59804 0.0665111 6.59804 6.59804
+2.91755 0.0665111 2.91755 2.91755
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.551136 0.0785494 0.551136 0.551136
+0.239607 0.0785494 0.239607 0.239607
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.121599 0.0790071 0.121599 0.121599
+0.051807 0.0790071 0.051807 0.051807
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.479156 0.0736459 0.479156 0.479156
+0.21487 0.0736459 0.21487 0.21487
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-1.05181 0.0756228 1.05181 1.05181
+0.500165 0.0756228 0.500165 0.500165
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-2.41271 0.0682672 2.41271 2.41271
+0.971689 0.0682672 0.971689 0.971689
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-7.79264 0.0689653 7.79264 7.79264
+2.27358 0.0689653 2.27358 2.27358
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-7158.15 1.49939e-06 7158.15 7158.15
+1594.13 4.57708e-06 1594.13 1594.13
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.095855 0.122335 0.095855 0.095855
+0.034461 0.122335 0.034461 0.034461
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.084914 0.122366 0.084914 0.084914
+0.029544 0.122366 0.029544 0.029544
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.100218 0.124763 0.100218 0.100218
+0.040931 0.124763 0.040931 0.040931
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.364076 0.141059 0.364076 0.364076
+0.156293 0.141059 0.156293 0.156293
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-1.35397 0.143825 1.35397 1.35397
+0.592564 0.143825 0.592564 0.592564
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-6.59804 0.140012 6.59804 6.59804
+2.91755 0.140012 2.91755 2.91755
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.551136 0.122349 0.551136 0.551136
+0.239607 0.122349 0.239607 0.239607
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.121599 0.154217 0.121599 0.121599
+0.051807 0.154217 0.051807 0.051807
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.479156 0.120444 0.479156 0.479156
+0.21487 0.120444 0.21487 0.21487
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-1.05181 0.131988 1.05181 1.05181
+0.500165 0.131988 0.500165 0.500165
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-2.41271 0.119852 2.41271 2.41271
+0.971689 0.119852 0.971689 0.971689
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-7.79264 0.12296 7.79264 7.79264
+2.27358 0.12296 2.27358 2.27358
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-7158.15 1e-12 7158.15 7158.15
+1594.13 1e-12 1594.13 1594.13
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0306599:2.00656e+06]
+set xrange [0.0111036:358007]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -223,24 +223,22 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0902801, graph 0.106609 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0924502, graph 0.106609 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.0600575 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.237416, graph 0.153161 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.210474, graph 0.0833333 to graph 0.237416, graph 0.153161 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.325417, graph 0.106609 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.334663, graph 0.199713 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.307721, graph 0.0833333 to graph 0.334663, graph 0.199713 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.179696, graph 0.814874 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.187472, graph 0.885717 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.164434, graph 0.944049 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.137492, graph 0.850945 to graph 0.164434, graph 0.944049 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.0347903, graph 0.885859 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.269517, graph 0.757886 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.242575, graph 0.909179 to graph 0.269517, graph 0.757886 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.103499, graph 0.763729 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0765568, graph 0.915022 to graph 0.103499, graph 0.763729 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.0927534, graph 0.711876 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0658115, graph 0.921359 to graph 0.0927534, graph 0.711876 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.256986, graph 0.153161 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.230044, graph 0.0833333 to graph 0.256986, graph 0.153161 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.349187, graph 0.106609 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.334762, graph 0.199713 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.30782, graph 0.0833333 to graph 0.334762, graph 0.199713 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.198311, graph 0.814874 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.0160202, graph 0.850803 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.1799, graph 0.885859 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.0585875, graph 0.781118 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.220239, graph 0.850945 to graph 0.193297, graph 0.781118 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.285593, graph 0.932455 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.116032, graph 0.938298 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.102402, graph 0.723514 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0754603, graph 0.921359 to graph 0.102402, graph 0.723514 nohead lw 0.6 lc rgb '#d55e00'
 set label "lemke (cut)" at graph 0.713778, graph 0.921359 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -264,39 +262,40 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0306599:2.00656e+06]
+set xrange [0.0111036:358007]
 set xlabel "ms a step" noenhanced
 set logscale y
-set ytics 100 nomirror
-unset mytics
+set ytics 10 nomirror
+set mytics
 set format y "10^{%T}"
-set yrange [1e-07:1]
+set yrange [1e-06:1]
 set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke (cut)" at graph 0.713778, graph 0.167988 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.0927534, graph 0.804686 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.325417, graph 0.831842 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.0584714, graph 0.868373 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.334663, graph 0.880642 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.307721, graph 0.83409 to graph 0.334663, graph 0.880642 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.179696, graph 0.756699 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.152754, graph 0.838164 to graph 0.179696, graph 0.756699 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.0347903, graph 0.921273 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.196442, graph 0.839808 to graph 0.1695, graph 0.921273 nohead lw 0.6 lc rgb '#cc79a7'
-set label "delassus" at graph 0.0902801, graph 0.970154 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0633382, graph 0.842136 to graph 0.0902801, graph 0.970154 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.702493 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566038, graph 0.842148 to graph 0.0835457, graph 0.702493 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.187472, graph 0.644318 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.160531, graph 0.842163 to graph 0.187472, graph 0.644318 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.103499, graph 0.586489 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0765568, graph 0.842524 to graph 0.103499, graph 0.586489 nohead lw 0.6 lc rgb '#009e73'
-set label "si:200" at graph 0.0488223, graph 0.645852 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.210474, graph 0.843697 to graph 0.183532, graph 0.645852 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.164434, graph 0.529858 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.137492, graph 0.844082 to graph 0.164434, graph 0.529858 nohead lw 0.6 lc rgb '#d55e00'
+set label "lemke (cut)" at graph 0.713778, graph 0.110098 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.102402, graph 0.787651 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.349187, graph 0.803816 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.285593, graph 0.852254 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.258651, graph 0.805702 to graph 0.285593, graph 0.852254 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.011459, graph 0.85299 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.30782, graph 0.806438 to graph 0.280878, graph 0.85299 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.198311, graph 0.729726 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.171369, graph 0.811191 to graph 0.198311, graph 0.729726 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.0585875, graph 0.731643 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.220239, graph 0.813109 to graph 0.193297, graph 0.731643 nohead lw 0.6 lc rgb '#cc79a7'
+set label "delassus" at graph 0.0924502, graph 0.908929 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0655082, graph 0.815826 to graph 0.0924502, graph 0.908929 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.955495 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566038, graph 0.81584 to graph 0.0835457, graph 0.955495 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.204614, graph 0.676202 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.177672, graph 0.815857 to graph 0.204614, graph 0.676202 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.116032, graph 0.618433 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0890898, graph 0.816278 to graph 0.116032, graph 0.618433 nohead lw 0.6 lc rgb '#009e73'
+set label "si:200" at graph 0.0683927, graph 0.677992 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.230044, graph 0.817647 to graph 0.203102, graph 0.677992 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.1799, graph 0.562061 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.152958, graph 0.818096 to graph 0.1799, graph 0.562061 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -319,7 +318,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0306599:2.00656e+06]
+set xrange [0.0111036:358007]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -331,26 +330,26 @@ unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.269517, graph 0.905851 left front noenhanced textcolor rgb '#555555'
-set label "nncg:50" at graph 0.179696, graph 0.964205 left front noenhanced textcolor rgb '#009e73'
-set label "delassus" at graph 0.0902801, graph 0.848346 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0633382, graph 0.929811 to graph 0.0902801, graph 0.848346 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.187472, graph 0.79016 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.160531, graph 0.929816 to graph 0.187472, graph 0.79016 nohead lw 0.6 lc rgb '#e69f00'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.731975 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566038, graph 0.92982 to graph 0.0835457, graph 0.731975 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.334663, graph 0.848516 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.307721, graph 0.929982 to graph 0.334663, graph 0.848516 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.0927534, graph 0.895554 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.0347903, graph 0.967263 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:1000" at graph 0.325417, graph 0.794665 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.298475, graph 0.93432 to graph 0.325417, graph 0.794665 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.164434, graph 0.678535 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.137492, graph 0.934569 to graph 0.164434, graph 0.678535 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.0488223, graph 0.795563 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.210474, graph 0.935218 to graph 0.183532, graph 0.795563 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.103499, graph 0.623325 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0765568, graph 0.937549 to graph 0.103499, graph 0.623325 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.285593, graph 0.905851 left front noenhanced textcolor rgb '#555555'
+set label "nncg:50" at graph 0.198311, graph 0.964205 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.0924502, graph 0.894898 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.0160202, graph 0.964729 left front noenhanced textcolor rgb '#e69f00'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.836717 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566038, graph 0.92982 to graph 0.0835457, graph 0.836717 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.334762, graph 0.778689 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.30782, graph 0.929982 to graph 0.334762, graph 0.778689 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.102402, graph 0.779175 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0754603, graph 0.930468 to graph 0.102402, graph 0.779175 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.247181, graph 0.722866 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.220239, graph 0.932349 to graph 0.247181, graph 0.722866 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:1000" at graph 0.349187, graph 0.666648 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.322245, graph 0.93432 to graph 0.349187, graph 0.666648 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.0137582, graph 0.725087 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.152958, graph 0.934569 to graph 0.126016, graph 0.725087 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.0683927, graph 0.667546 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.230044, graph 0.935218 to graph 0.203102, graph 0.667546 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.116032, graph 0.611687 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0890898, graph 0.937549 to graph 0.116032, graph 0.611687 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,182 +2,182 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.022831 39.7133 0.022831 0.022831
+0.008102 39.7133 0.008102 0.008102
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.009696 39.7132 0.009696 0.009696
+0.003405 39.7133 0.003405 0.003405
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.01322 37.9149 0.01322 0.01322
+0.005558 37.9149 0.005558 0.005558
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.04471 38.2401 0.04471 0.04471
+0.02011 38.2401 0.02011 0.02011
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.165162 38.6732 0.165162 0.165162
+0.07365 38.6732 0.07365 0.07365
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.774045 38.757 0.774045 0.774045
+0.344734 38.757 0.344734 0.344734
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.055191 39.732 0.055191 0.055191
+0.024046 39.732 0.024046 0.024046
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.014735 36.4352 0.014735 0.014735
+0.006239 36.4352 0.006239 0.006239
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.217086 38.2932 0.217086 0.217086
+0.058127 38.2932 0.058127 0.058127
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.03855 32.8561 0.03855 0.03855
+0.011557 32.8561 0.011557 0.011557
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.043678 37.9822 0.043678 0.043678
+0.016785 37.9822 0.016785 0.016785
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-61.7117 19.1528 61.7117 61.7117
+21.0911 37.5966 21.0911 21.0911
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.022831 1.02078e-11 0.022831 0.022831
+0.008102 1.02078e-11 0.008102 0.008102
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.009696 7.59182e-07 0.009696 0.009696
+0.003405 5.16345e-07 0.003405 0.003405
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.01322 0.00500574 0.01322 0.01322
+0.005558 0.00500574 0.005558 0.005558
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.04471 0.00669307 0.04471 0.04471
+0.02011 0.00669307 0.02011 0.02011
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.165162 0.00333333 0.165162 0.165162
+0.07365 0.00333333 0.07365 0.07365
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.774045 0.00333333 0.774045 0.774045
+0.344734 0.00333333 0.344734 0.344734
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.055191 0.00669494 0.055191 0.055191
+0.024046 0.00669494 0.024046 0.024046
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.014735 0.0301487 0.014735 0.014735
+0.006239 0.0301487 0.006239 0.006239
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.217086 0.00669307 0.217086 0.217086
+0.058127 0.00669307 0.058127 0.058127
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.03855 0.022196 0.03855 0.03855
+0.011557 0.022196 0.011557 0.011557
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.043678 0.00333328 0.043678 0.043678
+0.016785 0.00333328 0.016785 0.016785
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-61.7117 0.0424203 61.7117 61.7117
+21.0911 0.0424203 21.0911 21.0911
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.022831 6.38178e-12 0.022831 0.022831
+0.008102 6.38178e-12 0.008102 0.008102
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.009696 7.25497e-07 0.009696 0.009696
+0.003405 7.34387e-07 0.003405 0.003405
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.01322 0.00599616 0.01322 0.01322
+0.005558 0.00599616 0.005558 0.005558
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.04471 0.0019067 0.04471 0.04471
+0.02011 0.0019067 0.02011 0.02011
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.165162 0.000601327 0.165162 0.165162
+0.07365 0.000601327 0.07365 0.07365
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.774045 0.000111512 0.774045 0.774045
+0.344734 0.000111512 0.344734 0.344734
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.055191 0.000496805 0.055191 0.055191
+0.024046 0.000496805 0.024046 0.024046
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.014735 0.0127535 0.014735 0.014735
+0.006239 0.0127535 0.006239 0.006239
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.217086 0.00216536 0.217086 0.217086
+0.058127 0.00216536 0.058127 0.058127
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.03855 0.00360595 0.03855 0.03855
+0.011557 0.00360595 0.011557 0.011557
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.043678 1.40259e-06 0.043678 0.043678
+0.016785 1.40259e-06 0.016785 0.016785
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-61.7117 0.00958296 61.7117 61.7117
+21.0911 0.00958296 21.0911 21.0911
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -194,10 +194,10 @@ set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "energy gained, J" noenhanced
 set logscale x
-set xtics 100 nomirror
-unset mxtics
+set xtics 10 nomirror
+set mxtics
 set format x "10^{%T}"
-set xrange [0.0044153:4791.51]
+set xrange [0.00176188:200.042]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics nomirror (10, 20, 50, 100, 200, 500)
@@ -208,26 +208,25 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke (cut)" at graph 0.713778, graph 0.282231 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.182863, graph 0.516616 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.11366, graph 0.631349 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0867185, graph 0.561522 to graph 0.11366, graph 0.631349 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.105853, graph 0.683552 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0789115, graph 0.57881 to graph 0.105853, graph 0.683552 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.19185, graph 0.463201 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.164908, graph 0.57958 to graph 0.19185, graph 0.463201 nohead lw 0.6 lc rgb '#555555'
-set label "si:50" at graph 0.0273881, graph 0.535967 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.166588, graph 0.582519 to graph 0.139646, graph 0.535967 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.307228, graph 0.618035 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.287558, graph 0.668875 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.260616, graph 0.58741 to graph 0.287558, graph 0.668875 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.398709, graph 0.565075 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.188533, graph 0.516616 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.135571, graph 0.631349 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.10863, graph 0.561522 to graph 0.135571, graph 0.631349 nohead lw 0.6 lc rgb '#009e73'
+set label "lemke" at graph 0.833669, graph 0.575149 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.125642, graph 0.683552 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0986998, graph 0.57881 to graph 0.125642, graph 0.683552 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.220595, graph 0.463201 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.193653, graph 0.57958 to graph 0.220595, graph 0.463201 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.06998, graph 0.489416 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.20918, graph 0.582519 to graph 0.182238, graph 0.489416 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.327309, graph 0.618035 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.347644, graph 0.564134 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.480244, graph 0.611626 left front noenhanced textcolor rgb '#d55e00'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.738591 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.598935 to graph 0.0835457, graph 0.738591 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.14517, graph 0.785143 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.118228, graph 0.598936 to graph 0.14517, graph 0.785143 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.0200908, graph 0.482761 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.181742, graph 0.59914 to graph 0.1548, graph 0.482761 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus" at graph 0.158019, graph 0.785143 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.131077, graph 0.598936 to graph 0.158019, graph 0.785143 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.251479, graph 0.680606 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.224537, graph 0.59914 to graph 0.251479, graph 0.680606 nohead lw 0.6 lc rgb '#e69f00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -246,10 +245,10 @@ set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "deepest overlap, m" noenhanced
 set logscale x
-set xtics 100 nomirror
-unset mxtics
+set xtics 10 nomirror
+set mxtics
 set format x "10^{%T}"
-set xrange [0.0044153:4791.51]
+set xrange [0.00176188:200.042]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -260,23 +259,22 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.14517, graph 0.091721 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.534577 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.19185, graph 0.84244 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.287558, graph 0.923906 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.260616, graph 0.865716 to graph 0.287558, graph 0.923906 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.398709, graph 0.784251 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.371767, graph 0.865716 to graph 0.398709, graph 0.784251 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:10" at graph 0.105853, graph 0.916684 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0273881, graph 0.858325 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.307228, graph 0.974704 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.280286, graph 0.893239 to graph 0.307228, graph 0.974704 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si2:50" at graph 0.0200908, graph 0.800146 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.181742, graph 0.89325 to graph 0.1548, graph 0.800146 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig" at graph 0.182863, graph 0.789277 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.155921, graph 0.94057 to graph 0.182863, graph 0.789277 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.11366, graph 0.964299 left front noenhanced textcolor rgb '#009e73'
-set label "lemke (cut)" at graph 0.713778, graph 0.966143 left front noenhanced textcolor rgb '#999999'
+set label "delassus" at graph 0.158019, graph 0.091721 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.519358 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.220595, graph 0.84244 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.347644, graph 0.90063 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.480244, graph 0.784251 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.453302, graph 0.865716 to graph 0.480244, graph 0.784251 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:10" at graph 0.125642, graph 0.916684 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.06998, graph 0.858325 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.327309, graph 0.951428 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.300367, graph 0.893239 to graph 0.327309, graph 0.951428 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si2:50" at graph 0.0628852, graph 0.800146 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.224537, graph 0.89325 to graph 0.197595, graph 0.800146 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig" at graph 0.188533, graph 0.742726 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.161591, graph 0.94057 to graph 0.188533, graph 0.742726 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.135571, graph 0.964299 left front noenhanced textcolor rgb '#009e73'
+set label "lemke" at graph 0.833669, graph 0.966143 left front noenhanced textcolor rgb '#999999'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -295,10 +293,10 @@ set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "joints pulled apart, m" noenhanced
 set logscale x
-set xtics 100 nomirror
-unset mxtics
+set xtics 10 nomirror
+set mxtics
 set format x "10^{%T}"
-set xrange [0.0044153:4791.51]
+set xrange [0.00176188:200.042]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -309,20 +307,20 @@ set ylabel "joints pulled apart, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.14517, graph 0.0731765 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.532785 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.19185, graph 0.582088 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.398709, graph 0.731575 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0200908, graph 0.790562 left front noenhanced textcolor rgb '#e69f00'
-set label "si:200" at graph 0.287558, graph 0.798101 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0273881, graph 0.843662 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.307228, graph 0.848685 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.182863, graph 0.903734 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.105853, graph 0.958725 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0789115, graph 0.888898 to graph 0.105853, graph 0.958725 nohead lw 0.6 lc rgb '#d55e00'
-set label "lemke (cut)" at graph 0.713778, graph 0.907409 left front noenhanced textcolor rgb '#999999'
-set label "nncg:10" at graph 0.11366, graph 0.732487 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0867185, graph 0.918694 to graph 0.11366, graph 0.732487 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus" at graph 0.158019, graph 0.0731765 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.533266 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.220595, graph 0.582088 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.480244, graph 0.731575 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0628852, graph 0.790562 left front noenhanced textcolor rgb '#e69f00'
+set label "si:200" at graph 0.347644, graph 0.798101 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.06998, graph 0.843662 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.327309, graph 0.848685 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.188533, graph 0.903734 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.125642, graph 0.958725 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0986998, graph 0.888898 to graph 0.125642, graph 0.958725 nohead lw 0.6 lc rgb '#d55e00'
+set label "lemke" at graph 0.833669, graph 0.907409 left front noenhanced textcolor rgb '#999999'
+set label "nncg:10" at graph 0.135571, graph 0.732487 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.10863, graph 0.918694 to graph 0.135571, graph 0.732487 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

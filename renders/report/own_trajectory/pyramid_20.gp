@@ -2,167 +2,167 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.336412 1e-12 0.336412 0.336412
+0.183163 1e-12 0.183163 0.183163
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-12.6959 0.000672063 12.6959 12.6959
+5.61146 0.000672063 5.61146 5.61146
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.92358 0.0861536 0.92358 0.92358
+0.481488 0.0861536 0.481488 0.481488
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-3.47604 0.00905939 3.47604 3.47604
+1.76191 0.00905939 1.76191 1.76191
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-13.583 0.00855399 13.583 13.583
+7.06694 0.00855399 7.06694 7.06694
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-66.6977 0.000699374 66.6977 66.6977
+36.2073 0.00136793 36.2073 36.2073
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-6.04519 0.132401 6.04519 6.04519
+2.8477 0.132401 2.8477 2.8477
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-1.41362 0.0854176 1.41362 1.41362
+0.656168 0.0854176 0.656168 0.656168
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-6.30764 33.2113 6.30764 6.30764
+2.753 33.2113 2.753 2.753
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-296.07 0.00422498 296.07 296.07
+99.3899 0.00497431 99.3899 99.3899
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-178.973 0.0340875 178.973 178.973
+69.2318 0.0444475 69.2318 69.2318
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.336412 1e-12 0.336412 0.336412
+0.183163 1e-12 0.183163 0.183163
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-12.6959 6.61173e-06 12.6959 12.6959
+5.61146 6.61173e-06 5.61146 5.61146
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.92358 0.00611616 0.92358 0.92358
+0.481488 0.00611616 0.481488 0.481488
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-3.47604 0.000726752 3.47604 3.47604
+1.76191 0.000726752 1.76191 1.76191
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-13.583 6.46454e-05 13.583 13.583
+7.06694 6.46454e-05 7.06694 7.06694
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-66.6977 4.75653e-06 66.6977 66.6977
+36.2073 4.75653e-06 36.2073 36.2073
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-6.04519 0.0114209 6.04519 6.04519
+2.8477 0.0114209 2.8477 2.8477
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-1.41362 0.0209408 1.41362 1.41362
+0.656168 0.0209408 0.656168 0.656168
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-6.30764 0.456277 6.30764 6.30764
+2.753 0.456277 2.753 2.753
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-296.07 0.000726761 296.07 296.07
+99.3899 0.000726761 99.3899 99.3899
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-178.973 0.00611616 178.973 178.973
+69.2318 0.00611616 69.2318 69.2318
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.336412 1e-12 0.336412 0.336412
+0.183163 1e-12 0.183163 0.183163
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-12.6959 0.000714169 12.6959 12.6959
+5.61146 0.000714169 5.61146 5.61146
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.92358 0.00043191 0.92358 0.92358
+0.481488 0.00043191 0.481488 0.481488
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-3.47604 0.000140512 3.47604 3.47604
+1.76191 0.000140512 1.76191 1.76191
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-13.583 0.000184248 13.583 13.583
+7.06694 0.000184248 7.06694 7.06694
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-66.6977 1e-12 66.6977 66.6977
+36.2073 3.12749e-05 36.2073 36.2073
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-6.04519 0.00375766 6.04519 6.04519
+2.8477 0.00375766 2.8477 2.8477
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-1.41362 0.0556839 1.41362 1.41362
+0.656168 0.0556839 0.656168 0.656168
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-6.30764 0.174073 6.30764 6.30764
+2.753 0.174073 2.753 2.753
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-296.07 1e-12 296.07 296.07
+99.3899 1e-12 99.3899 99.3899
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-178.973 1e-12 178.973 178.973
+69.2318 1e-12 69.2318 69.2318
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -182,7 +182,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.179371:11991.1]
+set xrange [0.102141:3091.38]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -194,16 +194,16 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0666667 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0645797, graph 0.655161 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000 (cut)" at graph 0.559647, graph 0.656314 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50 (cut)" at graph 0.693796, graph 0.708388 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.416414, graph 0.728811 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.127599, graph 0.730473 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig (cut)" at graph 0.64849, graph 0.76884 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.212758, graph 0.783799 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.00830398, graph 0.795685 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.343548, graph 0.831402 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:50" at graph 0.347373, graph 0.968086 left front noenhanced textcolor rgb '#009e73'
+set label "delassus:1e-3" at graph 0.0694697, graph 0.655161 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000 (cut)" at graph 0.595927, graph 0.675738 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.693796, graph 0.724753 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.437576, graph 0.728811 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.136809, graph 0.730473 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig (cut)" at graph 0.658751, graph 0.776523 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.20722, graph 0.783799 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.0110775, graph 0.795685 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.349484, graph 0.831402 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:50" at graph 0.346206, graph 0.968086 left front noenhanced textcolor rgb '#009e73'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -224,7 +224,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.179371:11991.1]
+set xrange [0.102141:3091.38]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -236,16 +236,16 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000 (cut)" at graph 0.559647, graph 0.590561 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.0645797, graph 0.601563 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.416414, graph 0.677734 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.293741, graph 0.758568 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000 (cut)" at graph 0.595927, graph 0.590561 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.0694697, graph 0.601563 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.437576, graph 0.677734 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.302951, graph 0.758568 left front noenhanced textcolor rgb '#d55e00'
 set label "pgs:50 (cut)" at graph 0.693796, graph 0.758569 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:10" at graph 0.174446, graph 0.829729 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig (cut)" at graph 0.64849, graph 0.829729 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.343548, graph 0.850592 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.00171249, graph 0.870846 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.347373, graph 0.973787 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.177219, graph 0.829729 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig (cut)" at graph 0.658751, graph 0.829729 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.349484, graph 0.850592 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.20722, graph 0.905759 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.346206, graph 0.973787 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -266,7 +266,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.179371:11991.1]
+set xrange [0.102141:3091.38]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -278,16 +278,16 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000 (cut)" at graph 0.559647, graph 0.100199 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50 (cut)" at graph 0.693796, graph 0.0536472 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.302735, graph 0.0536472 left front noenhanced textcolor rgb '#555555'
-set label "si:50" at graph 0.127599, graph 0.70367 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.416414, graph 0.712723 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.00830398, graph 0.741184 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.410335, graph 0.769623 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.154955, graph 0.813455 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.212758, graph 0.903518 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.347373, graph 0.953233 left front noenhanced textcolor rgb '#009e73'
+set label "pgs:50 (cut)" at graph 0.693796, graph 0.0769231 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.312996, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
+set label "si:1000 (cut)" at graph 0.595927, graph 0.653477 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.136809, graph 0.70367 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.437576, graph 0.712723 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.0110775, graph 0.741184 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.415225, graph 0.769623 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.16089, graph 0.813455 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.20722, graph 0.903518 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.346206, graph 0.953233 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.013439 1e-12 0.013439 0.013439
+0.004747 1e-12 0.004747 0.004747
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.012611 4.62009e-07 0.012611 0.012611
+0.004577 4.62009e-07 0.004577 0.004577
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.028491 10.3048 0.028491 0.028491
+0.011988 10.3048 0.011988 0.011988
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.071069 30.3781 0.071069 0.071069
+0.03413 30.3781 0.03413 0.03413
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.285443 24.4721 0.285443 0.285443
+0.130425 24.4721 0.130425 0.130425
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.891005 24.2105 0.891005 0.891005
+0.396221 24.2105 0.396221 0.396221
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.070828 26.6817 0.070828 0.070828
+0.032298 26.6817 0.032298 0.032298
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.027599 12.8078 0.027599 0.027599
+0.011898 12.8078 0.011898 0.011898
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.106109 10.2186 0.106109 0.106109
+0.048773 10.2186 0.048773 0.048773
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.217275 50.1919 0.217275 0.217275
+0.067341 50.1919 0.067341 0.067341
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.080344 14.3894 0.080344 0.080344
+0.024587 14.3894 0.024587 0.024587
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.29086 0.00274278 0.29086 0.29086
+0.07428 0.00274278 0.07428 0.07428
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-3.10888 1.97088 3.10888 3.10888
+1.11452 24.9004 1.11452 1.11452
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.013439 1e-12 0.013439 0.013439
+0.004747 1e-12 0.004747 0.004747
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.012611 5.09799e-08 0.012611 0.012611
+0.004577 5.09799e-08 0.004577 0.004577
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.028491 0.830832 0.028491 0.028491
+0.011988 0.830832 0.011988 0.011988
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.071069 0.386392 0.071069 0.071069
+0.03413 0.386392 0.03413 0.03413
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.285443 0.480811 0.285443 0.285443
+0.130425 0.480811 0.130425 0.130425
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.891005 0.401292 0.891005 0.891005
+0.396221 0.401292 0.396221 0.396221
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.070828 0.218392 0.070828 0.070828
+0.032298 0.218392 0.032298 0.032298
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.027599 0.995106 0.027599 0.027599
+0.011898 0.995106 0.011898 0.011898
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.106109 0.344154 0.106109 0.106109
+0.048773 0.344154 0.048773 0.048773
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.217275 0.754963 0.217275 0.217275
+0.067341 0.754963 0.067341 0.067341
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.080344 0.949568 0.080344 0.080344
+0.024587 0.949568 0.024587 0.024587
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.29086 0.000458911 0.29086 0.29086
+0.07428 0.000458911 0.07428 0.07428
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-3.10888 0.407024 3.10888 3.10888
+1.11452 0.41711 1.11452 1.11452
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.013439 1e-12 0.013439 0.013439
+0.004747 1e-12 0.004747 0.004747
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.012611 1e-12 0.012611 0.012611
+0.004577 1e-12 0.004577 0.004577
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.028491 1.36442 0.028491 0.028491
+0.011988 1.36442 0.011988 0.011988
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.071069 0.00772977 0.071069 0.071069
+0.03413 0.00772977 0.03413 0.03413
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.285443 0.00579767 0.285443 0.285443
+0.130425 0.00579767 0.130425 0.130425
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.891005 1.53108 0.891005 0.891005
+0.396221 1.53108 0.396221 0.396221
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.070828 0.866882 0.070828 0.070828
+0.032298 0.866882 0.032298 0.032298
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.027599 0.00143526 0.027599 0.027599
+0.011898 0.00143526 0.011898 0.011898
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.106109 0.00262444 0.106109 0.106109
+0.048773 0.00262444 0.048773 0.048773
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.217275 0.939779 0.217275 0.217275
+0.067341 0.939779 0.067341 0.067341
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.080344 0.0051569 0.080344 0.080344
+0.024587 0.0051569 0.024587 0.024587
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.29086 2.43991e-09 0.29086 0.29086
+0.07428 2.43991e-09 0.07428 0.07428
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-3.10888 1e-12 3.10888 3.10888
+1.11452 0.00505523 1.11452 1.11452
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00769001:47.9869]
+set xrange [0.00279408:17.0982]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,25 +223,25 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0908227, graph 0.0666667 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0877283, graph 0.0666667 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.44431 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.442667, graph 0.695879 left front noenhanced textcolor rgb '#555555'
-set label "lemke (cut)" at graph 0.713778, graph 0.886311 left front noenhanced textcolor rgb '#999999'
-set label "nncg:50" at graph 0.327276, graph 0.93396 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.0106686, graph 0.934203 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.173171, graph 0.882309 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.146229, graph 0.940498 to graph 0.173171, graph 0.882309 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.295446, graph 0.82749 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.268504, graph 0.94387 to graph 0.295446, graph 0.82749 nohead lw 0.6 lc rgb '#555555'
-set label "si:1000" at graph 0.570775, graph 0.958934 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.440515, graph 0.877779 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.413573, graph 0.959245 to graph 0.440515, graph 0.877779 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.0924269, graph 0.83373 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.254079, graph 0.961748 to graph 0.227137, graph 0.83373 nohead lw 0.6 lc rgb '#e69f00'
-set label "si:50" at graph 0.281409, graph 0.779297 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.254467, graph 0.965504 to graph 0.281409, graph 0.779297 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.409289, graph 0.778879 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.382347, graph 0.980042 to graph 0.409289, graph 0.778879 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.403161, graph 0.695879 left front noenhanced textcolor rgb '#555555'
+set label "nncg:50" at graph 0.354915, graph 0.93396 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.0278336, graph 0.934203 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.193111, graph 0.905584 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.276358, graph 0.850766 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.249416, graph 0.94387 to graph 0.276358, graph 0.850766 nohead lw 0.6 lc rgb '#555555'
+set label "si:1000" at graph 0.595166, graph 0.935658 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.467726, graph 0.877779 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.440784, graph 0.959245 to graph 0.467726, graph 0.877779 nohead lw 0.6 lc rgb '#d55e00'
+set label "lemke (cut)" at graph 0.713778, graph 0.878282 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.686836, graph 0.959747 to graph 0.713778, graph 0.878282 nohead lw 0.6 lc rgb '#999999'
+set label "si2:50" at graph 0.11905, graph 0.857006 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.280702, graph 0.961748 to graph 0.25376, graph 0.857006 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:50" at graph 0.313971, graph 0.802573 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.287029, graph 0.965504 to graph 0.313971, graph 0.802573 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.391913, graph 0.755603 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.364971, graph 0.980042 to graph 0.391913, graph 0.755603 nohead lw 0.6 lc rgb '#cc79a7'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -264,7 +264,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00769001:47.9869]
+set xrange [0.00279408:17.0982]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -275,23 +275,23 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0908227, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0877283, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.407671 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.442667, graph 0.690123 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.0924269, graph 0.881374 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:50" at graph 0.327276, graph 0.872206 left front noenhanced textcolor rgb '#009e73'
-set label "si:50" at graph 0.281409, graph 0.945625 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.254467, graph 0.899073 to graph 0.281409, graph 0.945625 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.570775, graph 0.876971 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke (cut)" at graph 0.713778, graph 0.923963 left front noenhanced textcolor rgb '#999999'
-set label "si:200" at graph 0.440515, graph 0.929131 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.409289, graph 0.81511 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.382347, graph 0.919852 to graph 0.409289, graph 0.81511 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:10" at graph 0.0106686, graph 0.93446 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.084401, graph 0.833863 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.268504, graph 0.926966 to graph 0.241562, graph 0.833863 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.173171, graph 0.777126 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.146229, graph 0.928419 to graph 0.173171, graph 0.777126 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.403161, graph 0.690123 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.11905, graph 0.881374 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:50" at graph 0.354915, graph 0.872206 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.313971, graph 0.945625 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.287029, graph 0.899073 to graph 0.313971, graph 0.945625 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.595166, graph 0.876971 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke (cut)" at graph 0.713778, graph 0.924722 left front noenhanced textcolor rgb '#999999'
+set label "si:200" at graph 0.467726, graph 0.929131 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.20332, graph 0.826748 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.364971, graph 0.919852 to graph 0.338029, graph 0.826748 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:10" at graph 0.0278336, graph 0.93446 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.276358, graph 0.775673 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.249416, graph 0.926966 to graph 0.276358, graph 0.775673 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.193111, graph 0.718936 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.166169, graph 0.928419 to graph 0.193111, graph 0.718936 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -314,7 +314,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00769001:47.9869]
+set xrange [0.00279408:17.0982]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -325,21 +325,20 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0908227, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0877283, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.11798 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.0714286 to graph 0.0835457, graph 0.11798 nohead lw 0.6 lc rgb '#0060a8'
-set label "lemke (cut)" at graph 0.713778, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
-set label "dantzig:1e-6" at graph 0.442667, graph 0.313384 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.173171, graph 0.713857 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.327276, graph 0.802407 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.300334, graph 0.744217 to graph 0.327276, graph 0.802407 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.084401, graph 0.765171 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.440515, graph 0.745528 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.115267, graph 0.81264 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0924269, graph 0.912502 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.409289, graph 0.915007 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:10" at graph 0.176811, graph 0.961487 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.570775, graph 0.941785 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.403161, graph 0.313384 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.193111, graph 0.713857 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.354915, graph 0.744217 left front noenhanced textcolor rgb '#009e73'
+set label "lemke (cut)" at graph 0.713778, graph 0.764553 left front noenhanced textcolor rgb '#999999'
+set label "dantzig" at graph 0.0653129, graph 0.765171 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.467726, graph 0.79208 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.313971, graph 0.801002 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.11905, graph 0.912502 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.391913, graph 0.926645 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:10" at graph 0.193976, graph 0.961487 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.595166, graph 0.941785 left front noenhanced textcolor rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
