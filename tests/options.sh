@@ -32,6 +32,12 @@ configures no_render "" -DDELASSUS_RENDER=OFF
 configures no_multibody "" -DDELASSUS_MULTIBODY=OFF -DDELASSUS_RENDER=OFF
 unset PKG_CONFIG_LIBDIR
 if grep -qx osmesa <<<"$all"; then configures no_tests "GTest" -DDELASSUS_TESTS=OFF; fi
+for precision in float double; do
+  unset PKG_CONFIG_LIBDIR
+  only_modules "$([ $precision = float ] && echo bullet || echo bullet-float64)"
+  configures "$precision" "GTest CLI11 nlohmann_json" -DDELASSUS_PRECISIONS=$precision -DDELASSUS_DEMOS=OFF \
+    -DDELASSUS_RENDER=OFF -DDELASSUS_TESTS=OFF
+done
 only_modules
 configures core "PkgConfig GTest CLI11 nlohmann_json" -DDELASSUS_BULLET=OFF -DDELASSUS_MULTIBODY=OFF \
   -DDELASSUS_DEMOS=OFF -DDELASSUS_RENDER=OFF -DDELASSUS_TESTS=OFF
