@@ -38,25 +38,22 @@ struct Options {
     return std::min(newtonBudget, std::max(enough, newtonBudget / 8));
   }
   /// Most block Gauss-Seidel sweeps, alternations, and steps on few contacts without their joints
-  /// (condensed_newton.h), per island. Who allows few of them is in a hurry (isHurried): few
-  /// contacts, as they are or as joints leave them, are solved at once for one region, by some tens
-  /// of steps that are not counted. Where there are more, no heap (pile_kind.h), and nothing slid,
-  /// all is held at once for one region, its steps uncounted; without reactions to start from, a
-  /// short walk from the forced motion may come next, but in large piles. If that is no answer, all
-  /// sweeps are made, as sequential impulses make theirs, and a walk comes after them. There are no
-  /// alternations, no second start and no path of compliance. The numbers are in
-  /// search_start_out.cpp.
+  /// (condensed_newton.h), per island. Below 300 (isHurried) exactness gives way to time. Few
+  /// contacts, as they are or as joints leave them, are solved outright, and of piles in which
+  /// nothing slid all contacts are held at once; either is counted as one region. Where that is no
+  /// answer, all sweeps are made, as sequential impulses make theirs, and the regions that are left
+  /// come after them. There are no alternations, no second start and no path of compliance.
+  /// (search_start_out.cpp has the numbers.)
   int sweepBudget = 64000;
   bool isHurried() const { return sweepBudget < 300; }
-  /// Most factorisations along a path of compliance (compliance_path.h), of an island of up to 600
-  /// contacts and rows; of larger ones, in which each costs more, as many fewer. There is no path
-  /// in islands of more than 200 contacts and rows that are no heaps (pile_kind.h), with rolling or
-  /// spinning friction, or where W is explicit. It is looked at between strides, of which one may
-  /// make a hundred. A path's start takes up to 10 000 sweeps and 600 regions, and its end up to
-  /// 240 regions, that no other budget holds. In large piles (pile_kind.h) that have no reactions
-  /// to start from, those for less friction come in its place, unless this is 0 or less: at the
-  /// cost of regions, of which there are as many fewer where there are more than 1000 contacts and
-  /// rows. Not where W is explicit, either.
+  /// The last resort; 0 or less: there is none. Most factorisations along a path of compliance
+  /// (compliance_path.h), of an island of up to 600 contacts and rows; of larger ones, in which
+  /// each costs more, as many fewer. It is looked at between strides, of which one may make a
+  /// hundred. A path's start takes up to 10 000 sweeps and 600 regions, and its end up to 240
+  /// regions, that no other budget holds. There is none with rolling or spinning friction, nor in
+  /// large piles (pile_kind.h): those that have no reactions to start from set out from the answers
+  /// for less friction instead, within newtonBudget (of more than 1000 contacts and rows as many
+  /// fewer). Nor is there either where W is explicit.
   int pathBudget = 30000;
   /// A guess whose residual is within this share of the tolerance comes back as it is; > 0, ≤ 1.
   /// The Bullet solvers take no more than polishedShare; before, they keep the last reactions where
