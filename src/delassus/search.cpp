@@ -191,8 +191,9 @@ Outcome Search::walkCold(Engines<Motion>& engines, const Task& task, Solution& b
 }
 
 /// What is small or simple first: explicit entries by sweeps, if these lead far enough, and by
-/// Newton's method on a dense W; joints that leave few contacts, without them (`condense`). Where
-/// there is no room for a factor, or no time for a walk, sweeps alone. All else by `walkTwice`.
+/// Newton's method on a dense W; few contacts that joints leave, without these (`condense`; in a
+/// hurry few without joints, too). Where there is no room for a factor, or no time for a walk,
+/// sweeps alone. All else by `walkTwice`.
 Outcome Search::walk(const Task& task, Solution& best) {
   isHurried_ = task.options.isHurried();
   if (!problem_->W.inBodySpace() && problem_->size() > fewUnknowns &&

@@ -58,6 +58,8 @@ bool hasOneRegion(const Problem& problem) {
 /// first would end just within the tolerance, and none would follow that takes more digits.
 constexpr double forcedRegion = 1e-7;
 constexpr double disturbed = 1e-3;  ///< share of the demands that reactions leave open
+/// Unknowns whose dense matrix costs no more than the factor of their bodies.
+constexpr int fewAlone = 36;
 
 }  // namespace
 
@@ -139,7 +141,7 @@ bool Search::hold(Engines<Motion>& engines, const Task& task, Solution& best) {
 /// Newton's method on few contacts, as joints leave them. Who has few sweeps pays a region for it,
 /// and no sweeps, as for `hold`, and has it where there are no joints, too.
 bool Search::condense(const Task& task, Solution& best) {
-  constexpr int few = 60, fewAlone = 36;  // unknowns
+  constexpr int few = 60;  // unknowns that joints leave
   const int sweeps = best.sweeps;
   const int most = isHurried_ ? CondensedNewton::mostSteps : task.sweepsLeft(best);
   if (most <= 0 || task.regionsLeft(best) <= 0) return false;
@@ -158,11 +160,10 @@ bool Search::condense(const Task& task, Solution& best) {
 /// not so many that some of them are always in a wrong region.
 template <class Motion>
 bool Search::react(Engines<Motion>& engines, const Task& task, Solution& best) {
-  constexpr int few = 36;  // unknowns
   constexpr int mostContacts = 300, fewSteps = 30, manySteps = 40;
   if (isHurried_ || task.regionsLeft(best) <= 0) return false;
   CondensedNewton& condensed = machines().condensed;
-  if (!task.guess && condensed.setProblem(*problem_, map_, best.r, few))
+  if (!task.guess && condensed.setProblem(*problem_, map_, best.r, fewAlone))
     return condensed.solve(task.tolerance, task.sweepsLeft(best), best);
   // Where contacts share loads in many ways, joints leave fewer.
   const bool isTooLarge =

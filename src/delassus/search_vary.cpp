@@ -56,10 +56,10 @@ double Search::soften(const Task& task, Solution& best) {
 /// turn, as long as there are regions.
 ///
 /// With much friction an answer may repel what comes near it. Linearised there, an outer step of
-/// the walk multiplies errors by (1 + P' W/(α W_aa))⁻¹ P', which is no contraction where what
-/// slides feeds on its own load, unless α is small; and for small α there is no way from afar
-/// (renders/report/piles.md). Where less friction leads to is another place to come from. In body
-/// space, as on the path of compliance: explicit entries are too dear.
+/// the walk multiplies errors by (1 + P' l W)⁻¹ P', l = 1/(α W_aa), which may be no contraction
+/// unless α is small; and for small α there is no way from afar. That is one reason why walks are
+/// lost, not the only one (renders/report/piles.md). Where less friction leads to is another place
+/// to come from. In body space, as on the path of compliance: explicit entries are too dear.
 template <class Motion>
 Outcome Search::addFriction(Engines<Motion>& engines, const Task& task, Solution& best) {
   constexpr double shares[] = {0.8, 0.95, 0.6};

@@ -91,8 +91,8 @@ double growthNear(const Problem& problem, const Solution& answer, double weight)
   return Eigen::EigenSolver<MatrixXd>(step, false).eigenvalues().cwiseAbs().maxCoeff();
 }
 
-// Why they are lost: errors grow from step to step, unless the weight is too small to be solved for
-// from afar. Sweeps are such steps, too.
+// One reason why they are lost: errors grow from step to step, unless the weight is too small to be
+// solved for from afar.
 TEST(MassRatio, WithMuchFrictionAnswersMayRepel) {
   constexpr double weight = 1e-2, rounding = 1e-6;
   const auto repel = [](double friction) {

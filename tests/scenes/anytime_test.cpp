@@ -45,8 +45,8 @@ TEST_P(OneStep, IsNoWorseThanAsManySweepsOfSequentialImpulses) {
   for (const int sweeps : {1, 2, 3, 5, 10, 50}) expectNoWorseThanStock(sweeps);
 }
 
-// Not `rolling_balls`: three sweeps leave up to 2.3 times as much of disks of rolling friction,
-// which are swept over in one way, as stock, which knows no disks, of bounds.
+// Not `rolling_balls`, which after three sweeps is up to 2.3 times as far from our law of rolling
+// friction as after three of stock.
 INSTANTIATE_TEST_SUITE_P(catalogue, OneStep,
                          testing::Values("sliding_ladder", "incline", "box_headings", "stack_10",
                                          "stack_10_heavy_top", "pyramid_10", "wall_and_ball",
