@@ -159,7 +159,9 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Task& task, Solution& 
     }
   } else {
     outcome = walkOnce(engines, task, best);
-    if (outcome == Outcome::Lost) outcome = addFriction(engines, task, best);
+    // Not for some digits more.
+    if (outcome == Outcome::Lost && best.residual > nearly * problem_->demand())
+      outcome = addFriction(engines, task, best);
   }
   return outcome == Outcome::Lost ? harden(engines, rest, best) : outcome;
 }
