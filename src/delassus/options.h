@@ -51,9 +51,10 @@ struct Options {
   /// each costs more, as many fewer. It is looked at between strides, of which one may make a
   /// hundred. A path's start takes up to 10 000 sweeps and 600 regions, and its end up to 240
   /// regions, that no other budget holds. There is none with rolling or spinning friction, nor in
-  /// large piles (pile_kind.h): those that have no reactions to start from set out from the answers
-  /// for less friction instead, within newtonBudget (of more than 1000 contacts and rows as many
-  /// fewer). Nor is there either where W is explicit.
+  /// large piles (pile_kind.h): those that have no reactions to start from, and are left with more
+  /// than 1e-6 of their demands, set out from the answers for less friction instead, within
+  /// newtonBudget (of more than 1000 contacts and rows as many fewer). Nor is there either where W
+  /// is explicit.
   int pathBudget = 30000;
   /// A guess whose residual is within this share of the tolerance comes back as it is; > 0, ≤ 1.
   /// The Bullet solvers take no more than polishedShare; before, they keep the last reactions where
