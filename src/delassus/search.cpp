@@ -35,6 +35,16 @@ double Search::firstWeight(const Solution& from, double least) const {
   return std::clamp(std::sqrt(from.residual / problem_->demand()), least, unknownRegion);
 }
 
+/// Of 193 walks after sweeps in a wedged bin of 1000 spheres, 50 regions each, 16 of the 35 that
+/// set out within reach met an answer, and 4 of the 158 others. What is further off is moved on by
+/// a few regions as well as by many, and eight thousand sweeps cost no more than 50 regions.
+int Search::regionsFrom(const Solution& from, int most) const {
+  constexpr double withinReach = 1e-4;
+  constexpr int aNudge = 10;
+  const bool isFar = isLargeHeap(*problem_) && from.residual > withinReach * problem_->demand();
+  return isFar ? std::min(most, aNudge) : most;
+}
+
 /// A few regions settle a small island; where there are many contacts, and no time, they only take
 /// some.
 bool Search::hasNoWalk(const Task& task, const Solution& best) const {
@@ -119,7 +129,8 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Task& task, Solution& b
       best.residual <= nearly * problem_->demand() ? knownRegion : firstWeight(best, leastAtFirst);
   // In large piles what else finds back is dear and seldom helps.
   const int most = task.guess && isLargePile(*problem_) && !isHurried_ ? longWalk : fairWalk;
-  outcome = engines.walk.walk(task.tolerance, weight, task.regionsLeft(best, most), best);
+  outcome = engines.walk.walk(task.tolerance, weight,
+                              regionsFrom(best, task.regionsLeft(best, most)), best);
   // In small heaps regions cost no more than tens of sweeps: there that is left for the end.
   if (outcome == Outcome::Lost && isLargeHeap(*problem_)) outcome = outlast(engines, task, best);
   return outcome == Outcome::Lost ? findBack(engines, task, best) : outcome;

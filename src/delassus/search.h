@@ -190,6 +190,8 @@ class Search {
   /// The proximal weight of a walk's first step from here, by what is left to correct; at least
   /// `least`.
   double firstWeight(const Solution& from, double least) const;
+  /// Regions worth a walk from here: in large heaps few where too much is left to correct.
+  int regionsFrom(const Solution& from, int most) const;
 
   /// Completes u and the residuals of a candidate r.
   void measure(Solution& candidate);
