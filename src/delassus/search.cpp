@@ -113,7 +113,8 @@ Outcome Search::pivotRows(const Task& task, Solution& best) {
 ///   - up to some hundred contacts, but for large piles: steps in the space of reactions;
 ///   - much is disturbed: accelerated sweeps as long as they gain, in heaps with patches.
 /// Where few sweeps are allowed: `hold` if nothing slid, and all sweeps. Then a walk, in large
-/// piles a long one. Where it loses its way, many contacts are at a wall of their region:
+/// piles a long one, in large heaps short where an answer is far (`regionsFrom`). Where it loses
+/// its way, many contacts are at a wall of their region:
 ///   - in large heaps plain sweeps, to outlast what hurried ones run past;
 ///   - a proof that nothing can meet the demands; a second walk, but in large islands, as bold as
 ///     what the first has left allows; an interior point, which comes down between the walls; a
