@@ -139,6 +139,10 @@ int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo
 
 void gatherBodies(Group& group, btCollisionObject** bodies, int count,
                   const btContactSolverInfo& info, StepReport& report) {
+  if (group.bodies.capacity() == 0) {  // as in makeFirstRoom
+    group.bodies.reserve(count);
+    group.bodySources.reserve(count);
+  }
   for (int i = 0; i < count; ++i) bodyIndex(group, *bodies[i], info, report);
 }
 

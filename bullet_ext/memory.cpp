@@ -308,6 +308,7 @@ void Memory::keep(const Group& group, const Answer& answer, double h, bool withP
   groups_.insert(sign, 0);
 
   const auto contacts = static_cast<int>(group.contacts.size());
+  if (now_.points.capacity() == 0) now_.points.reserve(contacts);  // as in makeFirstRoom
   for (int begin = 0, end; begin < contacts; begin = end) {
     end = endOfManifold(group, begin);
     const auto first = static_cast<int>(now_.points.size());
