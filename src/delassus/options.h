@@ -14,12 +14,13 @@ constexpr double keptShare = 1e-1, polishedShare = 1e-4;
 
 struct Options {
   /// For who has little time: so many sweeps an island, and a region for every twenty, which is
-  /// what one costs in small piles (in large ones more); at least one.
+  /// what one costs in small piles (in large ones more); at least one. No path of compliance.
   static Options bounded(int sweeps) {
     constexpr int sweepsOfRegion = 20;
     Options options;
     options.sweepBudget = sweeps;
     options.newtonBudget = std::max(1, sweeps / sweepsOfRegion);
+    options.pathBudget = 0;
     return options;
   }
 
@@ -38,12 +39,13 @@ struct Options {
     return std::min(newtonBudget, std::max(enough, newtonBudget / 8));
   }
   /// Most block Gauss-Seidel sweeps, alternations, and steps on few contacts without their joints
-  /// (condensed_newton.h), per island. Below 300 (isHurried) exactness gives way to time. Few
-  /// contacts, as they are or as joints leave them, are solved outright, and of piles in which
-  /// nothing slid all contacts are held at once; either is counted as one region. Where that is no
-  /// answer, all sweeps are made, as sequential impulses make theirs, and the regions that are left
-  /// come after them. There are no alternations, no second start and no path of compliance.
-  /// (search_start_out.cpp has the numbers.)
+  /// (condensed_newton.h), per island. Below 300 (isHurried), and in large heaps (pile_kind.h)
+  /// below 3000, exactness gives way to time. Few contacts, as they are or as joints leave them,
+  /// are solved outright, and of piles in which nothing slid all contacts are held at once; either
+  /// is counted as one region. Where that is no answer, all sweeps are made, as sequential impulses
+  /// make theirs, and the regions that are left come after them; in large heaps only where the
+  /// sweeps have come near an answer. There are no alternations, no second start and no path of
+  /// compliance. (search_start_out.cpp has the numbers.)
   int sweepBudget = 64000;
   bool isHurried() const { return sweepBudget < 300; }
   /// The last resort; 0 or less: there is none. Most factorisations along a path of compliance

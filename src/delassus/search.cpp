@@ -37,19 +37,29 @@ double Search::firstWeight(const Solution& from, double least) const {
 
 /// Of 193 walks after sweeps in a wedged bin of 1000 spheres, 50 regions each, 16 of the 35 that
 /// set out within reach met an answer, and 4 of the 158 others. What is further off is moved on by
-/// a few regions as well as by many, and eight thousand sweeps cost no more than 50 regions.
-int Search::regionsFrom(const Solution& from, int most) const {
+/// a few regions as well as by many, and eight thousand sweeps cost no more than 50 regions. In a
+/// hurry it stays where sweeps have left it.
+int Search::regionsFrom(const Solution& from, const Task& task, int most) const {
   constexpr double withinReach = 1e-4;
   constexpr int aNudge = 10;
   const bool isFar = isLargeHeap(*problem_) && from.residual > withinReach * problem_->demand();
-  return isFar ? std::min(most, aNudge) : most;
+  return !isFar ? most : task.isHurried ? 0 : std::min(most, aNudge);
 }
 
 /// A few regions settle a small island; where there are many contacts, and no time, they only take
 /// some.
 bool Search::hasNoWalk(const Task& task, const Solution& best) const {
   const int least = isHeap(*problem_) || isLargePile(*problem_) ? shortWalk : 1;
-  return isHurried_ && task.regionsLeft(best) < least;
+  return task.isHurried && task.regionsLeft(best) < least;
+}
+
+/// Who allows less than regions can use in a large heap has more of its sweeps alone: in spheres
+/// that wedge in a bin three hundred to a thousand of them take a fifth of the time and leave no
+/// more.
+bool Search::isHurried(const Options& options) const {
+  constexpr int worthRegions = 3000;
+  return options.isHurried() ||
+         (!isInner_ && isLargeHeap(*problem_) && options.sweepBudget < worthRegions);
 }
 
 void Search::measure(Solution& candidate) {
@@ -125,13 +135,14 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Task& task, Solution& b
   engines.space.keepFactors(task.options.economies.factors);
   const bool isRushed = hasNoWalk(task, best);
   Outcome outcome = startOut(engines, task, best);
-  if (outcome != Outcome::Lost || isRushed || task.regionsLeft(best) <= 0) return outcome;
+  if (outcome != Outcome::Lost || isRushed) return outcome;
+  // In large piles what else finds back is dear and seldom helps.
+  const int most = task.guess && isLargePile(*problem_) && !task.isHurried ? longWalk : fairWalk;
+  const int regions = regionsFrom(best, task, task.regionsLeft(best, most));
+  if (regions <= 0) return outcome;
   const double weight =
       best.residual <= nearly * problem_->demand() ? knownRegion : firstWeight(best, leastAtFirst);
-  // In large piles what else finds back is dear and seldom helps.
-  const int most = task.guess && isLargePile(*problem_) && !isHurried_ ? longWalk : fairWalk;
-  outcome = engines.walk.walk(task.tolerance, weight,
-                              regionsFrom(best, task.regionsLeft(best, most)), best);
+  outcome = engines.walk.walk(task.tolerance, weight, regions, best);
   // In small heaps regions cost no more than tens of sweeps: there that is left for the end.
   if (outcome == Outcome::Lost && isLargeHeap(*problem_)) outcome = outlast(engines, task, best);
   return outcome == Outcome::Lost ? findBack(engines, task, best) : outcome;
@@ -151,7 +162,7 @@ void Search::polishWith(Engines<Motion>& engines, const Task& task, Solution& be
 /// left is small, and costs less then than to begin anew.
 template <class Motion>
 Outcome Search::walkTwice(Engines<Motion>& engines, const Task& task, Solution& best) {
-  if (isHurried_) return walkOnce(engines, task, best);
+  if (task.isHurried) return walkOnce(engines, task, best);
   constexpr int shortPath = 8;  // one part in so many
   Task rest = task;
   Outcome outcome;
@@ -208,8 +219,9 @@ Outcome Search::walkCold(Engines<Motion>& engines, const Task& task, Solution& b
 /// Newton's method on a dense W; few contacts that joints leave, without these (`condense`; in a
 /// hurry few without joints, too). Where there is no room for a factor, or no time for a walk,
 /// sweeps alone. All else by `walkTwice`.
-Outcome Search::walk(const Task& task, Solution& best) {
-  isHurried_ = task.options.isHurried();
+Outcome Search::walk(const Task& asked, Solution& best) {
+  Task task = asked;
+  task.isHurried = isHurried(asked.options);
   if (!problem_->W.inBodySpace() && problem_->size() > fewUnknowns &&
       sweepAndLearn(task, task.tolerance, best))
     return Outcome::Reached;

@@ -32,6 +32,9 @@ struct Task {
   double tolerance;       ///< natural residual to reach, m/s
   const VectorXd* guess;  ///< reactions of a last step; null: there are none
   int reserved = 0;       ///< regions for who comes later
+  /// Exactness gives way to time: by what the user has allowed, whatever share of it this is. No
+  /// sweep is to be lost on what may gain nothing.
+  bool isHurried = false;
 
   /// Of those that may gain nothing.
   int regionsLeft(const Solution& best, int most = std::numeric_limits<int>::max()) const {
@@ -40,7 +43,11 @@ struct Task {
   int sweepsLeft(const Solution& best, int most = std::numeric_limits<int>::max()) const {
     return std::min(most, options.sweepBudget - best.sweeps);
   }
-  Task fromNothing() const { return {options, tolerance, nullptr, reserved}; }
+  Task fromNothing() const {
+    Task task = *this;
+    task.guess = nullptr;
+    return task;
+  }
 };
 
 /// The search for the reactions of one problem after the other: by sweeps, by patches, from region
@@ -79,7 +86,7 @@ class Search {
 
   std::size_t bytes() const {
     return map_.bytes() + dense_.bytes() + (own_ ? own_->bytes() : 0) + trial_.bytes() +
-           wandering_.bytes() + apart_.bytes() + felt_.bytes() + quarrel_.bytes() +
+           wandering_.bytes() + apart_.bytes() + held_.bytes() + felt_.bytes() + quarrel_.bytes() +
            patches_.bytes() + patch_.bytes() + patchAnswer_.bytes() +
            bytesOf(residuals_, patchStart_, variedStart_) + varied_.bytes() +
            variedAnswer_.bytes() + (patchSearch_ ? patchSearch_->bytes() : 0) +
@@ -119,7 +126,7 @@ class Search {
     return *machines_;
   }
   /// For the patches of another search, or for what it varies: it takes turns with that one.
-  explicit Search(Machines& machines) : machines_(&machines) {}
+  explicit Search(Machines& machines) : isInner_(true), machines_(&machines) {}
 
   // search.cpp: the order of ways.
   template <class Motion>
@@ -130,6 +137,7 @@ class Search {
   Outcome walkCold(Engines<Motion>& engines, const Task& task, Solution& best);
   void setOutApart(const VectorXd* guess, Solution& best);
   Outcome comeBack(Outcome outcome, Solution& best) const;
+  bool isHurried(const Options& options) const;
   bool hasNoWalk(const Task& task, const Solution& best) const;
   template <class Motion>
   void polishWith(Engines<Motion>& engines, const Task& task, Solution& best);
@@ -141,6 +149,8 @@ class Search {
   bool mayHold(const Task& task, const Solution& best) const;
   template <class Motion>
   bool hold(Engines<Motion>& engines, const Task& task, Solution& best);
+  template <class Motion>
+  bool holdApart(Engines<Motion>& engines, const Task& task, Solution& best);
   template <class Motion>
   bool react(Engines<Motion>& engines, const Task& task, Solution& best);
   template <class Motion>
@@ -191,7 +201,7 @@ class Search {
   /// `least`.
   double firstWeight(const Solution& from, double least) const;
   /// Regions worth a walk from here: in large heaps few where too much is left to correct.
-  int regionsFrom(const Solution& from, int most) const;
+  int regionsFrom(const Solution& from, const Task& task, int most) const;
 
   /// Completes u and the residuals of a candidate r.
   void measure(Solution& candidate);
@@ -200,19 +210,17 @@ class Search {
   /// Puts the answer of a walk back into the cones and bounds that rounding, or a compromise, left.
   void allow(Solution& best);
 
-  /// With so few sweeps none are to be lost on what may gain nothing: as the user has it, whatever
-  /// share of them a walk has.
-  bool isHurried_ = false;
   Hands* hands_ = nullptr;
   const Problem* problem_ = nullptr;
   NaturalMap map_;
   DenseNewton<Eigen::Dynamic> dense_;
-  std::unique_ptr<Machines> own_;  ///< none in a search for patches
+  bool isInner_ = false;  ///< for patches or a varied problem, with the machines of another search
+  std::unique_ptr<Machines> own_;
   Machines* machines_ = nullptr;
-  Solution trial_;  ///< a candidate, or what was best before a hold
-  /// Where a way is that may lead away from the best; in a hurry what a hold has come to.
-  Solution wandering_;
-  Solution apart_;  ///< the best of a way of its own
+  Solution trial_;      ///< a candidate
+  Solution wandering_;  ///< where a way is that may lead away from the best
+  Solution apart_;      ///< the best of a way of its own
+  Solution held_;       ///< what a hold has come to, in a hurry
   VectorXd felt_;
   Quarrel quarrel_;
 

@@ -59,7 +59,7 @@ Outcome Search::outlast(Engines<Motion>& engines, const Task& task, Solution& be
     const double before = apart_.residual;
     engines.space.setProblem(*problem_, map_);
     outcome = engines.walk.walkFrom(wandering_, task.tolerance, firstWeight(wandering_, leastAfar),
-                                    regionsFrom(wandering_, regionsLeft), apart_);
+                                    regionsFrom(wandering_, task, regionsLeft), apart_);
     if (apart_.residual < before) wandering_.r = apart_.r;
   }
   return comeBack(outcome, best);

@@ -58,6 +58,7 @@ bool hasOneRegion(const Problem& problem) {
 /// first would end just within the tolerance, and none would follow that takes more digits.
 constexpr double forcedRegion = 1e-7;
 constexpr double disturbed = 1e-3;  ///< share of the demands that reactions leave open
+constexpr int mostHolds = 40;       ///< steps of a hold
 /// Unknowns whose dense matrix costs no more than the factor of their bodies.
 constexpr int fewAlone = 36;
 
@@ -68,15 +69,15 @@ template <class Motion>
 Outcome Search::startOut(Engines<Motion>& engines, const Task& task, Solution& best) {
   const double demand = problem_->demand(), aim = keptShare * task.tolerance;
   const auto isReached = [&] { return best.residual <= task.tolerance; };
-  wandering_.residual = infinity;  // of what a hold leaves
-  if (isHurried_ && hold(engines, task, best)) return Outcome::Reached;
+  held_.residual = infinity;
+  if (task.isHurried && holdApart(engines, task, best)) return Outcome::Reached;
   if (!task.guess && !isLargePile(*problem_)) {
     forceActiveSet(*problem_, best.activeSet);
     const Outcome outcome = engines.walk.walkFromRegion(task.tolerance, forcedRegion,
                                                         task.regionsLeft(best, shortWalk), best);
     if (outcome != Outcome::Lost) return outcome;
   }
-  if (!isHurried_ && hold(engines, task, best)) return Outcome::Reached;
+  if (!task.isHurried && hold(engines, task, best)) return Outcome::Reached;
   if (task.options.economies.oneRegion && hasOneRegion(*problem_)) {
     const Outcome outcome =
         engines.walk.walk(task.tolerance, knownRegion, task.regionsLeft(best, shortWalk), best);
@@ -86,9 +87,9 @@ Outcome Search::startOut(Engines<Motion>& engines, const Task& task, Solution& b
   } else if (!task.guess && alternate(engines, task, best)) {
     return finish(engines, task, best);
   }
-  if (isHurried_) {
+  if (task.isHurried) {
     sweepAll(task, aim, best);
-    if (wandering_.residual < best.residual) best.takeReactions(wandering_);
+    if (held_.residual < best.residual) best.takeReactions(held_);
     if (isReached()) return Outcome::Reached;
   } else if (best.residual > disturbed * demand && isHeap(*problem_)) {
     settle(task, aim, best);
@@ -110,31 +111,35 @@ bool Search::mayHold(const Task& task, const Solution& best) const {
   constexpr int fewContacts = 12;
   if (isHeap(*problem_) || task.regionsLeft(best) <= 0) return false;
   // Explicit entries of this size cost more to factor than few sweeps are worth.
-  if (isHurried_ && isLargePile(*problem_) && !problem_->W.inBodySpace()) return false;
-  if (!isHurried_ && isLargePile(*problem_)) return true;
+  if (task.isHurried && isLargePile(*problem_) && !problem_->W.inBodySpace()) return false;
+  if (!task.isHurried && isLargePile(*problem_)) return true;
   // Small islands without reactions of a last step hold all in their first region, if there may be
   // others.
-  return (task.guess || isHurried_) && problem_->contacts() > fewContacts &&
+  return (task.guess || task.isHurried) && problem_->contacts() > fewContacts &&
          slidesNowhere(*problem_, best.r);
 }
 
-/// Holds all that touches. Who has few sweeps pays a region for it and no sweeps; these are made as
-/// if it had not been tried, and what it has come to waits in wandering_.
+/// Holds all that touches.
 template <class Motion>
 bool Search::hold(Engines<Motion>& engines, const Task& task, Solution& best) {
-  constexpr int mostSteps = 40;
-  const int sweeps = best.sweeps;
-  const int most = isHurried_ ? mostSteps : task.sweepsLeft(best, mostSteps);
+  const int most = task.sweepsLeft(best, mostHolds);
   if (most <= 0 || !mayHold(task, best)) return false;
-  if (isHurried_) trial_.takeReactions(best);
   holdActiveSet(*problem_, best.r, best.activeSet);
-  const bool isHeld = engines.forced.hold(task.tolerance, most, best);
-  if (!isHurried_) return isHeld;
-  best.sweeps = sweeps;
-  if (!isHeld && best.residual < trial_.residual) {
-    wandering_.takeReactions(best);
-    best.takeReactions(trial_);
-  }
+  return engines.forced.hold(task.tolerance, most, best);
+}
+
+/// The same for who has few sweeps, who pays a region for it and none of these: they are made as if
+/// it had not been tried, and what it has come to waits in held_.
+template <class Motion>
+bool Search::holdApart(Engines<Motion>& engines, const Task& task, Solution& best) {
+  if (!mayHold(task, best)) return false;
+  held_.takeReactions(best);
+  held_.takeWork(best);
+  holdActiveSet(*problem_, held_.r, held_.activeSet);
+  const bool isHeld = engines.forced.hold(task.tolerance, mostHolds, held_);
+  best.regions = held_.regions;
+  best.factorisations = held_.factorisations;
+  if (isHeld) best.takeReactions(held_);
   return isHeld;
 }
 
@@ -143,15 +148,15 @@ bool Search::hold(Engines<Motion>& engines, const Task& task, Solution& best) {
 bool Search::condense(const Task& task, Solution& best) {
   constexpr int few = 60;  // unknowns that joints leave
   const int sweeps = best.sweeps;
-  const int most = isHurried_ ? CondensedNewton::mostSteps : task.sweepsLeft(best);
+  const int most = task.isHurried ? CondensedNewton::mostSteps : task.sweepsLeft(best);
   if (most <= 0 || task.regionsLeft(best) <= 0) return false;
   CondensedNewton& newton = machines().condensed;
   if (!newton.setProblem(*problem_, map_, best.r, few)) return false;
-  const bool isWorthIt =
-      newton.hasHeld() ? task.options.economies.joints : isHurried_ && problem_->size() <= fewAlone;
+  const bool isWorthIt = newton.hasHeld() ? task.options.economies.joints
+                                          : task.isHurried && problem_->size() <= fewAlone;
   if (!isWorthIt) return false;
   const bool isReached = newton.solve(task.tolerance, most, best);
-  if (isHurried_) best.sweeps = sweeps;
+  if (task.isHurried) best.sweeps = sweeps;
   return isReached;
 }
 
@@ -161,7 +166,7 @@ bool Search::condense(const Task& task, Solution& best) {
 template <class Motion>
 bool Search::react(Engines<Motion>& engines, const Task& task, Solution& best) {
   constexpr int mostContacts = 300, fewSteps = 30, manySteps = 40;
-  if (isHurried_ || task.regionsLeft(best) <= 0) return false;
+  if (task.isHurried || task.regionsLeft(best) <= 0) return false;
   CondensedNewton& condensed = machines().condensed;
   if (!task.guess && condensed.setProblem(*problem_, map_, best.r, fewAlone))
     return condensed.solve(task.tolerance, task.sweepsLeft(best), best);
@@ -178,7 +183,7 @@ bool Search::react(Engines<Motion>& engines, const Task& task, Solution& best) {
 template <class Motion>
 bool Search::alternate(Engines<Motion>& engines, const Task& task, Solution& best) {
   constexpr int alternations = 300;  // bring a large pile to rest
-  if (isHurried_) return false;
+  if (task.isHurried) return false;
   const int most = task.sweepsLeft(best, alternations);
   return engines.alternation.alternate(keptShare * task.tolerance, most, best);
 }

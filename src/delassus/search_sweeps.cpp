@@ -146,7 +146,7 @@ void Search::findPatches(double tolerance, double outstanding, const Solution& u
 /// Solves the patches, and puts their reactions in the place of those in `unsettled`. Their work is
 /// counted in `best`: a sweep by the patch's share of the island, a region by its share to the
 /// power 3/2, as a factor costs in a flat pile (George 1973). False if there were no patches, or no
-/// work is left; in islands of few parts, with explicit W, and in patches themselves there are
+/// work is left; in islands of few parts, with explicit W, and within patches or varied problems there are
 /// none.
 bool Search::mendPatches(const Task& task, double tolerance, double outstanding,
                          Solution& unsettled, Solution& best) {
@@ -154,7 +154,7 @@ bool Search::mendPatches(const Task& task, double tolerance, double outstanding,
   constexpr int fewParts = 20;  // whose walk costs no more than that of their patches
   constexpr double mostRegions = 300, mostSweeps = 1000;
   const int parts = problem_->contacts() + problem_->rows();
-  if (!own_ || parts <= fewParts || !problem_->W.inBodySpace()) return false;
+  if (isInner_ || parts <= fewParts || !problem_->W.inBodySpace()) return false;
   findPatches(tolerance, outstanding, unsettled);
   if (!patchSearch_) patchSearch_.reset(new Search(machines()));
   double regions = 0, factorisations = 0, sweeps = 0;
