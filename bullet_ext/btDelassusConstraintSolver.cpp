@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
+#include "bullet_ext/contradictions.h"
 #include "bullet_ext/extension.h"
 #include "bullet_ext/gather.h"
 #include "bullet_ext/geometric_stiffness.h"
@@ -74,7 +75,8 @@ void countTier(Tier tier, StepReport& report) {
 /// What messages say after the name of a contact or joint that is blamed.
 const char* reasonOf(const IslandResult& island) {
   if (island.isSoftened)
-    return ": the exact answer would throw a body; the one taken is as if contacts gave a little";
+    return ": the exact answer would throw a body; the one taken is as if contacts, or joints, "
+           "gave a little";
   switch (island.status) {
     case Status::OutOfBudget:
       return ": the budget of its island ended above the tolerance; the error is largest here";
@@ -225,6 +227,7 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(const GroupIn
     solveIslands(w.group, info, w.workshop, w.answer, report_);
     laps.end(report_.secondsSolve);
   }
+  nameContradictions(w.group, info.m_timeStep, w.answer);
   const Bench::Counts counts = w.workshop.counts();
   w.pushes.clear();
   if (plan.pushContacts > 0) {

@@ -67,10 +67,10 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   /// contact points keep theirs. Options, threads, listeners and what was switched on stay. Throws
   /// as setThreads.
   void reset() override;
-  /// BT_MLCP_SOLVER: of Bullet's names the nearest. Contacts and joints are one mixed
-  /// complementarity problem, solved from region to region, not by sequential impulses.
-  /// (BT_MULTIBODY_SOLVER would be cast to a class that this is not.)
-  btConstraintSolverType getSolverType() const override { return BT_MLCP_SOLVER; }
+  /// BT_NNCG_SOLVER, of Bullet's names that of another solver of the whole, for which nobody takes
+  /// this one: Bullet casts what answers BT_MULTIBODY_SOLVER, its examples (Hinge2Vehicle,
+  /// ForkLift) write into what answers BT_MLCP_SOLVER.
+  btConstraintSolverType getSolverType() const override { return BT_NNCG_SOLVER; }
 
   /// The whole last world step. In a solver pool, which does not announce steps, sums go on until
   /// reset().

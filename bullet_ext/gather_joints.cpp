@@ -133,7 +133,10 @@ void gatherRows(Group& group, btTypedConstraint& joint, double lastImpulse, doub
     if ((row.lower == 0 && row.upper == 0) || movesNothing(group, row)) continue;
     source.lastRow = static_cast<int>(group.rows.size());
     group.rows.push_back(row);
-    group.softRows += group.asked[i].cfm > 0;
+    if (group.asked[i].cfm > 0) {
+      ++group.softRows;
+      source.isSoft = true;
+    }
   }
   source.rowCount = static_cast<int>(group.rows.size()) - source.firstRow;
   group.joints.push_back(source);

@@ -46,6 +46,7 @@ struct JointSource {
   int firstRow, rowCount;  ///< among Group::rows
   int lastRow;             ///< the joint's own last row, or -1 if that row takes no part
   double lastImpulse;      ///< that the last step left in the joint, N·s
+  bool isSoft = false;     ///< asks for a compliance of its own
   /// What its rows pushed its bodies with in the last step, in world axes, N·s; for
   /// GeometricStiffness alone. Last reactions do not tell: Bullet turns the rows of a hinge about.
   Vec3 lastPullOnA = Vec3::Zero(), lastPullOnB = Vec3::Zero();

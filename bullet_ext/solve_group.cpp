@@ -1,15 +1,19 @@
 #include "bullet_ext/solve_group.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
+#include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "bullet_ext/convert.h"
 #include "bullet_ext/group.h"
 #include "bullet_ext/names.h"
 #include "bullet_ext/thrown_bodies.h"
 #include "delassus/bytes.h"
+#include "delassus/contact_motion.h"
 #include "delassus/island.h"
 #include "delassus/residual.h"
 
@@ -149,7 +153,8 @@ double fasterOf(const std::vector<Body>& bodies, const Contact& c) {
 
 /// Whether what presses leaves more than `reach` times as fast as anything in the island was, or is
 /// asked to be (`demand`, m/s).
-bool throwsOne(const Group& group, const Island& island, double demand, const Answer& answer) {
+bool contactsThrowOne(const Group& group, const Island& island, double demand,
+                      const Answer& answer) {
   double before = demand, after = 0;
   for (const std::vector<int>* contacts : {&island.frictional, &island.frictionless})
     for (const int k : *contacts) {
@@ -160,14 +165,79 @@ bool throwsOne(const Group& group, const Island& island, double demand, const An
   return after > reach * before;
 }
 
-/// Takes the answer back, and finds that for contacts that give a little. Its residual is that of
-/// the law as it stands.
-void solveSoftened(const Group& group, const Island& island, Bench& bench, Answer& answer,
-                   IslandResult& result) {
+/// How far the bodies of a joint are from each other, m.
+double lengthOf(const JointSource& joint) {
+  const btTypedConstraint& constraint = *joint.constraint;
+  return (toCore(constraint.getRigidBodyA().getWorldTransform().getOrigin()) -
+          toCore(constraint.getRigidBodyB().getWorldTransform().getOrigin()))
+      .norm();
+}
+
+/// Of the bodies of the island, before its reactions.
+struct Inertia {
+  double mass = 0, energy = 0;  ///< kg; of what does not turn, J
+};
+Inertia inertiaOf(const Group& group, const Island& island) {
+  Inertia sum;
+  for (const int body : island.bodies) {
+    const double inverse = group.bodies[body].inverseMass.maxCoeff();
+    if (!(inverse > 0)) continue;
+    sum.mass += 1 / inverse;
+    sum.energy += 0.5 / inverse * group.bodies[body].velocity.head<3>().squaredNorm();
+  }
+  return sum;
+}
+
+/// Whether joints that hold, and contacts beside them, do more work than it takes to have all that
+/// moves go `jointReach` times as fast as they ask for. Work that is done to hold, r (u + u⁺)/2, is
+/// what targets ask for: held at rest nothing gains any. What drives joints has bounds, and may do
+/// all that these allow.
+bool jointsThrowOne(const Group& group, const Island& island, const Answer& answer) {
+  double work = 0, push = 0, turn = 0;
+  bool holds = false;
+  for (const int k : island.rows) {
+    const Row& row = group.rows[k];
+    const double r = answer.rows[k];
+    if (row.governor >= 0 || r == 0 || std::isfinite(r > 0 ? row.upper : row.lower)) continue;
+    work +=
+        r * (0.5 * (relativeVelocity(group.bodies, row) + relativeVelocity(answer.bodies, row)) +
+             row.target);
+    const bool turns = row.jacobianA.head<3>().isZero(0) && row.jacobianB.head<3>().isZero(0);
+    double& asked = turns ? turn : push;
+    asked = std::max(asked, std::abs(row.target));
+    holds = true;
+  }
+  if (!holds) return false;
+  for (const std::vector<int>* contacts : {&island.frictional, &island.frictionless})
+    for (const int k : *contacts) {
+      const Contact& c = group.contacts[k];
+      work += 0.5 * answer.contacts[k].dot(c.frame.transpose() *
+                                           (slip(group.bodies, c) + slip(answer.bodies, c)));
+      push = std::max(push, c.target.cwiseAbs().maxCoeff());
+    }
+  if (!(work > 0)) return false;
+  double length = 0;
+  for (const JointSource& joint : group.joints)
+    if (joint.rowCount > 0 &&
+        std::binary_search(island.rows.begin(), island.rows.end(), joint.firstRow))
+      length = std::max(length, lengthOf(joint));
+  const Inertia inertia = inertiaOf(group, island);
+  const double asked = push + turn * length;
+  return work > jointReach * jointReach * (inertia.energy + 0.5 * inertia.mass * asked * asked);
+}
+
+/// Takes the answer back, and finds that for contacts, or also joints, that give a little. Its
+/// residual is that of the law as it stands.
+void solveSoftened(const Group& group, const Island& island, bool withJoints, Bench& bench,
+                   Answer& answer, IslandResult& result) {
   std::vector<Contact> contacts = group.contacts;
   for (const std::vector<int>* own : {&island.frictional, &island.frictionless})
     for (const int k : *own) soften(group.bodies, contacts[k]);
-  const Problem& soft = bench.assembler.assemble(group.bodies, contacts, group.rows, island);
+  std::vector<Row> rows = group.rows;
+  if (withJoints)
+    for (const int k : island.rows)
+      if (rows[k].governor < 0) soften(group.bodies, rows[k]);
+  const Problem& soft = bench.assembler.assemble(group.bodies, contacts, rows, island);
   Solution& solution = bench.solution;
   bench.solver.solve(soft, VectorXd(), solution);
   bench.counts.add(solution);
@@ -206,8 +276,10 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
     applyReaction(answer.bodies, group.contacts, group.rows, island, solution.r);
     if (articulated)
       bench.coupling.addGain(group.articulation, solution.r, answer.gains);
-    else if (throwsOne(group, island, problem.demand(), answer))
-      solveSoftened(group, island, bench, answer, result);
+    else if (contactsThrowOne(group, island, problem.demand(), answer))
+      solveSoftened(group, island, false, bench, answer, result);
+    else if (jointsThrowOne(group, island, answer))
+      solveSoftened(group, island, true, bench, answer, result);
   } else {
     // Better no reaction than one that spoils the world; the residual says how good that is.
     for (int i : island.frictional) answer.contacts[i].setZero();

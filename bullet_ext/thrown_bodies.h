@@ -4,16 +4,22 @@
 
 #include "delassus/body.h"
 #include "delassus/contact.h"
+#include "delassus/row.h"
 
 namespace delassus::bullet {
 
 // The exact answer may throw a body: what is pinched between faces that lean against each other by
 // ε leaves them at 1/ε of what pinches it, and so does what a load presses that is off its line by
-// ε. An island whose answer does so is solved again as if its contacts gave a little.
+// ε, or a link of a chain that is to be shorter than the way between its ends. An island whose
+// answer does so is solved again as if its contacts gave a little; if it is its joints that throw,
+// as if these did, too.
 
 /// How many times as fast as all that asks for motion, or moved before, a body may leave: out of a
 /// wedge of 11 degrees it does so exactly.
 constexpr double reach = 10;
+
+/// The same where joints throw, in the mean of all that they hold.
+constexpr double jointReach = 3;
 
 /// Has the contact give, in addition, by s' of what it answers if no axis of a body that moves is
 /// locked, s' = 1/(2 reach²). With one such contact a face, what is pinched at the speed p leaves
@@ -21,5 +27,7 @@ constexpr double reach = 10;
 ///
 ///     p ε/(ε²/2 + s') ≤ p/√(2 s') = reach p
 void soften(const std::vector<Body>& bodies, Contact& contact);
+/// The same for a row, s' = 1/(2 jointReach²).
+void soften(const std::vector<Body>& bodies, Row& row);
 
 }  // namespace delassus::bullet

@@ -125,11 +125,10 @@ Outcome Solver::answer(const Problem& problem, const VectorXd* guess, const Aim&
 void Solver::conclude(const Problem& problem, const Aim& aim, Outcome outcome,
                       Solution& best) const {
   const NaturalMap& map = search_->map();
-  // A compromise that misses no demand by more than the tolerance is none.
+  // A compromise that misses no demand by more than the tolerance, or than rounding does, is none.
   const double attainable = std::max(aim.tolerance, map.roundOff(best.r));
-  best.status = best.residual <= aim.tolerance     ? Status::Solved
+  best.status = best.residual <= attainable        ? Status::Solved
                 : outcome == Outcome::Incompatible ? Status::Incompatible
-                : best.residual <= attainable      ? Status::Solved
                                                    : Status::OutOfBudget;
   if (best.status == Status::Solved) best.blamed.clear();
   if (best.status == Status::OutOfBudget) best.blamed = {map.residual(best.r, best.u).worst};

@@ -2,9 +2,12 @@
 /// makes them contradict each other, and what they leave free must stay free.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <random>
+#include <vector>
 
 #include "tests/support/bullet_world.h"
 
@@ -105,6 +108,57 @@ TEST(RedundantJoints, ADoorOnTwoHingesSwingsAsInConvergedStock) {
       EXPECT_NEAR(door.getAngularVelocity().length(), other.getAngularVelocity().length(),
                   skew > 1e-8 ? 0.02 : tolerance(1e-4, 0.02))
           << "skew " << skew << ", pose " << k;
+    }
+  }
+}
+
+/// Two cubes that are welded together twice and turn about where they touch.
+class SpinningPair {
+ public:
+  SpinningPair(BulletWorld& world, const btVector3& place) {
+    world->setGravity({0, 0, 0});
+    const btTransform pose(btQuaternion({btScalar(1), btScalar(0.5), btScalar(0.3)}, 1), place);
+    for (const btScalar side : {btScalar(-0.5), btScalar(0.5)}) {
+      const btVector3 arm = pose.getBasis() * btVector3(side, 0, 0);
+      btRigidBody& cube = world.addBody(std::make_unique<btBoxShape>(btVector3(0.5, 0.5, 0.5)),
+                                        btTransform(pose.getBasis(), place + arm), btScalar(mass));
+      cube.setAngularVelocity(spin);
+      cube.setLinearVelocity(spin.cross(arm));
+      cubes_.push_back(&cube);
+    }
+    for (const btScalar height : {btScalar(0.4), btScalar(-0.4)}) {
+      const btTransform weld = pose * BulletWorld::at({0, height, 0});
+      const auto from = [&](const btRigidBody& cube) {
+        return cube.getWorldTransform().inverse() * weld;
+      };
+      welds_.push_back(&world.addJoint<btFixedConstraint>(*cubes_[0], *cubes_[1], from(*cubes_[0]),
+                                                          from(*cubes_[1])));
+    }
+  }
+  /// What holds one cube on its circle for a step, N·s.
+  double load() const { return mass * spin.length2() * 0.5 * h; }
+  double largestImpulse() const {
+    double largest = 0;
+    for (const btTypedConstraint* weld : welds_)
+      largest = std::max(largest, std::abs(double(weld->getAppliedImpulse())));
+    return largest;
+  }
+
+ private:
+  static constexpr double mass = 1;
+  const btVector3 spin{2, 4, 1};
+  std::vector<btRigidBody*> cubes_;
+  std::vector<btTypedConstraint*> welds_;
+};
+
+// What rounding has them ask of each other is no load, or thresholds would break them.
+TEST(RedundantJoints, WeldsThatSpinCarryWhatTurnsThemAndLittleMore) {
+  for (const btScalar far : {btScalar(0), btScalar(30)}) {
+    OurWorld world;
+    const SpinningPair pair(world, {far, far, 0});
+    for (int i = 0; i < 120; ++i) {
+      world.advance();
+      ASSERT_LE(pair.largestImpulse(), 2 * pair.load()) << "step " << i << " at " << far << " m";
     }
   }
 }

@@ -1,0 +1,71 @@
+#include "bullet_ext/contradictions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "bullet_ext/convert.h"
+#include "bullet_ext/group.h"
+#include "bullet_ext/solve_group.h"
+#include "delassus/contact_motion.h"
+
+namespace delassus::bullet {
+namespace {
+
+/// Of its bodies before the reactions, and what its rows ask for beside that, m/s and rad/s.
+double askedBy(const Group& group, const JointSource& joint) {
+  double largest = 0;
+  for (int i = joint.firstRow; i < joint.firstRow + joint.rowCount; ++i) {
+    const Row& row = group.rows[i];
+    largest = std::max(largest, std::abs(relativeVelocity(group.bodies, row)));
+    for (const int body : {row.a, row.b})
+      if (body >= 0) largest = std::max(largest, group.bodies[body].velocity.cwiseAbs().maxCoeff());
+  }
+  return largest;
+}
+
+/// What the rounding of the poses of its bodies may have its rows ask for, m/s.
+double askedByRounding(const JointSource& joint, double h) {
+  constexpr double roundings = 16;
+  double places = 0;
+  for (const btRigidBody* body :
+       {&joint.constraint->getRigidBodyA(), &joint.constraint->getRigidBodyB()})
+    places = std::max(places, toCore(body->getWorldTransform().getOrigin()).cwiseAbs().maxCoeff());
+  return roundings * SIMD_EPSILON * std::max(places, 1.0) / h;
+}
+
+/// The island with this row, and its place among the unknowns there.
+void blame(int row, double missed, Answer& answer) {
+  for (int i = 0; i < answer.islandCount(); ++i) {
+    const Island& island = answer.island(i);
+    const auto found = std::find(island.rows.begin(), island.rows.end(), row);
+    if (found == island.rows.end()) continue;
+    IslandResult& result = answer.islands[i];
+    if (result.status != Status::Solved) return;  // it is blamed for more
+    result.status = Status::Incompatible;
+    result.residualMax = std::max(result.residualMax, missed);
+    result.blamed = {static_cast<int>(3 * island.frictional.size() + island.frictionless.size() +
+                                      (found - island.rows.begin()))};
+    return;
+  }
+}
+
+}  // namespace
+
+void nameContradictions(const Group& group, double h, Answer& answer) {
+  constexpr double share = 0.1;
+  for (const JointSource& joint : group.joints) {
+    if (joint.isSoft || joint.rowCount == 0) continue;
+    int worst = joint.firstRow;
+    const auto missedBy = [&](int i) {
+      return group.rows[i].compliance * std::abs(answer.rows[i]);
+    };
+    for (int i = joint.firstRow + 1; i < joint.firstRow + joint.rowCount; ++i)
+      if (missedBy(i) > missedBy(worst)) worst = i;
+    const double missed = missedBy(worst);
+    if (missed > askedByRounding(joint, h) && missed > share * askedBy(group, joint))
+      blame(worst, missed, answer);
+  }
+}
+
+}  // namespace delassus::bullet
