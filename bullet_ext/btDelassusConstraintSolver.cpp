@@ -227,7 +227,7 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(const GroupIn
     solveIslands(w.group, info, w.workshop, w.answer, report_);
     laps.end(report_.secondsSolve);
   }
-  nameContradictions(w.group, info.m_timeStep, w.answer);
+  judgeContradictions(w.group, info.m_timeStep, w.answer);
   const Bench::Counts counts = w.workshop.counts();
   w.pushes.clear();
   if (plan.pushContacts > 0) {

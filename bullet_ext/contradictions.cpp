@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "bullet_ext/convert.h"
@@ -24,14 +25,27 @@ double askedBy(const Group& group, const JointSource& joint) {
   return largest;
 }
 
-/// What the rounding of the poses of its bodies may have its rows ask for, m/s.
-double askedByRounding(const JointSource& joint, double h) {
-  constexpr double roundings = 16;
-  double places = 0;
-  for (const btRigidBody* body :
-       {&joint.constraint->getRigidBodyA(), &joint.constraint->getRigidBodyB()})
-    places = std::max(places, toCore(body->getWorldTransform().getOrigin()).cwiseAbs().maxCoeff());
+/// What the rounding of poses may ask for where bodies are at most so far from the origin, m/s.
+double askedByRounding(double places, double h) {
+  constexpr double roundings = 4;
   return roundings * SIMD_EPSILON * std::max(places, 1.0) / h;
+}
+
+double placeOf(const btRigidBody& body) {
+  return toCore(body.getWorldTransform().getOrigin()).cwiseAbs().maxCoeff();
+}
+
+double placesOf(const JointSource& joint) {
+  return std::max(placeOf(joint.constraint->getRigidBodyA()),
+                  placeOf(joint.constraint->getRigidBodyB()));
+}
+
+double placesOf(const Group& group, const Island& island) {
+  double places = 0;
+  for (const int body : island.bodies)
+    if (const btRigidBody* rigid = group.bodySources[body].rigid)
+      places = std::max(places, placeOf(*rigid));
+  return places;
 }
 
 /// The island with this row, and its place among the unknowns there.
@@ -52,8 +66,19 @@ void blame(int row, double missed, Answer& answer) {
 
 }  // namespace
 
-void nameContradictions(const Group& group, double h, Answer& answer) {
+void judgeContradictions(const Group& group, double h, Answer& answer) {
   constexpr double share = 0.1;
+  for (int i = 0; i < answer.islandCount(); ++i) {
+    IslandResult& result = answer.islands[i];
+    const Island& island = answer.island(i);
+    if (result.status != Status::Incompatible || result.isSoftened ||
+        result.residualMax > askedByRounding(placesOf(group, island), h))
+      continue;
+    result.status = Status::Solved;
+    result.blamed.clear();
+    for (const std::vector<int>* contacts : {&island.frictional, &island.frictionless})
+      for (const int k : *contacts) answer.troubles[k] = Trouble::None;
+  }
   for (const JointSource& joint : group.joints) {
     if (joint.isSoft || joint.rowCount == 0) continue;
     int worst = joint.firstRow;
@@ -63,7 +88,7 @@ void nameContradictions(const Group& group, double h, Answer& answer) {
     for (int i = joint.firstRow + 1; i < joint.firstRow + joint.rowCount; ++i)
       if (missedBy(i) > missedBy(worst)) worst = i;
     const double missed = missedBy(worst);
-    if (missed > askedByRounding(joint, h) && missed > share * askedBy(group, joint))
+    if (missed > askedByRounding(placesOf(joint), h) && missed > share * askedBy(group, joint))
       blame(worst, missed, answer);
   }
 }

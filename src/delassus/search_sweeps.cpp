@@ -146,8 +146,8 @@ void Search::findPatches(double tolerance, double outstanding, const Solution& u
 /// Solves the patches, and puts their reactions in the place of those in `unsettled`. Their work is
 /// counted in `best`: a sweep by the patch's share of the island, a region by its share to the
 /// power 3/2, as a factor costs in a flat pile (George 1973). False if there were no patches, or no
-/// work is left; in islands of few parts, with explicit W, and within patches or varied problems there are
-/// none.
+/// work is left; in islands of few parts, with explicit W, and within patches or varied problems
+/// there are none.
 bool Search::mendPatches(const Task& task, double tolerance, double outstanding,
                          Solution& unsettled, Solution& best) {
   constexpr double accuracy = 0.1;

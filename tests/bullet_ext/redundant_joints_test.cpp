@@ -159,6 +159,7 @@ TEST(RedundantJoints, WeldsThatSpinCarryWhatTurnsThemAndLittleMore) {
     for (int i = 0; i < 120; ++i) {
       world.advance();
       ASSERT_LE(pair.largestImpulse(), 2 * pair.load()) << "step " << i << " at " << far << " m";
+      ASSERT_EQ(world.report().incompatible, 0) << "step " << i << " at " << far << " m";
     }
   }
 }
