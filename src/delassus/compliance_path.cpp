@@ -106,7 +106,7 @@ void CompliancePath::readRegion() {
     region_.rows[i] = stateAt(z_[3 * n + i], problem_->lower[i], problem_->upper[i]);
 }
 
-bool CompliancePath::factorise(Solution& count) {
+bool CompliancePath::factorise(WorkDone& count) {
   ++count.factorisations;
   return motion_->factorise(G_);
 }
@@ -164,7 +164,7 @@ void CompliancePath::changeOfZ(const VectorXd& delta, double tau, VectorXd& chan
 }
 
 bool CompliancePath::setOut(const VectorXd& reactions, double compliance, int budget,
-                            Solution& count) {
+                            WorkDone& count) {
   constexpr int mostSteps = 20;
   const int begun = count.factorisations;
   tau_ = std::log(compliance);
@@ -187,7 +187,7 @@ bool CompliancePath::setOut(const VectorXd& reactions, double compliance, int bu
 }
 
 /// Where it set out, looking to less compliance or to more.
-bool CompliancePath::stand(bool upward, Solution& count) {
+bool CompliancePath::stand(bool upward, WorkDone& count) {
   constexpr double firstStride = 0.05;
   delta_ = start_;
   tau_ = startTau_;
@@ -206,7 +206,7 @@ bool CompliancePath::stand(bool upward, Solution& count) {
   return true;
 }
 
-bool CompliancePath::descend(double compliance, int budget, Solution& count) {
+bool CompliancePath::descend(double compliance, int budget, WorkDone& count) {
   constexpr double shortest = 1e-4, retried = 2e-3, longest = 3, unanswered = 10;
   constexpr int mostSteps = 16, mostInVain = 5;
   const int begun = count.factorisations;
@@ -259,7 +259,7 @@ double CompliancePath::strayed(double length) {
 }
 
 /// Newton's method across the tangent, back to the curve.
-bool CompliancePath::meetCurve(bool inRegion, int most, Solution& count) {
+bool CompliancePath::meetCurve(bool inRegion, int most, WorkDone& count) {
   constexpr int patience = 3;
   double before = 0;
   for (int k = 0;; ++k) {
@@ -281,7 +281,7 @@ bool CompliancePath::meetCurve(bool inRegion, int most, Solution& count) {
 }
 
 /// Along the tangent through as many regions as there are.
-bool CompliancePath::stride(double length, Solution& count) {
+bool CompliancePath::stride(double length, WorkDone& count) {
   constexpr double mostTau = 1, near = 0.7;
   constexpr int mostSteps = 8;
   length = std::min(length, mostTau / std::abs(tangentTau_));

@@ -52,11 +52,11 @@ class CompliancePath {
   /// Stands on the answer for bodies that are compliant by `compliance` W_aa, looking towards rigid
   /// ones. `reactions`: that answer, or so near to it that Newton's method finds it: if not, false.
   /// Work is counted in `count`, a factorisation a region.
-  bool setOut(const VectorXd& reactions, double compliance, int budget, Solution& count);
+  bool setOut(const VectorXd& reactions, double compliance, int budget, WorkDone& count);
 
   /// Goes on until bodies are compliant by `compliance` W_aa or less. False if there is no way on
   /// within the budget.
-  bool descend(double compliance, int budget, Solution& count);
+  bool descend(double compliance, int budget, WorkDone& count);
 
   double compliance() const;
   /// Reactions where it stands.
@@ -85,8 +85,8 @@ class CompliancePath {
 
   void respond(bool inRegion);
   void readRegion();
-  bool factorise(Solution& count);
-  bool stand(bool upward, Solution& count);
+  bool factorise(WorkDone& count);
+  bool stand(bool upward, WorkDone& count);
   double error();
   double noise() const;
   double gapNoise() const;
@@ -99,11 +99,11 @@ class CompliancePath {
 
   void advance(double length);
   void goBack();
-  bool meetCurve(bool inRegion, int most, Solution& count);
-  bool stride(double length, Solution& count);
-  bool stepToWall(Solution& count);
-  bool stepInRegion(double length, Solution& count);
-  bool meetWall(const Wall& wall, Solution& count);
+  bool meetCurve(bool inRegion, int most, WorkDone& count);
+  bool stride(double length, WorkDone& count);
+  bool stepToWall(WorkDone& count);
+  bool stepInRegion(double length, WorkDone& count);
+  bool meetWall(const Wall& wall, WorkDone& count);
   void findWalls(double within);
   bool hasLeftRegion() const;
   void pass(const Wall& wall);

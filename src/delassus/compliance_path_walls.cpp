@@ -77,7 +77,7 @@ void CompliancePath::findWalls(double within) {
 }
 
 /// Where the curve meets the wall, by Newton's method in this region.
-bool CompliancePath::meetWall(const Wall& wall, Solution& count) {
+bool CompliancePath::meetWall(const Wall& wall, WorkDone& count) {
   constexpr int mostSteps = 6;
   if (wall.ahead == 0) {
     respond(true);
@@ -115,7 +115,7 @@ bool CompliancePath::hasLeftRegion() const {
 double CompliancePath::gapNoise() const { return push_ * std::max(1e-10, 1e-14 / compliance()); }
 
 /// To the first wall of the region and through it; or on within the region if that is far.
-bool CompliancePath::stepToWall(Solution& count) {
+bool CompliancePath::stepToWall(WorkDone& count) {
   constexpr double farthest = 0.5, mostTau = 0.7, near = 0.5, tiny = 1e-9;
   constexpr std::size_t mostWalls = 6;
   from_ = delta_;
@@ -150,7 +150,7 @@ bool CompliancePath::stepToWall(Solution& count) {
 }
 
 /// A step that passes no wall.
-bool CompliancePath::stepInRegion(double length, Solution& count) {
+bool CompliancePath::stepInRegion(double length, WorkDone& count) {
   constexpr double near = 0.5, likeness = 0.3;
   constexpr int mostSteps = 6;
   advance(length);

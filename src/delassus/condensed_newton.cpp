@@ -48,7 +48,7 @@ bool CondensedNewton::setProblem(const Problem& problem, const NaturalMap& map, 
 }
 
 /// False if K cannot be factored.
-bool CondensedNewton::condense(Solution& count) {
+bool CondensedNewton::condense(WorkDone& count) {
   const Problem& problem = *problem_;
   constexpr double alpha = 1e-5;
   const int contactsEnd = 3 * problem.contacts();

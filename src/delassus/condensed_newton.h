@@ -48,7 +48,7 @@ class CondensedNewton {
 
  private:
   void divide(const Problem& problem, const VectorXd& r, bool withinBounds);
-  bool condense(Solution& count);
+  bool condense(WorkDone& count);
   void setWeight(double alpha);
   void letHeldAnswer(const VectorXd& u);
   Descent moveOn(const Solution& center, double alpha, double enough, int budget, Solution& next);

@@ -50,7 +50,7 @@ double Quarrel::hardestAlone() const {
 }
 
 bool Quarrel::find(ProximalWalk<BodyMotion>& walk, const Problem& problem, const NaturalMap& map,
-                   double tolerance, int& regionBudget, Solution& scratch, Solution& count) {
+                   double tolerance, int& regionBudget, Solution& scratch, WorkDone& count) {
   // Times the motion that the hardest demand alone asks for. Less proves nothing: a wedge of a
   // microradian that holds a ball demands a millionth of what the ball needs.
   constexpr double proportion = 1e8;

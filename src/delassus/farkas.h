@@ -31,7 +31,7 @@ class Quarrel {
   /// proportion to them. Takes the region budget and counts in `count`; the space of `walk`
   /// forgets its problem. `map` is that of the problem, `scratch` is overwritten.
   bool find(ProximalWalk<BodyMotion>& walk, const Problem& problem, const NaturalMap& map,
-            double tolerance, int& regionBudget, Solution& scratch, Solution& count);
+            double tolerance, int& regionBudget, Solution& scratch, WorkDone& count);
   /// Those that were found.
   const VectorXd& reactions() const { return quarrel_; }
 

@@ -24,7 +24,7 @@ void ProximalSpace<Motion>::setWeights(double alpha) {
 }
 
 template <class Motion>
-bool ProximalSpace<Motion>::factorise(Solution& count) {
+bool ProximalSpace<Motion>::factorise(WorkDone& count) {
   if (keepsFactors_ && hasFactor_ && factored_ == G) return true;
   ++count.factorisations;
   hasFactor_ = motion_.factorise(G);

@@ -36,7 +36,7 @@ class ProximalSpace {
   void setWeights(double alpha);
   /// Factors the Newton matrix of G, unless that very region is factored already. False where it is
   /// singular.
-  bool factorise(Solution& count);
+  bool factorise(WorkDone& count);
   /// −dr/du of a disk, into `G`: of one that slides along `direction`, its own part is across,
   /// where it may turn, and its governor moves the rim along, if the disk still grows with it.
   void answerOfDisk(const Disk& disk, int k, Mode mode, const Vec2& direction, double turn,

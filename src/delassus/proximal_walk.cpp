@@ -133,7 +133,7 @@ double ProximalWalk<Motion>::nextWallAlong(double after) const {
 
 template <class Motion>
 typename ProximalWalk<Motion>::Inner ProximalWalk<Motion>::solveProximal(int& budget,
-                                                                         Solution& count,
+                                                                         WorkDone& count,
                                                                          const Solution* region) {
   // An inner answer only has to be better than what the outer step corrects anyway; at round-off
   // the line search stalls.

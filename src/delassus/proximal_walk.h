@@ -58,7 +58,7 @@ class ProximalWalk {
   double tryStep(double share);
   bool stepAlong(double& error);
   double nextWallAlong(double after) const;
-  Inner solveProximal(int& budget, Solution& count, const Solution* region);
+  Inner solveProximal(int& budget, WorkDone& count, const Solution* region);
   Outcome converge(double tolerance, double firstWeight, int patience, int regionBudget,
                    bool fromRegion, double residual, Solution& best);
   VelocityResidual measure() { return space_.measure(r_, trialU_); }

@@ -42,7 +42,6 @@ class Way {
     map_.setProblem(problem_);
     space_.setProblem(problem_, map_);
     path_.setProblem(space_.lendMotion(), problem_, map_);
-    count_.start(problem_.q);
   }
 
   /// Where compliance is to what changes at these reactions.
@@ -70,7 +69,7 @@ class Way {
   NaturalMap map_;
   ProximalSpace<BodyMotion> space_;
   CompliancePath path_;
-  Solution count_;
+  WorkDone count_;
 };
 
 /// Balls in a heap whose friction holds almost anything, and two of them joined by a row with

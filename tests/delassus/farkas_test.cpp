@@ -168,7 +168,8 @@ TEST(Farkas, WhatIsFoundPushesAsItMay) {
     ProximalSpace<BodyMotion> space;
     ProximalWalk<BodyMotion> walk(space);
     Quarrel quarrel;
-    Solution scratch, count;
+    Solution scratch;
+    WorkDone count;
     int budget = 200;
     space.setProblem(problem, map);
     found += quarrel.find(walk, problem, map, 1e-8, budget, scratch, count);
