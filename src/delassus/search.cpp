@@ -144,7 +144,7 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Task& task, Solution& b
       best.residual <= nearly * problem_->demand() ? knownRegion : firstWeight(best, leastAtFirst);
   outcome = engines.walk.walk(task.tolerance, weight, regions, best);
   // In small heaps regions cost no more than tens of sweeps: there that is left for the end.
-  if (outcome == Outcome::Lost && isLargeHeap(*problem_)) outcome = outlast(engines, task, best);
+  if (outcome == Outcome::Lost && isLargeHeap(*problem_)) outcome = outlast(task, best);
   return outcome == Outcome::Lost ? findBack(engines, task, best) : outcome;
 }
 
@@ -175,8 +175,8 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Task& task, Solution& 
     if (outcome == Outcome::Lost && isLargeHeap(*problem_)) {
       share.options.pathBudget = task.options.pathBudget / shortPath;
       rest.options.pathBudget -= share.options.pathBudget;
-      outcome = harden(engines, share, best);
-      if (outcome == Outcome::Lost) outcome = outlast(engines, task.fromNothing(), best);
+      outcome = harden(share, best);
+      if (outcome == Outcome::Lost) outcome = outlast(task.fromNothing(), best);
     } else if (outcome == Outcome::Lost) {
       outcome = walkCold(engines, task, best);
     }
@@ -184,9 +184,9 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Task& task, Solution& 
     outcome = walkOnce(engines, task, best);
     // Not for some digits more.
     if (outcome == Outcome::Lost && best.residual > nearly * problem_->demand())
-      outcome = addFriction(engines, task, best);
+      outcome = addFriction(task, best);
   }
-  return outcome == Outcome::Lost ? harden(engines, rest, best) : outcome;
+  return outcome == Outcome::Lost ? harden(rest, best) : outcome;
 }
 
 /// A way of its own begins in apart_, from `guess`, or without one (null) from nothing, on what is
@@ -247,5 +247,7 @@ void Search::polish(const Task& task, Solution& best) {
     polishWith(machines().factored, task, best);
   allow(best);
 }
+
+template Outcome Search::walkOnce(Engines<BodyMotion>&, const Task&, Solution&);
 
 }  // namespace delassus

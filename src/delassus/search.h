@@ -171,24 +171,20 @@ class Search {
   // search_find_back.cpp: after a walk that has lost its way.
   template <class Motion>
   Outcome findBack(Engines<Motion>& engines, const Task& task, Solution& best);
-  template <class Motion>
-  bool compromise(Engines<Motion>& engines, double tolerance, int regionBudget, Solution& best);
+  bool compromise(double tolerance, int regionBudget, Solution& best);
   template <class Motion>
   Outcome wander(Engines<Motion>& engines, const Task& task, Solution& best);
-  template <class Motion>
-  Outcome outlast(Engines<Motion>& engines, const Task& task, Solution& best);
+  Outcome outlast(const Task& task, Solution& best);
 
   // search_vary.cpp: answers to easier problems.
   void vary();
   Outcome answerVaried(const Task& task, Solution& best);
   double soften(const Task& task, Solution& best);
-  template <class Motion>
-  Outcome addFriction(Engines<Motion>& engines, const Task& task, Solution& best);
+  Outcome addFriction(const Task& task, Solution& best);
 
   // search_path.cpp: the last resort.
-  template <class Motion>
-  Outcome harden(Engines<Motion>& engines, const Task& task, Solution& best);
-  bool setOutOnPath(Engines<BodyMotion>& engines, const Task& task, int budget, Solution& best);
+  Outcome harden(const Task& task, Solution& best);
+  bool setOutOnPath(const Task& task, int budget, Solution& best);
 
   static constexpr double unknownRegion = 1e-1, knownRegion = 1e-6;  ///< proximal weights
   /// The least of a walk that begins with the best answer of quick ways, and of one that others

@@ -1,6 +1,5 @@
 /// What the search does after a walk that has lost its way.
 #include <algorithm>
-#include <type_traits>
 
 #include "delassus/pile_kind.h"
 #include "delassus/search.h"
@@ -12,8 +11,7 @@ Outcome Search::findBack(Engines<Motion>& engines, const Task& task, Solution& b
   constexpr int proof = 90, interiorSteps = 40, longInPiles = 1000;
   const bool isSmall = !isLargeHeap(*problem_) && !isLargePile(*problem_);
   if (task.regionsLeft(best) <= 0) return Outcome::Lost;
-  if (compromise(engines, task.tolerance, task.regionsLeft(best, proof), best))
-    return Outcome::Incompatible;
+  if (compromise(task.tolerance, task.regionsLeft(best, proof), best)) return Outcome::Incompatible;
   const auto walk = [&](int most) {
     return engines.walk.walk(task.tolerance, firstWeight(best, leastAfar),
                              task.regionsLeft(best, most), best);
@@ -38,9 +36,10 @@ Outcome Search::findBack(Engines<Motion>& engines, const Task& task, Solution& b
 /// hurries sweeps runs past that order and ends far from any answer, though its residual is small.
 /// Plain sweeps go through it slip after slip, as the heap does. Where those from the last
 /// reactions go round for ever, those from nothing, which squeezes nowhere, may come to an end.
-template <class Motion>
-Outcome Search::outlast(Engines<Motion>& engines, const Task& task, Solution& best) {
+/// For body space, as plain sweeps are.
+Outcome Search::outlast(const Task& task, Solution& best) {
   constexpr int manySweeps = 2000, regions = 50;
+  Engines<BodyMotion>& engines = machines().bodies;
   setOutApart(task.guess, best);
   wandering_.r = apart_.r;
   Outcome outcome = Outcome::Lost;
@@ -68,31 +67,28 @@ Outcome Search::outlast(Engines<Motion>& engines, const Task& task, Solution& be
 /// Where demands are proven incompatible, `best` is the compromise, that of bodies a little
 /// compliant where they touch, friction included, and names those that quarrel. Explicit entries
 /// tell it by reactions that grow (ProximalWalk::converge).
-template <class Motion>
-bool Search::compromise(Engines<Motion>& engines, double tolerance, int regionBudget,
-                        Solution& best) {
+bool Search::compromise(double tolerance, int regionBudget, Solution& best) {
   constexpr double compliances[] = {1e-6, 1e-4, 1e-2};  // relative to W_aa
   constexpr double negligible = 0.1;  // share of the largest push, in the norm of its energy
-  if constexpr (std::is_same_v<Motion, BodyMotion>) {
-    const bool areIncompatible =
-        quarrel_.find(engines.walk, *problem_, map_, tolerance, regionBudget, trial_, best);
-    engines.space.setProblem(*problem_, map_);
-    if (!areIncompatible) return false;
-    for (const double compliance : compliances)
-      if (engines.walk.yield(tolerance, compliance, regionBudget, best)) break;
-    // In the mean over its directions: what moves nothing along its normal may be asked to, and is
-    // named then.
-    map_.meanDiagonal(felt_);
-    felt_ = felt_.cwiseSqrt().cwiseProduct(quarrel_.reactions()).cwiseAbs();
-    const double least = negligible * felt_.maxCoeff();
-    best.blamed.clear();
-    for (int at = 0; at < problem_->size(); ++at)
-      if (felt_[at] > least) best.blamed.push_back(at);
-    // Who cannot be moved at all is not felt.
-    if (best.blamed.empty()) best.blamed.push_back(map_.residual(best.r, best.u).worst);
-    return true;
-  }
-  return false;
+  if (!problem_->W.inBodySpace()) return false;
+  Engines<BodyMotion>& engines = machines().bodies;
+  const bool areIncompatible =
+      quarrel_.find(engines.walk, *problem_, map_, tolerance, regionBudget, trial_, best);
+  engines.space.setProblem(*problem_, map_);
+  if (!areIncompatible) return false;
+  for (const double compliance : compliances)
+    if (engines.walk.yield(tolerance, compliance, regionBudget, best)) break;
+  // In the mean over its directions: what moves nothing along its normal may be asked to, and is
+  // named then.
+  map_.meanDiagonal(felt_);
+  felt_ = felt_.cwiseSqrt().cwiseProduct(quarrel_.reactions()).cwiseAbs();
+  const double least = negligible * felt_.maxCoeff();
+  best.blamed.clear();
+  for (int at = 0; at < problem_->size(); ++at)
+    if (felt_[at] > least) best.blamed.push_back(at);
+  // Who cannot be moved at all is not felt.
+  if (best.blamed.empty()) best.blamed.push_back(map_.residual(best.r, best.u).worst);
+  return true;
 }
 
 /// Two ways on, in turn. Sweeps and patches mend the best answer and the walk goes on from there.
@@ -132,7 +128,5 @@ Outcome Search::wander(Engines<Motion>& engines, const Task& task, Solution& bes
 
 template Outcome Search::findBack(Engines<BodyMotion>&, const Task&, Solution&);
 template Outcome Search::findBack(Engines<FactoredMotion>&, const Task&, Solution&);
-template Outcome Search::outlast(Engines<BodyMotion>&, const Task&, Solution&);
-template Outcome Search::outlast(Engines<FactoredMotion>&, const Task&, Solution&);
 
 }  // namespace delassus

@@ -1,7 +1,6 @@
 /// The last resort of the search: bodies that are soft where they touch, and the path of compliance
 /// from them to rigid ones.
 #include <algorithm>
-#include <type_traits>
 
 #include "delassus/pile_kind.h"
 #include "delassus/search.h"
@@ -12,9 +11,9 @@ namespace delassus {
 /// answer is found. In islands of thousands that one compliance would have to turn back and forth
 /// for each of the places where something is wedged, whatever the others do; there it begins at the
 /// best answer so far.
-bool Search::setOutOnPath(Engines<BodyMotion>& engines, const Task& task, int budget,
-                          Solution& best) {
+bool Search::setOutOnPath(const Task& task, int budget, Solution& best) {
   constexpr double moderate = 1e-2, soft = 1;
+  Engines<BodyMotion>& engines = machines().bodies;
   const bool isLarge = isLargeHeap(*problem_);
   double softness = moderate;
   if (!isLarge) {
@@ -34,36 +33,30 @@ bool Search::setOutOnPath(Engines<BodyMotion>& engines, const Task& task, int bu
 /// Along the path of compliance to rigid bodies, and a walk from the answers of those that are
 /// nearly rigid. Not in large piles, where it takes ten thousands of factors and gains next to
 /// nothing.
-template <class Motion>
-Outcome Search::harden(Engines<Motion>& engines, const Task& task, Solution& best) {
+Outcome Search::harden(const Task& task, Solution& best) {
   constexpr double nearlyRigid = 1e-5, rigid = 1e-8, finest = 1e-7;
   constexpr int few = 600, regions = 60;
-  if constexpr (std::is_same_v<Motion, BodyMotion>) {
-    const int parts = problem_->contacts() + problem_->rows();
-    const int budget =
-        static_cast<int>(task.options.pathBudget * std::min(1.0, double(few) / parts));
-    if (budget <= 0 || isLargePile(*problem_) || !CompliancePath::canFollow(*problem_))
+  const int parts = problem_->contacts() + problem_->rows();
+  const int budget = static_cast<int>(task.options.pathBudget * std::min(1.0, double(few) / parts));
+  if (budget <= 0 || isLargePile(*problem_) || !CompliancePath::canFollow(*problem_))
+    return Outcome::Lost;
+  const int begun = best.factorisations, walked = best.regions;
+  if (!setOutOnPath(task, budget, best)) return Outcome::Lost;
+  Engines<BodyMotion>& engines = machines().bodies;
+  CompliancePath& path = machines().path;
+  for (double compliance = nearlyRigid; compliance >= rigid; compliance *= 0.1) {
+    if (!path.descend(compliance, budget - (best.factorisations - begun), best))
       return Outcome::Lost;
-    const int begun = best.factorisations, walked = best.regions;
-    if (!setOutOnPath(engines, task, budget, best)) return Outcome::Lost;
-    CompliancePath& path = machines().path;
-    for (double compliance = nearlyRigid; compliance >= rigid; compliance *= 0.1) {
-      if (!path.descend(compliance, budget - (best.factorisations - begun), best))
-        return Outcome::Lost;
-      wandering_.r = path.reactions();
-      consider(wandering_, best);
-      engines.space.forgetFactor();  // the path has factored in the same space
-      const double weight = std::max(compliance, finest);
-      const Outcome outcome =
-          engines.walk.walkFrom(wandering_, task.tolerance, weight, regions, best);
-      best.regions = walked;
-      if (outcome != Outcome::Lost) return outcome;
-    }
+    wandering_.r = path.reactions();
+    consider(wandering_, best);
+    engines.space.forgetFactor();  // the path has factored in the same space
+    const double weight = std::max(compliance, finest);
+    const Outcome outcome =
+        engines.walk.walkFrom(wandering_, task.tolerance, weight, regions, best);
+    best.regions = walked;
+    if (outcome != Outcome::Lost) return outcome;
   }
   return Outcome::Lost;
 }
-
-template Outcome Search::harden(Engines<BodyMotion>&, const Task&, Solution&);
-template Outcome Search::harden(Engines<FactoredMotion>&, const Task&, Solution&);
 
 }  // namespace delassus

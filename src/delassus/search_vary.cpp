@@ -60,8 +60,7 @@ double Search::soften(const Task& task, Solution& best) {
 /// unless α is small; and for small α there is no way from afar. That is one reason why walks are
 /// lost, not the only one (renders/report/piles.md). Where less friction leads to is another place
 /// to come from. In body space, as on the path of compliance: explicit entries are too dear.
-template <class Motion>
-Outcome Search::addFriction(Engines<Motion>& engines, const Task& task, Solution& best) {
+Outcome Search::addFriction(const Task& task, Solution& best) {
   constexpr double shares[] = {0.8, 0.95, 0.6};
   constexpr double few = 1000;  // contacts and rows; the regions of more cost more each
   if (task.guess || task.options.pathBudget <= 0 || !isLargePile(*problem_) ||
@@ -91,14 +90,11 @@ Outcome Search::addFriction(Engines<Motion>& engines, const Task& task, Solution
     const WorkDone before = best;
     best.takeWork({});
     setOutApart(&variedStart_, best);
-    const Outcome outcome = comeBack(walkOnce(engines, whole, apart_), best);
+    const Outcome outcome = comeBack(walkOnce(machines().bodies, whole, apart_), best);
     best.addWork(before);
     if (outcome != Outcome::Lost) return outcome;
   }
   return Outcome::Lost;
 }
-
-template Outcome Search::addFriction(Engines<BodyMotion>&, const Task&, Solution&);
-template Outcome Search::addFriction(Engines<FactoredMotion>&, const Task&, Solution&);
 
 }  // namespace delassus
