@@ -141,6 +141,12 @@ class Search {
   bool hasNoWalk(const Task& task, const Solution& best) const;
   template <class Motion>
   void polishWith(Engines<Motion>& engines, const Task& task, Solution& best);
+  /// The machines stand at this problem again, whatever they stood at: a patch, a varied problem, a
+  /// proof, or a path, which leaves its own factor in their space.
+  template <class Motion>
+  void takeBack(Engines<Motion>& engines) {
+    engines.space.setProblem(*problem_, map_);
+  }
 
   // search_start_out.cpp: before the first walk.
   template <class Motion>

@@ -56,7 +56,7 @@ Outcome Search::outlast(const Task& task, Solution& best) {
     apart_.sweeps += sweepsLeft;
     consider(wandering_, apart_);
     const double before = apart_.residual;
-    engines.space.setProblem(*problem_, map_);
+    takeBack(engines);
     outcome = engines.walk.walkFrom(wandering_, task.tolerance, firstWeight(wandering_, leastAfar),
                                     regionsFrom(wandering_, task, regionsLeft), apart_);
     if (apart_.residual < before) wandering_.r = apart_.r;
@@ -74,7 +74,7 @@ bool Search::compromise(double tolerance, int regionBudget, Solution& best) {
   Engines<BodyMotion>& engines = machines().bodies;
   const bool areIncompatible =
       quarrel_.find(engines.walk, *problem_, map_, tolerance, regionBudget, trial_, best);
-  engines.space.setProblem(*problem_, map_);
+  takeBack(engines);
   if (!areIncompatible) return false;
   for (const double compliance : compliances)
     if (engines.walk.yield(tolerance, compliance, regionBudget, best)) break;
@@ -110,7 +110,7 @@ Outcome Search::wander(Engines<Motion>& engines, const Task& task, Solution& bes
     else
       settle(task, keptShare * task.tolerance, best);
     if (best.residual <= task.tolerance) return Outcome::Reached;
-    engines.space.setProblem(*problem_, map_);
+    takeBack(engines);
     Outcome outcome = engines.walk.walk(task.tolerance, unknownRegion, regionsLeft(longWalk), best);
     if (outcome != Outcome::Lost) return outcome;
 

@@ -22,7 +22,7 @@ bool Search::setOutOnPath(const Task& task, int budget, Solution& best) {
     softness = soften(task, best);
     if (softness == 0) return false;
   }
-  engines.space.setProblem(*problem_, map_);
+  takeBack(engines);
   CompliancePath& path = machines().path;
   path.setProblem(engines.space.lendMotion(), *problem_, map_);
   if (!isLarge) return path.setOut(variedStart_, softness, budget, best);

@@ -93,7 +93,7 @@ Outcome Search::startOut(Engines<Motion>& engines, const Task& task, Solution& b
     if (isReached()) return Outcome::Reached;
   } else if (best.residual > disturbed * demand && isHeap(*problem_)) {
     settle(task, aim, best);
-    engines.space.setProblem(*problem_, map_);  // patches were at work here
+    takeBack(engines);
     if (isReached()) return isLargeHeap(*problem_) ? Outcome::Reached : finish(engines, task, best);
   } else if (best.residual > disturbed * demand) {
     if (isLargePile(*problem_))
