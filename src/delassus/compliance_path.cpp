@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "delassus/cone.h"
 #include "delassus/read_mode.h"
@@ -65,7 +66,7 @@ void CompliancePath::setCenter(const Solution& center) {
   smallestFelt_ = std::max(share * squeeze, std::numeric_limits<double>::min());
 }
 
-double CompliancePath::compliance() const { return std::exp(tau_); }
+double CompliancePath::compliance() const { return std::exp(here_.tau); }
 
 const VectorXd& CompliancePath::reactions() {
   respond(false);
@@ -76,7 +77,7 @@ const VectorXd& CompliancePath::reactions() {
 void CompliancePath::respond(bool inRegion) {
   const int n = problem_->contacts(), m = problem_->rows();
   l_ = (own_ + compliance() * scale_).cwiseInverse();
-  motion_->relativeVelocity(delta_, u_);
+  motion_->relativeVelocity(here_.delta, u_);
   u_ += u0_;
   z_ = center_ - l_.cwiseProduct(u_);
   r_.resize(z_.size());
@@ -115,7 +116,7 @@ bool CompliancePath::factorise(WorkDone& count) {
 double CompliancePath::error() {
   change_ = r_ - center_;
   motion_->impulse(change_, felt_);
-  error_ = delta_ - felt_;
+  error_ = here_.delta - felt_;
   return error_.norm() / std::max(felt_.norm(), smallestFelt_);
 }
 
@@ -125,10 +126,11 @@ double CompliancePath::noise() const { return std::max(1e-11, 1e-15 / compliance
 /// K⁻¹ J̃ᵀ ∂r/∂ln c: the motion that goes with a change of ln c by one.
 void CompliancePath::findDrive() {
   const int n = problem_->contacts();
-  r_ = compliance() * scale_.cwiseProduct(l_).cwiseProduct(u_);
-  for (int i = 0; i < n; ++i) r_.segment<3>(3 * i) = (G_.contacts[i] * r_.segment<3>(3 * i)).eval();
-  r_.tail(problem_->rows()).array() *= G_.rows.array();
-  motion_->impulse(r_, drive_);
+  change_ = compliance() * scale_.cwiseProduct(l_).cwiseProduct(u_);
+  for (int i = 0; i < n; ++i)
+    change_.segment<3>(3 * i) = (G_.contacts[i] * change_.segment<3>(3 * i)).eval();
+  change_.tail(problem_->rows()).array() *= G_.rows.array();
+  motion_->impulse(change_, drive_);
   motion_->solve(drive_);
 }
 
@@ -140,20 +142,19 @@ double CompliancePath::distance(const VectorXd& delta, double tau) const {
 double CompliancePath::findTangent() {
   findDrive();
   const double length = distance(drive_, 1);
-  newTangentTau_ = (motion_->isDeterminantNegative() == downward_ ? -1 : 1) / length;
-  newTangent_ = newTangentTau_ * drive_;
-  return newTangent_.dot(tangent_) / (unit_ * unit_) + newTangentTau_ * tangentTau_;
+  newTangent_.tau = (motion_->isDeterminantNegative() == downward_ ? -1 : 1) / length;
+  newTangent_.delta = newTangent_.tau * drive_;
+  return newTangent_.delta.dot(tangent_.delta) / (unit_ * unit_) + newTangent_.tau * tangent_.tau;
 }
 
 /// Goes on along the tangent that was found.
 void CompliancePath::takeTangent() {
   constexpr double slowly = 0.3;
-  tangent_.swap(newTangent_);
-  tangentTau_ = newTangentTau_;
+  std::swap(tangent_, newTangent_);
   unit_ = (1 - slowly) * unit_ + slowly * unitOf(drive_);
-  const double length = distance(tangent_, tangentTau_);
-  tangent_ /= length;
-  tangentTau_ /= length;
+  const double length = distance(tangent_.delta, tangent_.tau);
+  tangent_.delta /= length;
+  tangent_.tau /= length;
 }
 
 /// dz for changes of δ and of ln c.
@@ -167,9 +168,9 @@ bool CompliancePath::setOut(const VectorXd& reactions, double compliance, int bu
                             WorkDone& count) {
   constexpr int mostSteps = 20;
   const int begun = count.factorisations;
-  tau_ = std::log(compliance);
+  here_.tau = std::log(compliance);
   change_ = reactions - center_;
-  motion_->impulse(change_, delta_);
+  motion_->impulse(change_, here_.delta);
   for (int k = 0;; ++k) {
     respond(false);
     const double now = error();
@@ -178,10 +179,9 @@ bool CompliancePath::setOut(const VectorXd& reactions, double compliance, int bu
         !factorise(count))
       return false;
     motion_->solve(error_);
-    delta_ -= error_;
+    here_.delta -= error_;
   }
-  start_ = delta_;
-  startTau_ = tau_;
+  start_ = here_;
   hasTurned_ = false;
   return stand(false, count);
 }
@@ -189,16 +189,15 @@ bool CompliancePath::setOut(const VectorXd& reactions, double compliance, int bu
 /// Where it set out, looking to less compliance or to more.
 bool CompliancePath::stand(bool upward, WorkDone& count) {
   constexpr double firstStride = 0.05;
-  delta_ = start_;
-  tau_ = startTau_;
+  here_ = start_;
   respond(false);
   readRegion();
   if (!factorise(count)) return false;
   downward_ = motion_->isDeterminantNegative() != upward;
   findDrive();
   unit_ = unitOf(drive_);
-  tangent_.setZero(delta_.size());
-  tangentTau_ = 0;
+  tangent_.delta.setZero(here_.delta.size());
+  tangent_.tau = 0;
   findTangent();
   takeTangent();
   strideLength_ = firstStride;
@@ -212,7 +211,7 @@ bool CompliancePath::descend(double compliance, int budget, WorkDone& count) {
   const int begun = count.factorisations;
   const double aim = std::log(compliance);
   int inVain = 0;
-  while (tau_ > aim) {
+  while (here_.tau > aim) {
     if (count.factorisations - begun >= budget) return false;
     if (this->compliance() > unanswered) {
       // There is but one answer, which has been reached from below: the other way from the start is
@@ -241,21 +240,16 @@ bool CompliancePath::descend(double compliance, int budget, WorkDone& count) {
   return true;
 }
 
-/// Along the tangent, from where from_ remembers.
+/// Along the tangent from from_.
 void CompliancePath::advance(double length) {
-  delta_ = from_ + length * tangent_;
-  tau_ = fromTau_ + length * tangentTau_;
-}
-
-void CompliancePath::goBack() {
-  delta_ = from_;
-  tau_ = fromTau_;
+  here_.delta = from_.delta + length * tangent_.delta;
+  here_.tau = from_.tau + length * tangent_.tau;
 }
 
 /// How far it is from where this length of tangent led.
 double CompliancePath::strayed(double length) {
-  felt_ = delta_ - from_ - length * tangent_;
-  return distance(felt_, tau_ - fromTau_ - length * tangentTau_);
+  felt_ = here_.delta - from_.delta - length * tangent_.delta;
+  return distance(felt_, here_.tau - from_.tau - length * tangent_.tau);
 }
 
 /// Newton's method across the tangent, back to the curve.
@@ -273,10 +267,11 @@ bool CompliancePath::meetCurve(bool inRegion, int most, WorkDone& count) {
     findDrive();
     motion_->solve(error_);
     // (−error + x drive, x) is at right angles to the tangent.
-    const double x = tangent_.dot(error_) / (tangent_.dot(drive_) + unit_ * unit_ * tangentTau_);
+    const double x =
+        tangent_.delta.dot(error_) / (tangent_.delta.dot(drive_) + unit_ * unit_ * tangent_.tau);
     if (!std::isfinite(x)) return false;
-    delta_ += x * drive_ - error_;
-    tau_ += x;
+    here_.delta += x * drive_ - error_;
+    here_.tau += x;
   }
 }
 
@@ -284,9 +279,8 @@ bool CompliancePath::meetCurve(bool inRegion, int most, WorkDone& count) {
 bool CompliancePath::stride(double length, WorkDone& count) {
   constexpr double mostTau = 1, near = 0.7;
   constexpr int mostSteps = 8;
-  length = std::min(length, mostTau / std::abs(tangentTau_));
-  from_ = delta_;
-  fromTau_ = tau_;
+  length = std::min(length, mostTau / std::abs(tangent_.tau));
+  from_ = here_;
   advance(length);
   if (!meetCurve(false, mostSteps, count) || strayed(length) > near * length || !factorise(count) ||
       !(findTangent() > 0)) {

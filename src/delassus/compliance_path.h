@@ -63,12 +63,18 @@ class CompliancePath {
   const VectorXd& reactions();
 
   std::size_t bytes() const {
-    return G_.bytes() + bytesOf(scale_, own_, center_, u0_, delta_, start_, tangent_, l_, u_, z_,
-                                r_, change_, error_, felt_, drive_, newTangent_, from_, alongZ_,
-                                acrossZ_, gaps_, region_.contacts, region_.rows);
+    return G_.bytes() + bytesOf(scale_, own_, center_, u0_, here_.delta, start_.delta, from_.delta,
+                                tangent_.delta, newTangent_.delta, l_, u_, z_, r_, change_, error_,
+                                felt_, drive_, alongZ_, acrossZ_, gaps_, region_.contacts,
+                                region_.rows);
   }
 
  private:
+  /// On the path or beside it; or what leads from one place to another.
+  struct Place {
+    VectorXd delta;  ///< δ
+    double tau = 0;  ///< ln c
+  };
   /// A contact or row, and which of the walls that its mode has.
   struct Wall {
     int part, side;
@@ -98,7 +104,7 @@ class CompliancePath {
   double strayed(double length);
 
   void advance(double length);
-  void goBack();
+  void goBack() { here_ = from_; }
   bool meetCurve(bool inRegion, int most, WorkDone& count);
   bool stride(double length, WorkDone& count);
   bool stepToWall(WorkDone& count);
@@ -114,22 +120,18 @@ class CompliancePath {
   VectorXd center_, u0_;     ///< r_k and u_k
   double smallestFelt_ = 0;  ///< ‖δ‖ whose digits rounding in r − r_k has not taken
 
-  VectorXd delta_;  ///< δ
-  double tau_ = 0;  ///< ln c
+  Place here_;
+  Place start_;  ///< where it set out
+  Place from_;   ///< where this step did
+  Place tangent_, newTangent_;
   ActiveSet region_;
-  VectorXd tangent_;
-  double tangentTau_ = 0;
-  double unit_ = 1;  ///< length in δ that counts as much as one in ln c
-  VectorXd start_;   ///< δ where it set out
-  double startTau_ = 0;
+  double unit_ = 1;         ///< length in δ that counts as much as one in ln c
   bool hasTurned_ = false;  ///< round, since it set out
   bool downward_ = false;   ///< sign of det K where the tangent leads to smaller c: negative?
   double strideLength_ = 0;
   int stepsAtWalls_ = 1;  ///< after a stride that failed
 
-  VectorXd l_, u_, z_, r_, change_, error_, felt_, drive_, newTangent_, from_, alongZ_, acrossZ_,
-      gaps_;
-  double newTangentTau_ = 0, fromTau_ = 0;
+  VectorXd l_, u_, z_, r_, change_, error_, felt_, drive_, alongZ_, acrossZ_, gaps_;
   double push_ = 0;  ///< largest reaction, the measure of gaps
   std::vector<Wall> walls_;
   Stiffness G_;

@@ -60,7 +60,7 @@ void CompliancePath::pass(const Wall& wall) {
 /// The walls ahead within this length of tangent, the nearest first. A wall that is passed already
 /// is at 0 if it is left behind.
 void CompliancePath::findWalls(double within) {
-  changeOfZ(tangent_, tangentTau_, alongZ_);
+  changeOfZ(tangent_.delta, tangent_.tau, alongZ_);
   walls_.clear();
   for (int part = 0; part < parts(); ++part)
     for (int side = 0; side < wallsOf(part); ++side) {
@@ -97,8 +97,8 @@ bool CompliancePath::meetWall(const Wall& wall, WorkDone& count) {
     const Gap off = gapTo(wall.part, wall.side, alongZ_);
     const double x = (off.growth - off.value) / gapTo(wall.part, wall.side, acrossZ_).growth;
     if (!std::isfinite(x)) return false;
-    delta_ += x * drive_ - error_;
-    tau_ += x;
+    here_.delta += x * drive_ - error_;
+    here_.tau += x;
   }
 }
 
@@ -118,8 +118,7 @@ double CompliancePath::gapNoise() const { return push_ * std::max(1e-10, 1e-14 /
 bool CompliancePath::stepToWall(WorkDone& count) {
   constexpr double farthest = 0.5, mostTau = 0.7, near = 0.5, tiny = 1e-9;
   constexpr std::size_t mostWalls = 6;
-  from_ = delta_;
-  fromTau_ = tau_;
+  from_ = here_;
   respond(true);
   push_ = r_.cwiseAbs().maxCoeff();
   if (!factorise(count)) return false;
@@ -127,7 +126,7 @@ bool CompliancePath::stepToWall(WorkDone& count) {
   takeTangent();
   gaps_.resize(parts());
   for (int part = 0; part < parts(); ++part) gaps_[part] = leastGap(part);
-  const double within = std::min(farthest, mostTau / std::abs(tangentTau_));
+  const double within = std::min(farthest, mostTau / std::abs(tangent_.tau));
   findWalls(within);
 
   for (std::size_t k = 0; k < std::min(walls_.size(), mostWalls); ++k) {
