@@ -71,7 +71,7 @@ void InteriorPoint<Motion>::start(const Problem& problem, const NaturalMap& map)
     ++degree_;
   }
   G_.reset(problem);
-  b_.resize(problem.size());
+  dr_.resize(problem.size());
 }
 
 /// Gap and residuals at r_, u_ = W r_ + q.
@@ -149,9 +149,9 @@ void InteriorPoint<Motion>::linearise(const Problem& problem) {
   }
 }
 
+/// What each contact, row and disk aims at, and the right side that it makes.
 template <class Motion>
-bool InteriorPoint<Motion>::step(Motion& motion, const Problem& problem, double tau,
-                                 bool corrector) {
+void InteriorPoint<Motion>::aim(const Problem& problem, double tau, bool corrector) {
   const int n = problem.contacts(), m = problem.rows();
   for (int i = 0; i < n; ++i) {
     Cone& c = cones_[i];
@@ -159,14 +159,14 @@ bool InteriorPoint<Motion>::step(Motion& motion, const Problem& problem, double 
     if (!(mu > 0)) {
       const double target = tau - c.x[0] * c.y[0] - (corrector ? c.dx[0] * c.dy[0] : 0);
       c.shift = Vec3(target / c.x[0], 0, 0);
-      b_.template segment<3>(3 * i) =
+      dr_.template segment<3>(3 * i) =
           Vec3(G_.contacts[i](0, 0) * (c.shift[0] - c.residual[0]), 0, 0);
       continue;
     }
     c.aim(tau, corrector);
     const Vec3 y = c.shift - c.residual;
     const Vec3 u(mu * (y[0] - c.slip[0] * y[1] - c.slip[1] * y[2]), y[1], y[2]);
-    b_.template segment<3>(3 * i) = G_.contacts[i] * u;
+    dr_.template segment<3>(3 * i) = G_.contacts[i] * u;
   }
   for (int i = 0; i < m; ++i) {
     double y = -rowResidual_[i];
@@ -179,27 +179,27 @@ bool InteriorPoint<Motion>::step(Motion& motion, const Problem& problem, double 
       hi.target = tau - hi.x * hi.y - (corrector ? hi.dx * hi.dy : 0);
       y -= hi.target / hi.x;
     }
-    b_[3 * n + i] = G_.rows[i] * y;
+    dr_[3 * n + i] = G_.rows[i] * y;
   }
-
   for (std::size_t k = 0; k < disks_.size(); ++k) {
     const Disk& disk = problem.disks[k];
     LorentzPair& c = disks_[k];
     c.aim(tau, corrector);
-    const Vec2 wider = c.softness.block<2, 1>(1, 0) * (disk.radius * b_[disk.governor]);
-    disk.put(G_.disks[k].own * ((c.shift - c.residual).tail<2>() - wider), b_);
+    const Vec2 wider = c.softness.block<2, 1>(1, 0) * (disk.radius * dr_[disk.governor]);
+    disk.put(G_.disks[k].own * ((c.shift - c.residual).tail<2>() - wider), dr_);
   }
+}
 
-  motion.impulse(b_, dv_);
-  motion.solve(dv_);
-  if (!dv_.allFinite()) return false;
-  motion.relativeVelocity(dv_, du_);
-
+/// The steps of r, x and y that go with du.
+template <class Motion>
+void InteriorPoint<Motion>::follow(const Problem& problem) {
+  const int n = problem.contacts(), m = problem.rows();
   for (int i = 0; i < n; ++i) {
     Cone& c = cones_[i];
     const double mu = problem.friction[i];
-    const Vec3 dr = b_.template segment<3>(3 * i) - G_.contacts[i] * du_.template segment<3>(3 * i);
-    b_.template segment<3>(3 * i) = dr;
+    const Vec3 dr =
+        dr_.template segment<3>(3 * i) - G_.contacts[i] * du_.template segment<3>(3 * i);
+    dr_.template segment<3>(3 * i) = dr;
     if (mu > 0) {
       c.follow({mu * dr[0], dr[1], dr[2]});
     } else {
@@ -209,8 +209,8 @@ bool InteriorPoint<Motion>::step(Motion& motion, const Problem& problem, double 
   }
   for (int i = 0; i < m; ++i) {
     const int at = 3 * n + i;
-    const double dr = b_[at] - G_.rows[i] * du_[at];
-    b_[at] = dr;
+    const double dr = dr_[at] - G_.rows[i] * du_[at];
+    dr_[at] = dr;
     Side &lo = lower_[i], &hi = upper_[i];
     if (lo.bounded) lo.dx = dr, lo.dy = (lo.target - lo.y * dr) / lo.x;
     if (hi.bounded) hi.dx = -dr, hi.dy = (hi.target + hi.y * dr) / hi.x;
@@ -220,10 +220,22 @@ bool InteriorPoint<Motion>::step(Motion& motion, const Problem& problem, double 
     Vec3 governing(0, 0, 0);  // du of its governor
     const int unknowns = disk.governor < 3 * n ? 3 : 1;
     governing.head(unknowns) = du_.segment(disk.governor, unknowns);
-    const Vec2 dr = disk.of(b_) - G_.disks[k].own * disk.of(du_) - G_.disks[k].governor * governing;
-    disk.put(dr, b_);
-    disks_[k].follow({disk.radius * b_[disk.governor], dr[0], dr[1]});
+    const Vec2 dr =
+        disk.of(dr_) - G_.disks[k].own * disk.of(du_) - G_.disks[k].governor * governing;
+    disk.put(dr, dr_);
+    disks_[k].follow({disk.radius * dr_[disk.governor], dr[0], dr[1]});
   }
+}
+
+template <class Motion>
+bool InteriorPoint<Motion>::step(Motion& motion, const Problem& problem, double tau,
+                                 bool corrector) {
+  aim(problem, tau, corrector);
+  motion.impulse(dr_, dv_);
+  motion.solve(dv_);
+  if (!dv_.allFinite()) return false;
+  motion.relativeVelocity(dv_, du_);
+  follow(problem);
   return true;
 }
 
@@ -255,7 +267,7 @@ double InteriorPoint<Motion>::gapAfter(double length) const {
 
 template <class Motion>
 void InteriorPoint<Motion>::advance(const Problem& problem, double length) {
-  r_ += length * b_;
+  r_ += length * dr_;
   for (Cone& c : cones_) c.x += length * c.dx, c.y += length * c.dy;
   for (LorentzPair& c : disks_) c.x += length * c.dx, c.y += length * c.dy;
   for (auto* sides : {&lower_, &upper_})
@@ -293,11 +305,7 @@ bool InteriorPoint<Motion>::solve(Motion& motion, const Problem& problem, const 
     const bool halved = now < 0.5 * mark;
     idle = halved ? 0 : idle + 1;
     if (halved) mark = now;
-    if (now < best.residual) {
-      best.r = r_;
-      best.u = u_;
-      best.setResidual(measured);
-    }
+    best.takeIfBetter(r_, u_, measured);
     if (now <= std::max(tolerance, map.roundOff(r_))) return true;
     if (idle > mostIdle) return false;
   }

@@ -31,7 +31,7 @@ class InteriorPoint {
              int budget, Solution& best);
 
   std::size_t bytes() const {
-    return G_.bytes() + bytesOf(scale_, r_, u_, y_, b_, dv_, du_, weight_, cones_, disks_, lower_,
+    return G_.bytes() + bytesOf(scale_, r_, u_, y_, dr_, dv_, du_, weight_, cones_, disks_, lower_,
                                 upper_, rowResidual_);
   }
 
@@ -53,13 +53,16 @@ class InteriorPoint {
   /// Solves for the step towards x ∘ y = `tau` e; with `corrector`, the second-order term of the
   /// last step is included.
   bool step(Motion& motion, const Problem& problem, double tau, bool corrector);
+  void aim(const Problem& problem, double tau, bool corrector);
+  void follow(const Problem& problem);
   double longestStep() const;
   double gapAfter(double length) const;
   void advance(const Problem& problem, double length);
 
   VectorXd scale_;
   VectorXd r_, u_, y_;
-  VectorXd b_, dv_, du_;
+  VectorXd dr_;  ///< right side, then step, of r
+  VectorXd dv_, du_;
   VectorXd weight_;  ///< compliance + proximal weight
   std::vector<Cone> cones_;
   std::vector<LorentzPair> disks_;  ///< x = (κ r_n, r_d), y = (y_0, u_d)
