@@ -6,7 +6,7 @@
 
 namespace delassus {
 
-void Quarrel::setProblem(const Problem& problem, const NaturalMap& map) {
+void FarkasProof::setProblem(const Problem& problem, const NaturalMap& map) {
   const int n = problem.contacts();
   map_ = &map;
   demands_.W.refer(problem.W);
@@ -24,7 +24,7 @@ void Quarrel::setProblem(const Problem& problem, const NaturalMap& map) {
   }
 }
 
-double Quarrel::leastMotion(const VectorXd& r) {
+double FarkasProof::leastMotion(const VectorXd& r) {
   // Squares of what is felt, not r·W r: where large reactions cancel, that is all rounding.
   constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
   const BodySpace& space = demands_.W.bodySpace();
@@ -37,7 +37,7 @@ double Quarrel::leastMotion(const VectorXd& r) {
   return push > 0 ? push / (std::sqrt(felt_.squaredNorm() + compliant) + noise) : 0;
 }
 
-double Quarrel::hardestAlone() const {
+double FarkasProof::hardestAlone() const {
   double hardest = 0;
   for (int i = 0; i < demands_.size(); ++i) {
     const Interval bounds = allowedWithoutFriction(demands_, i);
@@ -49,32 +49,33 @@ double Quarrel::hardestAlone() const {
   return hardest;
 }
 
-bool Quarrel::find(ProximalWalk<BodyMotion>& walk, const Problem& problem, const NaturalMap& map,
-                   double tolerance, int& regionBudget, Solution& scratch, WorkDone& count) {
+bool FarkasProof::find(ProximalWalk<BodyMotion>& walk, const Problem& problem,
+                       const NaturalMap& map, double tolerance, int& regionBudget,
+                       Solution& scratch, WorkDone& count) {
   // Times the motion that the hardest demand alone asks for. Less proves nothing: a wedge of a
   // microradian that holds a ball demands a millionth of what the ball needs.
   constexpr double proportion = 1e8;
   constexpr double coarse = 1e-6, fine = 1e-8;  // compliances relative to W_aa
   setProblem(problem, map);
   walk.space().setProblem(demands_, map);
-  const auto yield = [&](double compliance) {
+  const auto answer = [&](double compliance) {
     scratch.start(demands_.q);
-    const bool found = walk.yield(tolerance, compliance, regionBudget, scratch);
+    const bool found = walk.answerCompliant(tolerance, compliance, regionBudget, scratch);
     count.regions += scratch.regions;
     count.factorisations += scratch.factorisations;
     return found;
   };
   // What pushes in vain is in inverse proportion to the compliance; all else hardly depends on it,
   // and is gone in the difference.
-  if (!yield(coarse)) return false;
-  quarrel_ = scratch.r;
-  if (!yield(fine)) return false;
-  quarrel_ = scratch.r - quarrel_;
-  for (int i = 0; i < quarrel_.size(); ++i) {
+  if (!answer(coarse)) return false;
+  reactions_ = scratch.r;
+  if (!answer(fine)) return false;
+  reactions_ = scratch.r - reactions_;
+  for (int i = 0; i < reactions_.size(); ++i) {
     const Interval bounds = allowedWithoutFriction(demands_, i);
-    quarrel_[i] = std::clamp(quarrel_[i], bounds.lower, bounds.upper);
+    reactions_[i] = std::clamp(reactions_[i], bounds.lower, bounds.upper);
   }
-  return leastMotion(quarrel_) > proportion * hardestAlone();
+  return leastMotion(reactions_) > proportion * hardestAlone();
 }
 
 }  // namespace delassus

@@ -14,7 +14,7 @@ namespace delassus {
 ///
 /// with ½|v|²_M the kinetic energy, |v|_M in √J. Reactions that push and move nothing prove that
 /// there is no such motion.
-class Quarrel {
+class FarkasProof {
  public:
   /// The demands alone: no tangents, no motors, no disks. Same unknowns, q = 0 in the place of the
   /// others. Refers to W.
@@ -33,14 +33,14 @@ class Quarrel {
   bool find(ProximalWalk<BodyMotion>& walk, const Problem& problem, const NaturalMap& map,
             double tolerance, int& regionBudget, Solution& scratch, WorkDone& count);
   /// Those that were found.
-  const VectorXd& reactions() const { return quarrel_; }
+  const VectorXd& reactions() const { return reactions_; }
 
-  std::size_t bytes() const { return demands_.bytes() + bytesOf(quarrel_, felt_); }
+  std::size_t bytes() const { return demands_.bytes() + bytesOf(reactions_, felt_); }
 
  private:
   Problem demands_;
   const NaturalMap* map_ = nullptr;  ///< of the problem, whose W is the same
-  VectorXd quarrel_, felt_;
+  VectorXd reactions_, felt_;
 };
 
 }  // namespace delassus

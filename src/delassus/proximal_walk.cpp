@@ -76,9 +76,10 @@ double ProximalWalk<Motion>::tryStep(double share) {
 template <class Motion>
 bool ProximalWalk<Motion>::stepAlong(double& error) {
   constexpr int mostHalvings = 10, mostWalls = 4;
+  constexpr double leastDecrease = 1e-4;  // of the error, beside what the whole step promises
   constexpr double hair = 1e-6;
   double share = 1, least = tryStep(share);
-  for (int h = 1; !(least <= (1 - 1e-4 * share) * error); ++h) {
+  for (int h = 1; !(least <= (1 - leastDecrease * share) * error); ++h) {
     if (h == mostHalvings) return false;
     share *= 0.5;
     least = tryStep(share);

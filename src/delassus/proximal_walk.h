@@ -47,7 +47,7 @@ class ProximalWalk {
   /// The answer if all were compliant by `alpha` W_aa: where demands are incompatible, that is a
   /// compromise. Takes the place of `best`, u and residual being those of the problem itself. False
   /// if it is not found within the budget.
-  bool yield(double tolerance, double alpha, int& regionBudget, Solution& best);
+  bool answerCompliant(double tolerance, double alpha, int& regionBudget, Solution& best);
 
  private:
   enum class Inner { Converged, Failed };

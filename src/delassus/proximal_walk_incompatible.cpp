@@ -17,20 +17,22 @@ namespace delassus {
 /// compatible demands let reactions grow long, too.
 template <class Motion>
 bool ProximalWalk<Motion>::growsInVain(double tolerance, double residual) {
+  // Shares of the residual.
+  constexpr double hardlyOpen = 0.1, nothing = 1e-6;
   VectorXd &d = change_, &open = step_, &moved = trialError_;  // in storage that is free now
   d = r_ - center_;
   const int frictional = 3 * problem().contacts(), plainRows = problem().disksBegin() - frictional;
   open = d.cwiseQuotient(l_);
   auto demands = open.segment(frictional, plainRows);
-  if (plainRows == 0 || demands.cwiseAbs().maxCoeff() < 0.1 * residual) return false;
+  if (plainRows == 0 || demands.cwiseAbs().maxCoeff() < hardlyOpen * residual) return false;
   demands.setZero();
-  if (open.cwiseAbs().maxCoeff() > 1e-6 * residual) return false;
+  if (open.cwiseAbs().maxCoeff() > nothing * residual) return false;
   space_.motion().impulse(d, felt_);
   space_.motion().relativeVelocity(felt_, moved);
   // Neither a tolerance beside which the residual is small nor the rounding of reactions that are
   // large proves anything.
   const double still = std::min(tolerance, space_.map().roundOff(r_));
-  if (moved.cwiseAbs().maxCoeff() > std::max(still, 1e-6 * residual)) return false;
+  if (moved.cwiseAbs().maxCoeff() > std::max(still, nothing * residual)) return false;
 
   constexpr double impossible = 1e3, rounding = 64 * std::numeric_limits<double>::epsilon();
   const double energy =
@@ -42,6 +44,8 @@ bool ProximalWalk<Motion>::growsInVain(double tolerance, double residual) {
 /// Takes the part along d = r − center out of the reactions, and names those whose demands it was.
 template <class Motion>
 void ProximalWalk<Motion>::compromise(Solution& best) {
+  // Of a radius; and of the largest share in d, from where on one is named.
+  constexpr double boundRounding = 1e-9, named = 0.1;
   VectorXd &d = change_, &open = step_, &shares = trialError_;  // in storage that is free now
   d = r_ - center_;
   open = scale_.cwiseProduct(d);
@@ -49,7 +53,7 @@ void ProximalWalk<Motion>::compromise(Solution& best) {
   // Where a bound or a disk needs a share of d, the reactions stay as large as they have grown.
   const auto rows = best.r.tail(problem().rows()).array();
   const auto narrow = [&](const Disk& disk) {
-    return disk.of(best.r).norm() > (1 + 1e-9) * disk.radiusAt(best.r);
+    return disk.of(best.r).norm() > (1 + boundRounding) * disk.radiusAt(best.r);
   };
   if ((rows < problem().lower.array()).any() || (rows > problem().upper.array()).any() ||
       std::any_of(problem().disks.begin(), problem().disks.end(), narrow))
@@ -60,14 +64,14 @@ void ProximalWalk<Motion>::compromise(Solution& best) {
   const double largest = shares.cwiseAbs().maxCoeff();
   best.blamed.clear();
   for (int i = 0; i < problem().contacts(); ++i)
-    if (shares.segment<3>(3 * i).norm() > 0.1 * largest) best.blamed.push_back(3 * i);
+    if (shares.segment<3>(3 * i).norm() > named * largest) best.blamed.push_back(3 * i);
   for (int at = 3 * problem().contacts(); at < problem().size(); ++at)
-    if (std::abs(shares[at]) > 0.1 * largest) best.blamed.push_back(at);
+    if (std::abs(shares[at]) > named * largest) best.blamed.push_back(at);
 }
 
 template <class Motion>
-bool ProximalWalk<Motion>::yield(double tolerance, double alpha, int& regionBudget,
-                                 Solution& best) {
+bool ProximalWalk<Motion>::answerCompliant(double tolerance, double alpha, int& regionBudget,
+                                           Solution& best) {
   center_.setZero(problem().size());
   u_ = problem().q;
   r_ = center_;
@@ -83,7 +87,7 @@ template bool ProximalWalk<BodyMotion>::growsInVain(double, double);
 template bool ProximalWalk<FactoredMotion>::growsInVain(double, double);
 template void ProximalWalk<BodyMotion>::compromise(Solution&);
 template void ProximalWalk<FactoredMotion>::compromise(Solution&);
-template bool ProximalWalk<BodyMotion>::yield(double, double, int&, Solution&);
-template bool ProximalWalk<FactoredMotion>::yield(double, double, int&, Solution&);
+template bool ProximalWalk<BodyMotion>::answerCompliant(double, double, int&, Solution&);
+template bool ProximalWalk<FactoredMotion>::answerCompliant(double, double, int&, Solution&);
 
 }  // namespace delassus

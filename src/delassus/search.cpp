@@ -168,8 +168,9 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Task& task, Solution& 
   Outcome outcome;
   if (task.guess) {
     // The rest is for the walk from nothing.
+    constexpr int coldEighths = 3;
     Task share = task;
-    share.reserved = task.options.regionsInVain() / 8 * 3;
+    share.reserved = task.options.regionsInVain() / 8 * coldEighths;
     share.options.sweepBudget -= task.options.sweepBudget / 2;
     outcome = walkOnce(engines, share, best);
     if (outcome == Outcome::Lost && isLargeHeap(*problem_)) {

@@ -86,7 +86,7 @@ class Search {
 
   std::size_t bytes() const {
     return map_.bytes() + dense_.bytes() + (own_ ? own_->bytes() : 0) + trial_.bytes() +
-           wandering_.bytes() + apart_.bytes() + held_.bytes() + felt_.bytes() + quarrel_.bytes() +
+           wandering_.bytes() + apart_.bytes() + held_.bytes() + felt_.bytes() + proof_.bytes() +
            patches_.bytes() + patch_.bytes() + patchAnswer_.bytes() +
            bytesOf(residuals_, patchStart_, variedStart_) + varied_.bytes() +
            variedAnswer_.bytes() + (patchSearch_ ? patchSearch_->bytes() : 0) +
@@ -177,7 +177,7 @@ class Search {
   // search_find_back.cpp: after a walk that has lost its way.
   template <class Motion>
   Outcome findBack(Engines<Motion>& engines, const Task& task, Solution& best);
-  bool compromise(double tolerance, int regionBudget, Solution& best);
+  bool proveIncompatible(double tolerance, int regionBudget, Solution& best);
   template <class Motion>
   Outcome wander(Engines<Motion>& engines, const Task& task, Solution& best);
   Outcome outlast(const Task& task, Solution& best);
@@ -224,7 +224,7 @@ class Search {
   Solution apart_;      ///< the best of a way of its own
   Solution held_;       ///< what a hold has come to, in a hurry
   VectorXd felt_;
-  Quarrel quarrel_;
+  FarkasProof proof_;
 
   Patches patches_;
   std::unique_ptr<Search> patchSearch_;  ///< for the problems of patches

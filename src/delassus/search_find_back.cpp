@@ -11,7 +11,8 @@ Outcome Search::findBack(Engines<Motion>& engines, const Task& task, Solution& b
   constexpr int proof = 90, interiorSteps = 40, longInPiles = 1000;
   const bool isSmall = !isLargeHeap(*problem_) && !isLargePile(*problem_);
   if (task.regionsLeft(best) <= 0) return Outcome::Lost;
-  if (compromise(task.tolerance, task.regionsLeft(best, proof), best)) return Outcome::Incompatible;
+  if (proveIncompatible(task.tolerance, task.regionsLeft(best, proof), best))
+    return Outcome::Incompatible;
   const auto walk = [&](int most) {
     return engines.walk.walk(task.tolerance, firstWeight(best, leastAfar),
                              task.regionsLeft(best, most), best);
@@ -67,21 +68,21 @@ Outcome Search::outlast(const Task& task, Solution& best) {
 /// Where demands are proven incompatible, `best` is the compromise, that of bodies a little
 /// compliant where they touch, friction included, and names those that quarrel. Explicit entries
 /// tell it by reactions that grow (ProximalWalk::converge).
-bool Search::compromise(double tolerance, int regionBudget, Solution& best) {
+bool Search::proveIncompatible(double tolerance, int regionBudget, Solution& best) {
   constexpr double compliances[] = {1e-6, 1e-4, 1e-2};  // relative to W_aa
   constexpr double negligible = 0.1;  // share of the largest push, in the norm of its energy
   if (!problem_->W.inBodySpace()) return false;
   Engines<BodyMotion>& engines = machines().bodies;
   const bool areIncompatible =
-      quarrel_.find(engines.walk, *problem_, map_, tolerance, regionBudget, trial_, best);
+      proof_.find(engines.walk, *problem_, map_, tolerance, regionBudget, trial_, best);
   takeBack(engines);
   if (!areIncompatible) return false;
   for (const double compliance : compliances)
-    if (engines.walk.yield(tolerance, compliance, regionBudget, best)) break;
+    if (engines.walk.answerCompliant(tolerance, compliance, regionBudget, best)) break;
   // In the mean over its directions: what moves nothing along its normal may be asked to, and is
   // named then.
   map_.meanDiagonal(felt_);
-  felt_ = felt_.cwiseSqrt().cwiseProduct(quarrel_.reactions()).cwiseAbs();
+  felt_ = felt_.cwiseSqrt().cwiseProduct(proof_.reactions()).cwiseAbs();
   const double least = negligible * felt_.maxCoeff();
   best.blamed.clear();
   for (int at = 0; at < problem_->size(); ++at)

@@ -22,15 +22,15 @@ TEST(Farkas, TheBoundIsBelowEveryMotionAndReachedByTheLeast) {
     const Problem problem = PileIsland(pile).problem;
     NaturalMap map;
     map.setProblem(problem);
-    Quarrel quarrel;
-    quarrel.setProblem(problem, map);
+    FarkasProof proof;
+    proof.setProblem(problem, map);
     const Solution least = Solver().solve(problem);
     ASSERT_EQ(least.status, Status::Solved);
     const double motion = std::sqrt(least.r.dot(problem.W * least.r));
-    EXPECT_NEAR(quarrel.leastMotion(least.r), motion, 1e-6 * motion);
+    EXPECT_NEAR(proof.leastMotion(least.r), motion, 1e-6 * motion);
     for (int i = 0; i < 20; ++i) {
-      const VectorXd r = randomReactions(quarrel.demands(), 1, random);
-      EXPECT_LE(quarrel.leastMotion(r), motion * (1 + 1e-9));
+      const VectorXd r = randomReactions(proof.demands(), 1, random);
+      EXPECT_LE(proof.leastMotion(r), motion * (1 + 1e-9));
     }
   }
 }
@@ -51,9 +51,9 @@ TEST(Farkas, SelfStressProvesNothing) {
     const VectorXd r = std::pow(10.0, k % 12) * uniform(random, 1, 10) * stress;
     NaturalMap map;
     map.setProblem(problem);
-    Quarrel quarrel;
-    quarrel.setProblem(problem, map);
-    EXPECT_LE(quarrel.leastMotion(r), motion) << k;
+    FarkasProof proof;
+    proof.setProblem(problem, map);
+    EXPECT_LE(proof.leastMotion(r), motion) << k;
   }
 }
 
@@ -75,9 +75,9 @@ TEST(Farkas, RoundingOfDemandsProvesNothing) {
     }
     NaturalMap map;
     map.setProblem(problem);
-    Quarrel quarrel;
-    quarrel.setProblem(problem, map);
-    EXPECT_EQ(quarrel.leastMotion(stress) > 0, gap > 1);
+    FarkasProof proof;
+    proof.setProblem(problem, map);
+    EXPECT_EQ(proof.leastMotion(stress) > 0, gap > 1);
   }
 }
 
@@ -94,9 +94,9 @@ TEST(Farkas, WhatIsBoundedDemandsNothing) {
   const Problem problem = PileIsland(pile).problem;
   NaturalMap map;
   map.setProblem(problem);
-  Quarrel quarrel;
-  quarrel.setProblem(problem, map);
-  const Problem& demands = quarrel.demands();
+  FarkasProof proof;
+  proof.setProblem(problem, map);
+  const Problem& demands = proof.demands();
   EXPECT_EQ(demands.size(), problem.size());
   EXPECT_TRUE(demands.disks.empty());
   EXPECT_EQ(demands.friction.cwiseAbs().sum(), 0);
@@ -167,14 +167,14 @@ TEST(Farkas, WhatIsFoundPushesAsItMay) {
     map.setProblem(problem);
     ProximalSpace<BodyMotion> space;
     ProximalWalk<BodyMotion> walk(space);
-    Quarrel quarrel;
+    FarkasProof proof;
     Solution scratch;
     WorkDone count;
     int budget = 200;
     space.setProblem(problem, map);
-    found += quarrel.find(walk, problem, map, 1e-8, budget, scratch, count);
+    found += proof.find(walk, problem, map, 1e-8, budget, scratch, count);
     for (int i = 0; i < problem.size(); ++i)
-      EXPECT_TRUE(allowedWithoutFriction(quarrel.demands(), i).contains(quarrel.reactions()[i]));
+      EXPECT_TRUE(allowedWithoutFriction(proof.demands(), i).contains(proof.reactions()[i]));
   }
   EXPECT_GT(found, 30);
 }
