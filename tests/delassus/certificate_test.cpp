@@ -1,4 +1,4 @@
-#include "delassus/certificate.h"
+#include "tests/support/certificate.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,11 @@
 
 namespace delassus {
 namespace {
+
+using test::EnergyBalance;
+using test::energyBalance;
+using test::MotionBound;
+using test::motionBound;
 
 class Draws {
  public:

@@ -7,14 +7,17 @@
 #include <cmath>
 #include <sstream>
 
-#include "delassus/certificate.h"
 #include "delassus/problem_text.h"
 #include "delassus/residual.h"
 #include "delassus/solver.h"
+#include "tests/support/certificate.h"
 
 namespace delassus {
 namespace {
 
+using test::EnergyBalance;
+using test::energyBalance;
+using test::motionBound;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 

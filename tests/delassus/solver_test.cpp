@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "tests/support/certificate.h"
 #include "tests/support/problem_samples.h"
 #include "tests/support/random_piles.h"
 

@@ -8,6 +8,7 @@
 #include "delassus/proximal_walk.h"
 #include "delassus/solver.h"
 #include "delassus/sweeps.h"
+#include "tests/support/certificate.h"
 #include "tests/support/random_piles.h"
 #include "tests/support/turning_piles.h"
 

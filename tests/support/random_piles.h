@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "delassus/certificate.h"
 #include "delassus/island.h"
 #include "delassus/residual.h"
 #include "delassus/solution.h"

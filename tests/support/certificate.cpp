@@ -1,10 +1,10 @@
-#include "delassus/certificate.h"
+#include "tests/support/certificate.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-namespace delassus {
+namespace delassus::test {
 
 MotionBound motionBound(const Problem& problem, const VectorXd& r, const VectorXd& u,
                         const VectorXd& largestReaction) {
@@ -52,4 +52,4 @@ EnergyBalance energyBalance(const Problem& problem, const VectorXd& target, cons
   return balance;
 }
 
-}  // namespace delassus
+}  // namespace delassus::test

@@ -1,8 +1,9 @@
 #pragma once
+/// What can be proven of reactions without knowing the answer.
 
 #include "delassus/problem.h"
 
-namespace delassus {
+namespace delassus::test {
 
 /// How far the motion v that reactions r make can be from the motion v* that takes place
 /// (algorithms §9.4):
@@ -61,4 +62,4 @@ struct EnergyBalance {
 /// as R = 0.
 EnergyBalance energyBalance(const Problem& problem, const VectorXd& target, const VectorXd& r);
 
-}  // namespace delassus
+}  // namespace delassus::test
