@@ -345,7 +345,7 @@ void ColouredSweeps::sweepAs(Pass& pass, const Problem& problem, const VectorXd&
   startRows(problem, r, u);
   std::fill(velocities_.begin(), velocities_.end(), SweptVelocity{});
   const auto part = [&](int round, int share) { work(pass, round, share); };
-  if (!hands_ || problem.contacts() + problem.rows() < worthwhile) {
+  if (!hands_ || problem.parts() < worthwhile) {
     const FlushToZero quick;
     lead(pass, [&](int round) {
       for (int share = 0; share < shares; ++share) part(round, share);

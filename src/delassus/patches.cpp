@@ -26,7 +26,7 @@ void visitBodies(const Problem& problem, int k, Visit visit) {
 
 /// Which bodies belong to a patch.
 void Patches::spread(const Problem& problem, const VectorXd& residuals, double unsettled) {
-  const int count = problem.contacts() + problem.rows();
+  const int count = problem.parts();
   reach_.assign(problem.W.bodySpace().bodies, settled);
   for (int k = 0; k < count; ++k)
     if (residuals[k] > unsettled)
@@ -41,7 +41,7 @@ void Patches::spread(const Problem& problem, const VectorXd& residuals, double u
 
 /// Contacts and rows whose bodies all belong to a patch, and the patches that they make of them.
 void Patches::join(const Problem& problem) {
-  const int count = problem.contacts() + problem.rows();
+  const int count = problem.parts();
   sets_.reset(static_cast<int>(reach_.size()));
   owner_.assign(count, -1);
   for (int k = 0; k < count; ++k) {

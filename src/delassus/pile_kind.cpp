@@ -15,9 +15,9 @@ bool isLargeHeap(const Problem& problem) {
   return isHeap(problem) && problem.contacts() > fewContacts;
 }
 
-bool isLargePile(const Problem& problem) {
+bool isLargeButNoHeap(const Problem& problem) {
   constexpr int fewParts = 200;
-  return !isHeap(problem) && problem.contacts() + problem.rows() > fewParts;
+  return !isHeap(problem) && problem.parts() > fewParts;
 }
 
 }  // namespace delassus

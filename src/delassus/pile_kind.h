@@ -20,6 +20,6 @@ bool isLargeHeap(const Problem& problem);
 
 /// No heap, and more than 200 contacts and rows: boxes at rest above all, of which a patch is as
 /// hard as the whole; but whatever else is large, too: mechanisms, and explicit W.
-bool isLargePile(const Problem& problem);
+bool isLargeButNoHeap(const Problem& problem);
 
 }  // namespace delassus

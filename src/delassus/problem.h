@@ -30,6 +30,7 @@ struct Problem {
 
   int contacts() const { return static_cast<int>(friction.size()); }
   int rows() const { return static_cast<int>(lower.size()); }
+  int parts() const { return contacts() + rows(); }  ///< also those of disks
   int size() const { return 3 * contacts() + rows(); }
   /// Of W those of the body space.
   std::size_t bytes() const { return W.bytes() + bytesOf(q, friction, lower, upper, disks); }

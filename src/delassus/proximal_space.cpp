@@ -13,8 +13,8 @@ void ProximalSpace<Motion>::setProblem(const Problem& problem, const NaturalMap&
   else
     compliance.setZero(problem.size());
   G.reset(problem);
-  // Seldom used: had they not their size at once, some later step would be the first to allocate.
-  for (const int seldom : {5, 6}) ofUnknowns[seldom].resize(problem.size());
+  // Had these not their size at once, some later step would be the first to allocate.
+  for (const int seldom : seldomUsed) ofUnknowns[seldom].resize(problem.size());
   forgetFactor();
 }
 

@@ -60,6 +60,8 @@ class ProximalSpace {
   /// one entry for each unknown, and for each direction of the motion space.
   std::array<VectorXd, 7> ofUnknowns;
   std::array<VectorXd, 5> ofMotion;
+  /// Of ofUnknowns, those of ProximalWalk that it needs only where a step is cut short.
+  static constexpr std::array<int, 2> seldomUsed = {5, 6};
 
  private:
   const Problem* problem_ = nullptr;

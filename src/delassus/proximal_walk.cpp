@@ -33,8 +33,8 @@ ProximalWalk<Motion>::ProximalWalk(ProximalSpace<Motion>& space)
       trialDelta_(space.ofMotion[3]),
       trialError_(space.ofMotion[4]),
       trialU_(space.ofUnknowns[4]),
-      fromU_(space.ofUnknowns[5]),
-      alongU_(space.ofUnknowns[6]) {}
+      fromU_(space.ofUnknowns[space.seldomUsed[0]]),
+      alongU_(space.ofUnknowns[space.seldomUsed[1]]) {}
 
 template <class Motion>
 void ProximalWalk<Motion>::setWeights(double alpha) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "delassus/length.h"
 #include "delassus/pile_kind.h"
 #include "delassus/pivoting.h"
 
@@ -17,7 +16,7 @@ double leastRmsFromNothing(const Problem& problem) {
   if (n == 0) return 0;
   const double widest = problem.friction.maxCoeff();
   const Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<3>> normal(problem.q.data(), n);
-  return std::sqrt(normal.cwiseMin(0).squaredNorm() / (n + problem.rows())) / (1 + widest * widest);
+  return std::sqrt(normal.cwiseMin(0).squaredNorm() / problem.parts()) / (1 + widest * widest);
 }
 
 constexpr double nearly = 1e-6;  ///< share of the demands that reactions leave open
@@ -32,7 +31,7 @@ bool isTooLargeToFactor(const Problem& problem) {
 }  // namespace
 
 double Search::firstWeight(const Solution& from, double least) const {
-  return std::clamp(std::sqrt(from.residual / problem_->demand()), least, unknownRegion);
+  return std::clamp(std::sqrt(from.residual / problem_->demand()), least, weightUnknown);
 }
 
 /// Of 193 walks after sweeps in a wedged bin of 1000 spheres, 50 regions each, 16 of the 35 that
@@ -49,7 +48,7 @@ int Search::regionsFrom(const Solution& from, const Task& task, int most) const 
 /// A few regions settle a small island; where there are many contacts, and no time, they only take
 /// some.
 bool Search::hasNoWalk(const Task& task, const Solution& best) const {
-  const int least = isHeap(*problem_) || isLargePile(*problem_) ? shortWalk : 1;
+  const int least = isHeap(*problem_) || isLargeButNoHeap(*problem_) ? shortWalk : 1;
   return task.isHurried && task.regionsLeft(best) < least;
 }
 
@@ -137,11 +136,13 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Task& task, Solution& b
   Outcome outcome = startOut(engines, task, best);
   if (outcome != Outcome::Lost || isRushed) return outcome;
   // In large piles what else finds back is dear and seldom helps.
-  const int most = task.guess && isLargePile(*problem_) && !task.isHurried ? longWalk : fairWalk;
+  const int most =
+      task.guess && isLargeButNoHeap(*problem_) && !task.isHurried ? longWalk : fairWalk;
   const int regions = regionsFrom(best, task, task.regionsLeft(best, most));
   if (regions <= 0) return outcome;
-  const double weight =
-      best.residual <= nearly * problem_->demand() ? knownRegion : firstWeight(best, leastAtFirst);
+  const double weight = best.residual <= nearly * problem_->demand()
+                            ? weightKnown
+                            : firstWeight(best, leastWeightAtFirst);
   outcome = engines.walk.walk(task.tolerance, weight, regions, best);
   // In small heaps regions cost no more than tens of sweeps: there that is left for the end.
   if (outcome == Outcome::Lost && isLargeHeap(*problem_)) outcome = outlast(task, best);

@@ -192,10 +192,11 @@ class Search {
   Outcome harden(const Task& task, Solution& best);
   bool setOutOnPath(const Task& task, int budget, Solution& best);
 
-  static constexpr double unknownRegion = 1e-1, knownRegion = 1e-6;  ///< proximal weights
+  /// Proximal weights where regions still change, and where the region is known.
+  static constexpr double weightUnknown = 1e-1, weightKnown = 1e-6;
   /// The least of a walk that begins with the best answer of quick ways, and of one that others
   /// have not led to an end.
-  static constexpr double leastAtFirst = 1e-2, leastAfar = 1e-4;
+  static constexpr double leastWeightAtFirst = 1e-2, leastWeightAfar = 1e-4;
   /// Regions: of the steps that finish, of a try, of a walk that finds most ways there are, and of
   /// one where nothing else is left.
   static constexpr int fewRegions = 8, shortWalk = 16, fairWalk = 80, longWalk = 400;

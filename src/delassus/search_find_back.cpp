@@ -9,12 +9,12 @@ namespace delassus {
 template <class Motion>
 Outcome Search::findBack(Engines<Motion>& engines, const Task& task, Solution& best) {
   constexpr int proof = 90, interiorSteps = 40, longInPiles = 1000;
-  const bool isSmall = !isLargeHeap(*problem_) && !isLargePile(*problem_);
+  const bool isSmall = !isLargeHeap(*problem_) && !isLargeButNoHeap(*problem_);
   if (task.regionsLeft(best) <= 0) return Outcome::Lost;
   if (proveIncompatible(task.tolerance, task.regionsLeft(best, proof), best))
     return Outcome::Incompatible;
   const auto walk = [&](int most) {
-    return engines.walk.walk(task.tolerance, firstWeight(best, leastAfar),
+    return engines.walk.walk(task.tolerance, firstWeight(best, leastWeightAfar),
                              task.regionsLeft(best, most), best);
   };
   Outcome outcome = isSmall ? walk(fairWalk) : Outcome::Lost;
@@ -22,8 +22,8 @@ Outcome Search::findBack(Engines<Motion>& engines, const Task& task, Solution& b
   if (engines.interior.solve(engines.space.lendMotion(), *problem_, map_, task.tolerance,
                              task.regionsLeft(best, interiorSteps), best))
     return Outcome::Reached;
-  const int patience = isLargePile(*problem_) ? longInPiles : longWalk;
-  outcome = engines.walk.walkOn(task.tolerance, firstWeight(best, leastAfar),
+  const int patience = isLargeButNoHeap(*problem_) ? longInPiles : longWalk;
+  outcome = engines.walk.walkOn(task.tolerance, firstWeight(best, leastWeightAfar),
                                 task.regionsLeft(best, patience),
                                 task.options.newtonBudget - best.regions, best);
   return outcome == Outcome::Lost ? wander(engines, task, best) : outcome;
@@ -58,8 +58,9 @@ Outcome Search::outlast(const Task& task, Solution& best) {
     consider(wandering_, apart_);
     const double before = apart_.residual;
     takeBack(engines);
-    outcome = engines.walk.walkFrom(wandering_, task.tolerance, firstWeight(wandering_, leastAfar),
-                                    regionsFrom(wandering_, task, regionsLeft), apart_);
+    outcome =
+        engines.walk.walkFrom(wandering_, task.tolerance, firstWeight(wandering_, leastWeightAfar),
+                              regionsFrom(wandering_, task, regionsLeft), apart_);
     if (apart_.residual < before) wandering_.r = apart_.r;
   }
   return comeBack(outcome, best);
@@ -106,13 +107,13 @@ Outcome Search::wander(Engines<Motion>& engines, const Task& task, Solution& bes
   makeFeasible(*problem_, wandering_.r);
   for (int length = shortest; sweepsLeft(1) > 0 && regionsLeft(1) > 0;
        length = std::min(2 * length, longest)) {
-    if (isLargePile(*problem_))
+    if (isLargeButNoHeap(*problem_))
       sweepWhileItGains(task, keptShare * task.tolerance, best);
     else
       settle(task, keptShare * task.tolerance, best);
     if (best.residual <= task.tolerance) return Outcome::Reached;
     takeBack(engines);
-    Outcome outcome = engines.walk.walk(task.tolerance, unknownRegion, regionsLeft(longWalk), best);
+    Outcome outcome = engines.walk.walk(task.tolerance, weightUnknown, regionsLeft(longWalk), best);
     if (outcome != Outcome::Lost) return outcome;
 
     const int count = sweepsLeft(length);
@@ -120,8 +121,9 @@ Outcome Search::wander(Engines<Motion>& engines, const Task& task, Solution& bes
     machines().sweeps.sweep(*problem_, count, wandering_.r);
     best.sweeps += count;
     consider(wandering_, best);
-    outcome = engines.walk.walkFrom(wandering_, task.tolerance, firstWeight(wandering_, leastAfar),
-                                    regionsLeft(tryFromAfar), best);
+    outcome =
+        engines.walk.walkFrom(wandering_, task.tolerance, firstWeight(wandering_, leastWeightAfar),
+                              regionsLeft(tryFromAfar), best);
     if (outcome != Outcome::Lost) return outcome;
   }
   return Outcome::Lost;

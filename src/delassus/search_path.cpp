@@ -36,9 +36,9 @@ bool Search::setOutOnPath(const Task& task, int budget, Solution& best) {
 Outcome Search::harden(const Task& task, Solution& best) {
   constexpr double nearlyRigid = 1e-5, rigid = 1e-8, finest = 1e-7;
   constexpr int few = 600, regions = 60;
-  const int parts = problem_->contacts() + problem_->rows();
-  const int budget = static_cast<int>(task.options.pathBudget * std::min(1.0, double(few) / parts));
-  if (budget <= 0 || isLargePile(*problem_) || !CompliancePath::canFollow(*problem_))
+  const int budget =
+      static_cast<int>(task.options.pathBudget * std::min(1.0, double(few) / problem_->parts()));
+  if (budget <= 0 || isLargeButNoHeap(*problem_) || !CompliancePath::canFollow(*problem_))
     return Outcome::Lost;
   const int begun = best.factorisations, walked = best.regions;
   if (!setOutOnPath(task, budget, best)) return Outcome::Lost;

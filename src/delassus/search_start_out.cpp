@@ -56,7 +56,7 @@ bool hasOneRegion(const Problem& problem) {
 
 /// A proximal weight. From nothing a smaller one needs fewer steps; and were it smaller still, the
 /// first would end just within the tolerance, and none would follow that takes more digits.
-constexpr double forcedRegion = 1e-7;
+constexpr double weightForced = 1e-7;
 constexpr double disturbed = 1e-3;  ///< share of the demands that reactions leave open
 constexpr int mostHolds = 40;       ///< steps of a hold
 /// Unknowns whose dense matrix costs no more than the factor of their bodies.
@@ -71,16 +71,16 @@ Outcome Search::startOut(Engines<Motion>& engines, const Task& task, Solution& b
   const auto isReached = [&] { return best.residual <= task.tolerance; };
   held_.residual = infinity;
   if (task.isHurried && holdApart(engines, task, best)) return Outcome::Reached;
-  if (!task.guess && !isLargePile(*problem_)) {
+  if (!task.guess && !isLargeButNoHeap(*problem_)) {
     forceActiveSet(*problem_, best.activeSet);
-    const Outcome outcome = engines.walk.walkFromRegion(task.tolerance, forcedRegion,
+    const Outcome outcome = engines.walk.walkFromRegion(task.tolerance, weightForced,
                                                         task.regionsLeft(best, shortWalk), best);
     if (outcome != Outcome::Lost) return outcome;
   }
   if (!task.isHurried && hold(engines, task, best)) return Outcome::Reached;
   if (task.options.economies.oneRegion && hasOneRegion(*problem_)) {
     const Outcome outcome =
-        engines.walk.walk(task.tolerance, knownRegion, task.regionsLeft(best, shortWalk), best);
+        engines.walk.walk(task.tolerance, weightKnown, task.regionsLeft(best, shortWalk), best);
     if (outcome != Outcome::Lost) return outcome;
   } else if (react(engines, task, best)) {
     return Outcome::Reached;
@@ -96,7 +96,7 @@ Outcome Search::startOut(Engines<Motion>& engines, const Task& task, Solution& b
     takeBack(engines);
     if (isReached()) return isLargeHeap(*problem_) ? Outcome::Reached : finish(engines, task, best);
   } else if (best.residual > disturbed * demand) {
-    if (isLargePile(*problem_))
+    if (isLargeButNoHeap(*problem_))
       sweepWhileItGains(task, aim, best);
     else
       sweepAndLearn(task, aim, best);
@@ -111,8 +111,8 @@ bool Search::mayHold(const Task& task, const Solution& best) const {
   constexpr int fewContacts = 12;
   if (isHeap(*problem_) || task.regionsLeft(best) <= 0) return false;
   // Explicit entries of this size cost more to factor than few sweeps are worth.
-  if (task.isHurried && isLargePile(*problem_) && !problem_->W.inBodySpace()) return false;
-  if (!task.isHurried && isLargePile(*problem_)) return true;
+  if (task.isHurried && isLargeButNoHeap(*problem_) && !problem_->W.inBodySpace()) return false;
+  if (!task.isHurried && isLargeButNoHeap(*problem_)) return true;
   // Small islands without reactions of a last step hold all in their first region, if there may be
   // others.
   return (task.guess || task.isHurried) && problem_->contacts() > fewContacts &&
@@ -173,7 +173,7 @@ bool Search::react(Engines<Motion>& engines, const Task& task, Solution& best) {
   // Where contacts share loads in many ways, joints leave fewer.
   const bool isTooLarge =
       problem_->contacts() > mostContacts || isLargeHeap(*problem_) ||
-      (isLargePile(*problem_) && (!task.guess || problem_->rows() < problem_->contacts()));
+      (isLargeButNoHeap(*problem_) && (!task.guess || problem_->rows() < problem_->contacts()));
   if (isTooLarge || !problem_->disks.empty()) return false;
   return engines.reactions.solve(
       task.tolerance, task.regionsLeft(best, task.guess ? fewSteps : manySteps), trial_, best);
@@ -194,7 +194,7 @@ template <class Motion>
 Outcome Search::finish(Engines<Motion>& engines, const Task& task, Solution& best) {
   const int most = task.regionsLeft(best, fewRegions);
   const double aim = polishedShare * task.tolerance;
-  if (best.residual > aim) engines.walk.polish(aim, knownRegion, most, best);
+  if (best.residual > aim) engines.walk.polish(aim, weightKnown, most, best);
   return Outcome::Reached;
 }
 

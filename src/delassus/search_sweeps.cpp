@@ -153,7 +153,7 @@ bool Search::mendPatches(const Task& task, double tolerance, double outstanding,
   constexpr double accuracy = 0.1;
   constexpr int fewParts = 20;  // whose walk costs no more than that of their patches
   constexpr double mostRegions = 300, mostSweeps = 1000;
-  const int parts = problem_->contacts() + problem_->rows();
+  const int parts = problem_->parts();
   if (isInner_ || parts <= fewParts || !problem_->W.inBodySpace()) return false;
   findPatches(tolerance, outstanding, unsettled);
   if (!patchSearch_) patchSearch_.reset(new Search(machines()));

@@ -63,12 +63,12 @@ double Search::soften(const Task& task, Solution& best) {
 Outcome Search::addFriction(const Task& task, Solution& best) {
   constexpr double shares[] = {0.8, 0.95, 0.6};
   constexpr double few = 1000;  // contacts and rows; the regions of more cost more each
-  if (task.guess || task.options.pathBudget <= 0 || !isLargePile(*problem_) ||
+  if (task.guess || task.options.pathBudget <= 0 || !isLargeButNoHeap(*problem_) ||
       !problem_->W.inBodySpace() ||
       !(problem_->contacts() > 0 && problem_->friction.maxCoeff() > 0))
     return Outcome::Lost;
-  const int parts = problem_->contacts() + problem_->rows();
-  const int budget = static_cast<int>(task.options.newtonBudget * std::min(1.0, few / parts));
+  const int budget =
+      static_cast<int>(task.options.newtonBudget * std::min(1.0, few / problem_->parts()));
   const auto rest = [&](const VectorXd* guess) {
     Task apart{task.options, task.tolerance, guess};
     apart.options.newtonBudget = budget - best.regions;

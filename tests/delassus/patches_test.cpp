@@ -50,7 +50,7 @@ TEST(Patches, WhatIsSettledHasNone) {
   Random random(61);
   const Problem problem = heap(12, random);
   Patches patches;
-  patches.find(problem, VectorXd::Zero(problem.contacts() + problem.rows()), 0);
+  patches.find(problem, VectorXd::Zero(problem.parts()), 0);
   EXPECT_EQ(patches.count(), 0);
 }
 
@@ -88,12 +88,12 @@ TEST(Patches, SeeTheIslandAsItIs) {
     for (int p = 0; p < patches.count(); ++p) {
       const Cut cut = cutOut(patches, p, problem, r);
       ASSERT_TRUE(unfitParts(cut.problem).empty());
-      EXPECT_EQ(patches.partsOf(p), cut.problem.contacts() + cut.problem.rows());
+      EXPECT_EQ(patches.partsOf(p), cut.problem.parts());
       withDisks += !cut.problem.disks.empty();
       worst = std::max(worst, residualsOf(cut.problem, cut.reactions).maxCoeff());
       parts += patches.partsOf(p);
     }
-    EXPECT_LE(parts, problem.contacts() + problem.rows());
+    EXPECT_LE(parts, problem.parts());
     EXPECT_NEAR(worst, residuals.maxCoeff(), 1e-9 * residuals.maxCoeff());
   }
   EXPECT_GT(withDisks, 20);

@@ -19,7 +19,7 @@ TEST(PileKind, SpheresAreAHeapUnlessJointsPrevail) {
   const PileIsland spheres(heap);
   EXPECT_TRUE(isHeap(spheres.problem));
   EXPECT_TRUE(isLargeHeap(spheres.problem));
-  EXPECT_FALSE(isLargePile(spheres.problem));
+  EXPECT_FALSE(isLargeButNoHeap(spheres.problem));
   Row joint;
   const Contact& touching = heap.contacts[spheres.island.frictional[0]];
   joint.a = std::max(touching.a, touching.b);  // one of them may be the world
@@ -28,7 +28,7 @@ TEST(PileKind, SpheresAreAHeapUnlessJointsPrevail) {
   const PileIsland jointed(heap);
   ASSERT_GT(jointed.problem.rows(), jointed.problem.contacts());
   EXPECT_FALSE(isHeap(jointed.problem));
-  EXPECT_TRUE(isLargePile(jointed.problem));
+  EXPECT_TRUE(isLargeButNoHeap(jointed.problem));
 }
 
 TEST(PileKind, FewSpheresAreASmallHeap) {
@@ -44,7 +44,7 @@ TEST(PileKind, BoxesAtRestAreAPile) {
   Random random(78);
   const PileIsland tower(makeTower(randomMasses(60, 10, random), 0, 0.3, random));
   EXPECT_FALSE(isHeap(tower.problem));
-  EXPECT_TRUE(isLargePile(tower.problem));
+  EXPECT_TRUE(isLargeButNoHeap(tower.problem));
 }
 
 }  // namespace
