@@ -131,6 +131,7 @@ void fill(const Problem& problem, const NaturalMap& map, RowGroup& g) {
 
 bool ColouredSweeps::setProblem(const Problem& problem, const NaturalMap& map) {
   constexpr double least = 1e-6;
+  problem_ = &problem;
   if (!problem.W.inBodySpace() || !problem.disks.empty() || !problem.W.bodySpace().parts.empty())
     return false;
   for (int i = 0; i < problem.contacts(); ++i) {
@@ -141,8 +142,8 @@ bool ColouredSweeps::setProblem(const Problem& problem, const NaturalMap& map) {
     const double trace = S.trace(), det = S(0, 0) * S(1, 1) - S(0, 1) * S(1, 0);
     if (!(trace > least * W(0, 0) && det > least * trace * trace)) return false;
   }
-  placeContacts(problem, map);
-  placeRows(problem, map);
+  placeContacts(map);
+  placeRows(map);
   velocities_.resize(problem.W.bodySpace().bodies + shares);
   return true;
 }
@@ -150,9 +151,9 @@ bool ColouredSweeps::setProblem(const Problem& problem, const NaturalMap& map) {
 /// Finds the places of contacts or rows in groups whose bodies are all different, and which groups
 /// have a colour. `of` gives one with its a and b, or null for what nothing moves and has no place.
 template <class Of>
-void ColouredSweeps::place(int count, const Problem& problem, const Of& of, Colours& begins) {
+void ColouredSweeps::place(int count, const Of& of, Colours& begins) {
   constexpr int colours = 64;  // what a body has more of come one by one, at the end
-  coloursOf_.assign(problem.W.bodySpace().bodies, 0);
+  coloursOf_.assign(problem_->W.bodySpace().bodies, 0);
   placeOf_.assign(count, unplaced);
   int countOf[colours + 1] = {};
   for (int i = 0; i < count; ++i) {
@@ -185,34 +186,34 @@ void ColouredSweeps::place(int count, const Problem& problem, const Of& of, Colo
   }
 }
 
-void ColouredSweeps::placeContacts(const Problem& problem, const NaturalMap& map) {
-  const BodySpace& space = problem.W.bodySpace();
+void ColouredSweeps::placeContacts(const NaturalMap& map) {
+  const BodySpace& space = problem_->W.bodySpace();
   const auto of = [&](int i) { return map.diagonal()[3 * i] > 0 ? &space.contacts[i] : nullptr; };
-  place(problem.contacts(), problem, of, contactColours_);
-  putInPlace(0, contactColours_, problem, map, contacts_);
+  place(problem_->contacts(), of, contactColours_);
+  putInPlace(0, contactColours_, map, contacts_);
 }
 
-void ColouredSweeps::placeRows(const Problem& problem, const NaturalMap& map) {
-  const BodySpace& space = problem.W.bodySpace();
-  const int begin = 3 * problem.contacts();
+void ColouredSweeps::placeRows(const NaturalMap& map) {
+  const BodySpace& space = problem_->W.bodySpace();
+  const int begin = 3 * problem_->contacts();
   const auto of = [&](int i) { return map.diagonal()[begin + i] > 0 ? &space.rows[i] : nullptr; };
-  place(problem.rows(), problem, of, rowColours_);
-  putInPlace(begin, rowColours_, problem, map, rows_);
+  place(problem_->rows(), of, rowColours_);
+  putInPlace(begin, rowColours_, map, rows_);
 }
 
 /// Has those that `place` has found a place for in their groups; the first is called `begin`.
 template <class Group>
-void ColouredSweeps::putInPlace(int begin, const Colours& colours, const Problem& problem,
-                                const NaturalMap& map, std::vector<Group>& groups) {
+void ColouredSweeps::putInPlace(int begin, const Colours& colours, const NaturalMap& map,
+                                std::vector<Group>& groups) {
   groups.resize(colours.back());
-  clear(problem.W.bodySpace().bodies, colours, groups);
+  clear(problem_->W.bodySpace().bodies, colours, groups);
   for (std::size_t i = 0; i < placeOf_.size(); ++i)
     if (const int place = placeOf_[i]; place != unplaced)
       groups[place / lanes].at[place % lanes] = begin + static_cast<int>(i);
-  for (Group& g : groups) fill(problem, map, g);
+  for (Group& g : groups) fill(*problem_, map, g);
 }
 
-void ColouredSweeps::startContacts(const Problem& problem, const VectorXd& r, const VectorXd& u) {
+void ColouredSweeps::startContacts(const VectorXd& r, const VectorXd& u) {
   for (ContactGroup& g : contacts_)
     for (int lane = 0; lane < lanes; ++lane) {
       const int i = g.at[lane];
@@ -222,7 +223,7 @@ void ColouredSweeps::startContacts(const Problem& problem, const VectorXd& r, co
         const double unit = g.unit[lane], perUnit = 1 / unit;
         r0 = unit * r.segment<3>(3 * i);
         u0 = perUnit * u.segment<3>(3 * i);
-        friction = problem.friction[i];
+        friction = problem_->friction[i];
       }
       const double braked = lengthOf(r0[1], r0[2]);
       for (int k = 0; k < 3; ++k) {
@@ -240,15 +241,15 @@ void ColouredSweeps::startContacts(const Problem& problem, const VectorXd& r, co
     }
 }
 
-void ColouredSweeps::startRows(const Problem& problem, const VectorXd& r, const VectorXd& u) {
+void ColouredSweeps::startRows(const VectorXd& r, const VectorXd& u) {
   for (RowGroup& g : rows_)
     for (int lane = 0; lane < lanes; ++lane) {
-      const int i = g.at[lane], row = i - 3 * problem.contacts();
+      const int i = g.at[lane], row = i - 3 * problem_->contacts();
       const bool isThere = i != vacant;
       const double unit = g.unit[lane];
       g.u0[lane] = isThere ? static_cast<float>(u[i] / unit) : 0;
-      g.lower[lane] = isThere ? static_cast<float>(unit * (problem.lower[row] - r[i])) : 0;
-      g.upper[lane] = isThere ? static_cast<float>(unit * (problem.upper[row] - r[i])) : 0;
+      g.lower[lane] = isThere ? static_cast<float>(unit * (problem_->lower[row] - r[i])) : 0;
+      g.upper[lane] = isThere ? static_cast<float>(unit * (problem_->upper[row] - r[i])) : 0;
       g.dr[lane] = g.drBefore[lane] = 0;
     }
 }
@@ -320,32 +321,31 @@ void ColouredSweeps::lead(Pass& pass, const InShares& inShares) {
   } while (pass.goOn());
 }
 
-int ColouredSweeps::sweep(const Problem& problem, int most, double aim, const VectorXd& u,
-                          VectorXd& r) {
+int ColouredSweeps::sweep(int most, double aim, const VectorXd& u, VectorXd& r) {
   if (most <= 0) return 0;
   Pass pass(most, aim, true, isNarrow_);
-  sweepAs(pass, problem, u, r);
+  sweepAs(pass, u, r);
   return pass.made;
 }
 
-void ColouredSweeps::sweepPlainly(const Problem& problem, int count, VectorXd& r) {
+void ColouredSweeps::sweepPlainly(int count, VectorXd& r) {
   // What has changed by then is large for single precision, if each sweep adds little.
   constexpr int fromOneStart = 100;
   for (int left = count; left > 0; left -= fromOneStart) {
     Pass pass(std::min(left, fromOneStart), 0, false, isNarrow_);
-    problem.W.multiply(r, y_, u_);
-    u_ += problem.q;
-    sweepAs(pass, problem, u_, r);
+    problem_->W.multiply(r, y_, u_);
+    u_ += problem_->q;
+    sweepAs(pass, u_, r);
   }
 }
 
-void ColouredSweeps::sweepAs(Pass& pass, const Problem& problem, const VectorXd& u, VectorXd& r) {
+void ColouredSweeps::sweepAs(Pass& pass, const VectorXd& u, VectorXd& r) {
   constexpr int worthwhile = 1000;  // parts: fewer are swept before others have come
-  startContacts(problem, r, u);
-  startRows(problem, r, u);
+  startContacts(r, u);
+  startRows(r, u);
   std::fill(velocities_.begin(), velocities_.end(), SweptVelocity{});
   const auto part = [&](int round, int share) { work(pass, round, share); };
-  if (!hands_ || problem.parts() < worthwhile) {
+  if (!hands_ || problem_->parts() < worthwhile) {
     const FlushToZero quick;
     lead(pass, [&](int round) {
       for (int share = 0; share < shares; ++share) part(round, share);
@@ -362,10 +362,10 @@ void ColouredSweeps::sweepAs(Pass& pass, const Problem& problem, const VectorXd&
         [](const void* context, int hand) { (*static_cast<decltype(&task)>(context))(hand); },
         &task);
   }
-  finish(problem, r);
+  finish(r);
 }
 
-void ColouredSweeps::finish(const Problem& problem, VectorXd& r) const {
+void ColouredSweeps::finish(VectorXd& r) const {
   for (const ContactGroup& g : contacts_)
     for (int lane = 0; lane < lanes; ++lane)
       for (int k = 0; k < 3 && g.at[lane] != vacant; ++k)
@@ -373,7 +373,7 @@ void ColouredSweeps::finish(const Problem& problem, VectorXd& r) const {
   for (const RowGroup& g : rows_)
     for (int lane = 0; lane < lanes; ++lane)
       if (g.at[lane] != vacant) r[g.at[lane]] += double(g.dr[lane]) / g.unit[lane];
-  makeFeasible(problem, r);
+  makeFeasible(*problem_, r);
 }
 
 }  // namespace delassus

@@ -26,15 +26,15 @@ class Hands;
 class ColouredSweeps {
  public:
   /// False, and no sweeps are to be asked for, where there are disks, articulated bodies, or
-  /// contacts that friction cannot stop in all directions.
+  /// contacts that friction cannot stop in all directions. The problem must outlive the sweeps.
   bool setProblem(const Problem& problem, const NaturalMap& map);
 
   /// Sweeps from r, u = W r + q, till none changes the velocity of its contact by more than `aim`,
   /// m/s, and at most `most` times. Returns how often. The reactions end in their cones.
-  int sweep(const Problem& problem, int most, double aim, const VectorXd& u, VectorXd& r);
+  int sweep(int most, double aim, const VectorXd& u, VectorXd& r);
 
   /// As many sweeps with nothing in between.
-  void sweepPlainly(const Problem& problem, int count, VectorXd& r);
+  void sweepPlainly(int count, VectorXd& r);
 
   /// From now on by half a group at a time, as where processors cannot do more: the same bits.
   void narrow() { isNarrow_ = true; }
@@ -53,23 +53,24 @@ class ColouredSweeps {
   struct Pass;
 
   template <class Of>
-  void place(int count, const Problem& problem, const Of& of, Colours& colours);
-  void placeContacts(const Problem& problem, const NaturalMap& map);
-  void placeRows(const Problem& problem, const NaturalMap& map);
+  void place(int count, const Of& of, Colours& colours);
+  void placeContacts(const NaturalMap& map);
+  void placeRows(const NaturalMap& map);
   template <class Group>
-  void putInPlace(int begin, const Colours& colours, const Problem& problem, const NaturalMap& map,
+  void putInPlace(int begin, const Colours& colours, const NaturalMap& map,
                   std::vector<Group>& groups);
-  void startContacts(const Problem& problem, const VectorXd& r, const VectorXd& u);
-  void startRows(const Problem& problem, const VectorXd& r, const VectorXd& u);
+  void startContacts(const VectorXd& r, const VectorXd& u);
+  void startRows(const VectorXd& r, const VectorXd& u);
   void work(Pass& pass, int round, int share);
   template <class Group>
   void sweepShare(Pass& pass, int colour, int share, const Colours& colours,
                   std::vector<Group>& groups, SweepGroups<Group> sweep);
   template <class InShares>
   void lead(Pass& pass, const InShares& inShares);
-  void sweepAs(Pass& pass, const Problem& problem, const VectorXd& u, VectorXd& r);
-  void finish(const Problem& problem, VectorXd& r) const;
+  void sweepAs(Pass& pass, const VectorXd& u, VectorXd& r);
+  void finish(VectorXd& r) const;
 
+  const Problem* problem_ = nullptr;
   bool isNarrow_ = false;
   Hands* hands_ = nullptr;
   std::vector<ContactGroup> contacts_;

@@ -51,9 +51,9 @@ Outcome Search::outlast(const Task& task, Solution& best) {
     const int regionsLeft = task.regionsLeft(apart_, regions);
     if (sweepsLeft <= 0 || regionsLeft <= 0) break;
     if (setSweeps(true))
-      machines().coloured.sweepPlainly(*problem_, sweepsLeft, wandering_.r);
+      machines().coloured.sweepPlainly(sweepsLeft, wandering_.r);
     else
-      machines().sweeps.sweepPlainly(*problem_, sweepsLeft, wandering_.r);
+      machines().sweeps.sweepPlainly(sweepsLeft, wandering_.r);
     apart_.sweeps += sweepsLeft;
     consider(wandering_, apart_);
     const double before = apart_.residual;
@@ -118,7 +118,7 @@ Outcome Search::wander(Engines<Motion>& engines, const Task& task, Solution& bes
 
     const int count = sweepsLeft(length);
     machines().sweeps.setProblem(*problem_, map_);
-    machines().sweeps.sweep(*problem_, count, wandering_.r);
+    machines().sweeps.sweep(count, wandering_.r);
     best.sweeps += count;
     consider(wandering_, best);
     outcome =

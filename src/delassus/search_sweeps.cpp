@@ -20,7 +20,7 @@ bool Search::sweepAndLearn(const Task& task, double tolerance, Solution& best) {
   int idle = 0;
   for (int burst = shortest; burst <= task.sweepsLeft(best) && idle < patience;
        burst = std::min(2 * burst, longest)) {
-    machines().sweeps.sweepOn(*problem_, burst, memory, trial_.r);
+    machines().sweeps.sweepOn(burst, memory, trial_.r);
     best.sweeps += burst;
     consider(trial_, best);
     if (best.residual <= tolerance) return true;
@@ -46,9 +46,9 @@ void Search::sweepAll(const Task& task, double tolerance, Solution& best) {
   while (task.sweepsLeft(best) > 0 && best.residual > tolerance) {
     const int count = task.sweepsLeft(best, burst);
     if (byColour)
-      machines().coloured.sweep(*problem_, count, 0, trial_.u, trial_.r);
+      machines().coloured.sweep(count, 0, trial_.u, trial_.r);
     else
-      machines().sweeps.sweep(*problem_, count, trial_.r);
+      machines().sweeps.sweep(count, trial_.r);
     best.sweeps += count;
     consider(trial_, best);
   }
@@ -67,9 +67,9 @@ void Search::sweepWhileItGains(const Task& task, double tolerance, Solution& bes
     trial_.r = best.r;
     int made = burst;
     if (byColour)
-      made = machines().coloured.sweep(*problem_, burst, tolerance, best.u, trial_.r);
+      made = machines().coloured.sweep(burst, tolerance, best.u, trial_.r);
     else
-      machines().sweeps.sweep(*problem_, burst, trial_.r);
+      machines().sweeps.sweep(burst, trial_.r);
     best.sweeps += made;
     consider(trial_, best);
   }
@@ -96,9 +96,9 @@ void Search::settle(const Task& task, double tolerance, Solution& best) {
       const double before = trial_.residualRms;
       int made = burst;
       if (byColour)
-        made = machines().coloured.sweep(*problem_, burst, change, trial_.u, trial_.r);
+        made = machines().coloured.sweep(burst, change, trial_.u, trial_.r);
       else
-        machines().sweeps.sweepOn(*problem_, burst, memory, trial_.r);
+        machines().sweeps.sweepOn(burst, memory, trial_.r);
       best.sweeps += made;
       consider(trial_, best);
       if (best.residual <= tolerance) return;

@@ -62,6 +62,7 @@ void sweepRows(const Problem& problem, const VectorXd& diagonal, VectorXd& y, Ve
 }  // namespace
 
 void Sweeps::setProblem(const Problem& problem, const NaturalMap& map) {
+  problem_ = &problem;
   blocks_.clear();
   for (int i = 0; i < problem.contacts(); ++i) blocks_.emplace_back(map.contactBlock(i));
   diagonal_ = &map.diagonal();
@@ -71,25 +72,25 @@ void Sweeps::setProblem(const Problem& problem, const NaturalMap& map) {
     diskBlocks_[k] = disk.unknowns == 2 ? problem.W.pairBlock(disk.first)
                                         : Mat2((*diagonal_)[disk.first] * Mat2::Identity());
   }
-  if (!problem.W.inBodySpace()) readEntries(problem);
+  if (!problem.W.inBodySpace()) readEntries();
   learnt_ = false;
 }
 
-void Sweeps::readEntries(const Problem& problem) {
+void Sweeps::readEntries() {
   coupling_.clear();
   coupled_.clear();
   couplingBegin_.assign(1, 0);
-  std::vector<int> slot(problem.contacts(), -1);
-  for (int i = 0; i < problem.contacts(); ++i) {
-    if (!readContactBlocks(problem, i)) readContactRows(problem, i, slot);
+  std::vector<int> slot(problem_->contacts(), -1);
+  for (int i = 0; i < problem_->contacts(); ++i) {
+    if (!readContactBlocks(i)) readContactRows(i, slot);
     couplingBegin_.push_back(static_cast<int>(coupled_.size()));
   }
 }
 
 /// Where all three rows of a contact have entries in the same whole blocks, and no others, as most
 /// files do. False, and nothing is read, if they do not.
-bool Sweeps::readContactBlocks(const Problem& problem, int contact) {
-  const DelassusMatrix::Sparse& W = problem.W.entries();
+bool Sweeps::readContactBlocks(int contact) {
+  const DelassusMatrix::Sparse& W = problem_->W.entries();
   const int *begin = W.outerIndexPtr() + 3 * contact, *columns = W.innerIndexPtr() + begin[0];
   const int count = begin[1] - begin[0];
   if (count % 3 != 0 || begin[2] - begin[1] != count || begin[3] - begin[2] != count) return false;
@@ -99,7 +100,7 @@ bool Sweeps::readContactBlocks(const Problem& problem, int contact) {
       return false;
   }
   for (int k = 0; k < count; k += 3)
-    if (columns[k] % 3 != 0 || columns[k] >= 3 * problem.contacts()) return false;
+    if (columns[k] % 3 != 0 || columns[k] >= 3 * problem_->contacts()) return false;
 
   using Rows = Eigen::Map<const Mat3, 0, Eigen::Stride<1, Eigen::Dynamic>>;
   const double* entries = W.valuePtr() + begin[0];
@@ -112,13 +113,13 @@ bool Sweeps::readContactBlocks(const Problem& problem, int contact) {
 }
 
 /// `slot`: where the block of a contact is, if that is not before those of this one.
-void Sweeps::readContactRows(const Problem& problem, int contact, std::vector<int>& slot) {
-  const DelassusMatrix::Sparse& W = problem.W.entries();
+void Sweeps::readContactRows(int contact, std::vector<int>& slot) {
+  const DelassusMatrix::Sparse& W = problem_->W.entries();
   const auto first = static_cast<int>(coupled_.size());
   for (int k = 0; k < 3; ++k) {
     for (DelassusMatrix::Sparse::InnerIterator it(W, 3 * contact + k); it; ++it) {
       const auto column = static_cast<int>(it.col());
-      if (column >= 3 * problem.contacts()) break;
+      if (column >= 3 * problem_->contacts()) break;
       if (column / 3 == contact) continue;
       int& at = slot[column / 3];
       if (at < first) {
@@ -131,8 +132,8 @@ void Sweeps::readContactRows(const Problem& problem, int contact, std::vector<in
   }
 }
 
-Vec2 Sweeps::nextOnDisk(const Problem& problem, int k, const VectorXd& r, const Vec2& u) const {
-  const Disk& disk = problem.disks[k];
+Vec2 Sweeps::nextOnDisk(int k, const VectorXd& r, const Vec2& u) const {
+  const Disk& disk = problem_->disks[k];
   // A contact of friction 1 whose normal reaction is known to be the radius: W_nn = 1, q_n =
   // −radius.
   Mat3 W = Mat3::Identity();
@@ -142,72 +143,70 @@ Vec2 Sweeps::nextOnDisk(const Problem& problem, int k, const VectorXd& r, const 
   return solveOneContact(W, q, 1).tail<2>();
 }
 
-void Sweeps::sweep(const Problem& problem, int count, VectorXd& r) {
+void Sweeps::sweep(int count, VectorXd& r) {
   learnt_ = false;
   conjugate_.start(*diagonal_);
-  hurry(conjugate_, problem, count, r);
+  hurry(conjugate_, count, r);
 }
 
-void Sweeps::sweepPlainly(const Problem& problem, int count, VectorXd& r) {
+void Sweeps::sweepPlainly(int count, VectorXd& r) {
   learnt_ = false;
-  problem.W.bodySpace().impulse(r, y_);
-  for (int k = 0; k < count; ++k) sweepBodies(problem, r);
+  problem_->W.bodySpace().impulse(r, y_);
+  for (int k = 0; k < count; ++k) sweepBodies(r);
 }
 
-void Sweeps::sweepOn(const Problem& problem, int count, int memory, VectorXd& r) {
+void Sweeps::sweepOn(int count, int memory, VectorXd& r) {
   // Measured on problem files, whose W is explicit: two of 40 need no regions with 2, and the
   // others as many. Worlds' heaps need 1.
-  const double growth = problem.W.inBodySpace() ? 1 : 2;
+  const double growth = problem_->W.inBodySpace() ? 1 : 2;
   if (!learnt_ || swept_ != r) anderson_.start(*diagonal_, memory, growth);
   learnt_ = true;
-  hurry(anderson_, problem, count, r);
+  hurry(anderson_, count, r);
 }
 
 template <class Acceleration>
-void Sweeps::hurry(Acceleration& acceleration, const Problem& problem, int count, VectorXd& r) {
-  if (problem.W.inBodySpace()) problem.W.bodySpace().impulse(r, y_);
+void Sweeps::hurry(Acceleration& acceleration, int count, VectorXd& r) {
+  if (problem_->W.inBodySpace()) problem_->W.bodySpace().impulse(r, y_);
   for (int k = 0; k < count; ++k) {
     swept_ = r;
     yBefore_ = y_;
-    sweepOnce(problem, swept_);
+    sweepOnce(swept_);
     if (k + 1 == count) break;
     acceleration.next(swept_, r);
-    if (problem.W.inBodySpace()) follow(acceleration, problem, r);
+    if (problem_->W.inBodySpace()) follow(acceleration, r);
   }
   // The last sweep brings what overshot back into the cones.
   if (count > 0) r = swept_;
 }
 
-void Sweeps::follow(ConjugateGradient& acceleration, const Problem&, const VectorXd&) {
+void Sweeps::follow(ConjugateGradient& acceleration, const VectorXd&) {
   acceleration.nextImage(y_, yBefore_);
   y_.swap(yBefore_);
 }
 
-void Sweeps::follow(Anderson&, const Problem& problem, const VectorXd& r) {
-  problem.W.bodySpace().impulse(r, y_);
+void Sweeps::follow(Anderson&, const VectorXd& r) { problem_->W.bodySpace().impulse(r, y_); }
+
+void Sweeps::sweepOnce(VectorXd& r) {
+  problem_->W.inBodySpace() ? sweepBodies(r) : sweepEntries(r);
 }
 
-void Sweeps::sweepOnce(const Problem& problem, VectorXd& r) {
-  problem.W.inBodySpace() ? sweepBodies(problem, r) : sweepEntries(problem, r);
+void Sweeps::sweepBodies(VectorXd& r) {
+  sweepContacts(*problem_, blocks_.data(), *diagonal_, y_, r);
+  sweepRows(*problem_, *diagonal_, y_, r);
+  for (std::size_t k = 0; k < problem_->disks.size(); ++k) sweepDisk(static_cast<int>(k), r);
 }
 
-void Sweeps::sweepBodies(const Problem& problem, VectorXd& r) {
-  sweepContacts(problem, blocks_.data(), *diagonal_, y_, r);
-  sweepRows(problem, *diagonal_, y_, r);
-  for (std::size_t k = 0; k < problem.disks.size(); ++k) sweepDisk(problem, static_cast<int>(k), r);
-}
-
-double Sweeps::velocityOf(const Problem& problem, int unknown, const VectorXd& r) const {
-  const BodySpace& space = problem.W.bodySpace();
+double Sweeps::velocityOf(int unknown, const VectorXd& r) const {
+  const BodySpace& space = problem_->W.bodySpace();
   const auto& c = space.rows[unknown - 3 * space.contacts.size()];
-  double u = problem.q[unknown] + space.compliance[unknown] * r[unknown] + c.relativeVelocity(y_);
+  double u = problem_->q[unknown] + space.compliance[unknown] * r[unknown] + c.relativeVelocity(y_);
   for (const BodySpace::Part& p : space.partsOf(unknown))
     u += p.J.row(0).dot(y_.segment<6>(6 * p.body));
   return u;
 }
 
-void Sweeps::react(const Problem& problem, int unknown, double next, VectorXd& r) {
-  const BodySpace& space = problem.W.bodySpace();
+void Sweeps::react(int unknown, double next, VectorXd& r) {
+  const BodySpace& space = problem_->W.bodySpace();
   const auto& c = space.rows[unknown - 3 * space.contacts.size()];
   const double dr = next - r[unknown];
   c.addImpulse(dr, y_);
@@ -216,49 +215,48 @@ void Sweeps::react(const Problem& problem, int unknown, double next, VectorXd& r
   r[unknown] = next;
 }
 
-void Sweeps::sweepDisk(const Problem& problem, int k, VectorXd& r) {
-  const Disk& disk = problem.disks[k];
+void Sweeps::sweepDisk(int k, VectorXd& r) {
+  const Disk& disk = problem_->disks[k];
   if (!(diskBlocks_[k].trace() > 0)) return;
   const bool pair = disk.unknowns == 2;
-  const Vec2 u(velocityOf(problem, disk.first, r),
-               pair ? velocityOf(problem, disk.first + 1, r) : 0);
-  const Vec2 next = nextOnDisk(problem, k, r, u);
-  react(problem, disk.first, next[0], r);
-  if (pair) react(problem, disk.first + 1, next[1], r);
+  const Vec2 u(velocityOf(disk.first, r), pair ? velocityOf(disk.first + 1, r) : 0);
+  const Vec2 next = nextOnDisk(k, r, u);
+  react(disk.first, next[0], r);
+  if (pair) react(disk.first + 1, next[1], r);
 }
 
-void Sweeps::sweepEntries(const Problem& problem, VectorXd& r) {
+void Sweeps::sweepEntries(VectorXd& r) {
   const VectorXd& diagonal = *diagonal_;
-  const DelassusMatrix::Sparse& W = problem.W.entries();
-  const int n = problem.contacts();
+  const DelassusMatrix::Sparse& W = problem_->W.entries();
+  const int n = problem_->contacts();
   for (int i = 0; i < n; ++i) {
     const int at = 3 * i;
     if (!(diagonal[at] > 0)) continue;
-    Vec3 q = problem.q.segment<3>(at);  // what it sees without a reaction of its own
+    Vec3 q = problem_->q.segment<3>(at);  // what it sees without a reaction of its own
     for (int k = couplingBegin_[i]; k < couplingBegin_[i + 1]; ++k)
       q += coupling_[k] * r.segment<3>(3 * coupled_[k]);
     for (int k = 0; k < 3; ++k)
       for (DelassusMatrix::Sparse::ReverseInnerIterator it(W, at + k); it && it.col() >= 3 * n;
            --it)
         q[k] += it.value() * r[it.col()];
-    r.segment<3>(at) = blocks_[i].solve(q, problem.friction[i], r.segment<3>(at));
+    r.segment<3>(at) = blocks_[i].solve(q, problem_->friction[i], r.segment<3>(at));
   }
   const auto velocityOf = [&](int unknown) {
-    double u = problem.q[unknown];
+    double u = problem_->q[unknown];
     for (DelassusMatrix::Sparse::InnerIterator it(W, unknown); it; ++it)
       u += it.value() * r[it.col()];
     return u;
   };
-  for (int at = 3 * n; at < problem.disksBegin(); ++at) {
+  for (int at = 3 * n; at < problem_->disksBegin(); ++at) {
     if (!(diagonal[at] > 0)) continue;
-    r[at] = boundedRow(r[at], velocityOf(at), diagonal[at], problem.lower[at - 3 * n],
-                       problem.upper[at - 3 * n]);
+    r[at] = boundedRow(r[at], velocityOf(at), diagonal[at], problem_->lower[at - 3 * n],
+                       problem_->upper[at - 3 * n]);
   }
-  for (std::size_t k = 0; k < problem.disks.size(); ++k) {
-    const Disk& disk = problem.disks[k];
+  for (std::size_t k = 0; k < problem_->disks.size(); ++k) {
+    const Disk& disk = problem_->disks[k];
     if (!(diskBlocks_[k].trace() > 0)) continue;
     const Vec2 u(velocityOf(disk.first), disk.unknowns == 2 ? velocityOf(disk.first + 1) : 0);
-    disk.put(nextOnDisk(problem, static_cast<int>(k), r, u), r);
+    disk.put(nextOnDisk(static_cast<int>(k), r, u), r);
   }
 }
 

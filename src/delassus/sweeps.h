@@ -13,19 +13,19 @@ namespace delassus {
 /// (algorithms §6.3).
 class Sweeps {
  public:
-  /// Keeps a pointer to the diagonal in `map`, which is that of the problem.
+  /// `map` is that of the problem; both must outlive the sweeps.
   void setProblem(const Problem& problem, const NaturalMap& map);
 
   /// `count` sweeps over all contacts and rows, each but the last followed by a step of the
   /// conjugate gradient. The reactions end in their cones and bounds.
-  void sweep(const Problem& problem, int count, VectorXd& r);
+  void sweep(int count, VectorXd& r);
 
   /// As many sweeps with nothing in between. In body space only.
-  void sweepPlainly(const Problem& problem, int count, VectorXd& r);
+  void sweepPlainly(int count, VectorXd& r);
 
   /// As `sweep`, with Anderson's acceleration, which remembers so many steps. What its last sweeps
   /// of this problem returned is gone on from with what they learnt.
-  void sweepOn(const Problem& problem, int count, int memory, VectorXd& r);
+  void sweepOn(int count, int memory, VectorXd& r);
 
   std::size_t bytes() const {
     return bytesOf(blocks_, diskBlocks_, y_, yBefore_, swept_, coupling_, coupled_,
@@ -35,23 +35,24 @@ class Sweeps {
 
  private:
   template <class Acceleration>
-  void hurry(Acceleration& acceleration, const Problem& problem, int count, VectorXd& r);
+  void hurry(Acceleration& acceleration, int count, VectorXd& r);
   /// y_ after the reactions have become r by that step.
-  void follow(ConjugateGradient& acceleration, const Problem& problem, const VectorXd& r);
-  void follow(Anderson& acceleration, const Problem& problem, const VectorXd& r);
-  void sweepOnce(const Problem& problem, VectorXd& r);
-  void sweepBodies(const Problem& problem, VectorXd& r);
-  void sweepDisk(const Problem& problem, int k, VectorXd& r);
+  void follow(ConjugateGradient& acceleration, const VectorXd& r);
+  void follow(Anderson& acceleration, const VectorXd& r);
+  void sweepOnce(VectorXd& r);
+  void sweepBodies(VectorXd& r);
+  void sweepDisk(int k, VectorXd& r);
   /// u of an unknown of a disk, and its next reaction.
-  double velocityOf(const Problem& problem, int unknown, const VectorXd& r) const;
-  void react(const Problem& problem, int unknown, double next, VectorXd& r);
-  void sweepEntries(const Problem& problem, VectorXd& r);
-  void readEntries(const Problem& problem);
-  bool readContactBlocks(const Problem& problem, int contact);
-  void readContactRows(const Problem& problem, int contact, std::vector<int>& slot);
+  double velocityOf(int unknown, const VectorXd& r) const;
+  void react(int unknown, double next, VectorXd& r);
+  void sweepEntries(VectorXd& r);
+  void readEntries();
+  bool readContactBlocks(int contact);
+  void readContactRows(int contact, std::vector<int>& slot);
   /// The reaction of disk `k` with the others held: u is what it sees with r.
-  Vec2 nextOnDisk(const Problem& problem, int k, const VectorXd& r, const Vec2& u) const;
+  Vec2 nextOnDisk(int k, const VectorXd& r, const Vec2& u) const;
 
+  const Problem* problem_ = nullptr;
   std::vector<OneContact> blocks_;
   std::vector<Mat2> diskBlocks_;
   const VectorXd* diagonal_ = nullptr;  ///< of W

@@ -74,7 +74,7 @@ Swept sweep(const Problem& problem, int most, double aim, VectorXd r, bool narro
   ColouredSweeps sweeps;
   if (narrow) sweeps.narrow();
   EXPECT_TRUE(sweeps.setProblem(problem, map));
-  const int made = sweeps.sweep(problem, most, aim, velocities(problem, r), r);
+  const int made = sweeps.sweep(most, aim, velocities(problem, r), r);
   return {r, made};
 }
 
@@ -181,9 +181,8 @@ TEST(ColouredSweeps, PlainOnesHaveNoMomentum) {
   ASSERT_TRUE(sweeps.setProblem(heap.problem, map));
   for (const int count : {0, 1, 100, 230}) {
     VectorXd plain = zero(heap.problem), single = plain;
-    sweeps.sweepPlainly(heap.problem, count, plain);
-    for (int k = 0; k < count; ++k)
-      sweeps.sweep(heap.problem, 1, 0, velocities(heap.problem, single), single);
+    sweeps.sweepPlainly(count, plain);
+    for (int k = 0; k < count; ++k) sweeps.sweep(1, 0, velocities(heap.problem, single), single);
     EXPECT_LT((plain - single).norm(), 1e-5 * single.norm() + 1e-300) << count;
   }
 }
@@ -211,16 +210,16 @@ TEST(ColouredSweeps, HandsDoNotChangeABit) {
     ColouredSweeps sweeps;
     ASSERT_TRUE(sweeps.setProblem(problem, map));
     VectorXd alone = start;
-    sweeps.sweep(problem, 30, 0, velocities(problem, alone), alone);
+    sweeps.sweep(30, 0, velocities(problem, alone), alone);
     for (int count : {1, 2, 9}) {
       HiredHands hands(count);
       sweeps.setHands(&hands);
       VectorXd r = start;
-      EXPECT_EQ(sweeps.sweep(problem, 30, 0, velocities(problem, r), r), 30);
+      EXPECT_EQ(sweeps.sweep(30, 0, velocities(problem, r), r), 30);
       EXPECT_EQ(r, alone) << count << " hands";
       EXPECT_EQ(hands.tasks, 1);
       sweeps.setHands(nullptr);
-      sweeps.sweep(problem, 1, 0, velocities(problem, r), r);
+      sweeps.sweep(1, 0, velocities(problem, r), r);
       EXPECT_EQ(hands.tasks, 1);
     }
   }
@@ -271,10 +270,10 @@ TEST(ColouredSweeps, HaveNoMemory) {
   for (int k = 0; k < 2; ++k) {
     VectorXd r = zero(large.problem);
     ASSERT_TRUE(used.setProblem(large.problem, largeMap));
-    used.sweep(large.problem, 20, 0, velocities(large.problem, r), r);
+    used.sweep(20, 0, velocities(large.problem, r), r);
     r = zero(small.problem);
     ASSERT_TRUE(used.setProblem(small.problem, smallMap));
-    used.sweep(small.problem, 20, 0, velocities(small.problem, r), r);
+    used.sweep(20, 0, velocities(small.problem, r), r);
     EXPECT_EQ(r, sweep(small.problem, 20, 0, zero(small.problem)).r);
   }
 }

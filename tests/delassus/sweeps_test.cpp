@@ -15,11 +15,11 @@ using namespace delassus::test;
 /// 0: conjugate gradient; otherwise Anderson's, with the steps that it remembers.
 constexpr int memories[] = {0, 4, Anderson::longest};
 
-void sweep(Sweeps& sweeps, const Problem& problem, int count, int memory, VectorXd& r) {
+void sweep(Sweeps& sweeps, int count, int memory, VectorXd& r) {
   if (memory > 0)
-    sweeps.sweepOn(problem, count, memory, r);
+    sweeps.sweepOn(count, memory, r);
   else
-    sweeps.sweep(problem, count, r);
+    sweeps.sweep(count, r);
 }
 
 VectorXd swept(const Problem& problem, int count, VectorXd r, int memory = 0) {
@@ -27,7 +27,7 @@ VectorXd swept(const Problem& problem, int count, VectorXd r, int memory = 0) {
   map.setProblem(problem);
   Sweeps sweeps;
   sweeps.setProblem(problem, map);
-  sweep(sweeps, problem, count, memory, r);
+  sweep(sweeps, count, memory, r);
   return r;
 }
 
@@ -157,12 +157,12 @@ TEST(Sweeps, HaveNoMemory) {
     for (const int memory : memories) {
       used.setProblem(large.problem, largeMap);
       r = VectorXd::Zero(large.problem.size());
-      sweep(used, large.problem, 5, last, r);
+      sweep(used, 5, last, r);
       used.setProblem(small.problem, smallMap);
       r = start;
-      sweep(used, small.problem, 5, last, r);
+      sweep(used, 5, last, r);
       r = start;
-      sweep(used, small.problem, 5, memory, r);
+      sweep(used, 5, memory, r);
       EXPECT_EQ(r, swept(small.problem, 5, start, memory));
     }
   }
@@ -184,14 +184,14 @@ TEST(Sweeps, AndersonsForgetWhatIsOfAnotherProblemOrOtherSweeps) {
     Sweeps used;
     used.setProblem(other, otherMap);
     VectorXd r = VectorXd::Zero(problem.size());
-    used.sweepOn(other, 5, 4, r);
+    used.sweepOn(5, 4, r);
     used.setProblem(problem, map);
     VectorXd expected = swept(problem, 5, r, 4);
-    used.sweepOn(problem, 5, 4, r);
+    used.sweepOn(5, 4, r);
     EXPECT_EQ(r, expected);
-    used.sweep(problem, 5, r);
+    used.sweep(5, r);
     expected = swept(problem, 5, r, 4);
-    used.sweepOn(problem, 5, 4, r);
+    used.sweepOn(5, 4, r);
     EXPECT_EQ(r, expected);
   }
 }
@@ -223,7 +223,7 @@ TEST(Sweeps, PlainOnesAreOneAfterTheOther) {
   map.setProblem(problem);
   Sweeps sweeps;
   sweeps.setProblem(problem, map);
-  sweeps.sweepPlainly(problem, count, all);
+  sweeps.sweepPlainly(count, all);
   EXPECT_LT((all - one).norm(), 1e-12 * one.norm());
   EXPECT_GT((swept(problem, count, VectorXd::Zero(problem.size())) - one).norm(), 1e-6 * one.norm())
       << "hurried ones go elsewhere";
@@ -241,7 +241,7 @@ TEST(Sweeps, AndersonsGoOnFromWhatTheyLearnt) {
     Sweeps sweeps;
     sweeps.setProblem(problem, map);
     VectorXd r = VectorXd::Zero(problem.size());
-    for (int n = 0; n < bites; ++n) sweeps.sweepOn(problem, bite, memory, r);
+    for (int n = 0; n < bites; ++n) sweeps.sweepOn(bite, memory, r);
     inBites += std::log10(naturalResidual(problem, r).max);
     r.setZero();
     for (int n = 0; n < bites; ++n) r = swept(problem, bite, r, memory);

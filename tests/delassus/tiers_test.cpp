@@ -27,8 +27,7 @@ class Tiers {
     VectorXd r = VectorXd::Zero(problem_.size());
     Sweeps sweeps;
     sweeps.setProblem(problem_, map_);
-    for (int burst = 0; burst < 200 && residual(r) > tolerance_; ++burst)
-      sweeps.sweep(problem_, 100, r);
+    for (int burst = 0; burst < 200 && residual(r) > tolerance_; ++burst) sweeps.sweep(100, r);
     EXPECT_LE(residual(r), 100 * tolerance_) << "sweeps";
     return r;
   }

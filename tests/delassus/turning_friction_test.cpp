@@ -299,7 +299,7 @@ TEST(TurningFriction, AgreesWithManySweeps) {
     sweeps.setProblem(island.problem, map);
     VectorXd slow = VectorXd::Zero(island.problem.size());
     // One at a time: plain Gauss-Seidel, without its acceleration.
-    for (int i = 0; i < 4000; ++i) sweeps.sweep(island.problem, 1, slow);
+    for (int i = 0; i < 4000; ++i) sweeps.sweep(1, slow);
     ASSERT_LT(naturalResidual(island.problem, slow).max, 1e-7) << k;
     const Solution s = solve(island.problem);
     EXPECT_LT(motionDistance(island, s.r, slow), 1e-6) << k;
