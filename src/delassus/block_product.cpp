@@ -4,17 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "delassus/four.h"
 #include "delassus/wide.h"
 
 namespace delassus {
 namespace {
-
-using Four = double __attribute__((vector_size(32), aligned(8), may_alias));
-
-DELASSUS_WIDE_INLINE const Four& fourAt(const double* x) {
-  return *reinterpret_cast<const Four*>(x);
-}
-DELASSUS_WIDE_INLINE Four& fourAt(double* x) { return *reinterpret_cast<Four*>(x); }
 
 // Twelve entries of two columns are three vectors of four: the first column's, both columns', the
 // second's.

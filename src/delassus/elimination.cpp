@@ -1,14 +1,12 @@
 #include "delassus/elimination.h"
 
+#include "delassus/four.h"
 #include "delassus/wide.h"
 
 namespace delassus {
 namespace {
 
-using Four = double __attribute__((vector_size(32), aligned(8), may_alias));
 constexpr int atATime = KeptMatrix::atATime;
-
-DELASSUS_WIDE_INLINE Four& fourAt(double* x) { return *reinterpret_cast<Four*>(x); }
 
 /// Takes four pivot rows from `count` others, from column `first` on. Shares of the pivots stand
 /// behind `stride` numbers in each row.
