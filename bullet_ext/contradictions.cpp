@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "bullet_ext/convert.h"
 #include "bullet_ext/group.h"
@@ -25,7 +26,8 @@ double askedBy(const Group& group, const JointSource& joint) {
   return largest;
 }
 
-/// What the rounding of poses may ask for where bodies are at most so far from the origin, m/s.
+/// What the rounding of poses may ask for where bodies are at most so far from the origin, m/s; of
+/// turned ones, rad/s, however near.
 double askedByRounding(double places, double h) {
   constexpr double roundings = 4;
   return roundings * SIMD_EPSILON * std::max(places, 1.0) / h;

@@ -1,19 +1,15 @@
 #include "bullet_ext/solve_group.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
-#include "BulletDynamics/Dynamics/btRigidBody.h"
-#include "bullet_ext/convert.h"
 #include "bullet_ext/group.h"
 #include "bullet_ext/names.h"
 #include "bullet_ext/thrown_bodies.h"
 #include "delassus/bytes.h"
-#include "delassus/contact_motion.h"
 #include "delassus/island.h"
 #include "delassus/residual.h"
 
@@ -138,92 +134,6 @@ void checkIsland(const Group& group, const Island& island, const Economies& econ
   if (result.open) return;
   note(bench.solution, partsOf(island), result);
   keepReactions(island, bench.solution, answer);
-}
-
-/// How fast the body, or its point at `arm`, is, m/s.
-double speedOf(const std::vector<Body>& bodies, int body, const Vec3& arm) {
-  if (body == fixedWorld) return 0;
-  const Vec6& v = bodies[body].velocity;
-  return std::max(v.head<3>().norm(), v.tail<3>().norm() * arm.norm());
-}
-
-double fasterOf(const std::vector<Body>& bodies, const Contact& c) {
-  return std::max(speedOf(bodies, c.a, c.armA), speedOf(bodies, c.b, c.armB));
-}
-
-/// Whether what presses leaves more than `reach` times as fast as anything in the island was, or is
-/// asked to be (`demand`, m/s).
-bool contactsThrowOne(const Group& group, const Island& island, double demand,
-                      const Answer& answer) {
-  double before = demand, after = 0;
-  for (const std::vector<int>* contacts : {&island.frictional, &island.frictionless})
-    for (const int k : *contacts) {
-      before = std::max(before, fasterOf(group.bodies, group.contacts[k]));
-      if (answer.contacts[k][0] > 0)
-        after = std::max(after, fasterOf(answer.bodies, group.contacts[k]));
-    }
-  return after > reach * before;
-}
-
-/// How far the bodies of a joint are from each other, m.
-double lengthOf(const JointSource& joint) {
-  const btTypedConstraint& constraint = *joint.constraint;
-  return (toCore(constraint.getRigidBodyA().getWorldTransform().getOrigin()) -
-          toCore(constraint.getRigidBodyB().getWorldTransform().getOrigin()))
-      .norm();
-}
-
-/// Of the bodies of the island, before its reactions.
-struct Inertia {
-  double mass = 0, energy = 0;  ///< kg; of what does not turn, J
-};
-Inertia inertiaOf(const Group& group, const Island& island) {
-  Inertia sum;
-  for (const int body : island.bodies) {
-    const double inverse = group.bodies[body].inverseMass.maxCoeff();
-    if (!(inverse > 0)) continue;
-    sum.mass += 1 / inverse;
-    sum.energy += 0.5 / inverse * group.bodies[body].velocity.head<3>().squaredNorm();
-  }
-  return sum;
-}
-
-/// Whether joints that hold, and contacts beside them, do more work than it takes to have all that
-/// moves go `jointReach` times as fast as they ask for. Work that is done to hold, r (u + u⁺)/2, is
-/// what targets ask for: held at rest nothing gains any. What drives joints has bounds, and may do
-/// all that these allow.
-bool jointsThrowOne(const Group& group, const Island& island, const Answer& answer) {
-  double work = 0, push = 0, turn = 0;
-  bool holds = false;
-  for (const int k : island.rows) {
-    const Row& row = group.rows[k];
-    const double r = answer.rows[k];
-    if (row.governor >= 0 || r == 0 || std::isfinite(r > 0 ? row.upper : row.lower)) continue;
-    work +=
-        r * (0.5 * (relativeVelocity(group.bodies, row) + relativeVelocity(answer.bodies, row)) +
-             row.target);
-    const bool turns = row.jacobianA.head<3>().isZero(0) && row.jacobianB.head<3>().isZero(0);
-    double& asked = turns ? turn : push;
-    asked = std::max(asked, std::abs(row.target));
-    holds = true;
-  }
-  if (!holds) return false;
-  for (const std::vector<int>* contacts : {&island.frictional, &island.frictionless})
-    for (const int k : *contacts) {
-      const Contact& c = group.contacts[k];
-      work += 0.5 * answer.contacts[k].dot(c.frame.transpose() *
-                                           (slip(group.bodies, c) + slip(answer.bodies, c)));
-      push = std::max(push, c.target.cwiseAbs().maxCoeff());
-    }
-  if (!(work > 0)) return false;
-  double length = 0;
-  for (const JointSource& joint : group.joints)
-    if (joint.rowCount > 0 &&
-        std::binary_search(island.rows.begin(), island.rows.end(), joint.firstRow))
-      length = std::max(length, lengthOf(joint));
-  const Inertia inertia = inertiaOf(group, island);
-  const double asked = push + turn * length;
-  return work > jointReach * jointReach * (inertia.energy + 0.5 * inertia.mass * asked * asked);
 }
 
 /// Takes the answer back, and finds that for contacts, or also joints, that give a little. Its

@@ -4,9 +4,13 @@
 
 #include "delassus/body.h"
 #include "delassus/contact.h"
+#include "delassus/island.h"
 #include "delassus/row.h"
 
 namespace delassus::bullet {
+
+struct Answer;
+struct Group;
 
 // The exact answer may throw a body: what is pinched between faces that lean against each other by
 // ε leaves them at 1/ε of what pinches it, and so does what a load presses that is off its line by
@@ -17,9 +21,18 @@ namespace delassus::bullet {
 /// How many times as fast as all that asks for motion, or moved before, a body may leave: out of a
 /// wedge of 11 degrees it does so exactly.
 constexpr double reach = 10;
-
 /// The same where joints throw, in the mean of all that they hold.
 constexpr double jointReach = 3;
+
+/// Whether what presses leaves more than `reach` times as fast as anything in the island was, or is
+/// asked to be (`demand`, m/s).
+bool contactsThrowOne(const Group& group, const Island& island, double demand,
+                      const Answer& answer);
+/// Whether joints that hold, and contacts beside them, do more work than it takes to have all that
+/// moves go `jointReach` times as fast as they ask for. Work that is done to hold, r (u + u⁺)/2, is
+/// what targets ask for: held at rest nothing gains any. What drives joints has bounds, and may do
+/// all that these allow.
+bool jointsThrowOne(const Group& group, const Island& island, const Answer& answer);
 
 /// Has the contact give, in addition, by s' of what it answers if no axis of a body that moves is
 /// locked, s' = 1/(2 reach²). With one such contact a face, what is pinched at the speed p leaves
