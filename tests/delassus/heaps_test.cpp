@@ -82,6 +82,18 @@ TEST(SmallHeap, IsSolved) {
   EXPECT_GE(solved, 5) << "of 6";
 }
 
+// What no budget holds, the path of compliance, has none.
+TEST(Heaps, CostNoMoreThanIsAllowed) {
+  for (const PileIsland& heap : {makeHeapOfHundreds(1), makeHeapOfMany(640, 6)})
+    for (const int sweeps : {100, 300, 1000}) {
+      const Options options = Options::bounded(sweeps);
+      const Solution solution = Solver(options).solve(heap.problem, sweptReactions(heap.problem));
+      EXPECT_LE(solution.sweeps, options.sweepBudget);
+      EXPECT_LE(solution.regions, options.newtonBudget);
+      EXPECT_LE(solution.factorisations, 2 * options.newtonBudget);
+    }
+}
+
 // Without plain sweeps by the thousand none of these heaps is solved. With them most are; which
 // ones, and which of the others the path of compliance solves, is a matter of rounding.
 TEST(LargeHeap, IsOutlasted) {
