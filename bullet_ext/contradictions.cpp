@@ -14,15 +14,19 @@
 namespace delassus::bullet {
 namespace {
 
-/// Of its bodies before the reactions, and what its rows ask for beside that, m/s and rad/s.
+/// Of the bodies of a row, before the reactions, m/s and rad/s.
+double speedOf(const Group& group, const Row& row) {
+  double largest = 0;
+  for (const int body : {row.a, row.b})
+    if (body >= 0) largest = std::max(largest, group.bodies[body].velocity.cwiseAbs().maxCoeff());
+  return largest;
+}
+
+/// What its rows ask for beside that, m/s and rad/s.
 double askedBy(const Group& group, const JointSource& joint) {
   double largest = 0;
-  for (int i = joint.firstRow; i < joint.firstRow + joint.rowCount; ++i) {
-    const Row& row = group.rows[i];
-    largest = std::max(largest, std::abs(relativeVelocity(group.bodies, row)));
-    for (const int body : {row.a, row.b})
-      if (body >= 0) largest = std::max(largest, group.bodies[body].velocity.cwiseAbs().maxCoeff());
-  }
+  for (int i = joint.firstRow; i < joint.firstRow + joint.rowCount; ++i)
+    largest = std::max(largest, std::abs(relativeVelocity(group.bodies, group.rows[i])));
   return largest;
 }
 
@@ -90,7 +94,8 @@ void judgeContradictions(const Group& group, double h, Answer& answer) {
     for (int i = joint.firstRow + 1; i < joint.firstRow + joint.rowCount; ++i)
       if (missedBy(i) > missedBy(worst)) worst = i;
     const double missed = missedBy(worst);
-    if (missed > askedByRounding(placesOf(joint), h) && missed > share * askedBy(group, joint))
+    if (missed > share * speedOf(group, group.rows[worst]) &&
+        missed > askedByRounding(placesOf(joint), h) && missed > share * askedBy(group, joint))
       blame(worst, missed, answer);
   }
 }

@@ -86,14 +86,17 @@ bool jointsThrowOne(const Group& group, const Island& island, const Answer& answ
       push = std::max(push, c.target.cwiseAbs().maxCoeff());
     }
   if (!(work > 0)) return false;
+  const Inertia inertia = inertiaOf(group, island);
+  const auto exceeds = [&](double asked) {
+    return work > jointReach * jointReach * (inertia.energy + 0.5 * inertia.mass * asked * asked);
+  };
+  if (!exceeds(push)) return false;  // few go on, so that lengths may be looked for in all joints
   double length = 0;
   for (const JointSource& joint : group.joints)
     if (joint.rowCount > 0 &&
         std::binary_search(island.rows.begin(), island.rows.end(), joint.firstRow))
       length = std::max(length, lengthOf(joint));
-  const Inertia inertia = inertiaOf(group, island);
-  const double asked = push + turn * length;
-  return work > jointReach * jointReach * (inertia.energy + 0.5 * inertia.mass * asked * asked);
+  return exceeds(push + turn * length);
 }
 
 void soften(const std::vector<Body>& bodies, Contact& contact) {
