@@ -188,7 +188,7 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
       bench.coupling.addGain(group.articulation, solution.r, answer.gains);
     else if (contactsThrowOne(group, island, problem.demand(), answer))
       solveSoftened(group, island, false, bench, answer, result);
-    else if (jointsThrowOne(group, island, answer))
+    else if (jointsThrowOne(group, island, problem, solution))
       solveSoftened(group, island, true, bench, answer, result);
   } else {
     // Better no reaction than one that spoils the world; the residual says how good that is.

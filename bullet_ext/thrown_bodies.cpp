@@ -9,7 +9,6 @@
 #include "bullet_ext/convert.h"
 #include "bullet_ext/group.h"
 #include "bullet_ext/solve_group.h"
-#include "delassus/contact_motion.h"
 
 namespace delassus::bullet {
 namespace {
@@ -62,29 +61,38 @@ bool contactsThrowOne(const Group& group, const Island& island, double demand,
   return after > reach * before;
 }
 
-bool jointsThrowOne(const Group& group, const Island& island, const Answer& answer) {
+bool jointsThrowOne(const Group& group, const Island& island, const Problem& problem,
+                    const Solution& solution) {
+  const VectorXd &r = solution.r, &compliance = problem.W.bodySpace().compliance;
   double work = 0, push = 0, turn = 0;
+  const auto hold = [&](int at, double target) {
+    work += r[at] * (0.5 * (problem.q[at] + solution.u[at] - compliance[at] * r[at]) + target);
+  };
+  const int contacts = static_cast<int>(r.size() - island.rows.size());
   bool holds = false;
-  for (const int k : island.rows) {
-    const Row& row = group.rows[k];
-    const double r = answer.rows[k];
-    if (row.governor >= 0 || r == 0 || std::isfinite(r > 0 ? row.upper : row.lower)) continue;
-    work +=
-        r * (0.5 * (relativeVelocity(group.bodies, row) + relativeVelocity(answer.bodies, row)) +
-             row.target);
+  for (std::size_t i = 0; i < island.rows.size(); ++i) {
+    const int at = contacts + static_cast<int>(i);
+    const Row& row = group.rows[island.rows[i]];
+    if (row.governor >= 0 || r[at] == 0 || std::isfinite(r[at] > 0 ? row.upper : row.lower))
+      continue;
+    hold(at, row.target);
     const bool turns = row.jacobianA.head<3>().isZero(0) && row.jacobianB.head<3>().isZero(0);
     double& asked = turns ? turn : push;
     asked = std::max(asked, std::abs(row.target));
     holds = true;
   }
   if (!holds) return false;
-  for (const std::vector<int>* contacts : {&island.frictional, &island.frictionless})
-    for (const int k : *contacts) {
-      const Contact& c = group.contacts[k];
-      work += 0.5 * answer.contacts[k].dot(c.frame.transpose() *
-                                           (slip(group.bodies, c) + slip(answer.bodies, c)));
-      push = std::max(push, c.target.cwiseAbs().maxCoeff());
+  int at = 0;
+  for (const int k : island.frictional)
+    for (const double target : group.contacts[k].target) {
+      hold(at++, target);
+      push = std::max(push, std::abs(target));
     }
+  for (const int k : island.frictionless) {
+    const double target = group.contacts[k].target[0];
+    hold(at++, target);
+    push = std::max(push, std::abs(target));
+  }
   if (!(work > 0)) return false;
   const Inertia inertia = inertiaOf(group, island);
   const auto exceeds = [&](double asked) {

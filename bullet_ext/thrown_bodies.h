@@ -5,7 +5,9 @@
 #include "delassus/body.h"
 #include "delassus/contact.h"
 #include "delassus/island.h"
+#include "delassus/problem.h"
 #include "delassus/row.h"
+#include "delassus/solution.h"
 
 namespace delassus::bullet {
 
@@ -32,7 +34,8 @@ bool contactsThrowOne(const Group& group, const Island& island, double demand,
 /// moves go `jointReach` times as fast as they ask for. Work that is done to hold, r (u + u⁺)/2, is
 /// what targets ask for: held at rest nothing gains any. What drives joints has bounds, and may do
 /// all that these allow.
-bool jointsThrowOne(const Group& group, const Island& island, const Answer& answer);
+bool jointsThrowOne(const Group& group, const Island& island, const Problem& problem,
+                    const Solution& solution);
 
 /// Has the contact give, in addition, by s' of what it answers if no axis of a body that moves is
 /// locked, s' = 1/(2 reach²). With one such contact a face, what is pinched at the speed p leaves
