@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cassert>
 
@@ -21,47 +22,86 @@ Mat63 wrenchPerReaction(const FeltPoint& point) {
   return g;
 }
 
+/// The points, what they can do together, and their reactions from share to share.
+class Sharing {
+ public:
+  Sharing(const FeltPoint* points, int count, const Vec6& wanted, Vec3* reactions)
+      : points_(points), count_(count), reactions_(reactions), missing_(wanted) {
+    assert(count <= mostFeltPoints);
+    for (int i = 0; i < count; ++i) {
+      wrenches_[i] = wrenchPerReaction(points[i]);
+      missing_ -= wrenches_[i] * reactions[i];
+      sum_ += wrenches_[i] * wrenches_[i].transpose();
+    }
+  }
+
+  /// By the least change that there is. False, and nothing is changed, where it leaves a cone.
+  bool shareAtOnce() {
+    constexpr double negligible = 1e-10;  // two points cannot make every wrench
+    constexpr double rounding = 1e-12;    // of what slides and stays
+    const Vec6 share = factor(negligible).solve(missing_);
+    std::array<Vec3, mostFeltPoints> shared;
+    for (int i = 0; i < count_; ++i) {
+      const Vec3 r = reactions_[i] + wrenches_[i].transpose() * share;
+      shared[i] = projectOnCone(r, points_[i].friction);
+      if ((shared[i] - r).squaredNorm() > rounding * rounding * r.squaredNorm()) return false;
+    }
+    std::copy_n(shared.begin(), count_, reactions_);
+    return true;
+  }
+
+  /// In rounds over the points, each of which takes what the others leave.
+  void shareInRounds() {
+    constexpr double soft = 1e-2;
+    constexpr int mostRounds = 20;
+    constexpr double still = 1e-8;  // (1e-4)², of the squares of the reactions
+    const Eigen::LDLT<Mat6> metric = factor(soft);
+    const Vec6 share = metric.solve(missing_);
+    Vec6 left = share;  // S⁻¹ of what is missing
+    std::array<Mat63, mostFeltPoints> answers;
+    for (int i = 0; i < count_; ++i) answers[i] = metric.solve(wrenches_[i]);
+
+    // How far the reaction moves, squared.
+    const auto add = [&](int i, const Vec6& demand) {
+      Vec3& r = reactions_[i];
+      const Vec3 before = r;
+      r = projectOnCone(r + wrenches_[i].transpose() * demand, points_[i].friction);
+      const Vec3 change = r - before;
+      left -= answers[i] * change;
+      return change.squaredNorm();
+    };
+    for (int i = 0; i < count_; ++i) add(i, share);
+    double moved = 1, size = 0;
+    for (int k = 0; k < mostRounds && moved > still * size; ++k) {
+      moved = size = 0;
+      for (int i = 0; i < count_; ++i) {
+        moved += add(i, left);
+        size += reactions_[i].squaredNorm();
+      }
+    }
+  }
+
+ private:
+  /// Of S = Σ J_iᵀ J_i, and a share of its trace on its diagonal.
+  Eigen::LDLT<Mat6> factor(double share) const {
+    Mat6 sum = sum_;
+    sum.diagonal().array() += share * sum_.trace();
+    return sum.ldlt();
+  }
+
+  const FeltPoint* points_;
+  int count_;
+  Vec3* reactions_;
+  Vec6 missing_;  ///< of what is wanted, at the start
+  Mat6 sum_ = Mat6::Zero();
+  std::array<Mat63, mostFeltPoints> wrenches_;  ///< Jᵀ
+};
+
 }  // namespace
 
 void shareWrench(const FeltPoint* points, int count, const Vec6& wanted, Vec3* reactions) {
-  assert(count <= mostFeltPoints);
-  // A share of what S is in the mean: two points cannot make every wrench.
-  constexpr double negligible = 1e-10;
-  constexpr int mostRounds = 20;
-  constexpr double still = 1e-8;  // (1e-4)², of the squares of the reactions
-
-  Vec6 missing = wanted;
-  Mat6 sum = Mat6::Zero();
-  std::array<Mat63, mostFeltPoints> wrenches, answers;  // Jᵀ and S⁻¹ Jᵀ
-  for (int i = 0; i < count; ++i) {
-    wrenches[i] = wrenchPerReaction(points[i]);
-    missing -= wrenches[i] * reactions[i];
-    sum += wrenches[i] * wrenches[i].transpose();
-  }
-  sum.diagonal().array() += negligible * sum.trace();
-  const Eigen::LDLT<Mat6> factor = sum.ldlt();
-  const Vec6 share = factor.solve(missing);
-  Vec6 left = share;  // S⁻¹ of what is missing
-  for (int i = 0; i < count; ++i) answers[i] = factor.solve(wrenches[i]);
-
-  // How far the reaction moves, squared.
-  const auto add = [&](int i, const Vec6& demand) {
-    Vec3& r = reactions[i];
-    const Vec3 before = r;
-    r = projectOnCone(r + wrenches[i].transpose() * demand, points[i].friction);
-    const Vec3 change = r - before;
-    left -= answers[i] * change;
-    return change.squaredNorm();
-  };
-  for (int i = 0; i < count; ++i) add(i, share);
-  double moved = 1, size = 0;
-  for (int k = 0; k < mostRounds && moved > still * size; ++k) {
-    moved = size = 0;
-    for (int i = 0; i < count; ++i) {
-      moved += add(i, left);
-      size += reactions[i].squaredNorm();
-    }
-  }
+  Sharing sharing(points, count, wanted, reactions);
+  if (!sharing.shareAtOnce()) sharing.shareInRounds();
 }
 
 }  // namespace delassus

@@ -20,9 +20,13 @@ struct FeltPoint {
 constexpr int mostFeltPoints = 4;  ///< as Bullet keeps of two bodies
 
 /// Changes the reactions of `count` points (N·s, in their frames), within the cones of friction, so
-/// that their wrench Σ J_iᵀ r_i comes as near as it can to `wanted`, in the norm of S⁻¹, S = Σ J_iᵀ
-/// J_i: first the least change that makes the wrench, then, where that has left a cone, rounds over
-/// the points, each of which takes what the others leave.
+/// that their wrench Σ J_iᵀ r_i comes as near as it can to `wanted`: by the least change that makes
+/// the wrench, if that leaves no cone; else in rounds over the points, in the norm of
+///
+///     (S + 0.01 tr(S) 1)⁻¹,   S = Σ J_iᵀ J_i
+///
+/// That of S⁻¹ would buy a moment that the points hardly make, as about a line on which three of
+/// them nearly lie, by forces that are thousands of times what is wanted.
 void shareWrench(const FeltPoint* points, int count, const Vec6& wanted, Vec3* reactions);
 
 }  // namespace delassus

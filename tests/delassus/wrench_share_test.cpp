@@ -91,6 +91,24 @@ TEST(WrenchShare, StaysInTheConesAndComesAsNearAsTheyAllow) {
   }
 }
 
+// Three points that lie nearly on a line, as on the rim of a barrel, have hardly a moment about it.
+TEST(WrenchShare, ForcesDoNotGrowForMomentsThatPointsHardlyMake) {
+  Random random(6);
+  for (int k = 0; k < 50; ++k) {
+    Touched body(random);
+    const Mat3 frame = body.points[0].frame;
+    for (int i = 0; i < 4; ++i)
+      body.points[i].arm = frame * Vec3(-0.6, 0.3 * i - 0.45, 0.001 * uniform(random, -1, 1));
+    std::vector<Vec3> r = body.reactions;
+    Vec6 wanted = body.wrench(r);
+    wanted.tail<3>() += 0.1 * uniform(random, -1, 1) * wanted.norm() * frame.col(1);
+    body.share(wanted, r);
+    double sum = 0;
+    for (const Vec3& reaction : r) sum += reaction.norm();
+    EXPECT_LT(sum, 2 * wanted.norm()) << k;
+  }
+}
+
 TEST(WrenchShare, NobodyPulls) {
   Random random(4);
   const Touched body(random);
