@@ -123,13 +123,12 @@ Descent CondensedNewton::moveOn(const Solution& center, double alpha, double eno
 
 bool CondensedNewton::solve(double tolerance, int budget, Solution& best) {
   if (!condense(best)) return false;
-  const int most = std::min(budget, mostSteps);
-  int left = most;
   const auto move = [this](const Solution& center, double alpha, double enough, int steps,
                            Solution& next) { return moveOn(center, alpha, enough, steps, next); };
-  const bool isReached = moveCenters(move, *map_, tolerance, left, next_, best);
-  best.sweeps += most - left;
-  return isReached;
+  const Descent descent =
+      moveCenters(move, *map_, tolerance, std::min(budget, mostSteps), next_, best);
+  best.sweeps += descent.steps;
+  return descent.isFound;
 }
 
 }  // namespace delassus

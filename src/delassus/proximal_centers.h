@@ -11,7 +11,7 @@
 
 namespace delassus {
 
-/// What a descent came to.
+/// What Newton steps came to.
 struct Descent {
   bool isFound;
   int steps;  ///< that were made
@@ -50,35 +50,34 @@ Descent descend(Steps& steps, double enough, int budget) {
 /// found.
 ///
 /// From `best`, until its natural residual is at most `tolerance` (m/s), or some digits less where
-/// they come by themselves: true; or until `budget` steps are made, which it is less by then, or
-/// two moves gain little. `moveOn` is a descent around a center to the next one, which it
-/// completes:
+/// they come by themselves: found; or until `budget` steps are made, or two moves gain little.
+/// `moveOn` is a descent around a center to the next one, which it completes:
 ///
 ///     Descent moveOn(const Solution& center, double alpha, double enough, int budget,
 ///                    Solution& next)
 ///
 /// `next` is room for it.
 template <class MoveOn>
-bool moveCenters(const MoveOn& moveOn, const NaturalMap& map, double tolerance, int& budget,
-                 Solution& next, Solution& best) {
+Descent moveCenters(const MoveOn& moveOn, const NaturalMap& map, double tolerance, int budget,
+                    Solution& next, Solution& best) {
   constexpr double firstWeight = 1e-3, leastWeight = 1e-10, mostWeight = 1e-1;
   constexpr double fine = 1e-2, slow = 1e-2, tooSlow = 0.3;  // shares of the residual
   constexpr double gain = 0.5;
   constexpr int patience = 2;
   ProximalWeight alpha(firstWeight, leastWeight, mostWeight);
   double mark = best.residual;
-  int idle = 0;
-  while (budget > 0) {
+  int made = 0, idle = 0;
+  while (made < budget) {
     const double before = best.residual;
     const double enough =
         std::max(fine * std::max(before, polishedShare * tolerance), map.roundOff(best.r));
-    const Descent descent = moveOn(best, alpha.value(), enough, budget, next);
-    budget -= descent.steps;
+    const Descent descent = moveOn(best, alpha.value(), enough, budget - made, next);
+    made += descent.steps;
     const double now = next.residual;
     if (now < before) best.takeReactions(next);
     // Some digits more if they come by themselves.
     const double aim = now > tooSlow * before ? tolerance : polishedShare * tolerance;
-    if (best.residual <= std::max(aim, map.roundOff(best.r))) return true;
+    if (best.residual <= std::max(aim, map.roundOff(best.r))) return {true, made};
     ++idle;
     if (best.residual < gain * mark) mark = best.residual, idle = 0;
     if (idle >= patience) break;
@@ -91,7 +90,7 @@ bool moveCenters(const MoveOn& moveOn, const NaturalMap& map, double tolerance, 
     alpha.learn(true);
     if (now > slow * before) alpha.shrink();
   }
-  return best.residual <= tolerance;
+  return {best.residual <= tolerance, made};
 }
 
 }  // namespace delassus

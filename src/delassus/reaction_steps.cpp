@@ -150,11 +150,10 @@ bool ReactionSteps<Motion>::solve(double tolerance, int budget, Solution& next, 
     to.setResidual(space_.measure(to.r, to.u));
     return descent;
   };
-  int left = budget;
-  const bool isReached = moveCenters(moveOn, space_.map(), tolerance, left, next, best);
-  best.regions += budget - left;
-  best.factorisations += budget - left;
-  return isReached;
+  const Descent descent = moveCenters(moveOn, space_.map(), tolerance, budget, next, best);
+  best.regions += descent.steps;
+  best.factorisations += descent.steps;
+  return descent.isFound;
 }
 
 template class ReactionSteps<BodyMotion>;

@@ -81,8 +81,9 @@ std::size_t movesThrough(const std::vector<double>& residuals) {
     to.residual = residuals[moves++];
     return Descent{true, 1};
   };
-  int budget = static_cast<int>(residuals.size());
-  moveCenters(moveOn, map, 1e-9, budget, next, best);
+  const auto budget = static_cast<int>(residuals.size());
+  const Descent descent = moveCenters(moveOn, map, 1e-9, budget, next, best);
+  EXPECT_EQ(descent.steps, static_cast<int>(moves));
   EXPECT_EQ(best.residual, *std::min_element(residuals.begin(), residuals.begin() + moves));
   return moves;
 }
