@@ -73,11 +73,11 @@ void countTier(Tier tier, StepReport& report) {
 }
 
 /// What messages say after the name of a contact or joint that is blamed.
-const char* reasonOf(const IslandResult& island) {
-  if (island.isSoftened)
+const char* reasonOf(const IslandResult& result) {
+  if (result.isSoftened)
     return ": the exact answer would throw a body; the one taken is as if contacts, or joints, "
            "gave a little";
-  switch (island.status) {
+  switch (result.status) {
     case Status::OutOfBudget:
       return ": the budget of its island ended above the tolerance; the error is largest here";
     case Status::Incompatible:
@@ -139,17 +139,17 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::Workspace::countSol
   work.residualMax = 0;
   addTo(report.contacts, static_cast<int>(group.contacts.size()));
   addTo(report.rows, static_cast<int>(group.rows.size()) - group.turningRows);
-  addTo(report.islands, static_cast<int>(answer.islands.size()));
-  for (std::size_t i = 0; i < answer.islands.size(); ++i) {
-    const IslandResult& island = answer.islands[i];
-    countStatus(island.status, report);
-    countTier(island.tier, report);
-    addTo(report.softened, island.isSoftened);
-    work.residualMax = std::max(work.residualMax, island.residualMax);
-    residualSquares += island.residualRms * island.residualRms * island.parts;
-    residualParts += island.parts;
-    for (int unknown : island.blamed)
-      report.tell(nameOf(group, answer, static_cast<int>(i), unknown) + reasonOf(island));
+  addTo(report.islands, answer.islands.count());
+  for (int i = 0; i < answer.islands.count(); ++i) {
+    const IslandResult& result = answer.results[i];
+    countStatus(result.status, report);
+    countTier(result.tier, report);
+    addTo(report.softened, result.isSoftened);
+    work.residualMax = std::max(work.residualMax, result.residualMax);
+    residualSquares += result.residualRms * result.residualRms * result.parts;
+    residualParts += result.parts;
+    for (int unknown : result.blamed)
+      report.tell(nameOf(group, answer.islands[i], unknown) + reasonOf(result));
   }
   report.residualMax = std::max(report.residualMax, work.residualMax);
   if (residualParts > 0) report.residualRms = std::sqrt(residualSquares / residualParts);
@@ -216,14 +216,14 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(const GroupIn
   laps.end(report_.secondsGather);
 
   const bool heard = listener_ || troubleListener_ || turningListener_;
-  findIslands(w.group, economies, w.answer);
-  const Plan plan = makePlan(w.group, heard, economies, w.answer);
-  startFromGuess(w.group, w.answer);
+  w.answer.islands.find(w.group, economies);
+  const Plan plan = makePlan(w.group, heard, economies, w.answer.islands);
+  startAnswer(w.group, w.answer);
   w.workshop.clearCounts();
   checkIslands(w.group, w.workshop, w.answer);
   laps.end(report_.secondsPlan);
 
-  if (!w.answer.open.empty() || plan.obsolete > 0) {
+  if (!w.answer.unanswered.empty() || plan.obsolete > 0) {
     solveIslands(w.group, info, w.workshop, w.answer, report_);
     laps.end(report_.secondsSolve);
   }

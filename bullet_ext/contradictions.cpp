@@ -56,11 +56,11 @@ double placesOf(const Group& group, const Island& island) {
 
 /// The island with this row, and its place among the unknowns there.
 void blame(int row, double missed, Answer& answer) {
-  for (int i = 0; i < answer.islandCount(); ++i) {
-    const Island& island = answer.island(i);
+  for (int i = 0; i < answer.islands.count(); ++i) {
+    const Island& island = answer.islands[i];
     const auto found = std::find(island.rows.begin(), island.rows.end(), row);
     if (found == island.rows.end()) continue;
-    IslandResult& result = answer.islands[i];
+    IslandResult& result = answer.results[i];
     if (result.status != Status::Solved) return;  // it is blamed for more
     result.status = Status::Incompatible;
     result.residualMax = std::max(result.residualMax, missed);
@@ -74,9 +74,9 @@ void blame(int row, double missed, Answer& answer) {
 
 void judgeContradictions(const Group& group, double h, Answer& answer) {
   constexpr double share = 0.1;
-  for (int i = 0; i < answer.islandCount(); ++i) {
-    IslandResult& result = answer.islands[i];
-    const Island& island = answer.island(i);
+  for (int i = 0; i < answer.islands.count(); ++i) {
+    IslandResult& result = answer.results[i];
+    const Island& island = answer.islands[i];
     if (result.status != Status::Incompatible || result.isSoftened ||
         result.residualMax > askedByRounding(placesOf(group, island), h))
       continue;

@@ -322,10 +322,10 @@ void Memory::keep(const Group& group, const Answer& answer, double h, bool withP
     owner.end = first + end - begin;
   }
   // Room for all, though few are, for the same reason as in Owners::add.
-  now_.restless.reserve(now_.restless.size() + answer.islands.size());
-  for (const IslandResult& island : answer.islands)
-    if (island.restless >= 0 && group.bodySources[island.restless].rigid)
-      now_.restless.push_back(group.bodySources[island.restless].rigid);
+  now_.restless.reserve(now_.restless.size() + answer.results.size());
+  for (const IslandResult& island : answer.results)
+    if (island.restlessBody >= 0 && group.bodySources[island.restlessBody].rigid)
+      now_.restless.push_back(group.bodySources[island.restlessBody].rigid);
   keepJoints(group, answer, withPulls);
   keepTurns(group, answer);
 }

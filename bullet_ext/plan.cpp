@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "bullet_ext/group.h"
+#include "bullet_ext/group_islands.h"
 #include "bullet_ext/saturating_sum.h"
-#include "bullet_ext/solve_group.h"
 
 namespace delassus {
 
@@ -22,7 +22,8 @@ void Plan::add(const Plan& group) {
 
 namespace bullet {
 
-Plan makePlan(const Group& group, bool heard, const Economies& economies, const Answer& islands) {
+Plan makePlan(const Group& group, bool heard, const Economies& economies,
+              const GroupIslands& islands) {
   Plan plan;
   plan.bouncing = group.bouncing;
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {
@@ -41,9 +42,9 @@ Plan makePlan(const Group& group, bool heard, const Economies& economies, const 
   plan.obsolete = static_cast<int>(group.obsolete.size());
   plan.heard = heard;
 
-  plan.islands = islands.islandCount();
+  plan.islands = islands.count();
   for (int i = 0; i < plan.islands; ++i) {
-    const int size = islands.island(i).unknowns();
+    const int size = islands[i].unknowns();
     plan.unknowns += size;
     plan.largestIsland = std::max(plan.largestIsland, size);
   }

@@ -5,8 +5,8 @@
 namespace delassus {
 
 namespace bullet {
-struct Answer;
 struct Group;
+class GroupIslands;
 }  // namespace bullet
 
 /// What a step asks for, counted in what was gathered before anything is solved, and what it is
@@ -41,8 +41,8 @@ struct Plan {
 
 namespace bullet {
 
-/// The plan of a group whose islands have been found.
-Plan makePlan(const Group& group, bool heard, const Economies& economies, const Answer& islands);
+Plan makePlan(const Group& group, bool heard, const Economies& economies,
+              const GroupIslands& islands);
 
 }  // namespace bullet
 }  // namespace delassus

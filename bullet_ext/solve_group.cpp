@@ -83,7 +83,8 @@ void note(const Solution& solution, int parts, IslandResult& result) {
   result.residualMax = solution.residual;
   result.residualRms = solution.residualRms;
   result.parts = parts;
-  result.open = result.isSoftened = false;
+  result.isAnswered = true;
+  result.isSoftened = false;
   result.blamed = solution.blamed;
 }
 
@@ -129,9 +130,8 @@ bool needsNoSolving(const Group& group, const Island& island, const Economies& e
 void checkIsland(const Group& group, const Island& island, const Economies& economies, Bench& bench,
                  Answer& answer, IslandResult& result) {
   // The check knows of bodies, not of trees.
-  result.open =
-      group.articulation.moves(island) || !needsNoSolving(group, island, economies, bench, answer);
-  if (result.open) return;
+  if (group.articulation.moves(island) || !needsNoSolving(group, island, economies, bench, answer))
+    return;
   note(bench.solution, partsOf(island), result);
   keepReactions(island, bench.solution, answer);
 }
@@ -164,6 +164,26 @@ void solveSoftened(const Group& group, const Island& island, bool withJoints, Be
   result.blamed = {residual.worst};
 }
 
+/// Better no reaction than one that spoils the world; the residual says how good that is.
+void takeNoReactions(const Problem& problem, const Island& island, Answer& answer,
+                     IslandResult& result) {
+  for (const std::vector<int>* contacts : {&island.frictional, &island.frictionless})
+    for (int i : *contacts) answer.contacts[i].setZero();
+  for (int i : island.rows) answer.rows[i] = 0;
+  const VelocityResidual atRest = naturalResidual(problem, VectorXd::Zero(problem.size()));
+  result.status = Status::NonFinite;
+  result.residualMax = atRest.max;
+  result.residualRms = atRest.rms;
+  result.blamed = {atRest.worst};
+}
+
+/// Whether the guess had to be left, and what was found is far nearer to the law; tolerance: m/s.
+bool leavesGuess(const Solution& solution, double tolerance) {
+  constexpr double gain = 10;
+  return solution.tier == Tier::Walk && solution.startResidual > keptShare * tolerance &&
+         solution.startResidual > gain * solution.residual;
+}
+
 void solveIsland(const Group& group, const Island& island, Bench& bench, Answer& answer,
                  IslandResult& result) {
   const Problem& apart = bench.assembler.assemble(group.bodies, group.contacts, group.rows, island);
@@ -176,12 +196,11 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
   bench.counts.add(solution);
 
   note(solution, partsOf(island), result);
-  constexpr double gain = 10;
-  const double tolerance = bench.solver.options().tolerance * problem.demand();
-  if (solution.tier == Tier::Walk && solution.startResidual > keptShare * tolerance &&
-      solution.startResidual > gain * solution.residual)
-    result.restless = bodyToRemember(group, island);
-  if (fitsBullet(solution.r)) {
+  if (leavesGuess(solution, bench.solver.options().tolerance * problem.demand()))
+    result.restlessBody = bodyToRemember(group, island);
+  if (!fitsBullet(solution.r)) {
+    takeNoReactions(problem, island, answer, result);
+  } else {
     keepReactions(island, solution, answer);
     applyReaction(answer.bodies, group.contacts, group.rows, island, solution.r);
     if (articulated)
@@ -190,16 +209,6 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
       solveSoftened(group, island, false, bench, answer, result);
     else if (jointsThrowOne(group, island, problem, solution))
       solveSoftened(group, island, true, bench, answer, result);
-  } else {
-    // Better no reaction than one that spoils the world; the residual says how good that is.
-    for (int i : island.frictional) answer.contacts[i].setZero();
-    for (int i : island.frictionless) answer.contacts[i].setZero();
-    for (int i : island.rows) answer.rows[i] = 0;
-    const VelocityResidual atRest = naturalResidual(problem, VectorXd::Zero(problem.size()));
-    result.status = Status::NonFinite;
-    result.residualMax = atRest.max;
-    result.residualRms = atRest.rms;
-    result.blamed = {atRest.worst};
   }
   for (int unknown : result.blamed)
     if (const int contact = partAt(group, island, unknown).contact; contact >= 0)
@@ -207,46 +216,31 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
 }
 
 /// Solves the islands that the check has left.
-void solveOpenIslands(const Group& group, Workshop& workshop, Answer& answer) {
-  const auto island = [&](int k) -> const Island& { return answer.island(answer.open[k]); };
-  answer.matrices += static_cast<int>(answer.open.size());
+void solveUnanswered(const Group& group, Workshop& workshop, Answer& answer) {
+  const auto count = static_cast<int>(answer.unanswered.size());
+  const auto island = [&](int k) -> const Island& { return answer.islands[answer.unanswered[k]]; };
+  answer.matrices += count;
   workshop.shareSolving(
-      static_cast<int>(answer.open.size()), [&](int k) { return island(k).unknowns(); },
+      count, [&](int k) { return island(k).unknowns(); },
       [&](Bench& bench, int k) {
-        solveIsland(group, island(k), bench, answer, answer.islands[answer.open[k]]);
+        solveIsland(group, island(k), bench, answer, answer.results[answer.unanswered[k]]);
       });
+  answer.unanswered.clear();
 }
 
-/// Answers those of the open islands that need no solving; the others stay open.
-void checkOpenIslands(const Group& group, Workshop& workshop, Answer& answer) {
-  // Unknowns whose check takes longer than it takes to call another thread.
-  constexpr int worthwhile = 6000;
-  workshop.share(
-      static_cast<int>(answer.open.size()), worthwhile,
-      [&](int k) { return answer.island(answer.open[k]).unknowns(); },
-      [&](Bench& bench, int k) {
-        const int i = answer.open[k];
-        checkIsland(group, answer.island(i), workshop.options().economies, bench, answer,
-                    answer.islands[i]);
-      });
-  const auto isAnswered = [&](int i) { return !answer.islands[i].open; };
-  answer.open.erase(std::remove_if(answer.open.begin(), answer.open.end(), isAnswered),
-                    answer.open.end());
-}
-
-/// Opens the islands with bodies whose free velocity a constraint has changed, as if no reaction
-/// had moved them; the others keep their answers, and their bits.
-void reopenIslands(const Group& group, Answer& answer) {
+/// Takes back the answers of islands with bodies whose free velocity a constraint has changed, as
+/// if no reaction had moved them; the others keep their answers, and their bits.
+void takeBackChanged(const Group& group, Answer& answer) {
   const std::vector<char>& changed = answer.obsolete.changed();
   for (std::size_t body = 0; body < changed.size(); ++body)
     if (changed[body]) answer.bodies[body] = group.bodies[body];  // it may be in no island
-  answer.open.clear();
-  for (int i = 0; i < answer.islandCount(); ++i) {
-    const Island& island = answer.island(i);
+  for (int i = 0; i < answer.islands.count(); ++i) {
+    const Island& island = answer.islands[i];
     if (std::none_of(island.bodies.begin(), island.bodies.end(),
                      [&](int body) { return changed[body] != 0; }))
       continue;
-    answer.open.push_back(i);
+    answer.unanswered.push_back(i);
+    answer.results[i].isAnswered = false;
     for (int body : island.bodies) {
       answer.bodies[body] = group.bodies[body];
       if (const Articulation::Limb* limb = group.articulation.limbOf(body))
@@ -264,41 +258,52 @@ void reopenIslands(const Group& group, Answer& answer) {
 }  // namespace
 
 std::size_t Answer::bytes() const {
-  std::size_t sum = bytesOf(bodies, contacts, modes, troubles, rows, islands, open) +
-                    assembler.bytes() + joiner.bytes() + gains.bytes() + obsolete.bytes();
-  for (const IslandResult& island : islands) sum += bytesOf(island.blamed);
+  std::size_t sum = bytesOf(results, unanswered, bodies, contacts, modes, troubles, rows) +
+                    islands.bytes() + gains.bytes() + obsolete.bytes();
+  for (const IslandResult& result : results) sum += bytesOf(result.blamed);
   return sum;
 }
 
-void findIslands(const Group& group, const Economies& economies, Answer& answer) {
-  answer.assembler.split(group.bodies, group.contacts, group.rows, !economies.tangents);
-  answer.joined = !group.articulation.trees.empty();
-  if (answer.joined) answer.joiner.join(answer.assembler, group.articulation);
+void startAnswer(const Group& group, Answer& answer) {
+  const int islands = answer.islands.count();
+  answer.results.resize(islands);
+  for (IslandResult& result : answer.results) {
+    result.restlessBody = -1;
+    result.isAnswered = false;
+  }
+  answer.unanswered.resize(islands);
+  std::iota(answer.unanswered.begin(), answer.unanswered.end(), 0);
+
+  answer.bodies = group.bodies;
+  answer.contacts = group.guess;
+  answer.modes.assign(group.contacts.size(), Mode::Open);
+  answer.troubles.assign(group.contacts.size(), Trouble::None);
+  answer.rows = group.rowGuess;
+  answer.rows.resize(group.rows.size(), 0);
+  answer.gains.reset(group.articulation);
+  answer.matrices = answer.obsoleteConstraints = 0;
 }
 
 void checkIslands(const Group& group, Workshop& workshop, Answer& answer) {
-  const int count = answer.islandCount();
-  if (answer.joined) answer.gains.reset(group.articulation);
-  answer.islands.resize(count);
-  for (IslandResult& result : answer.islands) result.restless = -1;
-  answer.bodies = group.bodies;
-  answer.modes.assign(group.contacts.size(), Mode::Open);
-  answer.troubles.assign(group.contacts.size(), Trouble::None);
-  answer.open.resize(count);
-  std::iota(answer.open.begin(), answer.open.end(), 0);
-  checkOpenIslands(group, workshop, answer);
-}
-
-void startFromGuess(const Group& group, Answer& answer) {
-  answer.matrices = answer.obsoleteConstraints = 0;
-  answer.contacts = group.guess;
-  answer.rows = group.rowGuess;
-  answer.rows.resize(group.rows.size(), 0);
+  // Unknowns whose check takes longer than it takes to call another thread.
+  constexpr int worthwhile = 6000;
+  std::vector<int>& unanswered = answer.unanswered;
+  workshop.share(
+      static_cast<int>(unanswered.size()), worthwhile,
+      [&](int k) { return answer.islands[unanswered[k]].unknowns(); },
+      [&](Bench& bench, int k) {
+        const int i = unanswered[k];
+        checkIsland(group, answer.islands[i], workshop.options().economies, bench, answer,
+                    answer.results[i]);
+      });
+  const auto isAnswered = [&](int i) { return answer.results[i].isAnswered; };
+  unanswered.erase(std::remove_if(unanswered.begin(), unanswered.end(), isAnswered),
+                   unanswered.end());
 }
 
 void solveIslands(Group& group, const btContactSolverInfo& info, Workshop& workshop, Answer& answer,
                   StepReport& report) {
-  solveOpenIslands(group, workshop, answer);
+  solveUnanswered(group, workshop, answer);
   if (group.obsolete.empty()) return;
 
   ObsoleteConstraints& obsolete = answer.obsolete;
@@ -306,15 +311,15 @@ void solveIslands(Group& group, const btContactSolverInfo& info, Workshop& works
   for (int sweep = 0; sweep < info.m_numIterations &&
                       obsolete.sweep(group, info.m_timeStep, answer.bodies, report);
        ++sweep) {
-    reopenIslands(group, answer);
-    checkOpenIslands(group, workshop, answer);
-    solveOpenIslands(group, workshop, answer);
+    takeBackChanged(group, answer);
+    checkIslands(group, workshop, answer);
+    solveUnanswered(group, workshop, answer);
   }
   answer.obsoleteConstraints = obsolete.acted();
 }
 
-std::string nameOf(const Group& group, const Answer& answer, int i, int unknown) {
-  const Part part = partAt(group, answer.island(i), unknown);
+std::string nameOf(const Group& group, const Island& island, int unknown) {
+  const Part part = partAt(group, island, unknown);
   if (part.contact >= 0) return nameOf(group.contactSources[part.contact]);
   const auto joint =
       std::find_if(group.joints.begin(), group.joints.end(),

@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "bullet_ext/contact_event.h"
+#include "bullet_ext/group_islands.h"
 #include "bullet_ext/obsolete.h"
 #include "bullet_ext/workshop.h"
 #include "delassus/active_set.h"
 #include "delassus/articulation.h"
 #include "delassus/body.h"
-#include "delassus/economies.h"
 #include "delassus/island.h"
 #include "delassus/solution.h"
 
@@ -29,9 +29,9 @@ struct IslandResult {
   Tier tier;
   double residualMax, residualRms;  ///< m/s
   int parts;                        ///< contacts and rows
-  int restless;     ///< one of its bodies, if other reactions were found than those of the last
-                    ///< step; or −1
-  bool open;        ///< the check has left it to be solved
+  /// One of its bodies, if other reactions were found than those of the last step; or −1.
+  int restlessBody;
+  bool isAnswered;
   bool isSoftened;  ///< the exact answer would throw a body (thrown_bodies.h)
   /// First unknowns of the contacts and rows that keep it from being solved.
   std::vector<int> blamed;
@@ -39,37 +39,29 @@ struct IslandResult {
 
 /// What the reactions of a group are and what motion they leave.
 struct Answer {
+  GroupIslands islands;
+  std::vector<IslandResult> results;  ///< of each island
+  std::vector<int> unanswered;        ///< islands
+
   std::vector<Body> bodies;       ///< velocities after the reactions
   std::vector<Vec3> contacts;     ///< reaction of each contact in its frame, N·s
   std::vector<Mode> modes;        ///< of each contact
   std::vector<Trouble> troubles;  ///< the same
   std::vector<double> rows;       ///< reaction of each row, N·s
-  std::vector<IslandResult> islands;
-  std::vector<int> open;  ///< those that the check has left to be solved
-  Assembler assembler;    ///< has split the group
-  IslandJoiner joiner;    ///< of the islands, if there are articulated bodies
-  bool joined = false;    ///< there are
-  TreeGains gains;        ///< of these
-  int matrices = 0;       ///< problems whose W was built
+  TreeGains gains;                ///< of articulated bodies
+
+  int matrices = 0;  ///< problems whose W was built
   ObsoleteConstraints obsolete;
   int obsoleteConstraints = 0;  ///< that acted
-
-  /// Of the group; trees join what the assembler has split.
-  int islandCount() const {
-    return joined ? static_cast<int>(joiner.islands().size()) : assembler.islands();
-  }
-  const Island& island(int i) const { return joined ? joiner.islands()[i] : assembler.island(i); }
 
   std::size_t bytes() const;
 };
 
-/// Finds the islands of the group.
-void findIslands(const Group& group, const Economies& economies, Answer& answer);
+/// Before anything is solved, the islands being found: reactions are the guess of the group, bodies
+/// move as if there were none, and no island is answered.
+void startAnswer(const Group& group, Answer& answer);
 
-/// Puts the guess of the group in the place of the reactions.
-void startFromGuess(const Group& group, Answer& answer);
-
-/// Answers the islands of the plan that need no solving, starting from the reactions in `answer`.
+/// Answers the islands that need no solving; the others stay unanswered.
 void checkIslands(const Group& group, Workshop& workshop, Answer& answer);
 
 /// Solves the others, in turns with the constraints that solve themselves.
@@ -80,8 +72,7 @@ void checkIslands(const Group& group, Workshop& workshop, Answer& answer);
 void solveIslands(Group& group, const btContactSolverInfo& info, Workshop& workshop, Answer& answer,
                   StepReport& report);
 
-/// How messages call the contact or joint that island `i` of the answer blames by its first
-/// unknown.
-std::string nameOf(const Group& group, const Answer& answer, int i, int unknown);
+/// How messages call the contact or joint whose first unknown this is, in one of the islands.
+std::string nameOf(const Group& group, const Island& island, int unknown);
 
 }  // namespace delassus::bullet

@@ -219,8 +219,8 @@ TEST(Memory, RestlessAreTheContactsThatABodyHadBefore) {
   touch.group().bodySources = {{&body, Vec6::Zero()}};
   for (PointSource& source : touch.group().contactSources) source.bodyA = &body;
   Answer answer = answerOf(reactions);
-  answer.islands.resize(1);
-  answer.islands[0].restless = 0;
+  answer.results.resize(1);
+  answer.results[0].restlessBody = 0;
   Memory memory;
   memory.nextStep();
   memory.keep(touch.group(), answer, h);

@@ -38,13 +38,13 @@ struct Falling {
     forSolver.guessShare = polishedShare;  // as that of worlds
     Workshop workshop(forSolver, options);
     StepReport report;
-    findIslands(group, options.economies, answer);
-    startFromGuess(group, answer);
+    answer.islands.find(group, options.economies);
+    startAnswer(group, answer);
     checkIslands(group, workshop, answer);
     solveIslands(group, btContactSolverInfo(), workshop, answer, report);
   }
-  bool isKept() const { return answer.islands[0].tier == Tier::Kept; }
-  bool isRestless() const { return answer.islands[0].restless >= 0; }
+  bool isKept() const { return answer.results[0].tier == Tier::Kept; }
+  bool isRestless() const { return answer.results[0].restlessBody >= 0; }
 };
 
 // As good as kept reactions have to be, and as those that have just been found.
