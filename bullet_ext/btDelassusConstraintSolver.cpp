@@ -100,10 +100,8 @@ Options forWorlds(Options options) {
 }  // namespace
 
 struct btDelassusConstraintSolver::Workspace {
-  explicit Workspace(const Options& userOptions)
-      : options(userOptions), workshop(forWorlds(options), options) {}
+  explicit Workspace(const Options& options) : workshop(forWorlds(options)) {}
 
-  Options options;
   Workshop workshop;
   Group group;
   Memory memory;
@@ -200,7 +198,7 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(const GroupIn
     return {};
   }
 
-  const Economies& economies = w.options.economies;
+  const Economies& economies = w.workshop.options().economies;
   Laps laps;
   if (!economies.storage) {
     w.release();
@@ -219,7 +217,6 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(const GroupIn
   w.answer.islands.find(w.group, economies);
   const Plan plan = makePlan(w.group, heard, economies, w.answer.islands);
   startAnswer(w.group, w.answer);
-  w.workshop.clearCounts();
   checkIslands(w.group, w.workshop, w.answer);
   laps.end(report_.secondsPlan);
 
@@ -228,10 +225,10 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(const GroupIn
     laps.end(report_.secondsSolve);
   }
   judgeContradictions(w.group, info.m_timeStep, w.answer);
-  const Bench::Counts counts = w.workshop.counts();
+  const Bench::Counts counts = w.workshop.takeCounts();
   w.pushes.clear();
   if (plan.pushContacts > 0) {
-    solvePushes(w.group, plan.pushContacts > plan.deep, w.workshop, w.pushes);
+    solvePushes(w.group, w.workshop, w.pushes);
     laps.end(report_.secondsPush);
   }
   report_.plan.add(plan);
@@ -274,7 +271,7 @@ void btDelassusConstraintSolver::setGeometricStiffness(bool on) { geometricStiff
 
 void btDelassusConstraintSolver::reset() {
   const int threads = workspace_->workshop.threads();
-  workspace_ = std::make_unique<Workspace>(workspace_->options);
+  workspace_ = std::make_unique<Workspace>(workspace_->workshop.options());
   setThreads(threads);
   report_ = {};
 }

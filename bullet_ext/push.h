@@ -36,7 +36,8 @@ struct Pushes {
   std::size_t bytes() const;
 };
 
-/// With `all`, contacts with p = 0 take part too; if there are no others nothing moves.
-void solvePushes(const Group& group, bool all, Workshop& workshop, Pushes& pushes);
+/// If no contact has p > 0 all take part, and nothing moves: what a step costs that does not look
+/// whether it needs pushes (Economies::pushes).
+void solvePushes(const Group& group, Workshop& workshop, Pushes& pushes);
 
 }  // namespace delassus::bullet

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "bullet_ext/crew.h"
@@ -16,7 +17,7 @@ namespace delassus::bullet {
 /// All that one thread needs to answer one island after the other. Nothing that is left on it from
 /// the last island shows in the next one's answer.
 struct Bench {
-  Bench(const Options& forSolver, const Options& forCheck) : solver(forSolver), check(forCheck) {}
+  explicit Bench(const Options& options) : solver(options), check(options) {}
 
   Solver solver;
   IslandCheck check;
@@ -30,7 +31,7 @@ struct Bench {
            solution.bytes();
   }
 
-  /// What was done here since the last Workshop::clearCounts().
+  /// What was done here since the last Workshop::takeCounts().
   struct Counts : WorkDone {
     int unsolved = 0;
     void add(const Solution& solved) {
@@ -49,23 +50,19 @@ struct Bench {
 /// is at work.
 class Workshop {
  public:
-  Workshop(const Options& forSolver, const Options& forCheck)
-      : forSolver_(forSolver), forCheck_(forCheck) {
-    clear();
-  }
+  explicit Workshop(const Options& options) : options_(options) { clear(); }
 
   void setThreads(int threads) {
     crew_.setHands(std::max(threads, 1));
     clear();
   }
   int threads() const { return crew_.count(); }
-  const Options& options() const { return forSolver_; }
+  const Options& options() const { return options_; }
 
   /// Empty benches.
   void clear() {
     benches_.clear();
-    for (int i = 0; i < crew_.count(); ++i)
-      benches_.push_back(std::make_unique<Bench>(forSolver_, forCheck_));
+    for (int i = 0; i < crew_.count(); ++i) benches_.push_back(std::make_unique<Bench>(options_));
   }
 
   /// Calls work(bench, i) for all i < count. Others than the caller take part if there is enough
@@ -106,12 +103,10 @@ class Workshop {
     return sum;
   }
 
-  void clearCounts() {
-    for (const auto& bench : benches_) bench->counts = {};
-  }
-  Bench::Counts counts() const {
+  /// What was done on all benches since the last call.
+  Bench::Counts takeCounts() {
     Bench::Counts sum;
-    for (const auto& bench : benches_) sum.add(bench->counts);
+    for (const auto& bench : benches_) sum.add(std::exchange(bench->counts, {}));
     return sum;
   }
 
@@ -136,7 +131,7 @@ class Workshop {
     return most >= times * (total - most) ? heaviest : -1;
   }
 
-  Options forSolver_, forCheck_;
+  Options options_;
   Crew crew_;
   std::vector<std::unique_ptr<Bench>> benches_;  ///< one a hand
 };

@@ -34,9 +34,9 @@ struct Falling {
       group.pushes.push_back(0);
     }
     if (wasRestless) group.restless.assign(3, 1);
-    Options forSolver = options;
-    forSolver.guessShare = polishedShare;  // as that of worlds
-    Workshop workshop(forSolver, options);
+    Options forWorlds = options;
+    forWorlds.guessShare = polishedShare;
+    Workshop workshop(forWorlds);
     StepReport report;
     answer.islands.find(group, options.economies);
     startAnswer(group, answer);

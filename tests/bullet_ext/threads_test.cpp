@@ -187,7 +187,7 @@ TEST(Threads, AllOfThemSweepALargeIslandWithTheSameMotion) {
 // each once.
 TEST(Threads, APredominantIslandComesFirst) {
   constexpr int islands = 20, heavy = 7;
-  bullet::Workshop workshop({}, {});
+  bullet::Workshop workshop{Options()};
   for (int threads : {1, 3}) {
     workshop.setThreads(threads);
     for (int weightOfHeavy : {1, 40 * islands}) {
