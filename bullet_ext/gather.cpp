@@ -8,13 +8,12 @@ namespace delassus::bullet {
 
 void gatherGroup(Group& group, const GroupInput& input, StepReport& report, Extension* extension,
                  bool asStock) {
-  const btContactSolverInfo& info = *input.info;
   group.clear();
-  gatherBodies(group, input.bodies, input.bodyCount, info, report);
+  gatherBodies(group, input, report);
   if (extension) extension->gatherBodies(group, input, report);
-  gatherJoined(group, input.constraints, input.constraintCount);
-  gatherContacts(group, input.manifolds, input.manifoldCount, info, input.dispatcher, report);
-  gatherJoints(group, input.constraints, input.constraintCount, info, report);
+  gatherJoined(group, input);
+  gatherContacts(group, input, report);
+  gatherJoints(group, input, report);
   if (extension) extension->gatherRows(group, input, report);
   gatherTurningFriction(group, asStock);
 }

@@ -33,7 +33,13 @@ void gatherGroup(Group& group, const GroupInput& input, StepReport& report,
 int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo& info,
               StepReport& report);
 
-/// Bodies, then contacts with the target velocities of Bullet's sequential impulse solver:
+/// The bodies that were passed, by bodyIndex. Contacts and joints may bring more.
+void gatherBodies(Group& group, const GroupInput& input, StepReport& report);
+
+/// Which bodies joints hold to each other: gatherContacts asks.
+void gatherJoined(Group& group, const GroupInput& input);
+
+/// Contacts with the target velocities of Bullet's sequential impulse solver:
 ///
 ///     d = distance + slop        e' = max(0, −e a) if |a| ≥ threshold, else 0
 ///     d > 0:  target = e' − d/h              the contact may close its gap, no more
@@ -50,15 +56,10 @@ int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo
 /// the push. One whose push moves neither body (inVain), or that of what keeps its place with what
 /// stands, is idle. Friction: see contact_frame.h.
 ///
-/// Bodies that a joint holds to each other (gatherJoined comes first) collide all the same, unless
-/// the joint was added to the world as one whose bodies do not. Their contacts give by
-/// joinedSoftness and are never split: where they contradict the joint, both would be met, as rigid
-/// as they are, by 1e9 N·s.
-void gatherBodies(Group& group, btCollisionObject** bodies, int count,
-                  const btContactSolverInfo& info, StepReport& report);
-void gatherJoined(Group& group, btTypedConstraint** constraints, int count);
-void gatherContacts(Group& group, btPersistentManifold** manifolds, int count,
-                    const btContactSolverInfo& info, btDispatcher* dispatcher, StepReport& report);
+/// Bodies that a joint holds to each other collide all the same, unless the joint was added to the
+/// world as one whose bodies do not. Their contacts give by joinedSoftness and are never split:
+/// where they contradict the joint, both would be met, as rigid as they are, by 1e9 N·s.
+void gatherContacts(Group& group, const GroupInput& input, StepReport& report);
 
 /// Whether the step starts from the reactions of the last one. An exact answer needs no damping of
 /// where it starts from: m_warmstartingFactor only says whether to start there.
@@ -73,8 +74,7 @@ bool warmStarts(const btContactSolverInfo& info);
 /// whose impulse could move nothing, since its bodies are locked along it, takes no part (Bullet's
 /// gains no more than a little a sweep there). A disabled joint has no rows. Impulses and feedback
 /// are cleared.
-void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
-                  const btContactSolverInfo& info, StepReport& report);
+void gatherJoints(Group& group, const GroupInput& input, StepReport& report);
 
 /// Rows against rolling and spinning, of the contacts that ask for it; call it when all other rows
 /// are gathered. With Bullet's combined coefficients, read from the point and in m:

@@ -3,6 +3,7 @@
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "bullet_ext/convert.h"
+#include "bullet_ext/first_room.h"
 #include "bullet_ext/gather.h"
 #include "bullet_ext/names.h"
 
@@ -137,13 +138,9 @@ int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo
   return leftOut;
 }
 
-void gatherBodies(Group& group, btCollisionObject** bodies, int count,
-                  const btContactSolverInfo& info, StepReport& report) {
-  if (group.bodies.capacity() == 0) {  // as in makeFirstRoom
-    group.bodies.reserve(count);
-    group.bodySources.reserve(count);
-  }
-  for (int i = 0; i < count; ++i) bodyIndex(group, *bodies[i], info, report);
+void gatherBodies(Group& group, const GroupInput& input, StepReport& report) {
+  makeFirstRoom([&] { return input.bodyCount; }, group.bodies, group.bodySources);
+  for (int i = 0; i < input.bodyCount; ++i) bodyIndex(group, *input.bodies[i], *input.info, report);
 }
 
 }  // namespace delassus::bullet

@@ -9,6 +9,7 @@
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "bullet_ext/contact_frame.h"
 #include "bullet_ext/convert.h"
+#include "bullet_ext/first_room.h"
 #include "bullet_ext/gather.h"
 #include "bullet_ext/names.h"
 #include "bullet_ext/prefetch.h"
@@ -304,16 +305,10 @@ void prefetchPoints(const btPersistentManifold& manifold) {
   if (points > 0) prefetch(&manifold.getContactPoint(0), &manifold.getContactPoint(points - 1) + 1);
 }
 
-/// In a first step, whose memory is all to be found yet: lists that grow would go through twice as
-/// much of it. Later ones rarely need more than the last did.
-void makeFirstRoom(Group& group, btPersistentManifold** manifolds, int count) {
-  if (group.contacts.capacity() > 0) return;
+std::size_t pointsOf(const GroupInput& input) {
   std::size_t points = 0;
-  for (int i = 0; i < count; ++i) points += manifolds[i]->getNumContacts();
-  group.contacts.reserve(points);
-  group.contactSources.reserve(points);
-  group.pushes.reserve(points);
-  group.guess.reserve(points);
+  for (int i = 0; i < input.manifoldCount; ++i) points += input.manifolds[i]->getNumContacts();
+  return points;
 }
 
 }  // namespace
@@ -322,21 +317,23 @@ bool warmStarts(const btContactSolverInfo& info) {
   return (info.m_solverMode & SOLVER_USE_WARMSTARTING) && info.m_warmstartingFactor > 0;
 }
 
-void gatherContacts(Group& group, btPersistentManifold** manifolds, int count,
-                    const btContactSolverInfo& info, btDispatcher* dispatcher, StepReport& report) {
+void gatherContacts(Group& group, const GroupInput& input, StepReport& report) {
   // Of most manifolds only the first of their points is there to be read: asked for once their
   // number is.
   constexpr int ahead = 6, farAhead = 16;
-  makeFirstRoom(group, manifolds, count);
+  const btContactSolverInfo& info = *input.info;
+  const int count = input.manifoldCount;
+  makeFirstRoom([&] { return pointsOf(input); }, group.contacts, group.contactSources, group.pushes,
+                group.guess);
   for (int i = 0; i < count; ++i) {
-    btPersistentManifold& manifold = *manifolds[i];
-    if (i + farAhead < count) prefetchEnd(*manifolds[i + farAhead]);
-    if (i + ahead < count) prefetchPoints(*manifolds[i + ahead]);
+    btPersistentManifold& manifold = *input.manifolds[i];
+    if (i + farAhead < count) prefetchEnd(*input.manifolds[i + farAhead]);
+    if (i + ahead < count) prefetchPoints(*input.manifolds[i + ahead]);
     if (manifold.getNumContacts() == 0) continue;
     // Manifolds carry their bodies as const; the solver's are not, as in every Bullet solver.
     auto& a = const_cast<btCollisionObject&>(*manifold.getBody0());
     auto& b = const_cast<btCollisionObject&>(*manifold.getBody1());
-    if (!responds(dispatcher, a, b)) continue;
+    if (!responds(input.dispatcher, a, b)) continue;
     const int indexA = bodyIndex(group, a, info, report);
     const int indexB = bodyIndex(group, b, info, report);
     gatherManifold(group, pairOf(group, manifold, indexA, indexB, info), info, report);

@@ -7,6 +7,7 @@
 #include "bullet_ext/gather.h"
 #include "bullet_ext/names.h"
 #include "bullet_ext/softness.h"
+#include "delassus/contact_motion.h"
 
 namespace delassus::bullet {
 namespace {
@@ -69,10 +70,6 @@ double unfactoredResponse(const Group& group, const Row& row) {
          unfactoredResponse(group, row.b, row.jacobianB);
 }
 
-double relativeVelocity(const Group& group, int body, const Row6& J) {
-  return body >= 0 ? J.dot(group.bodies[body].velocity) : 0;
-}
-
 /// Whether an impulse along the row moves nothing: what its bodies are locked along, or have no
 /// inertia about, it cannot ask for.
 bool movesNothing(const Group& group, const Row& row) {
@@ -89,8 +86,7 @@ Row toRow(const Group& group, int a, int b, const InfoRow& info, double damping,
   row.b = b;
   row.jacobianA = jacobian(info.linearA, info.angularA);
   row.jacobianB = jacobian(info.linearB, info.angularB);
-  const double q =
-      relativeVelocity(group, a, row.jacobianA) + relativeVelocity(group, b, row.jacobianB);
+  const double q = along(group.bodies, a, row.jacobianA) + along(group.bodies, b, row.jacobianB);
   row.target = info.error + (1 - damping) * q;
   row.lower = toCoreBound(info.lower <= -breakingImpulse ? -breakingImpulse : info.lower);
   row.upper = toCoreBound(info.upper >= breakingImpulse ? breakingImpulse : info.upper);
@@ -178,19 +174,19 @@ bool holds(const btTypedConstraint& joint) {
 
 }  // namespace
 
-void gatherJoined(Group& group, btTypedConstraint** constraints, int count) {
+void gatherJoined(Group& group, const GroupInput& input) {
   const btRigidBody& world = btTypedConstraint::getFixedBody();
-  for (int i = 0; i < count; ++i) {
-    const btTypedConstraint& joint = *constraints[i];
+  for (int i = 0; i < input.constraintCount; ++i) {
+    const btTypedConstraint& joint = *input.constraints[i];
     const btRigidBody &a = joint.getRigidBodyA(), &b = joint.getRigidBodyB();
     if (joint.isEnabled() && holds(joint) && &a != &world && &b != &world) group.joined.add(a, b);
   }
 }
 
-void gatherJoints(Group& group, btTypedConstraint** constraints, int count,
-                  const btContactSolverInfo& info, StepReport& report) {
-  for (int i = 0; i < count; ++i) {
-    btTypedConstraint& joint = *constraints[i];
+void gatherJoints(Group& group, const GroupInput& input, StepReport& report) {
+  const btContactSolverInfo& info = *input.info;
+  for (int i = 0; i < input.constraintCount; ++i) {
+    btTypedConstraint& joint = *input.constraints[i];
     // Some joints clear their impulse in buildJacobian.
     const double lastImpulse = joint.internalGetAppliedImpulse();
     joint.buildJacobian();

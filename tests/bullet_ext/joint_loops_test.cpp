@@ -75,7 +75,9 @@ TEST(JointLoops, GiveByTheirOwnSoftnessFromTwoJointsOn) {
         joints.push_back(&world.addJoint<btPoint2PointConstraint>(body, btVector3(0, 0, 0)));
       bullet::Group group;
       StepReport report;
-      bullet::gatherJoints(group, joints.data(), holds + idle, world.info(), report);
+      const bullet::GroupInput input{nullptr,       0,      nullptr, 0, joints.data(), holds + idle,
+                                     &world.info(), nullptr};
+      bullet::gatherJoints(group, input, report);
       ASSERT_EQ(group.rows.size(), std::size_t(3 * holds)) << "what may not push has no row";
       const double softness = holds == 1 ? bullet::leastSoftness : bullet::loopSoftness;
       for (const Row& row : group.rows)

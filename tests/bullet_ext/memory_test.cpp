@@ -276,7 +276,8 @@ TEST(Memory, PointsOfThisStepAreFresh) {
   Group group;
   StepReport report;
   btPersistentManifold* manifold = world.dispatcher().getManifoldByIndexInternal(0);
-  gatherContacts(group, &manifold, 1, world.info(), &world.dispatcher(), report);
+  const GroupInput input{nullptr, 0, &manifold, 1, nullptr, 0, &world.info(), &world.dispatcher()};
+  gatherContacts(group, input, report);
   ASSERT_EQ(group.contactSources.size(), points.size());
   for (const PointSource& source : group.contactSources)
     EXPECT_EQ(source.fresh, source.point <= 1) << source.point;
