@@ -9,6 +9,7 @@
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "bullet_ext/convert.h"
+#include "bullet_ext/first_room.h"
 #include "bullet_ext/solve_group.h"
 #include "bullet_ext/write_back.h"
 #include "delassus/bytes.h"
@@ -34,6 +35,13 @@ int endOfManifold(const Group& group, int begin) {
 int numberOf(const btCollisionObject* body) {
   const btBroadphaseProxy* proxy = body ? body->getBroadphaseHandle() : nullptr;
   return proxy ? proxy->m_uniqueId : 0;
+}
+
+/// By what a group is known when it comes again; null if it has neither contacts nor joints.
+const void* signOf(const Group& group) {
+  if (!group.contactSources.empty()) return group.contactSources.front().manifold;
+  if (!group.joints.empty()) return group.joints.front().constraint;
+  return nullptr;
 }
 
 /// What the rows of a joint push one of its bodies with, N·s.
@@ -294,11 +302,8 @@ void Memory::keepTurns(const Group& group, const Answer& answer) {
 void Memory::keep(const Group& group, const Answer& answer, double h, bool withPulls) {
   if (!announced_) return;
   now_.length = h;
-  // By what a group is known when it comes again; one that has neither has no reactions to keep.
-  const void* sign = !group.contactSources.empty() ? group.contactSources.front().manifold
-                     : !group.joints.empty()       ? group.joints.front().constraint
-                                                   : static_cast<const void*>(nullptr);
-  if (!sign) return;
+  const void* sign = signOf(group);
+  if (!sign) return;  // no reactions to keep
   if (groups_.find(sign)) {
     announced_ = false;
     last_.clear();
@@ -306,28 +311,34 @@ void Memory::keep(const Group& group, const Answer& answer, double h, bool withP
     return;
   }
   groups_.insert(sign, 0);
+  keepPoints(group, answer);
+  keepRestless(group, answer);
+  keepJoints(group, answer, withPulls);
+  keepTurns(group, answer);
+}
 
+void Memory::keepPoints(const Group& group, const Answer& answer) {
   const auto contacts = static_cast<int>(group.contacts.size());
-  if (now_.points.capacity() == 0) now_.points.reserve(contacts);  // as in makeFirstRoom
+  makeFirstRoom([&] { return contacts; }, now_.points);
   for (int begin = 0, end; begin < contacts; begin = end) {
     end = endOfManifold(group, begin);
-    const auto first = static_cast<int>(now_.points.size());
+    Owner& owner = now_.manifolds.add(ownerOf(group.contactSources[begin]));
+    owner.begin = static_cast<int>(now_.points.size());
+    owner.end = owner.begin + end - begin;
     for (int i = begin; i < end; ++i) {
       const Contact& c = group.contacts[i];
       const Vec3& reaction = answer.contacts[i];
       now_.points.push_back({armOf(group, c), reaction, c.frame * reaction, false});
     }
-    Owner& owner = now_.manifolds.add(ownerOf(group.contactSources[begin]));
-    owner.begin = first;
-    owner.end = first + end - begin;
   }
+}
+
+void Memory::keepRestless(const Group& group, const Answer& answer) {
   // Room for all, though few are, for the same reason as in Owners::add.
   now_.restless.reserve(now_.restless.size() + answer.results.size());
   for (const IslandResult& island : answer.results)
     if (island.restlessBody >= 0 && group.bodySources[island.restlessBody].rigid)
       now_.restless.push_back(group.bodySources[island.restlessBody].rigid);
-  keepJoints(group, answer, withPulls);
-  keepTurns(group, answer);
 }
 
 void Memory::keepJoints(const Group& group, const Answer& answer, bool withPulls) {

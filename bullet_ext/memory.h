@@ -100,17 +100,23 @@ class Memory {
 
   static Owner ownerOf(const PointSource& point);
   static Owner ownerOf(const JointSource& joint, double impulse);
-  void recallJoints(Group& group);
-  void keepJoints(const Group& group, const Answer& answer, bool withPulls);
+
+  // `recall`, part by part; begin, end: the contacts of one manifold.
   void recallRestless(Group& group);
   void recallPoints(Group& group, int begin, int end);
   void recallDigits(Group& group, int begin, int end, const Owner& owner) const;
-  const Turn* nearestTurn(const Owner& owner, const Vec3& arm) const;
-  void recallTurns(Group& group);
-  void keepTurns(const Group& group, const Answer& answer);
   void claim(Group& group, int begin, int end, const Owner& owner, bool fresh);
   void matchWrench(Group& group, int begin, int end, const Owner& owner) const;
   void matchForce(Group& group, int contact, const Owner& owner) const;
+  void recallJoints(Group& group);
+  void recallTurns(Group& group);
+  const Turn* nearestTurn(const Owner& owner, const Vec3& arm) const;
+
+  // `keep`, part by part.
+  void keepPoints(const Group& group, const Answer& answer);
+  void keepRestless(const Group& group, const Answer& answer);
+  void keepJoints(const Group& group, const Answer& answer, bool withPulls);
+  void keepTurns(const Group& group, const Answer& answer);
 
   bool announced_ = false;
   Step last_, now_;
