@@ -204,13 +204,7 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(const GroupIn
     w.release();
     if (extension) extension->release();
   }
-  gatherGroup(w.group, input, report_, extension, stockRollingFriction_);
-  if (warmStarts(info)) {
-    w.memory.recall(w.group);
-    if (extension) extension->recall(w.group);
-    w.memory.fitTimeStep(w.group, info.m_timeStep);
-    if (geometricStiffness_) addTo(report_.stiffened, w.stiffness.stiffen(w.group, info));
-  }
+  gather(input, extension);
   laps.end(report_.secondsGather);
 
   const bool heard = listener_ || troubleListener_ || turningListener_;
@@ -237,6 +231,31 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(const GroupIn
       std::max(report_.workspaceBytes, w.bytes() + (extension ? extension->bytes() : 0));
   w.memory.keep(w.group, w.answer, info.m_timeStep, geometricStiffness_);
 
+  writeBack(plan, info, extension);
+  laps.end(report_.secondsWriteBack);
+
+  quiet.reset();
+  if (plan.heard && !w.events.empty()) {
+    tellListeners();
+    laps.end(report_.secondsListener);
+  }
+  return work;
+}
+
+void btDelassusConstraintSolver::gather(const GroupInput& input, Extension* extension) {
+  const btContactSolverInfo& info = *input.info;
+  Workspace& w = *workspace_;
+  gatherGroup(w.group, input, report_, extension, stockRollingFriction_);
+  if (!warmStarts(info)) return;
+  w.memory.recall(w.group);
+  if (extension) extension->recall(w.group);
+  w.memory.fitTimeStep(w.group, info.m_timeStep);
+  if (geometricStiffness_) addTo(report_.stiffened, w.stiffness.stiffen(w.group, info));
+}
+
+void btDelassusConstraintSolver::writeBack(const Plan& plan, const btContactSolverInfo& info,
+                                           Extension* extension) {
+  Workspace& w = *workspace_;
   w.events.clear();
   writeVelocities(w.group, w.answer);
   writePushes(w.group, w.pushes, info);
@@ -245,20 +264,16 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(const GroupIn
   writeJoints(w.group, w.answer, info);
   if (extension) extension->writeBack(w.group, w.answer, info);
   addTo(report_.events, static_cast<int>(w.events.size()));
-  laps.end(report_.secondsWriteBack);
+}
 
-  quiet.reset();
-  if (plan.heard && !w.events.empty()) {
-    const auto listener = listener_, troubleListener = troubleListener_,
-               turningListener = turningListener_;
-    for (const ContactEvent& event : w.events) {
-      if (listener && event.from != event.to) (*listener)(event);
-      if (troubleListener && event.trouble != Trouble::None) (*troubleListener)(event);
-      if (turningListener && !event.moment.isZero()) (*turningListener)(event);
-    }
-    laps.end(report_.secondsListener);
+void btDelassusConstraintSolver::tellListeners() const {
+  const auto listener = listener_, troubleListener = troubleListener_,
+             turningListener = turningListener_;
+  for (const ContactEvent& event : workspace_->events) {
+    if (listener && event.from != event.to) (*listener)(event);
+    if (troubleListener && event.trouble != Trouble::None) (*troubleListener)(event);
+    if (turningListener && !event.moment.isZero()) (*turningListener)(event);
   }
-  return work;
 }
 
 void btDelassusConstraintSolver::setThreads(int threads) {

@@ -97,6 +97,10 @@ class btDelassusConstraintSolver : public btConstraintSolver {
     double residualMax = -1;  ///< m/s; −1 if nothing was solved
   };
   Work solve(const delassus::bullet::GroupInput& input, delassus::bullet::Extension* extension);
+  void gather(const delassus::bullet::GroupInput& input, delassus::bullet::Extension* extension);
+  void writeBack(const delassus::Plan& plan, const btContactSolverInfo& info,
+                 delassus::bullet::Extension* extension);
+  void tellListeners() const;
 
   struct Workspace;
   std::unique_ptr<Workspace> workspace_;
