@@ -47,6 +47,55 @@ Inertia inertiaOf(const Group& group, const Island& island) {
   return sum;
 }
 
+/// What is done to hold an island, and the most that is asked for there.
+struct Hold {
+  double work = 0;            ///< r (u + u⁺)/2 of all that holds, J
+  double push = 0, turn = 0;  ///< targets, m/s and rad/s
+};
+/// No work where no joint holds, whatever contacts do.
+Hold holdOf(const Group& group, const Island& island, const Problem& problem,
+            const Solution& solution) {
+  const VectorXd &r = solution.r, &compliance = problem.W.bodySpace().compliance;
+  Hold sum;
+  const auto add = [&](int at, double target) {
+    sum.work += r[at] * (0.5 * (problem.q[at] + solution.u[at] - compliance[at] * r[at]) + target);
+  };
+  bool jointsHold = false;
+  const auto contacts = static_cast<int>(r.size() - island.rows.size());
+  for (std::size_t i = 0; i < island.rows.size(); ++i) {
+    const int at = contacts + static_cast<int>(i);
+    const Row& row = group.rows[island.rows[i]];
+    if (row.governor >= 0 || r[at] == 0 || std::isfinite(r[at] > 0 ? row.upper : row.lower))
+      continue;
+    add(at, row.target);
+    const bool turns = row.jacobianA.head<3>().isZero(0) && row.jacobianB.head<3>().isZero(0);
+    double& asked = turns ? sum.turn : sum.push;
+    asked = std::max(asked, std::abs(row.target));
+    jointsHold = true;
+  }
+  if (!jointsHold) return {};
+
+  int at = 0;
+  const auto addContact = [&](double target) {
+    add(at++, target);
+    sum.push = std::max(sum.push, std::abs(target));
+  };
+  for (const int k : island.frictional)
+    for (const double target : group.contacts[k].target) addContact(target);
+  for (const int k : island.frictionless) addContact(group.contacts[k].target[0]);
+  return sum;
+}
+
+/// How far the bodies of the island's joints are from each other at most, m.
+double longestJoint(const Group& group, const Island& island) {
+  double length = 0;
+  for (const JointSource& joint : group.joints)
+    if (joint.rowCount > 0 &&
+        std::binary_search(island.rows.begin(), island.rows.end(), joint.firstRow))
+      length = std::max(length, lengthOf(joint));
+  return length;
+}
+
 }  // namespace
 
 bool contactsThrowOne(const Group& group, const Island& island, double demand,
@@ -63,48 +112,15 @@ bool contactsThrowOne(const Group& group, const Island& island, double demand,
 
 bool jointsThrowOne(const Group& group, const Island& island, const Problem& problem,
                     const Solution& solution) {
-  const VectorXd &r = solution.r, &compliance = problem.W.bodySpace().compliance;
-  double work = 0, push = 0, turn = 0;
-  const auto hold = [&](int at, double target) {
-    work += r[at] * (0.5 * (problem.q[at] + solution.u[at] - compliance[at] * r[at]) + target);
-  };
-  const int contacts = static_cast<int>(r.size() - island.rows.size());
-  bool holds = false;
-  for (std::size_t i = 0; i < island.rows.size(); ++i) {
-    const int at = contacts + static_cast<int>(i);
-    const Row& row = group.rows[island.rows[i]];
-    if (row.governor >= 0 || r[at] == 0 || std::isfinite(r[at] > 0 ? row.upper : row.lower))
-      continue;
-    hold(at, row.target);
-    const bool turns = row.jacobianA.head<3>().isZero(0) && row.jacobianB.head<3>().isZero(0);
-    double& asked = turns ? turn : push;
-    asked = std::max(asked, std::abs(row.target));
-    holds = true;
-  }
-  if (!holds) return false;
-  int at = 0;
-  for (const int k : island.frictional)
-    for (const double target : group.contacts[k].target) {
-      hold(at++, target);
-      push = std::max(push, std::abs(target));
-    }
-  for (const int k : island.frictionless) {
-    const double target = group.contacts[k].target[0];
-    hold(at++, target);
-    push = std::max(push, std::abs(target));
-  }
-  if (!(work > 0)) return false;
+  const Hold hold = holdOf(group, island, problem, solution);
+  if (!(hold.work > 0)) return false;
   const Inertia inertia = inertiaOf(group, island);
   const auto exceeds = [&](double asked) {
-    return work > jointReach * jointReach * (inertia.energy + 0.5 * inertia.mass * asked * asked);
+    return hold.work >
+           jointReach * jointReach * (inertia.energy + 0.5 * inertia.mass * asked * asked);
   };
-  if (!exceeds(push)) return false;  // few go on, so that lengths may be looked for in all joints
-  double length = 0;
-  for (const JointSource& joint : group.joints)
-    if (joint.rowCount > 0 &&
-        std::binary_search(island.rows.begin(), island.rows.end(), joint.firstRow))
-      length = std::max(length, lengthOf(joint));
-  return exceeds(push + turn * length);
+  if (!exceeds(hold.push)) return false;  // few go on, so that all joints may be gone through
+  return exceeds(hold.push + hold.turn * longestJoint(group, island));
 }
 
 void soften(const std::vector<Body>& bodies, Contact& contact) {
