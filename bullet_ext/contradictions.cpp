@@ -54,7 +54,7 @@ double placesOf(const Group& group, const Island& island) {
   return places;
 }
 
-/// The island with this row, and its place among the unknowns there.
+/// Makes the island with this row incompatible, by its place among the unknowns there.
 void blame(int row, double missed, Answer& answer) {
   for (int i = 0; i < answer.islands.count(); ++i) {
     const Island& island = answer.islands[i];
@@ -70,10 +70,8 @@ void blame(int row, double missed, Answer& answer) {
   }
 }
 
-}  // namespace
-
-void judgeContradictions(const Group& group, double h, Answer& answer) {
-  constexpr double share = 0.1;
+/// Has islands solved that miss no more than the rounding of poses asks for.
+void forgiveRounding(const Group& group, double h, Answer& answer) {
   for (int i = 0; i < answer.islands.count(); ++i) {
     IslandResult& result = answer.results[i];
     const Island& island = answer.islands[i];
@@ -82,22 +80,31 @@ void judgeContradictions(const Group& group, double h, Answer& answer) {
       continue;
     result.status = Status::Solved;
     result.blamed.clear();
-    for (const std::vector<int>* contacts : {&island.frictional, &island.frictionless})
-      for (const int k : *contacts) answer.troubles[k] = Trouble::None;
+    island.eachContact([&](int contact) { answer.troubles[contact] = Trouble::None; });
   }
-  for (const JointSource& joint : group.joints) {
-    if (joint.isSoft || joint.rowCount == 0) continue;
-    int worst = joint.firstRow;
-    const auto missedBy = [&](int i) {
-      return group.rows[i].compliance * std::abs(answer.rows[i]);
-    };
-    for (int i = joint.firstRow + 1; i < joint.firstRow + joint.rowCount; ++i)
-      if (missedBy(i) > missedBy(worst)) worst = i;
-    const double missed = missedBy(worst);
-    if (missed > share * speedOf(group, group.rows[worst]) &&
-        missed > askedByRounding(placesOf(joint), h) && missed > share * askedBy(group, joint))
-      blame(worst, missed, answer);
-  }
+}
+
+/// Blames the row of the joint that gives most if that is much.
+void judgeJoint(const Group& group, const JointSource& joint, double h, Answer& answer) {
+  constexpr double share = 0.1;
+  const auto missedBy = [&](int row) {
+    return group.rows[row].compliance * std::abs(answer.rows[row]);
+  };
+  int worst = joint.firstRow;
+  for (int i = joint.firstRow + 1; i < joint.firstRow + joint.rowCount; ++i)
+    if (missedBy(i) > missedBy(worst)) worst = i;
+  const double missed = missedBy(worst);
+  if (missed > share * speedOf(group, group.rows[worst]) &&
+      missed > askedByRounding(placesOf(joint), h) && missed > share * askedBy(group, joint))
+    blame(worst, missed, answer);
+}
+
+}  // namespace
+
+void judgeContradictions(const Group& group, double h, Answer& answer) {
+  forgiveRounding(group, h, answer);
+  for (const JointSource& joint : group.joints)
+    if (!joint.isSoft && joint.rowCount > 0) judgeJoint(group, joint, h, answer);
 }
 
 }  // namespace delassus::bullet

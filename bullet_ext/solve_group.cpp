@@ -141,8 +141,7 @@ void checkIsland(const Group& group, const Island& island, const Economies& econ
 void solveSoftened(const Group& group, const Island& island, bool withJoints, Bench& bench,
                    Answer& answer, IslandResult& result) {
   std::vector<Contact> contacts = group.contacts;
-  for (const std::vector<int>* own : {&island.frictional, &island.frictionless})
-    for (const int k : *own) soften(group.bodies, contacts[k]);
+  island.eachContact([&](int i) { soften(group.bodies, contacts[i]); });
   std::vector<Row> rows = group.rows;
   if (withJoints)
     for (const int k : island.rows)
@@ -167,8 +166,7 @@ void solveSoftened(const Group& group, const Island& island, bool withJoints, Be
 /// Better no reaction than one that spoils the world; the residual says how good that is.
 void takeNoReactions(const Problem& problem, const Island& island, Answer& answer,
                      IslandResult& result) {
-  for (const std::vector<int>* contacts : {&island.frictional, &island.frictionless})
-    for (int i : *contacts) answer.contacts[i].setZero();
+  island.eachContact([&](int i) { answer.contacts[i].setZero(); });
   for (int i : island.rows) answer.rows[i] = 0;
   const VelocityResidual atRest = naturalResidual(problem, VectorXd::Zero(problem.size()));
   result.status = Status::NonFinite;
@@ -246,12 +244,10 @@ void takeBackChanged(const Group& group, Answer& answer) {
       if (const Articulation::Limb* limb = group.articulation.limbOf(body))
         answer.gains.of[limb->tree].setZero();
     }
-    for (const std::vector<int>* contacts : {&island.frictional, &island.frictionless}) {
-      for (int contact : *contacts) {
-        answer.modes[contact] = Mode::Open;
-        answer.troubles[contact] = Trouble::None;
-      }
-    }
+    island.eachContact([&](int contact) {
+      answer.modes[contact] = Mode::Open;
+      answer.troubles[contact] = Trouble::None;
+    });
   }
 }
 

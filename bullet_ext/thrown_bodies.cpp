@@ -101,12 +101,11 @@ double longestJoint(const Group& group, const Island& island) {
 bool contactsThrowOne(const Group& group, const Island& island, double demand,
                       const Answer& answer) {
   double before = demand, after = 0;
-  for (const std::vector<int>* contacts : {&island.frictional, &island.frictionless})
-    for (const int k : *contacts) {
-      before = std::max(before, fasterOf(group.bodies, group.contacts[k]));
-      if (answer.contacts[k][0] > 0)
-        after = std::max(after, fasterOf(answer.bodies, group.contacts[k]));
-    }
+  island.eachContact([&](int k) {
+    before = std::max(before, fasterOf(group.bodies, group.contacts[k]));
+    if (answer.contacts[k][0] > 0)
+      after = std::max(after, fasterOf(answer.bodies, group.contacts[k]));
+  });
   return after > reach * before;
 }
 

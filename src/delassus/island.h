@@ -24,6 +24,12 @@ struct Island {
   int unknowns() const {
     return static_cast<int>(3 * frictional.size() + frictionless.size() + rows.size());
   }
+  /// Calls work(contact) for all of its contacts, those with friction first.
+  template <class Work>
+  void eachContact(const Work& work) const {
+    for (const int contact : frictional) work(contact);
+    for (const int contact : frictionless) work(contact);
+  }
   /// The unknown that is the normal reaction of one of its contacts.
   int normalOf(int contact) const;
   std::size_t bytes() const { return bytesOf(bodies, frictional, frictionless, rows); }

@@ -48,11 +48,10 @@ bool isSlower(const std::vector<Body>& bodies, const std::vector<Contact>& conta
   const auto reachTo = [&](int body, const Vec3& arm) {
     if (body >= 0 && bodies[body].movable()) reach = std::max(reach, arm.squaredNorm());
   };
-  for (const std::vector<int>* touching : {&island.frictional, &island.frictionless})
-    for (int i : *touching) {
-      reachTo(contacts[i].a, contacts[i].armA);
-      reachTo(contacts[i].b, contacts[i].armB);
-    }
+  island.eachContact([&](int i) {
+    reachTo(contacts[i].a, contacts[i].armA);
+    reachTo(contacts[i].b, contacts[i].armB);
+  });
   return turn * reach <= square;
 }
 
