@@ -40,10 +40,12 @@ void btDelassusMultiBodyConstraintSolver::solveMultiBodyGroup(
     btTypedConstraint** constraints, int constraintCount,
     btMultiBodyConstraint** multiBodyConstraints, int multiBodyConstraintCount,
     const btContactSolverInfo& info, btIDebugDraw*, btDispatcher* dispatcher) {
-  parts_->articulated.setConstraints(multiBodyConstraints, multiBodyConstraintCount);
-  const auto work = parts_->rigid.solve({bodies, bodyCount, manifolds, manifoldCount, constraints,
-                                         constraintCount, &info, dispatcher},
-                                        &parts_->articulated);
+  // Of an unsplit group Bullet passes as many as there are joints, of an array that may be none.
+  const int articulatedCount = multiBodyConstraints ? multiBodyConstraintCount : 0;
+  const auto work = parts_->rigid.solve(
+      {bodies, bodyCount, manifolds, manifoldCount, constraints, constraintCount, &info, dispatcher,
+       multiBodyConstraints, articulatedCount},
+      &parts_->articulated);
 
   m_analyticsData.m_islandId = bodyCount > 0 ? bodies[0]->getIslandTag() : -2;
   m_analyticsData.m_numBodies = bodyCount;

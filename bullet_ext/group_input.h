@@ -2,13 +2,14 @@
 
 class btCollisionObject;
 class btDispatcher;
+class btMultiBodyConstraint;
 class btPersistentManifold;
 class btTypedConstraint;
 struct btContactSolverInfo;
 
 namespace delassus::bullet {
 
-/// What Bullet passes to solveGroup, good until that returns.
+/// What Bullet passes to solveGroup or solveMultiBodyGroup, good until that returns.
 struct GroupInput {
   btCollisionObject** bodies;
   int bodyCount;
@@ -18,6 +19,8 @@ struct GroupInput {
   int constraintCount;
   const btContactSolverInfo* info;
   btDispatcher* dispatcher;  ///< null: bodies say themselves whether they respond
+  btMultiBodyConstraint** multiBodyConstraints = nullptr;
+  int multiBodyConstraintCount = 0;
 };
 
 }  // namespace delassus::bullet

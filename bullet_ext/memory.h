@@ -120,8 +120,8 @@ class Memory {
 
   bool announced_ = false;
   Step last_, now_;
-  AddressTable restless_;
-  AddressTable groups_;  ///< kept in this step, each by its first manifold or joint
+  AddressTable restless_;  ///< the bodies of last_.restless, while a group is recalled
+  AddressTable groups_;    ///< kept in this step, each by its first manifold or joint
 };
 
 }  // namespace delassus::bullet

@@ -10,7 +10,7 @@ void MultiBodyParts::gatherBodies(Group& group, const GroupInput& input, StepRep
 }
 
 void MultiBodyParts::gatherRows(Group& group, const GroupInput& input, StepReport& report) {
-  rows_.gather(group, input, constraints_, constraintCount_, report);
+  rows_.gather(group, input, report);
 }
 
 void MultiBodyParts::recall(Group& group) const { MultiBodyRows::recall(group); }

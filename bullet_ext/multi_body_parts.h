@@ -16,13 +16,6 @@ class MultiBodyParts : public Extension {
   MultiBodyParts(const MultiBodyParts&) = delete;
   MultiBodyParts& operator=(const MultiBodyParts&) = delete;
 
-  /// Those that were passed with the group; good until its end.
-  void setConstraints(btMultiBodyConstraint** constraints, int count) {
-    constraints_ = constraints;
-    // Of an unsplit group Bullet passes as many as there are joints, of an array that may be none.
-    constraintCount_ = constraints ? count : 0;
-  }
-
   void gatherBodies(Group& group, const GroupInput& input, StepReport& report) override;
   void gatherRows(Group& group, const GroupInput& input, StepReport& report) override;
   void recall(Group& group) const override;
@@ -33,8 +26,6 @@ class MultiBodyParts : public Extension {
   std::size_t bytes() const override;
 
  private:
-  btMultiBodyConstraint** constraints_ = nullptr;
-  int constraintCount_ = 0;
   btMultiBodyJacobianData data_;
   MultiBodyTrees trees_{data_};
   MultiBodyRows rows_{trees_, data_};

@@ -115,17 +115,17 @@ struct MultiBodyRows::Side {
   const btVector3 &linear, &angular;  ///< its Jacobian
 };
 
-void MultiBodyRows::gather(Group& group, const GroupInput& input,
-                           btMultiBodyConstraint** constraints, int count, StepReport& report) {
+void MultiBodyRows::gather(Group& group, const GroupInput& input, StepReport& report) {
   asked_.resizeNoInitialize(0);
-  if (count == 0) return;
+  if (input.multiBodyConstraintCount == 0) return;
   data_.m_jacobians.resizeNoInitialize(0);
   data_.m_deltaVelocitiesUnitImpulse.resizeNoInitialize(0);
   data_.m_deltaVelocities.resizeNoInitialize(0);
 
   fillSolverBodies(group);
   const LentCompanionIds lent(group, input, data_.m_fixedBodyId, asked_);
-  for (int i = 0; i < count; ++i) gatherConstraint(group, *constraints[i], *input.info, report);
+  for (int i = 0; i < input.multiBodyConstraintCount; ++i)
+    gatherConstraint(group, *input.multiBodyConstraints[i], *input.info, report);
 }
 
 void MultiBodyRows::fillSolverBodies(const Group& group) {

@@ -36,8 +36,7 @@ class MultiBodyRows {
 
   /// Asks the constraints for their rows and adds these. Their impulses become the guesses of the
   /// rows, and are cleared. What is not finite is left out, and the report names it.
-  void gather(Group& group, const GroupInput& input, btMultiBodyConstraint** constraints, int count,
-              StepReport& report);
+  void gather(Group& group, const GroupInput& input, StepReport& report);
   /// Fills the guesses.
   static void recall(Group& group);
   /// Impulses of the constraints, and forces on their links for joint feedback.
