@@ -31,7 +31,7 @@ struct IslandResult {
   int parts;                        ///< contacts and rows
   /// One of its bodies, if other reactions were found than those of the last step; or −1.
   int restlessBody;
-  bool isAnswered;
+  bool isAnswered;  ///< or else among Answer::unanswered
   bool isSoftened;  ///< the exact answer would throw a body (thrown_bodies.h)
   /// First unknowns of the contacts and rows that keep it from being solved.
   std::vector<int> blamed;
@@ -41,7 +41,7 @@ struct IslandResult {
 struct Answer {
   GroupIslands islands;
   std::vector<IslandResult> results;  ///< of each island
-  std::vector<int> unanswered;        ///< islands
+  std::vector<int> unanswered;        ///< the islands that are to be answered yet
 
   std::vector<Body> bodies;       ///< velocities after the reactions
   std::vector<Vec3> contacts;     ///< reaction of each contact in its frame, N·s
