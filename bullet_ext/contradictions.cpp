@@ -14,11 +14,13 @@
 namespace delassus::bullet {
 namespace {
 
-/// Of the bodies of a row, before the reactions, m/s and rad/s.
-double speedOf(const Group& group, const Row& row) {
+/// Of the bodies of a row, before the reactions or after: what rests may be struck, m/s and rad/s.
+double speedOf(const Group& group, const Answer& answer, const Row& row) {
   double largest = 0;
   for (const int body : {row.a, row.b})
-    if (body >= 0) largest = std::max(largest, group.bodies[body].velocity.cwiseAbs().maxCoeff());
+    if (body >= 0)
+      for (const std::vector<Body>* bodies : {&group.bodies, &answer.bodies})
+        largest = std::max(largest, (*bodies)[body].velocity.cwiseAbs().maxCoeff());
   return largest;
 }
 
@@ -94,7 +96,7 @@ void judgeJoint(const Group& group, const JointSource& joint, double h, Answer& 
   for (int i = joint.firstRow + 1; i < joint.firstRow + joint.rowCount; ++i)
     if (missedBy(i) > missedBy(worst)) worst = i;
   const double missed = missedBy(worst);
-  if (missed > share * speedOf(group, group.rows[worst]) &&
+  if (missed > share * speedOf(group, answer, group.rows[worst]) &&
       missed > askedByRounding(placesOf(joint), h) && missed > share * askedBy(group, joint))
     blame(worst, missed, answer);
 }

@@ -1,6 +1,7 @@
 #include "bullet_ext/thrown_bodies.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -32,24 +33,28 @@ double lengthOf(const JointSource& joint) {
       .norm();
 }
 
-/// Of the bodies of the island, before its reactions.
-struct Inertia {
-  double mass = 0, energy = 0;  ///< kg; of what does not turn, J
-};
-Inertia inertiaOf(const Group& group, const Island& island) {
-  Inertia sum;
-  for (const int body : island.bodies) {
-    const double inverse = group.bodies[body].inverseMass.maxCoeff();
-    if (!(inverse > 0)) continue;
-    sum.mass += 1 / inverse;
-    sum.energy += 0.5 / inverse * group.bodies[body].velocity.head<3>().squaredNorm();
-  }
-  return sum;
+bool turns(const Row& row) {
+  return row.jacobianA.head<3>().isZero(0) && row.jacobianB.head<3>().isZero(0);
 }
 
-/// What is done to hold an island, and the most that is asked for there.
+/// How fast contacts of the island go about its bodies if these turn as joints ask, m/s.
+double askedByTurns(const Group& group, const Island& island) {
+  double turn = 0, arm = 0;
+  for (const int k : island.rows)
+    if (group.rows[k].governor < 0 && turns(group.rows[k]))
+      turn = std::max(turn, std::abs(group.rows[k].target));
+  island.eachContact([&](int k) {
+    const Contact& c = group.contacts[k];
+    if (c.a != fixedWorld) arm = std::max(arm, c.armA.norm());
+    if (c.b != fixedWorld) arm = std::max(arm, c.armB.norm());
+  });
+  return turn * arm;
+}
+
+/// What is done to the bodies of an island, and the most that is asked for there.
 struct Hold {
   double work = 0;            ///< r (u + u⁺)/2 of all that holds, J
+  double drive = 0;           ///< of what drives joints, whichever way, J
   double push = 0, turn = 0;  ///< targets, m/s and rad/s
 };
 /// No work where no joint holds, whatever contacts do.
@@ -57,19 +62,21 @@ Hold holdOf(const Group& group, const Island& island, const Problem& problem,
             const Solution& solution) {
   const VectorXd &r = solution.r, &compliance = problem.W.bodySpace().compliance;
   Hold sum;
-  const auto add = [&](int at, double target) {
-    sum.work += r[at] * (0.5 * (problem.q[at] + solution.u[at] - compliance[at] * r[at]) + target);
+  const auto workOf = [&](int at, double target) {
+    return r[at] * (0.5 * (problem.q[at] + solution.u[at] - compliance[at] * r[at]) + target);
   };
   bool jointsHold = false;
   const auto contacts = static_cast<int>(r.size() - island.rows.size());
   for (std::size_t i = 0; i < island.rows.size(); ++i) {
     const int at = contacts + static_cast<int>(i);
     const Row& row = group.rows[island.rows[i]];
-    if (row.governor >= 0 || r[at] == 0 || std::isfinite(r[at] > 0 ? row.upper : row.lower))
+    if (row.governor >= 0 || r[at] == 0) continue;
+    if (std::isfinite(r[at] > 0 ? row.upper : row.lower)) {
+      sum.drive += std::abs(workOf(at, row.target));
       continue;
-    add(at, row.target);
-    const bool turns = row.jacobianA.head<3>().isZero(0) && row.jacobianB.head<3>().isZero(0);
-    double& asked = turns ? sum.turn : sum.push;
+    }
+    sum.work += workOf(at, row.target);
+    double& asked = turns(row) ? sum.turn : sum.push;
     asked = std::max(asked, std::abs(row.target));
     jointsHold = true;
   }
@@ -77,12 +84,39 @@ Hold holdOf(const Group& group, const Island& island, const Problem& problem,
 
   int at = 0;
   const auto addContact = [&](double target) {
-    add(at++, target);
+    sum.work += workOf(at++, target);
     sum.push = std::max(sum.push, std::abs(target));
   };
   for (const int k : island.frictional)
     for (const double target : group.contacts[k].target) addContact(target);
   for (const int k : island.frictionless) addContact(group.contacts[k].target[0]);
+  return sum;
+}
+
+/// Whether the work is more than it takes to have all that moves go `jointReach` times as fast as
+/// it did, at the speed that is asked for.
+bool exceeds(double work, double energy) { return work > jointReach * jointReach * energy; }
+
+/// Of the bodies that may leave their place: what they have, and what `speed` gives them, J.
+double energyOfPlaces(const Group& group, const Island& island, double speed) {
+  double sum = 0;
+  for (const int body : island.bodies) {
+    const double inverse = group.bodies[body].inverseMass.maxCoeff();
+    if (inverse > 0)
+      sum += 0.5 / inverse * (group.bodies[body].velocity.head<3>().squaredNorm() + speed * speed);
+  }
+  return sum;
+}
+
+/// The same of their turns, about the axes about which they may turn.
+double energyOfTurns(const Group& group, const Island& island, double speed) {
+  double sum = 0;
+  for (const int body : island.bodies) {
+    const Mat3 inertia =
+        group.bodies[body].inverseInertia.completeOrthogonalDecomposition().pseudoInverse();
+    const Vec3 turn = group.bodies[body].velocity.tail<3>();
+    sum += 0.5 * (turn.dot(inertia * turn) + speed * speed * inertia.trace());
+  }
   return sum;
 }
 
@@ -106,20 +140,19 @@ bool contactsThrowOne(const Group& group, const Island& island, double demand,
     if (answer.contacts[k][0] > 0)
       after = std::max(after, fasterOf(answer.bodies, group.contacts[k]));
   });
-  return after > reach * before;
+  return after > reach * before && after > reach * (before + askedByTurns(group, island));
 }
 
 bool jointsThrowOne(const Group& group, const Island& island, const Problem& problem,
                     const Solution& solution) {
   const Hold hold = holdOf(group, island, problem, solution);
-  if (!(hold.work > 0)) return false;
-  const Inertia inertia = inertiaOf(group, island);
-  const auto exceeds = [&](double asked) {
-    return hold.work >
-           jointReach * jointReach * (inertia.energy + 0.5 * inertia.mass * asked * asked);
-  };
-  if (!exceeds(hold.push)) return false;  // few go on, so that all joints may be gone through
-  return exceeds(hold.push + hold.turn * longestJoint(group, island));
+  // What is cheap first: few go on.
+  if (!(hold.work > 0) ||
+      !exceeds(hold.work, hold.drive + energyOfPlaces(group, island, hold.push)))
+    return false;
+  const double speed = hold.push + hold.turn * longestJoint(group, island);
+  return exceeds(hold.work, hold.drive + energyOfPlaces(group, island, speed) +
+                                energyOfTurns(group, island, hold.turn));
 }
 
 void soften(const std::vector<Body>& bodies, Contact& contact) {

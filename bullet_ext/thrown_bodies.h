@@ -27,13 +27,14 @@ constexpr double reach = 10;
 constexpr double jointReach = 3;
 
 /// Whether what presses leaves more than `reach` times as fast as anything in the island was, or is
-/// asked to be (`demand`, m/s).
+/// asked to be (`demand`, m/s, and what turns joints, at the arms of the contacts).
 bool contactsThrowOne(const Group& group, const Island& island, double demand,
                       const Answer& answer);
 /// Whether joints that hold, and contacts beside them, do more work than it takes to have all that
-/// moves go `jointReach` times as fast as they ask for. Work that is done to hold, r (u + u⁺)/2, is
-/// what targets ask for: held at rest nothing gains any. What drives joints has bounds, and may do
-/// all that these allow.
+/// moves and turns go `jointReach` times as fast as it did and as they ask for. Work that is done
+/// to hold, r (u + u⁺)/2, is what targets ask for: held at rest nothing gains any. What drives
+/// joints has bounds, and may do all that these allow, and as much of it as jointReach² may come
+/// back from what holds against it.
 bool jointsThrowOne(const Group& group, const Island& island, const Problem& problem,
                     const Solution& solution);
 

@@ -164,5 +164,25 @@ TEST(RedundantJoints, WeldsThatSpinCarryWhatTurnsThemAndLittleMore) {
   }
 }
 
+// Two boxes at rest, welded, are struck by a ball: what the weld misses is as little as ever beside
+// what it does.
+TEST(RedundantJoints, WhatRestsMayBeStruck) {
+  DelassusWorld world;
+  world->setGravity({0, 0, 0});
+  btRigidBody& first = world.addBox({0.25, 0.25, 0.25}, {0, 0, 0}, 1);
+  btRigidBody& second = world.addBox({0.25, 0.25, 0.25}, {btScalar(0.6), 0, 0}, 1);
+  btTransform ofFirst = btTransform::getIdentity(), ofSecond = btTransform::getIdentity();
+  ofFirst.setOrigin({btScalar(0.3), 0, 0});
+  ofSecond.setOrigin({btScalar(-0.3), 0, 0});
+  world.addJoint<btFixedConstraint>(first, second, ofFirst, ofSecond);
+  btRigidBody& ball = world.addSphere(btScalar(0.2), {-1, btScalar(0.05), btScalar(0.02)}, 1);
+  ball.setLinearVelocity({10, 0, 0});
+  for (int step = 0; step < 30; ++step) {
+    world.advance();
+    EXPECT_EQ(world.report().incompatible, 0) << step;
+  }
+  EXPECT_GT(second.getLinearVelocity().x(), 1);
+}
+
 }  // namespace
 }  // namespace delassus::test

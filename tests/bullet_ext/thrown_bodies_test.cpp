@@ -174,6 +174,72 @@ TEST(ThrownBodies, WhatDrivesJointsMayDoAllThatItsBoundAllows) {
   EXPECT_NEAR(std::abs(arm.getAngularVelocity().y()), speed, 1e-3);
 }
 
+// An arm of two links, each turned by a strong motor to angles that a sine gives.
+TEST(ThrownBodies, AnArmMovesAsItsMotorsAsk) {
+  DelassusWorld world;
+  btRigidBody* last = &world.addBox({0.2, 0.2, 0.2}, {0, 4, 0}, 0);
+  std::vector<btHingeConstraint*> motors;
+  for (int i = 0; i < 2; ++i) {
+    btRigidBody& link = world.addBox({btScalar(0.3), btScalar(0.1), btScalar(0.1)},
+                                     {btScalar(0.35 + 0.7 * i), 4, 0}, 1);
+    auto& motor = world.addJoint<btHingeConstraint>(
+        *last, link, btVector3(i == 0 ? 0 : btScalar(0.35), 0, 0), btVector3(btScalar(-0.35), 0, 0),
+        btVector3(0, 0, 1), btVector3(0, 0, 1));
+    link.setCollisionFlags(link.getCollisionFlags() | btCollisionObject::CF_NO_CONTACT_RESPONSE);
+    motor.setLimit(btScalar(-1.2), btScalar(1.2));
+    motor.enableAngularMotor(true, 0, 1000);
+    motors.push_back(&motor);
+    last = &link;
+  }
+  for (int step = 0; step < 30; ++step) {
+    for (int i = 0; i < 2; ++i)
+      motors[i]->setMotorTarget(btScalar(0.6 * std::sin(0.03 * step + i)), btScalar(1.0 / 60));
+    world.advance();
+    EXPECT_EQ(world.report().softened, 0) << step;
+    EXPECT_EQ(world.report().incompatible, 0) << step;
+  }
+}
+
+// A box lies before the tip of a long arm, which is asked for a turn that is fast only there.
+TEST(ThrownBodies, WhatALongArmPushesIsAskedFor) {
+  constexpr double length = 12, speed = 1;
+  DelassusWorld world;
+  world.addGround();
+  btRigidBody& arm = world.addBox({btScalar(length / 2), btScalar(0.2), btScalar(0.2)},
+                                  {btScalar(length / 2), 0.25, 0}, 10);
+  auto& motor = world.addJoint<btHingeConstraint>(arm, btVector3(btScalar(-length / 2), 0, 0),
+                                                  btVector3(0, 1, 0));
+  motor.enableAngularMotor(true, btScalar(speed), btScalar(1e5));
+  world.addBox({0.25, 0.25, 0.25}, {btScalar(length - 0.3), 0.25, btScalar(-0.45)}, 1);
+  for (int step = 0; step < 30; ++step) {
+    world.advance();
+    EXPECT_EQ(world.report().softened, 0) << step;
+  }
+}
+
+// Wheels that keep their places, each geared to the next, have no energy but that of their turn.
+TEST(ThrownBodies, WheelsThatKeepTheirPlacesAreNotThrown) {
+  DelassusWorld world;
+  btRigidBody* last = nullptr;
+  for (int i = 0; i < 3; ++i) {
+    btRigidBody& wheel = world.addBox({btScalar(0.4), btScalar(0.2), btScalar(0.4)},
+                                      {btScalar(2 * i), 2, 0}, btScalar(1 + i));
+    wheel.setLinearFactor({0, 0, 0});
+    world.addJoint<btHingeConstraint>(wheel, btVector3(0, 0, 0), btVector3(0, 1, 0));
+    if (last)
+      world.addJoint<btGearConstraint>(*last, wheel, btVector3(0, 1, 0), btVector3(0, 1, 0),
+                                       btScalar(1 + 0.5 * i));
+    else
+      wheel.setAngularVelocity({0, 3, 0});
+    last = &wheel;
+  }
+  for (int step = 0; step < 120; ++step) {
+    world.advance();
+    EXPECT_EQ(world.report().softened, 0) << step;
+    EXPECT_EQ(world.report().incompatible, 0) << step;
+  }
+}
+
 // Without gravity, and at rest, there is nothing that could be thrown.
 TEST(ThrownBodies, RestIsNoThrow) {
   DelassusWorld world;
