@@ -140,7 +140,7 @@ void gatherRows(Group& group, btTypedConstraint& joint, double lastImpulse, doub
 
 /// Has the joints of mechanisms with loops give by loopSoftness at least.
 void softenLoops(Group& group) {
-  if (loopSoftness <= leastSoftness || group.joints.size() < 2) return;
+  if (group.joints.size() < 2) return;
   const auto bodyOf = [&](int body) { return group.movable(body) ? body : JointLoops::standing; };
   group.loops.reset(static_cast<int>(group.bodies.size()));
   for (const JointSource& joint : group.joints) {

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <functional>
 #include <string>
+#include <utility>
 
+#include "bullet_ext/softness.h"
 #include "tests/support/bullet_world.h"
 
 namespace delassus::test {
@@ -239,6 +241,13 @@ std::vector<JointCase> drivenCases() {
 struct Pendulum {
   btRigidBody& a;
   btRigidBody& b;
+  bool closesLoop;  ///< the joint brings others, so that some things are held twice
+
+  /// How near two solvers are to be in double precision where joints that close no loop are as near
+  /// as this. Those that do give by loopSoftness of what they carry, some `unit`.
+  double accuracy(double ofOthers, double unit = 1) const {
+    return closesLoop ? std::max(ofOthers, bullet::loopSoftness * unit) : ofOthers;
+  }
 };
 
 Pendulum addPendulum(BulletWorld& world, const AddJoint& add) {
@@ -250,7 +259,7 @@ Pendulum addPendulum(BulletWorld& world, const AddJoint& add) {
   add(world, a, b);
   a.setAngularVelocity({btScalar(0.2), btScalar(-0.1), btScalar(0.3)});
   b.setAngularVelocity({btScalar(0.5), btScalar(0.4), btScalar(-0.6)});
-  return {a, b};
+  return {a, b, world->getNumConstraints() > 2};
 }
 
 TEST(Parity, Row28EveryJointType) {
@@ -266,9 +275,11 @@ TEST(Parity, Row28EveryJointType) {
       ASSERT_EQ(ours.report().solved, ours.report().islands) << i;
     }
     for (int k = 0; k < 3; ++k) {
-      EXPECT_NEAR(p.b.getLinearVelocity()[k], s.b.getLinearVelocity()[k], tolerance(1e-6, 2e-2));
-      EXPECT_NEAR(p.b.getAngularVelocity()[k], s.b.getAngularVelocity()[k], tolerance(1e-6, 4e-2));
-      EXPECT_NEAR(p.a.getAngularVelocity()[k], s.a.getAngularVelocity()[k], tolerance(1e-6, 4e-2));
+      EXPECT_NEAR(p.b.getLinearVelocity()[k], s.b.getLinearVelocity()[k],
+                  tolerance(p.accuracy(1e-6), 2e-2));
+      for (auto [body, stockBody] : {std::pair(&p.a, &s.a), std::pair(&p.b, &s.b)})
+        EXPECT_NEAR(body->getAngularVelocity()[k], stockBody->getAngularVelocity()[k],
+                    tolerance(p.accuracy(1e-6), 4e-2));
     }
   }
 }
@@ -314,8 +325,10 @@ void expectSameDeeds(const JointCase& joint, double damping, double softness) {
     ours.advance();
     stock.advance();
     const Deed a(p, ourJoint), b(s, stockJoint);
-    ASSERT_LE(largestDifference(a.velocities, b.velocities), tolerance(1e-8, 2e-5)) << step;
-    ASSERT_LE(largestDifference(a.forces, b.forces), tolerance(1e-7, 5e-3)) << step;
+    ASSERT_LE(largestDifference(a.velocities, b.velocities), tolerance(p.accuracy(1e-8), 2e-5))
+        << step;
+    ASSERT_LE(largestDifference(a.forces, b.forces), tolerance(p.accuracy(1e-7, 1 / h), 5e-3))
+        << step;
     ASSERT_EQ(ourJoint.isEnabled(), stockJoint.isEnabled()) << step;
     ASSERT_EQ(ours.report().solved, ours.report().islands) << step;
     for (auto [from, to] : {std::pair(&p.a, &s.a), std::pair(&p.b, &s.b)}) {
