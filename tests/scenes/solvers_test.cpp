@@ -1,5 +1,6 @@
 #include "demos/scenes/solvers.h"
 
+#include "bullet_ext/softness.h"
 #include "demos/scenes/builders.h"
 #include "demos/scenes/catalogue.h"
 #include "demos/scenes/judge.h"
@@ -140,7 +141,8 @@ TEST(Judge, TellsTheRowsOfJointsApart) {
   const double few = runFor(buildNewtonCradle(1), "si:2", 0.5).residualMax;
   const double many = runFor(buildNewtonCradle(1), "si:3000", 0.5).residualMax;
   EXPECT_GT(few, 100 * many);
-  EXPECT_LT(many, byPrecision(1e-5, 1e-2));
+  // Two strings a ball are a loop: the law that judges has them give by bullet::loopSoftness.
+  EXPECT_LT(many, byPrecision(10 * delassus::bullet::loopSoftness, 1e-2));
 }
 
 TEST(Judge, AgreesWithOurOwnReport) {
