@@ -35,22 +35,26 @@ bool Search::sweepAndLearn(const Task& task, double tolerance, Solution& best) {
 /// bettered them yet: where errors remain, all of them would have a pile swing for ever. Many
 /// contacts go by colour.
 ///
-/// A few sweeps do not mend what such reactions spoil, as after a few of the last step: these begin
-/// from nothing, where that is nearer to an answer and there are no joints to hold.
+/// One sweep does not mend what such reactions spoil, which one sweep of the last step has left: it
+/// begins from nothing, where that is nearer to an answer and there are no joints to hold. From two
+/// on the last reactions are worth more.
 void Search::sweepAll(const Task& task, double tolerance, Solution& best) {
-  constexpr int burst = 10, many = 50, worthColours = 3, few = 5;
+  constexpr int burst = 10, many = 50, worthColours = 3;
   constexpr double trusted = 0.8, spoilt = 1.5;
-  const double share =
+  const auto beginFrom = [&](double share) {
+    trial_.r = share * best.r;
+    trial_.u = problem_->q + share * (best.u - problem_->q);
+  };
+  const auto errorFrom = [&](double share) {
+    beginFrom(share);
+    return map_.residual(trial_.r, trial_.u).rms;
+  };
+  double share =
       task.guess && best.sweeps == 0 && !(best.residual < best.startResidual) ? trusted : 1;
-  trial_.r = share * best.r;
-  trial_.u = problem_->q + share * (best.u - problem_->q);
-  if (share < 1 && task.sweepsLeft(best) <= few && problem_->rows() == 0) {
-    const double ofNothing = map_.residual(VectorXd::Zero(problem_->size()), problem_->q).rms;
-    if (map_.residual(trial_.r, trial_.u).rms > spoilt * ofNothing) {
-      trial_.r.setZero();
-      trial_.u = problem_->q;
-    }
-  }
+  if (share < 1 && task.sweepsLeft(best) == 1 && problem_->rows() == 0 &&
+      errorFrom(share) > spoilt * errorFrom(0))
+    share = 0;
+  beginFrom(share);
   const bool byColour =
       setSweeps(problem_->contacts() > many && task.sweepsLeft(best) >= worthColours);
   while (task.sweepsLeft(best) > 0 && best.residual > tolerance) {

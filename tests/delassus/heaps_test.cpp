@@ -94,6 +94,20 @@ TEST(Heaps, CostNoMoreThanIsAllowed) {
     }
 }
 
+// Spoilt reactions, as one sweep leaves them for the next step, cost what can be done no more than
+// none would.
+TEST(Heaps, OneSweepIsNoWorseFromSpoiltReactionsThanFromNone) {
+  const PileIsland heap = makeHeapOfMany(640, 6);
+  const VectorXd found = sweptReactions(heap.problem);
+  const auto errorFrom = [&](const VectorXd& start) {
+    return Solver(Options::bounded(1)).solve(heap.problem, start).residualRms;
+  };
+  const double fromNone = errorFrom(VectorXd());
+  for (const double spoilt : {2.0, 4.0, 8.0})
+    EXPECT_LE(errorFrom(spoilt * found), 1.5 * fromNone) << spoilt;
+  EXPECT_LT(errorFrom(found), 0.5 * fromNone);
+}
+
 // Without plain sweeps by the thousand none of these heaps is solved. With them most are; which
 // ones, and which of the others the path of compliance solves, is a matter of rounding.
 TEST(LargeHeap, IsOutlasted) {
