@@ -56,6 +56,7 @@ bool FarkasProof::find(ProximalWalk<BodyMotion>& walk, const Problem& problem,
   // microradian that holds a ball demands a millionth of what the ball needs.
   constexpr double proportion = 1e8;
   constexpr double coarse = 1e-6, fine = 1e-8;  // compliances relative to W_aa
+  constexpr double exactly = 1e-3;
   setProblem(problem, map);
   walk.space().setProblem(demands_, map);
   const auto answer = [&](double compliance) {
@@ -71,11 +72,26 @@ bool FarkasProof::find(ProximalWalk<BodyMotion>& walk, const Problem& problem,
   reactions_ = scratch.r;
   if (!answer(fine)) return false;
   reactions_ = scratch.r - reactions_;
-  for (int i = 0; i < reactions_.size(); ++i) {
-    const Interval bounds = allowedWithoutFriction(demands_, i);
-    reactions_[i] = std::clamp(reactions_[i], bounds.lower, bounds.upper);
-  }
-  return leastMotion(reactions_) > proportion * hardestAlone();
+  const auto areProof = [&] {
+    for (int i = 0; i < reactions_.size(); ++i) {
+      const Interval bounds = allowedWithoutFriction(demands_, i);
+      reactions_[i] = std::clamp(reactions_[i], bounds.lower, bounds.upper);
+    }
+    return leastMotion(reactions_) > proportion * hardestAlone();
+  };
+  if (areProof()) return true;
+  // Nearly gone, and where demands contradict each other by little, what is left is as much as
+  // these push. A step from there without demands keeps what moves nothing, to all digits.
+  scratch.start(demands_.q);
+  scratch.r = reactions_;
+  scratch.u = demands_.W * reactions_;
+  demands_.q.setZero();
+  walk.polish(exactly * tolerance, fine, regionBudget, scratch);
+  count.regions += scratch.regions;
+  count.factorisations += scratch.factorisations;
+  setProblem(problem, map);
+  reactions_ = scratch.r;
+  return areProof();
 }
 
 }  // namespace delassus

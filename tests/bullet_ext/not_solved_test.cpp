@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "tests/support/bullet_world.h"
 
@@ -129,6 +130,32 @@ TEST(NotSolved, SomebodyIsNamedThoughNobodyCanYield) {
       EXPECT_EQ(report.messages.empty(), report.incompatible == 0);
     }
   EXPECT_GT(said, 0);
+}
+
+// A box in a stack is made static a micrometre or so too low: those below are squeezed, and what
+// would lift them is hardly more than nothing. It is told at once, and not looked for in vain.
+TEST(NotSolved, ABodyThatIsFrozenInAStackCostsLittle) {
+  for (const double depth : {1e-6, 1e-5, 1e-3}) {
+    DelassusWorld world;
+    world.addGround();
+    std::vector<btRigidBody*> boxes;
+    for (int i = 0; i < 5; ++i) boxes.push_back(&world.addCube({0, btScalar(0.5 + i), 0}));
+    world.advance(30);
+    btRigidBody& frozen = *boxes[2];
+    world->removeRigidBody(&frozen);
+    frozen.setMassProps(0, {0, 0, 0});
+    frozen.setLinearVelocity({0, 0, 0});
+    frozen.setAngularVelocity({0, 0, 0});
+    frozen.setCenterOfMassTransform(world.at({0, btScalar(2.5 - depth), 0}));
+    world->addRigidBody(&frozen);
+    for (int step = 0; step < 10; ++step) {
+      world.advance();
+      if (sizeof(btScalar) == sizeof(double) || depth > 1e-4) {
+        EXPECT_EQ(world.report().incompatible, 1) << depth << ", step " << step;
+      }
+      EXPECT_LT(world.report().regions, 300) << depth << ", step " << step;
+    }
+  }
 }
 
 }  // namespace
