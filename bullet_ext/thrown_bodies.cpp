@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
-#include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "bullet_ext/convert.h"
 #include "bullet_ext/group.h"
 #include "bullet_ext/solve_group.h"
+#include "delassus/contact_motion.h"
 
 namespace delassus::bullet {
 namespace {
@@ -25,30 +25,46 @@ double fasterOf(const std::vector<Body>& bodies, const Contact& c) {
   return std::max(speedOf(bodies, c.a, c.armA), speedOf(bodies, c.b, c.armB));
 }
 
-/// How far the bodies of a joint are from each other, m.
-double lengthOf(const JointSource& joint) {
-  const btTypedConstraint& constraint = *joint.constraint;
-  return (toCore(constraint.getRigidBodyA().getWorldTransform().getOrigin()) -
-          toCore(constraint.getRigidBodyB().getWorldTransform().getOrigin()))
-      .norm();
-}
-
 bool turns(const Row& row) {
   return row.jacobianA.head<3>().isZero(0) && row.jacobianB.head<3>().isZero(0);
 }
 
-/// How fast contacts of the island go about its bodies if these turn as joints ask, m/s.
+/// How fast contacts of the island go about its bodies if these turn as joints ask, m/s: a motor of
+/// little force, whatever its speed, asks for little.
 double askedByTurns(const Group& group, const Island& island) {
   double turn = 0, arm = 0;
-  for (const int k : island.rows)
-    if (group.rows[k].governor < 0 && turns(group.rows[k]))
-      turn = std::max(turn, std::abs(group.rows[k].target));
+  for (const int k : island.rows) {
+    const Row& row = group.rows[k];
+    if (row.governor < 0 && turns(row))
+      turn = std::max(turn, demandOf(-row.target, row.lower, row.upper,
+                                     [&] { return diagonal(group.bodies, row); }));
+  }
   island.eachContact([&](int k) {
     const Contact& c = group.contacts[k];
     if (c.a != fixedWorld) arm = std::max(arm, c.armA.norm());
     if (c.b != fixedWorld) arm = std::max(arm, c.armB.norm());
   });
   return turn * arm;
+}
+
+/// Of which impulse the joint of this row breaks; infinite where no joint has asked for it.
+double breakingImpulseOf(const Group& group, int row) {
+  const auto after =
+      std::upper_bound(group.joints.begin(), group.joints.end(), row,
+                       [](int k, const JointSource& joint) { return k < joint.firstRow; });
+  if (after == group.joints.begin()) return infinity;
+  const JointSource& joint = *std::prev(after);
+  return row < joint.firstRow + joint.rowCount
+             ? toCoreBound(joint.constraint->getBreakingImpulseThreshold())
+             : infinity;
+}
+
+/// Whether what pushes the row this way drives it, or brakes: with so much and no more. What breaks
+/// at so much holds until then.
+bool drives(const Group& group, int k, double r) {
+  const Row& row = group.rows[k];
+  const double bound = r > 0 ? row.upper : -row.lower;
+  return std::isfinite(bound) && (std::abs(r) >= bound || bound < breakingImpulseOf(group, k));
 }
 
 /// What is done to the bodies of an island, and the most that is asked for there.
@@ -71,7 +87,7 @@ Hold holdOf(const Group& group, const Island& island, const Problem& problem,
     const int at = contacts + static_cast<int>(i);
     const Row& row = group.rows[island.rows[i]];
     if (row.governor >= 0 || r[at] == 0) continue;
-    if (std::isfinite(r[at] > 0 ? row.upper : row.lower)) {
+    if (drives(group, island.rows[i], r[at])) {
       sum.drive += std::abs(workOf(at, row.target));
       continue;
     }
@@ -120,13 +136,19 @@ double energyOfTurns(const Group& group, const Island& island, double speed) {
   return sum;
 }
 
-/// How far the bodies of the island's joints are from each other at most, m.
+/// How far from where they hold the bodies of the island's joints are at most, both together, m.
+/// What does not move has no arm: where its origin is says nothing.
 double longestJoint(const Group& group, const Island& island) {
+  const auto armOf = [](int body, const Row6& J) {
+    const double push = J.head<3>().norm();
+    return body >= 0 && push > 0 ? J.tail<3>().norm() / push : 0.0;
+  };
   double length = 0;
-  for (const JointSource& joint : group.joints)
-    if (joint.rowCount > 0 &&
-        std::binary_search(island.rows.begin(), island.rows.end(), joint.firstRow))
-      length = std::max(length, lengthOf(joint));
+  for (const int k : island.rows) {
+    const Row& row = group.rows[k];
+    if (row.governor < 0)
+      length = std::max(length, armOf(row.a, row.jacobianA) + armOf(row.b, row.jacobianB));
+  }
   return length;
 }
 
