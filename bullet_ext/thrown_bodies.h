@@ -30,11 +30,14 @@ constexpr double jointReach = 3;
 /// asked to be (`demand`, m/s, and what turns joints, at the arms of the contacts).
 bool contactsThrowOne(const Group& group, const Island& island, double demand,
                       const Answer& answer);
-/// Whether joints that hold, and contacts beside them, do more work than it takes to have all that
-/// moves and turns go `jointReach` times as fast as it did and as they ask for. Work that is done
-/// to hold, r (u + u⁺)/2, is what targets ask for: held at rest nothing gains any. What drives
-/// joints has bounds, and may do all that these allow, and as much of it as jointReach² may come
-/// back from what holds against it.
+/// Whether joints that hold, and contacts beside them, do more work than jointReach² times
+///
+///   - the energy of all that moves and turns, as it was and at the speeds that they ask for,
+///   - and the work of what drives joints, whichever way: motors, limits and springs, which have
+///     bounds and may do all that these allow. A breaking threshold is no such bound.
+///
+/// Work that is done to hold, r (u + u⁺)/2, is what targets ask for: held at rest nothing gains
+/// any.
 bool jointsThrowOne(const Group& group, const Island& island, const Problem& problem,
                     const Solution& solution);
 

@@ -84,7 +84,7 @@ bool FarkasProof::find(ProximalWalk<BodyMotion>& walk, const Problem& problem,
   // these push. A step from there without demands keeps what moves nothing, to all digits.
   scratch.start(demands_.q);
   scratch.r = reactions_;
-  scratch.u = demands_.W * reactions_;
+  demands_.W.multiply(reactions_, felt_, scratch.u);
   demands_.q.setZero();
   walk.polish(exactly * tolerance, fine, regionBudget, scratch);
   count.regions += scratch.regions;

@@ -35,9 +35,9 @@ bool Search::sweepAndLearn(const Task& task, double tolerance, Solution& best) {
 /// bettered them yet: where errors remain, all of them would have a pile swing for ever. Many
 /// contacts go by colour.
 ///
-/// One sweep does not mend what such reactions spoil, which one sweep of the last step has left: it
-/// begins from nothing, where that is nearer to an answer and there are no joints to hold. From two
-/// on the last reactions are worth more.
+/// One sweep alone leaves reactions that the one of the next step does not mend: it begins from
+/// nothing, where that is nearer to an answer and there are no joints to hold. From two sweeps on
+/// the last reactions are worth more.
 void Search::sweepAll(const Task& task, double tolerance, Solution& best) {
   constexpr int burst = 10, many = 50, worthColours = 3;
   constexpr double trusted = 0.8, spoilt = 1.5;
