@@ -24,17 +24,19 @@ void FarkasProof::setProblem(const Problem& problem, const NaturalMap& map) {
   }
 }
 
-double FarkasProof::leastMotion(const VectorXd& r) {
+FarkasProof::Push FarkasProof::weigh(const VectorXd& r) {
   // Squares of what is felt, not r·W r: where large reactions cancel, that is all rounding.
   constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
   const BodySpace& space = demands_.W.bodySpace();
   space.impulse(r, felt_);
   const double compliant = space.compliance.dot(r.cwiseAbs2());
+  const double moved = std::sqrt(felt_.squaredNorm() + compliant);
   const double noise = rounding * map_->diagonal().cwiseSqrt().dot(r.cwiseAbs());
   const double doubt =
       demands_.roundOff * r.cwiseAbs().sum() + rounding * demands_.q.cwiseAbs().dot(r.cwiseAbs());
-  const double push = -r.dot(demands_.q) - doubt;
-  return push > 0 ? push / (std::sqrt(felt_.squaredNorm() + compliant) + noise) : 0;
+  const double work = -r.dot(demands_.q) - doubt;
+  if (!(work > 0)) return {};
+  return {work / (moved + noise), work / r.cwiseAbs().sum(), moved <= noise};
 }
 
 double FarkasProof::hardestAlone() const {
@@ -50,48 +52,78 @@ double FarkasProof::hardestAlone() const {
 }
 
 bool FarkasProof::find(ProximalWalk<BodyMotion>& walk, const Problem& problem,
-                       const NaturalMap& map, double tolerance, int& regionBudget,
-                       Solution& scratch, WorkDone& count) {
-  // Times the motion that the hardest demand alone asks for. Less proves nothing: a wedge of a
-  // microradian that holds a ball demands a millionth of what the ball needs.
-  constexpr double proportion = 1e8;
-  constexpr double coarse = 1e-6, fine = 1e-8;  // compliances relative to W_aa
-  constexpr double exactly = 1e-3;
+                       const NaturalMap& map, double tolerance, const VectorXd& start,
+                       int& regionBudget, Solution& scratch, WorkDone& count) {
+  // Relative to W_aa. The softest are soon found and lead to the hard ones; with the last, what
+  // carries loads is less than what pushes in vain even where demands contradict each other by less
+  // than anybody asks for.
+  constexpr double compliances[] = {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}, hard = 1e-7;
   setProblem(problem, map);
   walk.space().setProblem(demands_, map);
-  const auto answer = [&](double compliance) {
+  last_ = start;
+  keepPushes(last_);
+  const auto answer = [&](double compliance, const VectorXd& from) {
     scratch.start(demands_.q);
-    const bool found = walk.answerCompliant(tolerance, compliance, regionBudget, scratch);
-    count.regions += scratch.regions;
-    count.factorisations += scratch.factorisations;
-    return found;
+    const bool isFound = walk.answerCompliant(tolerance, compliance, from, regionBudget, scratch);
+    count.addWork(scratch);
+    return isFound;
   };
-  // What pushes in vain is in inverse proportion to the compliance; all else hardly depends on it,
-  // and is gone in the difference.
-  if (!answer(coarse)) return false;
-  reactions_ = scratch.r;
-  if (!answer(fine)) return false;
-  reactions_ = scratch.r - reactions_;
-  const auto areProof = [&] {
-    for (int i = 0; i < reactions_.size(); ++i) {
-      const Interval bounds = allowedWithoutFriction(demands_, i);
-      reactions_[i] = std::clamp(reactions_[i], bounds.lower, bounds.upper);
+  for (const double compliance : compliances) {
+    if (!answer(compliance, last_)) {
+      reactions_.setZero(problem.size());
+      if (!answer(compliance, reactions_)) return false;
     }
-    return leastMotion(reactions_) > proportion * hardestAlone();
-  };
-  if (areProof()) return true;
-  // Nearly gone, and where demands contradict each other by little, what is left is as much as
-  // these push. A step from there without demands keeps what moves nothing, to all digits.
-  scratch.start(demands_.q);
-  scratch.r = reactions_;
-  demands_.W.multiply(reactions_, felt_, scratch.u);
-  demands_.q.setZero();
-  walk.polish(exactly * tolerance, fine, regionBudget, scratch);
-  count.regions += scratch.regions;
-  count.factorisations += scratch.factorisations;
-  setProblem(problem, map);
-  reactions_ = scratch.r;
-  return areProof();
+    // What pushes in vain is in inverse proportion to the compliance; all else hardly depends on
+    // it, and is gone in the difference.
+    reactions_ = scratch.r - last_;
+    last_.swap(scratch.r);
+    if (compliance > hard) continue;
+    if (isProof() || refine(walk, problem, map, regionBudget, scratch, count)) return true;
+  }
+  return false;
+}
+
+/// What carries loads is nearly gone, and where demands contradict each other by little, it is as
+/// much as these push. Steps from there without demands keep what moves nothing, to all digits.
+bool FarkasProof::refine(ProximalWalk<BodyMotion>& walk, const Problem& problem,
+                         const NaturalMap& map, int& regionBudget, Solution& scratch,
+                         WorkDone& count) {
+  constexpr double stiff = 1e-8;
+  constexpr int most = 3;
+  for (int step = 0; step < most; ++step) {
+    const double finest = std::numeric_limits<double>::epsilon() *
+                          map.diagonal().cwiseProduct(reactions_).lpNorm<Eigen::Infinity>();
+    scratch.start(demands_.q);
+    scratch.r = reactions_;
+    demands_.W.multiply(reactions_, felt_, scratch.u);
+    demands_.q.setZero();
+    walk.polish(finest, stiff, regionBudget, scratch);
+    count.addWork(scratch);
+    setProblem(problem, map);
+    reactions_ = scratch.r;
+    if (isProof()) return true;
+  }
+  return false;
+}
+
+/// Reactions that push where they may not do not count.
+void FarkasProof::keepPushes(VectorXd& r) const {
+  for (int i = 0; i < r.size(); ++i) {
+    const Interval bounds = allowedWithoutFriction(demands_, i);
+    r[i] = std::clamp(r[i], bounds.lower, bounds.upper);
+  }
+}
+
+bool FarkasProof::isProof() {
+  // Times the motion that the hardest demand alone asks for. Less proves nothing: a wedge of a
+  // microradian that holds a ball demands a millionth of what the ball needs. What moves nothing
+  // but by rounding is no wedge.
+  constexpr double proportion = 1e8, proportionOfRounding = 1e3;
+  keepPushes(reactions_);
+  const Push push = weigh(reactions_);
+  missed_ = push.missed;
+  return push.leastMotion >
+         (push.movesNothing ? proportionOfRounding : proportion) * hardestAlone();
 }
 
 }  // namespace delassus

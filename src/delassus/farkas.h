@@ -22,25 +22,40 @@ class FarkasProof {
   const Problem& demands() const { return demands_; }
 
   /// The right side, less what rounding may have added to it; 0 if r proves nothing.
-  double leastMotion(const VectorXd& r);
+  double leastMotion(const VectorXd& r) { return weigh(r).leastMotion; }
   /// |v|_M of the motion that meets the hardest of these demands if it is alone: the largest
   /// |u_i|/√W_ii missing at u = q.
   double hardestAlone() const;
 
   /// Looks for reactions that prove that nothing meets the demands of `problem`, or nothing in any
-  /// proportion to them. Takes the region budget and counts in `count`; the space of `walk`
-  /// forgets its problem. `map` is that of the problem, `scratch` is overwritten.
+  /// proportion to them, from those of `start`. Takes the region budget and counts in `count`; the
+  /// space of `walk` forgets its problem. `map` is that of the problem, `scratch` is overwritten.
   bool find(ProximalWalk<BodyMotion>& walk, const Problem& problem, const NaturalMap& map,
-            double tolerance, int& regionBudget, Solution& scratch, WorkDone& count);
+            double tolerance, const VectorXd& start, int& regionBudget, Solution& scratch,
+            WorkDone& count);
   /// Those that were found.
   const VectorXd& reactions() const { return reactions_; }
+  /// Every motion misses some demand by at least so much, m/s.
+  double missed() const { return missed_; }
 
-  std::size_t bytes() const { return demands_.bytes() + bytesOf(reactions_, felt_); }
+  std::size_t bytes() const { return demands_.bytes() + bytesOf(reactions_, last_, felt_); }
 
  private:
+  struct Push {
+    double leastMotion = 0;     ///< as above
+    double missed = 0;          ///< −r·q / Σ|r|, less rounding
+    bool movesNothing = false;  ///< beyond rounding
+  };
+  Push weigh(const VectorXd& r);
+  bool refine(ProximalWalk<BodyMotion>& walk, const Problem& problem, const NaturalMap& map,
+              int& regionBudget, Solution& scratch, WorkDone& count);
+  void keepPushes(VectorXd& r) const;
+  bool isProof();
+
   Problem demands_;
   const NaturalMap* map_ = nullptr;  ///< of the problem, whose W is the same
-  VectorXd reactions_, felt_;
+  VectorXd reactions_, last_, felt_;
+  double missed_ = 0;
 };
 
 }  // namespace delassus

@@ -133,28 +133,44 @@ double ProximalWalk<Motion>::nextWallAlong(double after) const {
 }
 
 template <class Motion>
+void ProximalWalk<Motion>::startFromCenter() {
+  delta_.setZero(space_.motion().size());
+  trialU_ = u_;
+}
+
+template <class Motion>
+void ProximalWalk<Motion>::startFromReactions(const VectorXd& r) {
+  change_ = r - center_;
+  space_.motion().impulse(change_, delta_);
+  space_.motion().relativeVelocity(delta_, trialU_);
+  trialU_ += u_;
+}
+
+/// False if the region leads nowhere.
+template <class Motion>
+bool ProximalWalk<Motion>::startFromRegion(const Solution& region, int& budget, WorkDone& count) {
+  startFromCenter();
+  if (budget-- <= 0) return false;
+  ++count.regions;
+  respondInRegion(region);
+  if (!space_.factorise(count)) return false;
+  change_ = r_ - center_;
+  delta_ = felt();
+  space_.motion().solve(delta_);
+  if (!delta_.allFinite()) return false;
+  space_.motion().relativeVelocity(delta_, trialU_);
+  trialU_ += u_;
+  return true;
+}
+
+/// From δ and the u that it makes.
+template <class Motion>
 typename ProximalWalk<Motion>::Inner ProximalWalk<Motion>::solveProximal(int& budget,
-                                                                         WorkDone& count,
-                                                                         const Solution* region) {
+                                                                         WorkDone& count) {
   // An inner answer only has to be better than what the outer step corrects anyway; at round-off
   // the line search stalls.
   constexpr double stalled = 1e-2;
   constexpr int mostSteps = 40;
-  delta_.setZero(space_.motion().size());
-  trialU_ = u_;
-
-  if (region) {
-    if (budget-- <= 0) return Inner::Failed;
-    ++count.regions;
-    respondInRegion(*region);
-    if (!space_.factorise(count)) return Inner::Failed;
-    change_ = r_ - center_;
-    delta_ = felt();
-    space_.motion().solve(delta_);
-    if (!delta_.allFinite()) return Inner::Failed;
-    space_.motion().relativeVelocity(delta_, trialU_);
-    trialU_ += u_;
-  }
   respond(trialU_, nullptr);
   error_ = delta_ - felt();
   double error = error_.norm();
@@ -223,7 +239,8 @@ void ProximalWalk<Motion>::polish(double tolerance, double alpha, int regionBudg
   r_ = center_;
   setTolerance(tolerance);
   setWeights(alpha);
-  if (solveProximal(regionBudget, best, nullptr) == Inner::Failed) return;
+  startFromCenter();
+  if (solveProximal(regionBudget, best) == Inner::Failed) return;
   moveTo(measure(), best);
 }
 
@@ -247,8 +264,12 @@ Outcome ProximalWalk<Motion>::converge(double tolerance, double firstWeight, int
   for (int outer = 0; idle < mostIdle && halvedAt - regionBudget < patience; ++outer) {
     setWeights(alpha.value());
     const int regionsBefore = regionBudget;
-    const Solution* region = fromRegion && outer == 0 ? &best : nullptr;
-    if (solveProximal(regionBudget, best, region) == Inner::Failed) {
+    bool hasStart = true;
+    if (fromRegion && outer == 0)
+      hasStart = startFromRegion(best, regionBudget, best);
+    else
+      startFromCenter();
+    if (!hasStart || solveProximal(regionBudget, best) == Inner::Failed) {
       // Where the budget ends, what is half done may be better than nothing.
       if (regionBudget <= 0) moveTo(measure(), best);
       if (best.residual <= tolerance) return Outcome::Reached;

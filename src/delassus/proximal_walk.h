@@ -46,8 +46,9 @@ class ProximalWalk {
 
   /// The answer if all were compliant by `alpha` W_aa: where demands are incompatible, that is a
   /// compromise. Takes the place of `best`, u and residual being those of the problem itself. False
-  /// if it is not found within the budget.
-  bool answerCompliant(double tolerance, double alpha, int& regionBudget, Solution& best);
+  /// if it is not found within the budget. The way to it sets out from the motion of `start`.
+  bool answerCompliant(double tolerance, double alpha, const VectorXd& start, int& regionBudget,
+                       Solution& best);
 
  private:
   enum class Inner { Converged, Failed };
@@ -58,7 +59,10 @@ class ProximalWalk {
   double tryStep(double share);
   bool stepAlong(double& error);
   double nextWallAlong(double after) const;
-  Inner solveProximal(int& budget, WorkDone& count, const Solution* region);
+  void startFromCenter();
+  void startFromReactions(const VectorXd& r);
+  bool startFromRegion(const Solution& region, int& budget, WorkDone& count);
+  Inner solveProximal(int& budget, WorkDone& count);
   Outcome converge(double tolerance, double firstWeight, int patience, int regionBudget,
                    bool fromRegion, double residual, Solution& best);
   VelocityResidual measure() { return space_.measure(r_, trialU_); }

@@ -70,14 +70,15 @@ void ProximalWalk<Motion>::compromise(Solution& best) {
 }
 
 template <class Motion>
-bool ProximalWalk<Motion>::answerCompliant(double tolerance, double alpha, int& regionBudget,
-                                           Solution& best) {
+bool ProximalWalk<Motion>::answerCompliant(double tolerance, double alpha, const VectorXd& start,
+                                           int& regionBudget, Solution& best) {
   center_.setZero(problem().size());
   u_ = problem().q;
   r_ = center_;
   setTolerance(tolerance);
   setWeights(alpha);
-  if (solveProximal(regionBudget, best, nullptr) == Inner::Failed) return false;
+  startFromReactions(start);
+  if (solveProximal(regionBudget, best) == Inner::Failed) return false;
   best.residual = infinity;
   moveTo(measure(), best);
   return true;
@@ -87,7 +88,7 @@ template bool ProximalWalk<BodyMotion>::growsInVain(double, double);
 template bool ProximalWalk<FactoredMotion>::growsInVain(double, double);
 template void ProximalWalk<BodyMotion>::compromise(Solution&);
 template void ProximalWalk<FactoredMotion>::compromise(Solution&);
-template bool ProximalWalk<BodyMotion>::answerCompliant(double, double, int&, Solution&);
-template bool ProximalWalk<FactoredMotion>::answerCompliant(double, double, int&, Solution&);
+template bool ProximalWalk<BodyMotion>::answerCompliant(double, double, const VectorXd&, int&, Solution&);
+template bool ProximalWalk<FactoredMotion>::answerCompliant(double, double, const VectorXd&, int&, Solution&);
 
 }  // namespace delassus

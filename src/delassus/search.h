@@ -178,6 +178,7 @@ class Search {
   template <class Motion>
   Outcome findBack(Engines<Motion>& engines, const Task& task, Solution& best);
   bool proveIncompatible(double tolerance, int regionBudget, Solution& best);
+  void compromise(double tolerance, int regionBudget, Solution& best);
   template <class Motion>
   Outcome wander(Engines<Motion>& engines, const Task& task, Solution& best);
   Outcome outlast(const Task& task, Solution& best);

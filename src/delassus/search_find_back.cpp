@@ -66,20 +66,17 @@ Outcome Search::outlast(const Task& task, Solution& best) {
   return comeBack(outcome, best);
 }
 
-/// Where demands are proven incompatible, `best` is the compromise, that of bodies a little
-/// compliant where they touch, friction included, and names those that quarrel. Explicit entries
-/// tell it by reactions that grow (ProximalWalk::converge).
+/// Where demands are proven incompatible, `best` is a compromise and names those that quarrel.
+/// Explicit entries tell it by reactions that grow (ProximalWalk::converge).
 bool Search::proveIncompatible(double tolerance, int regionBudget, Solution& best) {
-  constexpr double compliances[] = {1e-6, 1e-4, 1e-2};  // relative to W_aa
   constexpr double negligible = 0.1;  // share of the largest push, in the norm of its energy
   if (!problem_->W.inBodySpace()) return false;
   Engines<BodyMotion>& engines = machines().bodies;
   const bool areIncompatible =
-      proof_.find(engines.walk, *problem_, map_, tolerance, regionBudget, trial_, best);
+      proof_.find(engines.walk, *problem_, map_, tolerance, best.r, regionBudget, trial_, best);
   takeBack(engines);
   if (!areIncompatible) return false;
-  for (const double compliance : compliances)
-    if (engines.walk.answerCompliant(tolerance, compliance, regionBudget, best)) break;
+  compromise(tolerance, regionBudget, best);
   // In the mean over its directions: what moves nothing along its normal may be asked to, and is
   // named then.
   map_.meanDiagonal(felt_);
@@ -91,6 +88,43 @@ bool Search::proveIncompatible(double tolerance, int regionBudget, Solution& bes
   // Who cannot be moved at all is not felt.
   if (best.blamed.empty()) best.blamed.push_back(map_.residual(best.r, best.u).worst);
   return true;
+}
+
+/// The reactions of bodies that are a little compliant where they touch, friction included, instead
+/// of those that the search was left with, which may be of any size: so little that what they carry
+/// anyway makes them give less than the quarrel does. Where these are not found from the motion
+/// that the search was left with, nor from the free one, softer bodies lead there. Not if they are
+/// much further from the law.
+void Search::compromise(double tolerance, int regionBudget, Solution& best) {
+  constexpr double share = 0.1, least = 1e-9, most = 1e-6, softest = 1e-2;  // relative to W_aa
+  constexpr double harder = 0.1, nearly = 10;
+  Engines<BodyMotion>& engines = machines().bodies;
+  const double wanted = std::clamp(share * proof_.missed() / problem_->demand(), least, most);
+  const double leastFound = best.residual;
+  const auto find = [&](double compliance, const VectorXd& start) {
+    trial_.start(problem_->q);
+    const bool isFound =
+        engines.walk.answerCompliant(tolerance, compliance, start, regionBudget, trial_);
+    best.addWork(trial_);
+    return isFound;
+  };
+  const auto take = [&] {
+    if (trial_.residual > nearly * leastFound) return false;
+    best.takeReactions(trial_);
+    return true;
+  };
+  if (find(wanted, best.r) && take()) return;
+  wandering_.r.setZero(problem_->size());
+  if (find(wanted, wandering_.r) && take()) return;
+  for (double compliance = softest; find(compliance, wandering_.r) && compliance > wanted;) {
+    take();
+    wandering_.r = trial_.r;
+    compliance = std::max(wanted, harder * compliance);
+  }
+  take();
+  // Where nothing of this is near, the search was not yet.
+  if (best.residual > nearly * proof_.missed())
+    engines.walk.walk(tolerance, firstWeight(best, leastWeightAfar), fairWalk, best);
 }
 
 /// Two ways on, in turn. Sweeps and patches mend the best answer and the walk goes on from there.

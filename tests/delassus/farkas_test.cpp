@@ -116,7 +116,7 @@ TEST(Farkas, PressedBoxesAreIncompatible) {
   Random random(203);
   for (const double friction : {0.3, 1.0})
     for (const int height : {1, 2, 5, 10})
-      for (const double speed : {1.0, 0.01, 1e-5})
+      for (const double speed : {1.0, 0.01, 1e-5, 1e-7})
         for (const double disturbance : {0.0, 0.1}) {
           const PileIsland island(makePressed(height, friction, 0, disturbance, speed, random));
           const Solution solution = Solver().solve(island.problem);
@@ -124,12 +124,14 @@ TEST(Farkas, PressedBoxesAreIncompatible) {
           EXPECT_EQ(static_cast<int>(solution.blamed.size()), island.problem.contacts());
           EXPECT_LE(infeasibility(island.problem, solution.r), 1e-12 * solution.r.norm());
           EXPECT_LT(solution.regions, 200);
-          // Both walls share what is missing with the faces between the boxes; at 0.01 m/s the
-          // boxes' own disturbance and their friction move each face by as much.
-          if (speed < 1) continue;
+          EXPECT_LT(solution.sweeps, 1000);
+          // Both walls share what is missing with the faces between the boxes. Where it is hardly
+          // anything, what the boxes weigh makes them give as much.
           const double share = 2 * speed / (height + 1);
+          EXPECT_LT(solution.residual, 10 * share) << height << " boxes at " << speed;
+          if (speed < 0.01) continue;
           for (int i = 0; i < island.problem.contacts(); ++i)
-            EXPECT_NEAR(solution.u[3 * i], -share, 0.5 * share) << i;
+            EXPECT_NEAR(solution.u[3 * i], -share, 0.55 * share) << i;
         }
 }
 
@@ -172,7 +174,8 @@ TEST(Farkas, WhatIsFoundPushesAsItMay) {
     WorkDone count;
     int budget = 200;
     space.setProblem(problem, map);
-    found += proof.find(walk, problem, map, 1e-8, budget, scratch, count);
+    const VectorXd nothing = VectorXd::Zero(problem.size());
+    found += proof.find(walk, problem, map, 1e-8, nothing, budget, scratch, count);
     for (int i = 0; i < problem.size(); ++i)
       EXPECT_TRUE(allowedWithoutFriction(proof.demands(), i).contains(proof.reactions()[i]));
   }
