@@ -75,8 +75,8 @@ void countTier(Tier tier, StepReport& report) {
 /// What messages say after the name of a contact or joint that is blamed.
 const char* reasonOf(const IslandResult& result) {
   if (result.isSoftened)
-    return ": the exact answer would throw a body; the one taken is as if contacts, or joints, "
-           "gave a little";
+    return ": rigid bodies have no answer here, or one that would throw a body; the one taken is "
+           "as if contacts, or joints, gave a little";
   switch (result.status) {
     case Status::OutOfBudget:
       return ": the budget of its island ended above the tolerance; the error is largest here";

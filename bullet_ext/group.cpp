@@ -12,7 +12,7 @@ void Group::clear() {
   pushes.clear();
   guess.clear();
   idle.clear();
-  restless.clear();
+  marks.clear();
   bouncing = turning = turningRows = softRows = 0;
   rows.clear();
   rowGuess.clear();
@@ -25,7 +25,7 @@ void Group::clear() {
 }
 
 std::size_t Group::bytes() const {
-  return bytesOf(bodies, bodySources, contacts, contactSources, pushes, guess, idle, restless, rows,
+  return bytesOf(bodies, bodySources, contacts, contactSources, pushes, guess, idle, marks, rows,
                  rowGuess, joints, multiBodyRows, asked) +
          obsolete.capacity() * sizeof(void*) + indexOf.bytes() + joined.bytes() + loops.bytes() +
          articulation.bytes();

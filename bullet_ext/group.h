@@ -52,6 +52,20 @@ struct JointSource {
   Vec3 lastPullOnA = Vec3::Zero(), lastPullOnB = Vec3::Zero();
 };
 
+/// What one step leaves to the next to know of an island.
+struct IslandMarks {
+  bool isRestless = false;  ///< its reactions changed the motion
+  bool isJammed = false;    ///< jam.h
+  bool any() const { return isRestless || isJammed; }
+  void add(IslandMarks other) {
+    isRestless |= other.isRestless;
+    isJammed |= other.isJammed;
+  }
+  bool operator==(const IslandMarks& other) const {
+    return isRestless == other.isRestless && isJammed == other.isJammed;
+  }
+};
+
 constexpr int noDof = -1;
 
 /// A row that an Extension has added.
@@ -80,9 +94,9 @@ struct Group {
   std::vector<double> pushes;  ///< wanted normal push velocity of each contact, m/s (split impulse)
   std::vector<Vec3> guess;     ///< reaction of each contact to start from, N·s
   std::vector<PointSource> idle;  ///< points that were passed but take no part
-  /// Contacts of one body of each island whose last reactions changed the motion; empty if there
-  /// are none.
-  std::vector<char> restless;
+  /// What is known of the island in which the bodies of each contact were in the last step, if the
+  /// contact is one by which it is known again; empty if nothing is.
+  std::vector<IslandMarks> marks;
   int bouncing = 0;  ///< contacts with restitution
   int turning = 0;   ///< contacts with rolling or spinning friction
 

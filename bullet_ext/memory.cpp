@@ -69,7 +69,7 @@ void Memory::Step::clear() {
   turns.clear();
   rows.clear();
   pulls.clear();
-  restless.clear();
+  marked.clear();
 }
 
 Memory::Owner Memory::ownerOf(const PointSource& point) {
@@ -203,21 +203,23 @@ void Memory::recallPoints(Group& group, int begin, int end) {
 
 /// Marks the contacts of those bodies. A body that is new where another one was has only fresh
 /// points.
-void Memory::recallRestless(Group& group) {
-  if (last_.restless.empty()) return;
-  restless_.clear();
-  for (const btCollisionObject* body : last_.restless)
-    if (!restless_.find(body)) restless_.insert(body, 0);
-  group.restless.assign(group.contacts.size(), 0);
+void Memory::recallMarks(Group& group) {
+  if (last_.marked.empty()) return;
+  marked_.clear();
+  for (std::size_t i = 0; i < last_.marked.size(); ++i)
+    if (!marked_.find(last_.marked[i].body))
+      marked_.insert(last_.marked[i].body, static_cast<int>(i));
+  group.marks.assign(group.contacts.size(), {});
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {
     const PointSource& source = group.contactSources[i];
-    group.restless[i] =
-        !source.fresh && (restless_.find(source.bodyA) || restless_.find(source.bodyB));
+    if (source.fresh) continue;
+    for (const btCollisionObject* body : {source.bodyA, source.bodyB})
+      if (const int* found = marked_.find(body)) group.marks[i].add(last_.marked[*found].marks);
   }
 }
 
 void Memory::recall(Group& group) {
-  recallRestless(group);
+  recallMarks(group);
   const auto contacts = static_cast<int>(group.contacts.size());
   for (int begin = 0, end; begin < contacts; begin = end) {
     end = endOfManifold(group, begin);
@@ -312,7 +314,7 @@ void Memory::keep(const Group& group, const Answer& answer, double h, bool withP
   }
   groups_.insert(sign, 0);
   keepPoints(group, answer);
-  keepRestless(group, answer);
+  keepMarks(group, answer);
   keepJoints(group, answer, withPulls);
   keepTurns(group, answer);
 }
@@ -333,12 +335,12 @@ void Memory::keepPoints(const Group& group, const Answer& answer) {
   }
 }
 
-void Memory::keepRestless(const Group& group, const Answer& answer) {
+void Memory::keepMarks(const Group& group, const Answer& answer) {
   // Room for all, though few are, for the same reason as in Owners::add.
-  now_.restless.reserve(now_.restless.size() + answer.results.size());
+  now_.marked.reserve(now_.marked.size() + answer.results.size());
   for (const IslandResult& island : answer.results)
-    if (island.restlessBody >= 0 && group.bodySources[island.restlessBody].rigid)
-      now_.restless.push_back(group.bodySources[island.restlessBody].rigid);
+    if (island.marks.any() && group.bodySources[island.markedBody].rigid)
+      now_.marked.push_back({group.bodySources[island.markedBody].rigid, island.marks});
 }
 
 void Memory::keepJoints(const Group& group, const Answer& answer, bool withPulls) {
@@ -355,11 +357,11 @@ void Memory::keepJoints(const Group& group, const Answer& answer, bool withPulls
 }
 
 std::size_t Memory::bytes() const {
-  std::size_t sum = restless_.bytes() + groups_.bytes();
+  std::size_t sum = marked_.bytes() + groups_.bytes();
   for (const Step* step : {&last_, &now_})
     sum += step->manifolds.bytes() + step->turners.bytes() + step->joints.bytes() +
            bytesOf(step->points, step->turns, step->rows, step->pulls) +
-           step->restless.capacity() * sizeof(void*);
+           step->marked.capacity() * sizeof(MarkedBody);
   return sum;
 }
 

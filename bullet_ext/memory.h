@@ -86,6 +86,10 @@ class Memory {
   struct Pulls {
     Vec3 onA, onB;  ///< JointSource::lastPullOnA, lastPullOnB
   };
+  struct MarkedBody {
+    const btCollisionObject* body;
+    IslandMarks marks;
+  };
   struct Step {
     double length = 0;  ///< s; 0: not known
     Owners manifolds, turners, joints;
@@ -93,8 +97,8 @@ class Memory {
     std::vector<Turn> turns;
     std::vector<double> rows;
     std::vector<Pulls> pulls;  ///< of each joint; or none
-    /// Of each restless island, with a contact if it has any.
-    std::vector<const btCollisionObject*> restless;
+    /// Of each island of which something is to be known, with a contact if it has any.
+    std::vector<MarkedBody> marked;
     void clear();
   };
 
@@ -102,7 +106,7 @@ class Memory {
   static Owner ownerOf(const JointSource& joint, double impulse);
 
   // `recall`, part by part; begin, end: the contacts of one manifold.
-  void recallRestless(Group& group);
+  void recallMarks(Group& group);
   void recallPoints(Group& group, int begin, int end);
   void recallDigits(Group& group, int begin, int end, const Owner& owner) const;
   void claim(Group& group, int begin, int end, const Owner& owner, bool fresh);
@@ -114,14 +118,14 @@ class Memory {
 
   // `keep`, part by part.
   void keepPoints(const Group& group, const Answer& answer);
-  void keepRestless(const Group& group, const Answer& answer);
+  void keepMarks(const Group& group, const Answer& answer);
   void keepJoints(const Group& group, const Answer& answer, bool withPulls);
   void keepTurns(const Group& group, const Answer& answer);
 
   bool announced_ = false;
   Step last_, now_;
-  AddressTable restless_;  ///< the bodies of last_.restless, while a group is recalled
-  AddressTable groups_;    ///< kept in this step, each by its first manifold or joint
+  AddressTable marked_;  ///< the bodies of last_.marked, while a group is recalled
+  AddressTable groups_;  ///< kept in this step, each by its first manifold or joint
 };
 
 }  // namespace delassus::bullet

@@ -8,6 +8,7 @@
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "bullet_ext/group.h"
 #include "bullet_ext/names.h"
+#include "bullet_ext/soft_answer.h"
 #include "bullet_ext/thrown_bodies.h"
 #include "delassus/bytes.h"
 #include "delassus/island.h"
@@ -26,22 +27,6 @@ void collectGuess(const Island& island, const Answer& answer, VectorXd& r) {
   }
   for (int i : island.frictionless) r[at++] = answer.contacts[i][0];
   for (int i : island.rows) r[at++] = answer.rows[i];
-}
-
-void keepReactions(const Island& island, const Solution& solution, Answer& answer) {
-  int at = 0, state = 0;
-  for (int i : island.frictional) {
-    answer.contacts[i] = solution.r.segment<3>(at);
-    answer.modes[i] = solution.activeSet.contacts[at / 3];
-    at += 3;
-  }
-  for (int i : island.frictionless) {
-    answer.contacts[i] = {solution.r[at++], 0, 0};
-    // Nothing holds a contact without friction in place: as long as it persists it slides.
-    const bool open = solution.activeSet.rows[state++] == RowState::AtLower;
-    answer.modes[i] = open ? Mode::Open : Mode::Slide;
-  }
-  for (int i : island.rows) answer.rows[i] = solution.r[at++];
 }
 
 Trouble troubleOf(Status status) {
@@ -74,43 +59,17 @@ Part partAt(const Group& group, const Island& island, int unknown) {
   return governor >= 0 ? Part{governor, -1} : Part{-1, row};
 }
 
-/// Finite in Bullet's precision.
-bool fitsBullet(const VectorXd& r) { return r.size() == 0 || r.cwiseAbs().sum() < SIMD_INFINITY; }
-
-void note(const Solution& solution, int parts, IslandResult& result) {
-  result.status = solution.status;
-  result.tier = solution.tier;
-  result.residualMax = solution.residual;
-  result.residualRms = solution.residualRms;
-  result.parts = parts;
-  result.isAnswered = true;
-  result.isSoftened = false;
-  result.blamed = solution.blamed;
-}
-
-int partsOf(const Island& island) {
-  return static_cast<int>(island.frictional.size() + island.frictionless.size() +
-                          island.rows.size());
+/// Of its contacts.
+IslandMarks marksOf(const Group& group, const Island& island) {
+  IslandMarks marks;
+  if (!group.marks.empty()) island.eachContact([&](int i) { marks.add(group.marks[i]); });
+  return marks;
 }
 
 /// Reactions that have just been found also stopped what moved, and would set it in motion the
 /// other way if they came again: before they are kept they must be those of the rest.
 double shareToKeep(const Group& group, const Island& island) {
-  const auto restless = [&](int i) { return group.restless[i] != 0; };
-  const bool settled =
-      group.restless.empty() ||
-      (std::none_of(island.frictional.begin(), island.frictional.end(), restless) &&
-       std::none_of(island.frictionless.begin(), island.frictionless.end(), restless));
-  return settled ? keptShare : polishedShare;
-}
-
-/// A body by whose contacts the island is known in the next step.
-int bodyToRemember(const Group& group, const Island& island) {
-  const std::vector<int>& contacts =
-      island.frictional.empty() ? island.frictionless : island.frictional;
-  if (contacts.empty()) return island.bodies.front();
-  const Contact& contact = group.contacts[contacts.front()];
-  return group.movable(contact.a) ? contact.a : contact.b;
+  return marksOf(group, island).isRestless ? polishedShare : keptShare;
 }
 
 /// Whether the island needs no W: then `solution` answers it, and its bodies move in `answer`.
@@ -132,35 +91,8 @@ void checkIsland(const Group& group, const Island& island, const Economies& econ
   // The check knows of bodies, not of trees.
   if (group.articulation.moves(island) || !needsNoSolving(group, island, economies, bench, answer))
     return;
-  note(bench.solution, partsOf(island), result);
+  note(bench.solution, island, result);
   keepReactions(island, bench.solution, answer);
-}
-
-/// Takes the answer back, and finds that for contacts, or also joints, that give a little. Its
-/// residual is that of the law as it stands.
-void solveSoftened(const Group& group, const Island& island, bool withJoints, Bench& bench,
-                   Answer& answer, IslandResult& result) {
-  std::vector<Contact> contacts = group.contacts;
-  island.eachContact([&](int i) { soften(group.bodies, contacts[i]); });
-  std::vector<Row> rows = group.rows;
-  if (withJoints)
-    for (const int k : island.rows)
-      if (rows[k].governor < 0) soften(group.bodies, rows[k]);
-  const Problem& soft = bench.assembler.assemble(group.bodies, contacts, rows, island);
-  Solution& solution = bench.solution;
-  bench.solver.solve(soft, VectorXd(), solution);
-  bench.counts.add(solution);
-  if (!fitsBullet(solution.r)) return;
-  for (const int body : island.bodies) answer.bodies[body] = group.bodies[body];
-  keepReactions(island, solution, answer);
-  applyReaction(answer.bodies, group.contacts, group.rows, island, solution.r);
-  const Problem& rigid = bench.assembler.assemble(group.bodies, group.contacts, group.rows, island);
-  const VelocityResidual residual = naturalResidual(rigid, solution.r);
-  result.isSoftened = true;
-  result.status = Status::Incompatible;
-  result.residualMax = residual.max;
-  result.residualRms = residual.rms;
-  result.blamed = {residual.worst};
 }
 
 /// Better no reaction than one that spoils the world; the residual says how good that is.
@@ -182,8 +114,14 @@ bool leavesGuess(const Solution& solution, double tolerance) {
          solution.startResidual > gain * solution.residual;
 }
 
-void solveIsland(const Group& group, const Island& island, Bench& bench, Answer& answer,
-                 IslandResult& result) {
+/// Whether the search, which had time enough, came nowhere near.
+bool isFarOff(const Solution& solution, double demand) {
+  constexpr double share = 1e-5;
+  return solution.status == Status::OutOfBudget && solution.residual > share * demand;
+}
+
+void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& bench,
+                  Answer& answer, IslandResult& result) {
   const Problem& apart = bench.assembler.assemble(group.bodies, group.contacts, group.rows, island);
   const bool articulated = group.articulation.moves(island);
   const Problem& problem =
@@ -193,21 +131,41 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
   bench.solver.solve(problem, bench.guess, solution);
   bench.counts.add(solution);
 
-  note(solution, partsOf(island), result);
-  if (leavesGuess(solution, bench.solver.options().tolerance * problem.demand()))
-    result.restlessBody = bodyToRemember(group, island);
+  note(solution, island, result);
+  const double demand = problem.demand();
+  if (leavesGuess(solution, bench.solver.options().tolerance * demand))
+    mark(group, island, {true, false}, result);
   if (!fitsBullet(solution.r)) {
     takeNoReactions(problem, island, answer, result);
-  } else {
-    keepReactions(island, solution, answer);
-    applyReaction(answer.bodies, group.contacts, group.rows, island, solution.r);
-    if (articulated)
-      bench.coupling.addGain(group.articulation, solution.r, answer.gains);
-    else if (contactsThrowOne(group, island, problem.demand(), answer))
-      solveSoftened(group, island, false, bench, answer, result);
-    else if (jointsThrowOne(group, island, problem, solution))
-      solveSoftened(group, island, true, bench, answer, result);
+    return;
   }
+  keepReactions(island, solution, answer);
+  applyReaction(answer.bodies, group.contacts, group.rows, island, solution.r);
+  if (articulated) {
+    bench.coupling.addGain(group.articulation, solution.r, answer.gains);
+    return;
+  }
+  const bool contactsHurry = contactsThrowOne(group, island, demand, answer, suspectReach);
+  const bool contactsThrow = contactsHurry && contactsThrowOne(group, island, demand, answer);
+  const bool jointsThrow = !contactsThrow && jointsThrowOne(group, island, problem, solution);
+  if (mayJam && !jointsThrow) {
+    constexpr double nearly = 2;
+    const bool isLost = isFarOff(solution, demand);
+    const double most = isLost ? nearly * solution.residual : infinity;
+    if ((isLost || contactsHurry) && answerJam(group, island, most, bench, answer, result)) return;
+  }
+  if (contactsThrow || jointsThrow)
+    answerSoftened(group, island, jointsThrow, bench, answer, result);
+}
+
+/// What jammed in the last step is likely to do so now.
+void solveIsland(const Group& group, const Island& island, Bench& bench, Answer& answer,
+                 IslandResult& result) {
+  const bool mayJam = !group.articulation.moves(island) && island.hasContacts() &&
+                      !bench.solver.options().isHurried();
+  if (!mayJam || !marksOf(group, island).isJammed ||
+      !answerJam(group, island, infinity, bench, answer, result))
+    solveExactly(group, island, mayJam, bench, answer, result);
   for (int unknown : result.blamed)
     if (const int contact = partAt(group, island, unknown).contact; contact >= 0)
       answer.troubles[contact] = troubleOf(result.status);
@@ -260,11 +218,51 @@ std::size_t Answer::bytes() const {
   return sum;
 }
 
+void keepReactions(const Island& island, const Solution& solution, Answer& answer) {
+  int at = 0, state = 0;
+  for (int i : island.frictional) {
+    answer.contacts[i] = solution.r.segment<3>(at);
+    answer.modes[i] = solution.activeSet.contacts[at / 3];
+    at += 3;
+  }
+  for (int i : island.frictionless) {
+    answer.contacts[i] = {solution.r[at++], 0, 0};
+    // Nothing holds a contact without friction in place: as long as it persists it slides.
+    const bool open = solution.activeSet.rows[state++] == RowState::AtLower;
+    answer.modes[i] = open ? Mode::Open : Mode::Slide;
+  }
+  for (int i : island.rows) answer.rows[i] = solution.r[at++];
+}
+
+void note(const Solution& solution, const Island& island, IslandResult& result) {
+  result.status = solution.status;
+  result.tier = solution.tier;
+  result.residualMax = solution.residual;
+  result.residualRms = solution.residualRms;
+  result.parts =
+      static_cast<int>(island.frictional.size() + island.frictionless.size() + island.rows.size());
+  result.isAnswered = true;
+  result.isSoftened = false;
+  result.blamed = solution.blamed;
+}
+
+void mark(const Group& group, const Island& island, IslandMarks marks, IslandResult& result) {
+  result.marks.add(marks);
+  const std::vector<int>& contacts =
+      island.frictional.empty() ? island.frictionless : island.frictional;
+  result.markedBody = island.bodies.front();
+  if (contacts.empty()) return;
+  const Contact& contact = group.contacts[contacts.front()];
+  result.markedBody = group.movable(contact.a) ? contact.a : contact.b;
+}
+
+bool fitsBullet(const VectorXd& r) { return r.size() == 0 || r.cwiseAbs().sum() < SIMD_INFINITY; }
+
 void startAnswer(const Group& group, Answer& answer) {
   const int islands = answer.islands.count();
   answer.results.resize(islands);
   for (IslandResult& result : answer.results) {
-    result.restlessBody = -1;
+    result.marks = {};
     result.isAnswered = false;
   }
   answer.unanswered.resize(islands);

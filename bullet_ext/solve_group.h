@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bullet_ext/contact_event.h"
+#include "bullet_ext/group.h"
 #include "bullet_ext/group_islands.h"
 #include "bullet_ext/obsolete.h"
 #include "bullet_ext/workshop.h"
@@ -21,18 +22,16 @@ struct StepReport;
 
 namespace delassus::bullet {
 
-struct Group;
-
 /// How the solve of one island ended.
 struct IslandResult {
   Status status;
   Tier tier;
   double residualMax, residualRms;  ///< m/s
   int parts;                        ///< contacts and rows
-  /// One of its bodies, if other reactions were found than those of the last step; or −1.
-  int restlessBody;
-  bool isAnswered;  ///< or else among Answer::unanswered
-  bool isSoftened;  ///< the exact answer would throw a body (thrown_bodies.h)
+  IslandMarks marks;  ///< restless: other reactions were found than those of the last step
+  int markedBody;     ///< one of its bodies, if there are any marks
+  bool isAnswered;    ///< or else among Answer::unanswered
+  bool isSoftened;    ///< its contacts, or joints, were taken softer than they are (soft_answer.h)
   /// First unknowns of the contacts and rows that keep it from being solved.
   std::vector<int> blamed;
 };
@@ -71,6 +70,13 @@ void checkIslands(const Group& group, Workshop& workshop, Answer& answer);
 /// used up.
 void solveIslands(Group& group, const btContactSolverInfo& info, Workshop& workshop, Answer& answer,
                   StepReport& report);
+
+/// What one island was solved for: unknowns in the order of the island.
+void keepReactions(const Island& island, const Solution& solution, Answer& answer);
+void note(const Solution& solution, const Island& island, IslandResult& result);
+/// Marks the island in `result`, to be known again by the contacts of one of its bodies.
+void mark(const Group& group, const Island& island, IslandMarks marks, IslandResult& result);
+bool fitsBullet(const VectorXd& r);  ///< finite in Bullet's precision
 
 /// How messages call the contact or joint whose first unknown this is, in one of the islands.
 std::string nameOf(const Group& group, const Island& island, int unknown);

@@ -155,15 +155,15 @@ double longestJoint(const Group& group, const Island& island) {
 
 }  // namespace
 
-bool contactsThrowOne(const Group& group, const Island& island, double demand,
-                      const Answer& answer) {
+bool contactsThrowOne(const Group& group, const Island& island, double demand, const Answer& answer,
+                      double times) {
   double before = demand, after = 0;
   island.eachContact([&](int k) {
     before = std::max(before, fasterOf(group.bodies, group.contacts[k]));
     if (answer.contacts[k][0] > 0)
       after = std::max(after, fasterOf(answer.bodies, group.contacts[k]));
   });
-  return after > reach * before && after > reach * (before + askedByTurns(group, island));
+  return after > times * before && after > times * (before + askedByTurns(group, island));
 }
 
 bool jointsThrowOne(const Group& group, const Island& island, const Problem& problem,
@@ -178,7 +178,30 @@ bool jointsThrowOne(const Group& group, const Island& island, const Problem& pro
                                 energyOfTurns(group, island, hold.turn));
 }
 
-void soften(const std::vector<Body>& bodies, Contact& contact) {
+double energyAtHand(const Group& group, const Island& island) {
+  double drive = 0;
+  island.eachContact([&](int k) {
+    const Contact& c = group.contacts[k];
+    drive = std::max(drive, c.target.norm());
+    if (c.a != fixedWorld && !group.movable(c.a))
+      drive = std::max(drive, speedOf(group.bodies, c.a, c.armA));
+    if (c.b != fixedWorld && !group.movable(c.b))
+      drive = std::max(drive, speedOf(group.bodies, c.b, c.armB));
+  });
+  for (const int k : island.rows)
+    if (const Row& row = group.rows[k]; row.governor < 0 && !turns(row))
+      drive = std::max(drive, std::abs(row.target));
+  drive += askedByTurns(group, island);
+  double sum = energyOfTurns(group, island, 0);
+  for (const int body : island.bodies) {
+    const double inverse = group.bodies[body].inverseMass.maxCoeff();
+    const double speed = group.bodies[body].velocity.head<3>().norm() + drive;
+    if (inverse > 0) sum += 0.5 / inverse * speed * speed;
+  }
+  return sum;
+}
+
+void soften(const std::vector<Body>& bodies, Contact& contact, double share) {
   constexpr double softness = 0.5 / (reach * reach);
   const auto response = [&](int index, const Vec3& arm) {
     if (index == fixedWorld) return 0.0;
@@ -187,7 +210,7 @@ void soften(const std::vector<Body>& bodies, Contact& contact) {
     return body.inverseMass.maxCoeff() + turn.dot(body.inverseInertia * turn);
   };
   contact.compliance +=
-      softness * (response(contact.a, contact.armA) + response(contact.b, contact.armB));
+      share * softness * (response(contact.a, contact.armA) + response(contact.b, contact.armB));
 }
 
 void soften(const std::vector<Body>& bodies, Row& row) {

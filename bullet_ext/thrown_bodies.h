@@ -26,10 +26,10 @@ constexpr double reach = 10;
 /// The same where joints throw, in the mean of all that they hold.
 constexpr double jointReach = 3;
 
-/// Whether what presses leaves more than `reach` times as fast as anything in the island was, or is
-/// asked to be (`demand`, m/s, and what turns joints, at the arms of the contacts).
-bool contactsThrowOne(const Group& group, const Island& island, double demand,
-                      const Answer& answer);
+/// Whether what presses leaves more than `times` as fast as anything in the island was, or is asked
+/// to be (`demand`, m/s, and what turns joints, at the arms of the contacts).
+bool contactsThrowOne(const Group& group, const Island& island, double demand, const Answer& answer,
+                      double times = reach);
 /// Whether joints that hold, and contacts beside them, do more work than jointReach² times
 ///
 ///   - the energy of all that moves and turns, as it was and at the speeds that they ask for,
@@ -41,12 +41,18 @@ bool contactsThrowOne(const Group& group, const Island& island, double demand,
 bool jointsThrowOne(const Group& group, const Island& island, const Problem& problem,
                     const Solution& solution);
 
+/// What the bodies of the island would have, J, if each went faster by the speed of what drives
+/// there: bodies that do not give way, targets of contacts and joints.
+double energyAtHand(const Group& group, const Island& island);
+
 /// Has the contact give, in addition, by s' of what it answers if no axis of a body that moves is
 /// locked, s' = 1/(2 reach²). With one such contact a face, what is pinched at the speed p leaves
 /// at
 ///
 ///     p ε/(ε²/2 + s') ≤ p/√(2 s') = reach p
-void soften(const std::vector<Body>& bodies, Contact& contact);
+///
+/// or by a `share` of that.
+void soften(const std::vector<Body>& bodies, Contact& contact, double share = 1);
 /// The same for a row, s' = 1/(2 jointReach²).
 void soften(const std::vector<Body>& bodies, Row& row);
 

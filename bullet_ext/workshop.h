@@ -7,6 +7,8 @@
 
 #include "bullet_ext/crew.h"
 #include "delassus/articulation.h"
+#include "delassus/bytes.h"
+#include "delassus/contact.h"
 #include "delassus/island.h"
 #include "delassus/island_check.h"
 #include "delassus/solution.h"
@@ -17,18 +19,21 @@ namespace delassus::bullet {
 /// All that one thread needs to answer one island after the other. Nothing that is left on it from
 /// the last island shows in the next one's answer.
 struct Bench {
-  explicit Bench(const Options& options) : solver(options), check(options) {}
+  explicit Bench(const Options& options)
+      : solver(options), roughSolver(roughly(options)), check(options) {}
 
   Solver solver;
+  Solver roughSolver;  ///< for bodies that are taken softer than they are
   IslandCheck check;
   Assembler assembler;
   Coupling coupling;
   VectorXd guess;
   Solution solution;
+  std::vector<Contact> softContacts;
 
   std::size_t bytes() const {
-    return solver.bytes() + check.bytes() + assembler.bytes() + coupling.bytes() + guess.bytes() +
-           solution.bytes();
+    return solver.bytes() + roughSolver.bytes() + check.bytes() + assembler.bytes() +
+           coupling.bytes() + solution.bytes() + bytesOf(guess, softContacts);
   }
 
   /// What was done here since the last Workshop::takeCounts().
@@ -43,6 +48,15 @@ struct Bench {
       addWork(other);
     }
   } counts;
+
+ private:
+  static Options roughly(Options options) {
+    options.tolerance = std::max(options.tolerance, 1e-5);
+    options.sweepBudget = std::min(options.sweepBudget, 2000);
+    options.newtonBudget = std::min(options.newtonBudget, 200);
+    options.pathBudget = 0;
+    return options;
+  }
 };
 
 /// Where islands are answered: by the caller alone, or by a crew side by side. They share no body

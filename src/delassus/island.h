@@ -24,6 +24,7 @@ struct Island {
   int unknowns() const {
     return static_cast<int>(3 * frictional.size() + frictionless.size() + rows.size());
   }
+  bool hasContacts() const { return !frictional.empty() || !frictionless.empty(); }
   /// Calls work(contact) for all of its contacts, those with friction first.
   template <class Work>
   void eachContact(const Work& work) const {

@@ -88,7 +88,9 @@ template bool ProximalWalk<BodyMotion>::growsInVain(double, double);
 template bool ProximalWalk<FactoredMotion>::growsInVain(double, double);
 template void ProximalWalk<BodyMotion>::compromise(Solution&);
 template void ProximalWalk<FactoredMotion>::compromise(Solution&);
-template bool ProximalWalk<BodyMotion>::answerCompliant(double, double, const VectorXd&, int&, Solution&);
-template bool ProximalWalk<FactoredMotion>::answerCompliant(double, double, const VectorXd&, int&, Solution&);
+template bool ProximalWalk<BodyMotion>::answerCompliant(double, double, const VectorXd&, int&,
+                                                        Solution&);
+template bool ProximalWalk<FactoredMotion>::answerCompliant(double, double, const VectorXd&, int&,
+                                                            Solution&);
 
 }  // namespace delassus

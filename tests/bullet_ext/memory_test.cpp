@@ -220,14 +220,17 @@ TEST(Memory, RestlessAreTheContactsThatABodyHadBefore) {
   for (PointSource& source : touch.group().contactSources) source.bodyA = &body;
   Answer answer = answerOf(reactions);
   answer.results.resize(1);
-  answer.results[0].restlessBody = 0;
+  answer.results[0].marks.isRestless = true;
+  answer.results[0].markedBody = 0;
   Memory memory;
   memory.nextStep();
   memory.keep(touch.group(), answer, h);
   memory.nextStep();
   touch.group().contactSources[1].fresh = true;
   memory.recall(touch.group());
-  EXPECT_EQ(touch.group().restless, std::vector<char>({1, 0, 1, 1}));
+  const IslandMarks restless = {true, false};
+  EXPECT_EQ(touch.group().marks,
+            std::vector<IslandMarks>({restless, IslandMarks(), restless, restless}));
 }
 
 // A limit that comes or goes shifts the rows of its joint.

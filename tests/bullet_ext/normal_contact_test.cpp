@@ -11,7 +11,7 @@
 namespace delassus::test {
 namespace {
 
-constexpr double radius = 0.5;
+constexpr double ballRadius = 0.5;
 
 struct Approach {
   double gap = 0;          ///< between sphere and ground, m
@@ -23,7 +23,7 @@ struct Approach {
 btRigidBody& addTouching(BulletWorld& world, const Approach& touch) {
   world->setGravity({0, 0, 0});
   world.addGround().setRestitution(1);
-  btRigidBody& ball = world.addSphere(radius, {0, btScalar(radius + touch.gap), 0});
+  btRigidBody& ball = world.addSphere(ballRadius, {0, btScalar(ballRadius + touch.gap), 0});
   ball.setRestitution(btScalar(touch.restitution));
   ball.setLinearVelocity({0, btScalar(-touch.approach), 0});
   return ball;
@@ -146,7 +146,7 @@ TEST(Parity, Row11DeepPenetrationIsPushedAndLeavesNoVelocity) {
   btRigidBody& ball = addTouching(world, {-0.05});
   world.advance();
   EXPECT_NEAR(ball.getLinearVelocity().y(), 0, roundOff);
-  EXPECT_NEAR(ball.getWorldTransform().getOrigin().y(), radius - 0.05 + 0.2 * 0.05, roundOff);
+  EXPECT_NEAR(ball.getWorldTransform().getOrigin().y(), ballRadius - 0.05 + 0.2 * 0.05, roundOff);
   EXPECT_EQ(world.report().pushIslands, 1);
   EXPECT_EQ(world.report().pushUnsolved, 0);
 }
@@ -165,7 +165,7 @@ TEST(Parity, Row11DepthFromWhichItIsPushedIsThatOfTheInfo) {
       world.advance();
       const double recovery = 0.2 * depth;
       EXPECT_NEAR(ball.getLinearVelocity().y(), depth < threshold ? recovery / h : 0, roundOff);
-      EXPECT_NEAR(ball.getWorldTransform().getOrigin().y(), radius - depth + recovery, roundOff);
+      EXPECT_NEAR(ball.getWorldTransform().getOrigin().y(), ballRadius - depth + recovery, roundOff);
     }
 }
 
@@ -174,11 +174,11 @@ template <class Prepare>
 double restingDepth(const Prepare& prepare, int steps = 600) {
   DelassusWorld world;
   world.addGround();
-  btRigidBody& ball = world.addSphere(radius, {0, radius, 0});
+  btRigidBody& ball = world.addSphere(ballRadius, {0, ballRadius, 0});
   prepare(world, ball);
   world.advance(steps);
   EXPECT_NEAR(ball.getLinearVelocity().y(), 0, tolerance(1e-8, 1e-4));
-  return radius - ball.getWorldTransform().getOrigin().y();
+  return ballRadius - ball.getWorldTransform().getOrigin().y();
 }
 
 constexpr double resting = tolerance(1e-7, 2e-5);
@@ -270,7 +270,7 @@ TEST(Parity, Row15NegativeSoftnessIsNone) {
 TEST(Parity, Row16ASpringWithoutStiffnessAndDampingCarriesNothing) {
   DelassusWorld world;
   world.addGround();
-  btRigidBody& ball = world.addSphere(radius, {0, btScalar(radius - 0.01), 0});
+  btRigidBody& ball = world.addSphere(ballRadius, {0, btScalar(ballRadius - 0.01), 0});
   const WithPointSoftness given(ball, {BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING});
   world.advance();
   EXPECT_NEAR(ball.getLinearVelocity().y(), -g * h, roundOff);

@@ -33,7 +33,7 @@ struct Falling {
       group.guess.push_back({(1 + error) / 3, 0, 0});
       group.pushes.push_back(0);
     }
-    if (wasRestless) group.restless.assign(3, 1);
+    if (wasRestless) group.marks.assign(3, {true, false});
     Options forWorlds = options;
     forWorlds.guessShare = polishedShare;
     Workshop workshop(forWorlds);
@@ -44,7 +44,7 @@ struct Falling {
     solveIslands(group, btContactSolverInfo(), workshop, answer, report);
   }
   bool isKept() const { return answer.results[0].tier == Tier::Kept; }
-  bool isRestless() const { return answer.results[0].restlessBody >= 0; }
+  bool isRestless() const { return answer.results[0].marks.isRestless; }
 };
 
 // As good as kept reactions have to be, and as those that have just been found.

@@ -1,0 +1,102 @@
+#include "bullet_ext/soft_answer.h"
+
+#include <vector>
+
+#include "bullet_ext/solve_group.h"
+#include "bullet_ext/thrown_bodies.h"
+#include "delassus/residual.h"
+
+namespace delassus::bullet {
+namespace {
+
+/// The answer is this one, for bodies that are softer than they are.
+void take(const Group& group, const Island& island, const Solution& solution,
+          const VelocityResidual& residual, Answer& answer, IslandResult& result) {
+  for (const int body : island.bodies) answer.bodies[body] = group.bodies[body];
+  keepReactions(island, solution, answer);
+  applyReaction(answer.bodies, group.contacts, group.rows, island, solution.r);
+  note(solution, island, result);
+  result.tier = Tier::Walk;
+  result.isSoftened = true;
+  result.status = Status::Incompatible;
+  result.residualMax = residual.max;
+  result.residualRms = residual.rms;
+  result.blamed = {residual.worst};
+}
+
+/// By how much the law as it stands is missed.
+VelocityResidual residualOf(const Group& group, const Island& island, const VectorXd& r,
+                            Bench& bench) {
+  return naturalResidual(bench.assembler.assemble(group.bodies, group.contacts, group.rows, island),
+                         r);
+}
+
+/// The island's problem where its contacts give by so much of what `soften` gives.
+const Problem& softProblem(const Group& group, const Island& island, double share,
+                           const std::vector<Row>& rows, Bench& bench) {
+  bench.softContacts = group.contacts;
+  island.eachContact([&](int i) { soften(group.bodies, bench.softContacts[i], share); });
+  return bench.assembler.assemble(group.bodies, bench.softContacts, rows, island);
+}
+
+/// By its contacts that give, J.
+double takenUp(const Group& group, const Island& island, const VectorXd& r, const Bench& bench) {
+  double sum = 0;
+  int at = 0;
+  const auto add = [&](int k, int unknowns) {
+    const double give = bench.softContacts[k].compliance - group.contacts[k].compliance;
+    sum += give / 2 * r[at] * r[at];
+    at += unknowns;
+  };
+  for (const int k : island.frictional) add(k, 3);
+  for (const int k : island.frictionless) add(k, 1);
+  return sum;
+}
+
+}  // namespace
+
+void answerSoftened(const Group& group, const Island& island, bool withJoints, Bench& bench,
+                    Answer& answer, IslandResult& result) {
+  std::vector<Row> rows = group.rows;
+  if (withJoints)
+    for (const int k : island.rows)
+      if (rows[k].governor < 0) soften(group.bodies, rows[k]);
+  Solution& solution = bench.solution;
+  bench.solver.solve(softProblem(group, island, 1, rows, bench), VectorXd(), solution);
+  bench.counts.add(solution);
+  if (!fitsBullet(solution.r)) return;
+  take(group, island, solution, residualOf(group, island, solution.r, bench), answer, result);
+}
+
+bool answerJam(const Group& group, const Island& island, double most, Bench& bench, Answer& answer,
+               IslandResult& result) {
+  constexpr double shares[] = {1e-1, 1e-3, 1e-5};
+  constexpr double roughly = 1e-2;  // of the demands
+  const double atHand = energyAtHand(group, island);
+  Solution& solution = bench.solution;
+  double demand = 0;
+  const auto isFound = [&](double share, const VectorXd& guess) {
+    const Problem& problem = softProblem(group, island, share, group.rows, bench);
+    bench.roughSolver.solve(problem, guess, solution);
+    bench.counts.add(solution);
+    demand = problem.demand();
+    return solution.residual <= roughly * demand && fitsBullet(solution.r);
+  };
+  VectorXd& guess = bench.guess;
+  guess.resize(0);
+  for (const double share : shares) {
+    if (!isFound(share, guess)) return false;
+    guess = solution.r;
+    if (takenUp(group, island, solution.r, bench) <= atHand / 4) continue;
+    VelocityResidual residual = residualOf(group, island, solution.r, bench);
+    if (residual.max > most) continue;
+    take(group, island, solution, residual, answer, result);
+    if (contactsThrowOne(group, island, demand, answer, suspectReach) && isFound(1, guess))
+      take(group, island, solution, residualOf(group, island, solution.r, bench), answer, result);
+    mark(group, island, {false, true}, result);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace delassus::bullet

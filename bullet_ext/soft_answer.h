@@ -1,0 +1,41 @@
+#pragma once
+
+#include "delassus/island.h"
+
+namespace delassus::bullet {
+
+struct Answer;
+struct Bench;
+struct Group;
+struct IslandResult;
+
+// Answers as if contacts, or also joints, gave a little. They are told as incompatible, with the
+// residual of the law as it stands.
+
+/// Takes the exact answer back, which throws a body (thrown_bodies.h), and finds that for contacts,
+/// or also joints, that give a little.
+void answerSoftened(const Group& group, const Island& island, bool withJoints, Bench& bench,
+                    Answer& answer, IslandResult& result);
+
+/// An island jams if what squeezes it does not give way, as a kinematic wall: rigid bodies then
+/// have no motion at all, or none but one that flings out what is pinched, and a search for it
+/// takes long. What gives tells it. Where contacts give by s, 1/kg, each, the reactions r let
+///
+///     Σ s r_n² ≤ ¼ |v − w|²_M
+///
+/// v the free motion and w any motion that meets the demands and slides at no contact: r·u ≤ 0
+/// leaves Σ s r_n² + r·W r ≤ −r·q, and that is r·J (w − v) less what is not negative, at most
+/// √(r·W r) |v − w|_M. More is taken up, so there is no such motion: none that is about as slow as
+/// what drives it (`energyAtHand`). Loads, however heavy, only bring what they have.
+///
+/// The island is then answered, and marked as jammed, unless this misses the law by more than
+/// `most`, m/s: contacts give by a tenth to a hundred-thousandth of what they do where bodies are
+/// thrown (`soften`), as little as tells it, or by all of that where they would throw. Else nothing
+/// changes.
+bool answerJam(const Group& group, const Island& island, double most, Bench& bench, Answer& answer,
+               IslandResult& result);
+
+/// How many times as fast as anything was before a body may leave, and not be looked at for a jam.
+constexpr double suspectReach = 2;
+
+}  // namespace delassus::bullet

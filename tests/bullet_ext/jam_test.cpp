@@ -1,0 +1,103 @@
+/// What a wall squeezes that does not give way gives a little: soon found, told, and not thrown.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "tests/support/bullet_world.h"
+
+namespace delassus::test {
+namespace {
+
+/// A bin of 4 m by 3 m, one wall of which can be driven in, and boxes and balls in two layers.
+struct Compactor {
+  static constexpr double speed = 0.5, friction = 0.7;  // m/s
+  DelassusWorld world;
+  std::vector<btRigidBody*> bodies;
+  btRigidBody* wall;
+  double place = 3;
+
+  explicit Compactor(bool areBoxes) {
+    world.addGround().setFriction(friction);
+    addWall({1, 5, 10}, -3, 0);
+    addWall({10, 5, 1}, 0, -2.5);
+    addWall({10, 5, 1}, 0, 2.5);
+    wall = &addWall({1, 5, 10}, place, 0);
+    wall->setCollisionFlags(wall->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+    for (int i = 0; i < 24; ++i) {
+      const double off = 0.004 * (i * 7 % 5);
+      const btVector3 at(btScalar(-1.5 + 0.6 * (i % 6) + off), btScalar(0.3 + 0.6 * (i / 12)),
+                         btScalar(-0.9 + 1.2 * (i / 6 % 2) - off));
+      bodies.push_back(areBoxes ? &world.addBox({0.25, 0.25, 0.25}, at)
+                                : &world.addSphere(btScalar(0.27), at));
+      bodies.back()->setFriction(friction);
+    }
+    world.advance(60);
+  }
+  btRigidBody& addWall(const btVector3& half, double x, double z) {
+    btRigidBody& added = world.addBox(half, {btScalar(x), 5, btScalar(z)}, 0);
+    added.setFriction(friction);
+    return added;
+  }
+  void drive(double velocity) {
+    place += velocity / 60;
+    wall->setWorldTransform(world.at({btScalar(place), 5, 0}));
+    world.advance();
+  }
+  double fastest() const {
+    double most = 0;
+    for (const btRigidBody* body : bodies)
+      most = std::max(most, double(body->getLinearVelocity().length()));
+    return most;
+  }
+};
+
+TEST(Jam, ACompactorThrowsNothingAndLosesNoTime) {
+  for (const bool areBoxes : {true, false}) {
+    SCOPED_TRACE(areBoxes ? "boxes" : "balls");
+    Compactor compactor(areBoxes);
+    const StepReport& report = compactor.world.report();
+    int softened = 0, regions = 0, lost = 0;
+    constexpr int steps = 180;
+    for (int step = 0; step < steps; ++step) {
+      compactor.drive(-Compactor::speed);
+      EXPECT_LT(compactor.fastest(), 20 * Compactor::speed) << step;
+      softened += report.softened;
+      lost += report.outOfBudget;
+      regions += report.regions;
+    }
+    EXPECT_GT(softened, 0);
+    EXPECT_LE(lost, steps / 20);
+    EXPECT_LT(regions, 300 * steps);
+    for (const btRigidBody* body : compactor.bodies) {
+      const btVector3 at = body->getWorldTransform().getOrigin();
+      EXPECT_GT(at.y(), 0);
+      EXPECT_LT(std::abs(at.z()), 1.6);
+    }
+    // As soon as there is room, all is exact again.
+    for (int step = 0; step < 60; ++step) compactor.drive(Compactor::speed);
+    compactor.world.advance(60);
+    EXPECT_EQ(report.softened, 0);
+    EXPECT_EQ(report.outOfBudget, 0);
+    EXPECT_LT(report.residualMax, tolerance(1e-6, 1e-4));
+  }
+}
+
+// A load that sinks where bodies give takes up no more than it brings.
+TEST(Jam, AHeavyLoadIsNone) {
+  for (const double mass : {1e3, 1e5}) {
+    DelassusWorld world;
+    world.addGround();
+    world.addCube({0, btScalar(0.5), 0});
+    btRigidBody& load = world.addCube({0, btScalar(1.5), 0}, btScalar(mass));
+    load.setLinearVelocity({0, -1, 0});
+    for (int step = 0; step < 60; ++step) {
+      world.advance();
+      EXPECT_EQ(world.report().softened, 0) << step;
+    }
+    EXPECT_NEAR(load.getWorldTransform().getOrigin().y(), 1.5, 0.01);
+  }
+}
+
+}  // namespace
+}  // namespace delassus::test
