@@ -226,6 +226,13 @@ bool responds(btDispatcher* dispatcher, const btCollisionObject& a, const btColl
                     : a.hasContactResponse() && b.hasContactResponse();
 }
 
+/// Points of bodies that have been told not to collide while they touched, as a joint does with
+/// disableCollisionsBetweenLinkedBodies, are neither moved on nor taken out by Bullet: they lie
+/// where they lay then.
+bool mayCollide(const btCollisionObject& a, const btCollisionObject& b) {
+  return a.checkCollideWith(&b) && b.checkCollideWith(&a);
+}
+
 /// Whether a push along the normal may move nothing: the body is locked along some axis, or a link.
 bool isLocked(const Group& group, int body) {
   return !group.movable(body) || group.isLimb(body) ||
@@ -260,7 +267,8 @@ bool canBePushed(const Group& group, int body) {
 void gatherManifold(Group& group, Pair pair, const btContactSolverInfo& info, StepReport& report) {
   btPersistentManifold& manifold = pair.manifold;
   const bool brokenBody = pair.a == leftOut || pair.b == leftOut;
-  const bool takesPart = !brokenBody && (canBePushed(group, pair.a) || canBePushed(group, pair.b));
+  const bool takesPart = !brokenBody && mayCollide(*manifold.getBody0(), *manifold.getBody1()) &&
+                         (canBePushed(group, pair.a) || canBePushed(group, pair.b));
   const bool mayPushNothing = takesPart && isLocked(group, pair.a) && isLocked(group, pair.b);
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     const btManifoldPoint& point = manifold.getContactPoint(i);

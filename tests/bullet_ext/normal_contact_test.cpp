@@ -165,7 +165,8 @@ TEST(Parity, Row11DepthFromWhichItIsPushedIsThatOfTheInfo) {
       world.advance();
       const double recovery = 0.2 * depth;
       EXPECT_NEAR(ball.getLinearVelocity().y(), depth < threshold ? recovery / h : 0, roundOff);
-      EXPECT_NEAR(ball.getWorldTransform().getOrigin().y(), ballRadius - depth + recovery, roundOff);
+      EXPECT_NEAR(ball.getWorldTransform().getOrigin().y(), ballRadius - depth + recovery,
+                  roundOff);
     }
 }
 

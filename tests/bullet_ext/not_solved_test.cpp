@@ -151,7 +151,8 @@ TEST(NotSolved, ABodyThatIsFrozenInAStackCostsLittle) {
     world->addRigidBody(&frozen);
     for (int step = 0; step < 10; ++step) {
       world.advance();
-      const bool isSurelyTold = depth > 1e-4 || (sizeof(btScalar) == sizeof(double) && depth > 5e-7);
+      const bool isSurelyTold =
+          depth > 1e-4 || (sizeof(btScalar) == sizeof(double) && depth > 5e-7);
       if (isSurelyTold) {
         EXPECT_EQ(world.report().incompatible, 1) << depth << ", step " << step;
       }

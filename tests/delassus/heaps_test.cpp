@@ -108,6 +108,16 @@ TEST(Heaps, OneSweepIsNoWorseFromSpoiltReactionsThanFromNone) {
   EXPECT_LT(errorFrom(found), 0.5 * fromNone);
 }
 
+// What stopped a blow, and is taken for a guess when it has passed, would throw the other way.
+TEST(Heaps, FewSweepsGainNoEnergyFromWhatStoppedABlow) {
+  const PileIsland heap = makeHeapOfMany(640, 6);
+  const VectorXd blow = 20 * sweptReactions(heap.problem);
+  for (const int sweeps : {1, 2, 5, 10}) {
+    const Solution solution = Solver(Options::bounded(sweeps)).solve(heap.problem, blow);
+    EXPECT_LE(solution.r.dot(heap.problem.q + solution.u) / 2, 0) << sweeps;
+  }
+}
+
 // Without plain sweeps by the thousand none of these heaps is solved. With them most are; which
 // ones, and which of the others the path of compliance solves, is a matter of rounding.
 TEST(LargeHeap, IsOutlasted) {
