@@ -70,14 +70,16 @@ void answerSoftened(const Group& group, const Island& island, bool withJoints, B
 
 bool answerJam(const Group& group, const Island& island, double most, Bench& bench, Answer& answer,
                IslandResult& result) {
-  constexpr double shares[] = {1e-1, 1e-3, 1e-5};
+  constexpr double shares[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5};
   constexpr double roughly = 1e-2;  // of the demands
   const double atHand = energyAtHand(group, island);
+  ShortSearch search(bench.solver);
+  search.takeAnyNear();
   Solution& solution = bench.solution;
   double demand = 0;
   const auto isFound = [&](double share, const VectorXd& guess) {
     const Problem& problem = softProblem(group, island, share, group.rows, bench);
-    bench.roughSolver.solve(problem, guess, solution);
+    bench.solver.solve(problem, guess, solution);
     bench.counts.add(solution);
     demand = problem.demand();
     return solution.residual <= roughly * demand && fitsBullet(solution.r);

@@ -122,17 +122,40 @@ bool isFarOff(const Solution& solution, double demand) {
 
 void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& bench,
                   Answer& answer, IslandResult& result) {
-  const Problem& apart = bench.assembler.assemble(group.bodies, group.contacts, group.rows, island);
   const bool articulated = group.articulation.moves(island);
-  const Problem& problem =
-      articulated ? bench.coupling.couple(group.articulation, apart, island) : apart;
-  collectGuess(island, answer, bench.guess);
+  const auto assemble = [&]() -> const Problem& {
+    collectGuess(island, answer, bench.guess);
+    const Problem& apart =
+        bench.assembler.assemble(group.bodies, group.contacts, group.rows, island);
+    return articulated ? bench.coupling.couple(group.articulation, apart, island) : apart;
+  };
+  const Problem& problem = assemble();
+  const double demand = problem.demand();
   Solution& solution = bench.solution;
-  bench.solver.solve(problem, bench.guess, solution);
-  bench.counts.add(solution);
+  const auto solve = [&] {
+    bench.solver.solve(problem, bench.guess, solution);
+    bench.counts.add(solution);
+  };
+  const auto jams = [&](bool mayBeFarOff) {
+    constexpr double nearly = 2;
+    const double most = mayBeFarOff ? infinity : nearly * solution.residual;
+    return answerJam(group, island, most, bench, answer, result);
+  };
+  if (mayJam && driveOf(group, island) > 0) {
+    {
+      const ShortSearch search(bench.solver);
+      solve();
+    }
+    if (solution.status == Status::OutOfBudget) {
+      if (isFarOff(solution, demand) && jams(false)) return;
+      assemble();  // into the same storage
+      solve();
+    }
+  } else {
+    solve();
+  }
 
   note(solution, island, result);
-  const double demand = problem.demand();
   if (leavesGuess(solution, bench.solver.options().tolerance * demand))
     mark(group, island, {true, false}, result);
   if (!fitsBullet(solution.r)) {
@@ -148,12 +171,8 @@ void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& 
   const bool contactsHurry = contactsThrowOne(group, island, demand, answer, suspectReach);
   const bool contactsThrow = contactsHurry && contactsThrowOne(group, island, demand, answer);
   const bool jointsThrow = !contactsThrow && jointsThrowOne(group, island, problem, solution);
-  if (mayJam && !jointsThrow) {
-    constexpr double nearly = 2;
-    const bool isLost = isFarOff(solution, demand);
-    const double most = isLost ? nearly * solution.residual : infinity;
-    if ((isLost || contactsHurry) && answerJam(group, island, most, bench, answer, result)) return;
-  }
+  const bool isLost = isFarOff(solution, demand);
+  if (mayJam && !jointsThrow && (isLost || contactsHurry) && jams(!isLost)) return;
   if (contactsThrow || jointsThrow)
     answerSoftened(group, island, jointsThrow, bench, answer, result);
 }

@@ -178,16 +178,19 @@ bool jointsThrowOne(const Group& group, const Island& island, const Problem& pro
                                 energyOfTurns(group, island, hold.turn));
 }
 
-double energyAtHand(const Group& group, const Island& island) {
+double driveOf(const Group& group, const Island& island) {
   double drive = 0;
   island.eachContact([&](int k) {
     const Contact& c = group.contacts[k];
-    drive = std::max(drive, c.target.norm());
-    if (c.a != fixedWorld && !group.movable(c.a))
-      drive = std::max(drive, speedOf(group.bodies, c.a, c.armA));
-    if (c.b != fixedWorld && !group.movable(c.b))
-      drive = std::max(drive, speedOf(group.bodies, c.b, c.armB));
+    if (!group.movable(c.a)) drive = std::max(drive, speedOf(group.bodies, c.a, c.armA));
+    if (!group.movable(c.b)) drive = std::max(drive, speedOf(group.bodies, c.b, c.armB));
   });
+  return drive;
+}
+
+double energyAtHand(const Group& group, const Island& island) {
+  double drive = driveOf(group, island);
+  island.eachContact([&](int k) { drive = std::max(drive, group.contacts[k].target.norm()); });
   for (const int k : island.rows)
     if (const Row& row = group.rows[k]; row.governor < 0 && !turns(row))
       drive = std::max(drive, std::abs(row.target));

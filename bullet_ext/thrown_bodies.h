@@ -41,6 +41,8 @@ bool contactsThrowOne(const Group& group, const Island& island, double demand, c
 bool jointsThrowOne(const Group& group, const Island& island, const Problem& problem,
                     const Solution& solution);
 
+/// The fastest of what touches the island and does not give way, m/s.
+double driveOf(const Group& group, const Island& island);
 /// What the bodies of the island would have, J, if each went faster by the speed of what drives
 /// there: bodies that do not give way, targets of contacts and joints.
 double energyAtHand(const Group& group, const Island& island);

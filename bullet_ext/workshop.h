@@ -19,11 +19,9 @@ namespace delassus::bullet {
 /// All that one thread needs to answer one island after the other. Nothing that is left on it from
 /// the last island shows in the next one's answer.
 struct Bench {
-  explicit Bench(const Options& options)
-      : solver(options), roughSolver(roughly(options)), check(options) {}
+  explicit Bench(const Options& options) : solver(options), check(options) {}
 
   Solver solver;
-  Solver roughSolver;  ///< for bodies that are taken softer than they are
   IslandCheck check;
   Assembler assembler;
   Coupling coupling;
@@ -32,8 +30,8 @@ struct Bench {
   std::vector<Contact> softContacts;
 
   std::size_t bytes() const {
-    return solver.bytes() + roughSolver.bytes() + check.bytes() + assembler.bytes() +
-           coupling.bytes() + solution.bytes() + bytesOf(guess, softContacts);
+    return solver.bytes() + check.bytes() + assembler.bytes() + coupling.bytes() +
+           solution.bytes() + bytesOf(guess, softContacts);
   }
 
   /// What was done here since the last Workshop::takeCounts().
@@ -48,15 +46,32 @@ struct Bench {
       addWork(other);
     }
   } counts;
+};
 
- private:
-  static Options roughly(Options options) {
-    options.tolerance = std::max(options.tolerance, 1e-5);
-    options.sweepBudget = std::min(options.sweepBudget, 2000);
+/// Has a solver search for a shorter while than it may, as long as this lives.
+class ShortSearch {
+ public:
+  explicit ShortSearch(Solver& solver) : solver_(solver), usual_(solver.options()) {
+    Options options = usual_;
     options.newtonBudget = std::min(options.newtonBudget, 200);
     options.pathBudget = 0;
-    return options;
+    solver_.setOptions(options);
   }
+  ~ShortSearch() { solver_.setOptions(usual_); }
+  ShortSearch(const ShortSearch&) = delete;
+  ShortSearch& operator=(const ShortSearch&) = delete;
+
+  /// And for less: for bodies that are taken softer than they are.
+  void takeAnyNear() {
+    Options options = solver_.options();
+    options.tolerance = std::max(options.tolerance, 1e-5);
+    options.sweepBudget = std::min(options.sweepBudget, 2000);
+    solver_.setOptions(options);
+  }
+
+ private:
+  Solver& solver_;
+  Options usual_;
 };
 
 /// Where islands are answered: by the caller alone, or by a crew side by side. They share no body

@@ -38,6 +38,11 @@ class Solver {
   void setHands(Hands* hands);
 
   const Options& options() const { return options_; }
+  /// From the next call on. Throws as the constructor, and changes nothing then.
+  void setOptions(const Options& options) {
+    check(options);
+    options_ = options;
+  }
   /// Of the storage.
   std::size_t bytes() const;
 
