@@ -177,11 +177,12 @@ void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& 
     answerSoftened(group, island, jointsThrow, bench, answer, result);
 }
 
-/// What jammed in the last step is likely to do so now.
+/// What jammed in the last step is likely to do so now. Where work is bounded there is none for
+/// this.
 void solveIsland(const Group& group, const Island& island, Bench& bench, Answer& answer,
                  IslandResult& result) {
   const bool mayJam = !group.articulation.moves(island) && island.hasContacts() &&
-                      !bench.solver.options().isHurried();
+                      bench.solver.options().pathBudget > 0;
   if (!mayJam || !marksOf(group, island).isJammed ||
       !answerJam(group, island, infinity, bench, answer, result))
     solveExactly(group, island, mayJam, bench, answer, result);

@@ -76,11 +76,12 @@ void Search::offer(const VectorXd& r, Solution& best) {
   consider(trial_, best);
 }
 
-void Search::startBetter(bool isHurried, Solution& best) {
+void Search::startBetter(const Options& options, Solution& best) {
   constexpr double hopeless = 30;
+  constexpr int few = 20;  // sweeps
   const double guessed = best.residualRms;
   const auto workOf = [&](const Solution& s) { return s.r.dot(problem_->q + s.u) / 2; };
-  const bool drives = isHurried && problem_->rows() == 0 && workOf(best) > 0;
+  const bool drives = options.sweepBudget < few && problem_->rows() == 0 && workOf(best) > 0;
   if (!drives && guessed <= hopeless * leastRmsFromNothing(*problem_)) return;
   trial_.r.setZero(problem_->size());
   makeFeasible(*problem_, trial_.r);

@@ -72,10 +72,10 @@ class Search {
 
   /// Starts from no reactions at all if those in `best` are no start. They are compared as a whole:
   /// where few contacts came or went, a guess is far wrong only there, and what was learnt of all
-  /// the others is worth more. In a hurry nor from those of contacts alone that do work on the
-  /// bodies, as what stopped a blow does when it comes again: few sweeps do not take that back.
+  /// the others is worth more. Nor, with few sweeps, from those of contacts alone that do work on
+  /// the bodies, as what stopped a blow does when it comes again: that is not taken back so soon.
   /// (Joints are worse off without what carried them: ragdolls had up to twice the residual.)
-  void startBetter(bool isHurried, Solution& best);
+  void startBetter(const Options& options, Solution& best);
 
   /// Rows alone with an explicit W are the paper's own ground: regions of any W, symmetric or not.
   Outcome pivotRows(const Task& task, Solution& best);

@@ -98,7 +98,7 @@ Outcome Solver::answer(const Problem& problem, const VectorXd* guess, const Aim&
     best.tier = Tier::Kept;
     return Outcome::Reached;
   }
-  if (best.residual > aim.tolerance) search_->startBetter(options_.isHurried(), best);
+  if (best.residual > aim.tolerance) search_->startBetter(options_, best);
   if (best.residual > aim.guess && options_.economies.closedForms &&
       solveAlone(problem, search_->map(), formula_)) {
     ++best.regions;
