@@ -55,7 +55,7 @@ struct JointSource {
 /// What one step leaves to the next to know of an island.
 struct IslandMarks {
   bool isRestless = false;  ///< its reactions changed the motion
-  bool isJammed = false;    ///< jam.h
+  bool isJammed = false;    ///< soft_answer.h
   bool any() const { return isRestless || isJammed; }
   void add(IslandMarks other) {
     isRestless |= other.isRestless;

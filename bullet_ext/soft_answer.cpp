@@ -39,13 +39,13 @@ const Problem& softProblem(const Group& group, const Island& island, double shar
   return bench.assembler.assemble(group.bodies, bench.softContacts, rows, island);
 }
 
-/// By its contacts that give, J.
-double takenUp(const Group& group, const Island& island, const VectorXd& r, const Bench& bench) {
-  double sum = 0;
+/// By its contacts that give, J; less what the residual of their law leaves open.
+double takenUp(const Group& group, const Island& island, const Solution& soft, const Bench& bench) {
+  double sum = -soft.r.lpNorm<1>() * soft.residual / 2;
   int at = 0;
   const auto add = [&](int k, int unknowns) {
     const double give = bench.softContacts[k].compliance - group.contacts[k].compliance;
-    sum += give / 2 * r[at] * r[at];
+    sum += give / 2 * soft.r[at] * soft.r[at];
     at += unknowns;
   };
   for (const int k : island.frictional) add(k, 3);
@@ -70,7 +70,7 @@ void answerSoftened(const Group& group, const Island& island, bool withJoints, B
 
 bool answerJam(const Group& group, const Island& island, double most, Bench& bench, Answer& answer,
                IslandResult& result) {
-  constexpr double shares[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5};
+  constexpr double shares[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
   constexpr double roughly = 1e-2;  // of the demands
   const double atHand = energyAtHand(group, island);
   ShortSearch search(bench.solver);
@@ -89,7 +89,7 @@ bool answerJam(const Group& group, const Island& island, double most, Bench& ben
   for (const double share : shares) {
     if (!isFound(share, guess)) return false;
     guess = solution.r;
-    if (takenUp(group, island, solution.r, bench) <= atHand / 4) continue;
+    if (takenUp(group, island, solution, bench) <= atHand / 4) continue;
     VelocityResidual residual = residualOf(group, island, solution.r, bench);
     if (residual.max > most) continue;
     take(group, island, solution, residual, answer, result);

@@ -23,13 +23,14 @@ void answerSoftened(const Group& group, const Island& island, bool withJoints, B
 ///
 ///     Σ s r_n² ≤ ¼ |v − w|²_M
 ///
-/// v the free motion and w any motion that meets the demands and slides at no contact: r·u ≤ 0
-/// leaves Σ s r_n² + r·W r ≤ −r·q, and that is r·J (w − v) less what is not negative, at most
-/// √(r·W r) |v − w|_M. More is taken up, so there is no such motion: none that is about as slow as
-/// what drives it (`energyAtHand`). Loads, however heavy, only bring what they have.
+/// v the free motion and w any motion that meets the demands and slides at no contact: the law of
+/// the softer contacts, r·u ≤ −Σ s r_n², leaves Σ s r_n² + r·W r ≤ −r·q, and that is r·J (w − v)
+/// less what is not negative, at most √(r·W r) |v − w|_M. Where more is taken up, there is no such
+/// motion: none that is about as slow as what drives it (`energyAtHand`). Loads, however heavy,
+/// only bring what they have.
 ///
 /// The island is then answered, and marked as jammed, unless this misses the law by more than
-/// `most`, m/s: contacts give by a tenth to a hundred-thousandth of what they do where bodies are
+/// `most`, m/s: contacts give by a tenth to a millionth of what they do where bodies are
 /// thrown (`soften`), as little as tells it, or by all of that where they would throw. Else nothing
 /// changes.
 bool answerJam(const Group& group, const Island& island, double most, Bench& bench, Answer& answer,

@@ -198,7 +198,7 @@ double energyAtHand(const Group& group, const Island& island) {
   double sum = energyOfTurns(group, island, 0);
   for (const int body : island.bodies) {
     const double inverse = group.bodies[body].inverseMass.maxCoeff();
-    const double speed = group.bodies[body].velocity.head<3>().norm() + drive;
+    const double speed = std::max(group.bodies[body].velocity.head<3>().norm(), drive);
     if (inverse > 0) sum += 0.5 / inverse * speed * speed;
   }
   return sum;

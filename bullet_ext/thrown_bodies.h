@@ -43,8 +43,8 @@ bool jointsThrowOne(const Group& group, const Island& island, const Problem& pro
 
 /// The fastest of what touches the island and does not give way, m/s.
 double driveOf(const Group& group, const Island& island);
-/// What the bodies of the island would have, J, if each went faster by the speed of what drives
-/// there: bodies that do not give way, targets of contacts and joints.
+/// What the bodies of the island would have, J, if each went at least as fast as what drives there:
+/// bodies that do not give way, targets of contacts and joints.
 double energyAtHand(const Group& group, const Island& island);
 
 /// Has the contact give, in addition, by s' of what it answers if no axis of a body that moves is
