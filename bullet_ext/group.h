@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -56,13 +57,19 @@ struct JointSource {
 struct IslandMarks {
   bool isRestless = false;  ///< its reactions changed the motion
   bool isJammed = false;    ///< soft_answer.h
-  bool any() const { return isRestless || isJammed; }
-  void add(IslandMarks other) {
+  int lostSteps = 0;        ///< in a row, that ended out of budget
+  double lost = 0;          ///< residual, m/s, that the last whole search of these was left with
+  bool any() const { return isRestless || isJammed || lostSteps > 0; }
+  void add(const IslandMarks& other) {
     isRestless |= other.isRestless;
     isJammed |= other.isJammed;
+    if (other.lostSteps == 0) return;
+    lost = lostSteps == 0 ? other.lost : std::min(lost, other.lost);
+    lostSteps = std::max(lostSteps, other.lostSteps);
   }
   bool operator==(const IslandMarks& other) const {
-    return isRestless == other.isRestless && isJammed == other.isJammed;
+    return isRestless == other.isRestless && isJammed == other.isJammed &&
+           lostSteps == other.lostSteps && lost == other.lost;
   }
 };
 

@@ -95,7 +95,7 @@ bool answerJam(const Group& group, const Island& island, double most, Bench& ben
     take(group, island, solution, residual, answer, result);
     if (contactsThrowOne(group, island, demand, answer, suspectReach) && isFound(1, guess))
       take(group, island, solution, residualOf(group, island, solution.r, bench), answer, result);
-    mark(group, island, {false, true}, result);
+    mark(group, island, result).isJammed = true;
     return true;
   }
   return false;

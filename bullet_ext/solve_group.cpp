@@ -120,6 +120,15 @@ bool isFarOff(const Solution& solution, double demand) {
   return solution.status == Status::OutOfBudget && solution.residual > share * demand;
 }
 
+/// Where whole searches have been in vain step after step, the next ones are after twice as many
+/// steps each. Between them what a short one leaves will do, if it is not much more.
+bool willDo(const Solution& solution, const IslandMarks& last) {
+  constexpr double times = 4;
+  const int steps = last.lostSteps + 1;
+  const bool isTurnOfWhole = (steps & (steps - 1)) == 0;
+  return last.lostSteps > 0 && !isTurnOfWhole && solution.residual <= times * last.lost;
+}
+
 void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& bench,
                   Answer& answer, IslandResult& result) {
   const bool articulated = group.articulation.moves(island);
@@ -141,12 +150,15 @@ void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& 
     const double most = mayBeFarOff ? infinity : nearly * solution.residual;
     return answerJam(group, island, most, bench, answer, result);
   };
-  if (mayJam && driveOf(group, island) > 0) {
+  const IslandMarks last = marksOf(group, island);
+  bool isWhole = true;
+  if (mayJam && (last.lostSteps > 0 || driveOf(group, island) > 0)) {
     {
       const ShortSearch search(bench.solver);
       solve();
     }
-    if (solution.status == Status::OutOfBudget) {
+    isWhole = solution.status == Status::OutOfBudget && !willDo(solution, last);
+    if (isWhole) {
       if (isFarOff(solution, demand) && jams(false)) return;
       assemble();  // into the same storage
       solve();
@@ -156,8 +168,13 @@ void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& 
   }
 
   note(solution, island, result);
+  if (solution.status == Status::OutOfBudget) {
+    IslandMarks& marks = mark(group, island, result);
+    marks.lostSteps = last.lostSteps + 1;
+    marks.lost = isWhole ? solution.residual : last.lost;
+  }
   if (leavesGuess(solution, bench.solver.options().tolerance * demand))
-    mark(group, island, {true, false}, result);
+    mark(group, island, result).isRestless = true;
   if (!fitsBullet(solution.r)) {
     takeNoReactions(problem, island, answer, result);
     return;
@@ -171,7 +188,7 @@ void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& 
   const bool contactsHurry = contactsThrowOne(group, island, demand, answer, suspectReach);
   const bool contactsThrow = contactsHurry && contactsThrowOne(group, island, demand, answer);
   const bool jointsThrow = !contactsThrow && jointsThrowOne(group, island, problem, solution);
-  const bool isLost = isFarOff(solution, demand);
+  const bool isLost = isWhole && isFarOff(solution, demand);
   if (mayJam && !jointsThrow && (isLost || contactsHurry) && jams(!isLost)) return;
   if (contactsThrow || jointsThrow)
     answerSoftened(group, island, jointsThrow, bench, answer, result);
@@ -266,14 +283,15 @@ void note(const Solution& solution, const Island& island, IslandResult& result) 
   result.blamed = solution.blamed;
 }
 
-void mark(const Group& group, const Island& island, IslandMarks marks, IslandResult& result) {
-  result.marks.add(marks);
+IslandMarks& mark(const Group& group, const Island& island, IslandResult& result) {
   const std::vector<int>& contacts =
       island.frictional.empty() ? island.frictionless : island.frictional;
   result.markedBody = island.bodies.front();
-  if (contacts.empty()) return;
-  const Contact& contact = group.contacts[contacts.front()];
-  result.markedBody = group.movable(contact.a) ? contact.a : contact.b;
+  if (!contacts.empty()) {
+    const Contact& contact = group.contacts[contacts.front()];
+    result.markedBody = group.movable(contact.a) ? contact.a : contact.b;
+  }
+  return result.marks;
 }
 
 bool fitsBullet(const VectorXd& r) { return r.size() == 0 || r.cwiseAbs().sum() < SIMD_INFINITY; }

@@ -74,8 +74,8 @@ void solveIslands(Group& group, const btContactSolverInfo& info, Workshop& works
 /// What one island was solved for: unknowns in the order of the island.
 void keepReactions(const Island& island, const Solution& solution, Answer& answer);
 void note(const Solution& solution, const Island& island, IslandResult& result);
-/// Marks the island in `result`, to be known again by the contacts of one of its bodies.
-void mark(const Group& group, const Island& island, IslandMarks marks, IslandResult& result);
+/// The marks of the island in `result`, to be known again by the contacts of one of its bodies.
+IslandMarks& mark(const Group& group, const Island& island, IslandResult& result);
 bool fitsBullet(const VectorXd& r);  ///< finite in Bullet's precision
 
 /// How messages call the contact or joint whose first unknown this is, in one of the islands.

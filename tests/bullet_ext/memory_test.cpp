@@ -228,7 +228,8 @@ TEST(Memory, RestlessAreTheContactsThatABodyHadBefore) {
   memory.nextStep();
   touch.group().contactSources[1].fresh = true;
   memory.recall(touch.group());
-  const IslandMarks restless = {true, false};
+  IslandMarks restless;
+  restless.isRestless = true;
   EXPECT_EQ(touch.group().marks,
             std::vector<IslandMarks>({restless, IslandMarks(), restless, restless}));
 }
