@@ -129,50 +129,64 @@ bool willDo(const Solution& solution, const IslandMarks& last) {
   return last.lostSteps > 0 && !isTurnOfWhole && solution.residual <= times * last.lost;
 }
 
-void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& bench,
-                  Answer& answer, IslandResult& result) {
-  const bool articulated = group.articulation.moves(island);
-  const auto assemble = [&]() -> const Problem& {
-    collectGuess(island, answer, bench.guess);
-    const Problem& apart =
-        bench.assembler.assemble(group.bodies, group.contacts, group.rows, island);
-    return articulated ? bench.coupling.couple(group.articulation, apart, island) : apart;
-  };
-  const Problem& problem = assemble();
-  const double demand = problem.demand();
+/// The island's problem as it stands, and where its search begins: both stay on the bench.
+const Problem& putOnBench(const Group& group, const Island& island, const Answer& answer,
+                          Bench& bench) {
+  collectGuess(island, answer, bench.guess);
+  const Problem& apart = bench.assembler.assemble(group.bodies, group.contacts, group.rows, island);
+  return group.articulation.moves(island) ? bench.coupling.couple(group.articulation, apart, island)
+                                          : apart;
+}
+
+/// How much farther from the law than what was found an island that jams may be answered.
+constexpr double nearly = 2;
+
+/// How a search ended.
+enum class SearchEnd { Whole, Short, Jammed };
+
+/// Solves what is on the bench. Where something drives the island, a short search tells that it
+/// jams; and where whole ones have been in vain it comes first.
+SearchEnd searchFor(const Group& group, const Island& island, bool mayJam, const Problem& problem,
+                    Bench& bench, Answer& answer, IslandResult& result) {
   Solution& solution = bench.solution;
   const auto solve = [&] {
     bench.solver.solve(problem, bench.guess, solution);
     bench.counts.add(solution);
   };
-  const auto jams = [&](bool mayBeFarOff) {
-    constexpr double nearly = 2;
-    const double most = mayBeFarOff ? infinity : nearly * solution.residual;
-    return answerJam(group, island, most, bench, answer, result);
-  };
   const IslandMarks last = marksOf(group, island);
-  bool isWhole = true;
   if (mayJam && (last.lostSteps > 0 || driveOf(group, island) > 0)) {
     {
-      const ShortSearch search(bench.solver);
+      const ShortSearch meanwhile(bench.solver);
       solve();
     }
-    isWhole = solution.status == Status::OutOfBudget && !willDo(solution, last);
-    if (isWhole) {
-      if (isFarOff(solution, demand) && jams(false)) return;
-      assemble();  // into the same storage
-      solve();
-    }
-  } else {
-    solve();
+    if (solution.status != Status::OutOfBudget || willDo(solution, last)) return SearchEnd::Short;
+    if (isFarOff(solution, problem.demand()) &&
+        answerJam(group, island, nearly * solution.residual, bench, answer, result))
+      return SearchEnd::Jammed;
+    putOnBench(group, island, answer, bench);
   }
+  solve();
+  return SearchEnd::Whole;
+}
 
+void markLost(const Group& group, const Island& island, bool afterWhole, double residual,
+              IslandResult& result) {
+  const IslandMarks last = marksOf(group, island);
+  IslandMarks& marks = mark(group, island, result);
+  marks.lostSteps = last.lostSteps + 1;
+  marks.lost = afterWhole ? residual : last.lost;
+}
+
+void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& bench,
+                  Answer& answer, IslandResult& result) {
+  const Problem& problem = putOnBench(group, island, answer, bench);
+  const double demand = problem.demand();
+  const SearchEnd end = searchFor(group, island, mayJam, problem, bench, answer, result);
+  if (end == SearchEnd::Jammed) return;
+  const Solution& solution = bench.solution;
   note(solution, island, result);
-  if (solution.status == Status::OutOfBudget) {
-    IslandMarks& marks = mark(group, island, result);
-    marks.lostSteps = last.lostSteps + 1;
-    marks.lost = isWhole ? solution.residual : last.lost;
-  }
+  if (solution.status == Status::OutOfBudget)
+    markLost(group, island, end == SearchEnd::Whole, solution.residual, result);
   if (leavesGuess(solution, bench.solver.options().tolerance * demand))
     mark(group, island, result).isRestless = true;
   if (!fitsBullet(solution.r)) {
@@ -181,15 +195,18 @@ void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& 
   }
   keepReactions(island, solution, answer);
   applyReaction(answer.bodies, group.contacts, group.rows, island, solution.r);
-  if (articulated) {
+  if (group.articulation.moves(island)) {
     bench.coupling.addGain(group.articulation, solution.r, answer.gains);
     return;
   }
   const bool contactsHurry = contactsThrowOne(group, island, demand, answer, suspectReach);
   const bool contactsThrow = contactsHurry && contactsThrowOne(group, island, demand, answer);
   const bool jointsThrow = !contactsThrow && jointsThrowOne(group, island, problem, solution);
-  const bool isLost = isWhole && isFarOff(solution, demand);
-  if (mayJam && !jointsThrow && (isLost || contactsHurry) && jams(!isLost)) return;
+  const bool isLost = end == SearchEnd::Whole && isFarOff(solution, demand);
+  if (mayJam && !jointsThrow && (isLost || contactsHurry) &&
+      answerJam(group, island, isLost ? nearly * solution.residual : infinity, bench, answer,
+                result))
+    return;
   if (contactsThrow || jointsThrow)
     answerSoftened(group, island, jointsThrow, bench, answer, result);
 }
