@@ -45,35 +45,6 @@ void addTowerAndPendulum(BulletWorld& world, btScalar x) {
   world.addJoint<btPoint2PointConstraint>(lower, upper, btVector3(-1, 0, 0), btVector3(0, 0, 0));
 }
 
-// Two boxes touch; a weld joins them and has them collide no more. Bullet keeps their points where
-// they were.
-TEST(ChangingWorlds, WhatIsWeldedWhileItTouchesTouchesNoMore) {
-  DelassusWorld world;
-  world->setGravity({0, 0, 0});
-  btRigidBody& a = world.addCube({0, 0, 0});
-  btRigidBody& b = world.addCube({btScalar(0.1), btScalar(0.999), btScalar(0.1)});
-  world.advance(2);
-  const auto in = [](const btRigidBody& body) {
-    return body.getWorldTransform().inverse() *
-           btTransform(btQuaternion::getIdentity(),
-                       {btScalar(0.05), btScalar(0.5), btScalar(0.05)});
-  };
-  auto weld = std::make_unique<btFixedConstraint>(a, b, in(a), in(b));
-  world->addConstraint(weld.get(), true);
-  // As one body about the centre of both.
-  const btVector3 spin(0, 0, 2),
-      centre = (a.getCenterOfMassPosition() + b.getCenterOfMassPosition()) / 2;
-  for (btRigidBody* body : {&a, &b}) {
-    body->setAngularVelocity(spin);
-    body->setLinearVelocity(spin.cross(body->getCenterOfMassPosition() - centre));
-  }
-  world.advance(60);
-  EXPECT_EQ(world.report().contacts, 0);
-  for (const btRigidBody* body : {&a, &b})
-    EXPECT_NEAR(body->getAngularVelocity().length(), 2, 0.05);
-  world->removeConstraint(weld.get());
-}
-
 /// Takes out and puts in bodies and joints, changes masses, shapes and flags, all at random.
 class Meddler {
  public:

@@ -19,7 +19,8 @@ struct Falling {
   Group group;
   Answer answer;
 
-  Falling(double error, const IslandMarks& before, const Options& options = {}) {
+  /// With a `load`, kg, that falls on top of it, if there is one.
+  Falling(double error, const IslandMarks& before, const Options& options = {}, double load = 0) {
     Body& body = group.bodies.emplace_back();
     body.inverseMass.setOnes();
     body.inverseInertia.setIdentity();
@@ -34,7 +35,8 @@ struct Falling {
       group.guess.push_back({(1 + error) / 3, 0, 0});
       group.pushes.push_back(0);
     }
-    if (before.any()) group.marks.assign(3, before);
+    if (load > 0) addLoad(load);
+    if (before.any()) group.marks.assign(group.contacts.size(), before);
     Options forWorlds = options;
     forWorlds.guessShare = polishedShare;
     Workshop workshop(forWorlds);
@@ -43,6 +45,22 @@ struct Falling {
     startAnswer(group, answer);
     checkIslands(group, workshop, answer);
     solveIslands(group, btContactSolverInfo(), workshop, answer, report);
+  }
+  void addLoad(double mass) {
+    Body& body = group.bodies.emplace_back(group.bodies.front());
+    body.inverseMass /= mass;
+    body.inverseInertia /= mass;
+    group.bodySources.push_back({nullptr, body.velocity});
+    for (int i = 0; i < 3; ++i) {
+      Contact contact = group.contacts[i];
+      contact.a = 1;
+      contact.b = 0;
+      contact.armB = contact.armA + Vec3(2, 0, 0);
+      group.contacts.push_back(contact);
+      group.contactSources.push_back({nullptr, 0});
+      group.guess.push_back(Vec3::Zero());
+      group.pushes.push_back(0);
+    }
   }
   bool isKept() const { return answer.results[0].tier == Tier::Kept; }
   const IslandMarks& marks() const { return answer.results[0].marks; }
@@ -98,6 +116,18 @@ TEST(LostIslands, AreSearchedWhollyEverLessOften) {
   marks.lostSteps = 5;
   marks.lost = left;
   EXPECT_EQ(Falling(bad, marks).marks().lostSteps, 0);
+}
+
+// What gives a little sinks under a heavy load and takes up much, but no more than that brings.
+TEST(JammedIslands, AreSolvedExactlyWhereNothingSqueezes) {
+  IslandMarks marks;
+  marks.isJammed = true;
+  for (const double load : {0.0, 1.0, 1e3, 1e6}) {
+    const Falling falling(bad, marks, {}, load);
+    EXPECT_FALSE(falling.answer.results[0].isSoftened) << load;
+    EXPECT_EQ(falling.answer.results[0].status, Status::Solved) << load;
+    EXPECT_FALSE(falling.marks().isJammed) << load;
+  }
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// Bodies that a joint links and that collide all the same.
+/// Bodies that a joint links and that collide all the same, or have ceased to.
 
 #include <BulletDynamics/ConstraintSolver/btFixedConstraint.h>
 #include <gtest/gtest.h>
@@ -149,6 +149,35 @@ TEST(JoinedBodies, CollideAsOthersDo) {
     EXPECT_GT(box.getWorldTransform().getOrigin().x(), 1);
     EXPECT_LT(box.getLinearVelocity().length(), 0.2) << "that of a shallow overlap's recovery";
   }
+}
+
+// Two boxes touch; a weld joins them and has them collide no more. Bullet keeps their points where
+// they were.
+TEST(JoinedBodies, WhatIsWeldedWhileItTouchesTouchesNoMore) {
+  DelassusWorld world;
+  world->setGravity({0, 0, 0});
+  btRigidBody& a = world.addCube({0, 0, 0});
+  btRigidBody& b = world.addCube({btScalar(0.1), btScalar(0.999), btScalar(0.1)});
+  world.advance(2);
+  const auto in = [](const btRigidBody& body) {
+    return body.getWorldTransform().inverse() *
+           btTransform(btQuaternion::getIdentity(),
+                       {btScalar(0.05), btScalar(0.5), btScalar(0.05)});
+  };
+  auto weld = std::make_unique<btFixedConstraint>(a, b, in(a), in(b));
+  world->addConstraint(weld.get(), true);
+  // As one body about the centre of both.
+  const btVector3 spin(0, 0, 2),
+      centre = (a.getCenterOfMassPosition() + b.getCenterOfMassPosition()) / 2;
+  for (btRigidBody* body : {&a, &b}) {
+    body->setAngularVelocity(spin);
+    body->setLinearVelocity(spin.cross(body->getCenterOfMassPosition() - centre));
+  }
+  world.advance(60);
+  EXPECT_EQ(world.report().contacts, 0);
+  for (const btRigidBody* body : {&a, &b})
+    EXPECT_NEAR(body->getAngularVelocity().length(), 2, 0.05);
+  world->removeConstraint(weld.get());
 }
 
 }  // namespace
