@@ -85,7 +85,6 @@ bool answerJam(const Group& group, const Island& island, double most, Bench& ben
     return solution.residual <= roughly * demand && fitsBullet(solution.r);
   };
   VectorXd& guess = bench.guess;
-  guess.resize(0);
   for (const double share : shares) {
     if (!isFound(share, guess)) return false;
     guess = solution.r;

@@ -160,6 +160,7 @@ SearchEnd searchFor(const Group& group, const Island& island, bool mayJam, const
       solve();
     }
     if (solution.status != Status::OutOfBudget || willDo(solution, last)) return SearchEnd::Short;
+    bench.guess.resize(0);
     if (isFarOff(solution, problem.demand()) &&
         answerJam(group, island, nearly * solution.residual, bench, answer, result))
       return SearchEnd::Jammed;
@@ -203,6 +204,7 @@ void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& 
   const bool contactsThrow = contactsHurry && contactsThrowOne(group, island, demand, answer);
   const bool jointsThrow = !contactsThrow && jointsThrowOne(group, island, problem, solution);
   const bool isLost = end == SearchEnd::Whole && isFarOff(solution, demand);
+  bench.guess.resize(0);
   if (mayJam && !jointsThrow && (isLost || contactsHurry) &&
       answerJam(group, island, isLost ? nearly * solution.residual : infinity, bench, answer,
                 result))
@@ -211,14 +213,17 @@ void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& 
     answerSoftened(group, island, jointsThrow, bench, answer, result);
 }
 
-/// What jammed in the last step is likely to do so now. Where work is bounded there is none for
-/// this.
+/// What jammed in the last step is likely to do so now, with much the same reactions. Where work is
+/// bounded there is none for this.
 void solveIsland(const Group& group, const Island& island, Bench& bench, Answer& answer,
                  IslandResult& result) {
   const bool mayJam = !group.articulation.moves(island) && island.hasContacts() &&
                       bench.solver.options().pathBudget > 0;
-  if (!mayJam || !marksOf(group, island).isJammed ||
-      !answerJam(group, island, infinity, bench, answer, result))
+  const auto stillJams = [&] {
+    collectGuess(island, answer, bench.guess);
+    return answerJam(group, island, infinity, bench, answer, result);
+  };
+  if (!mayJam || !marksOf(group, island).isJammed || !stillJams())
     solveExactly(group, island, mayJam, bench, answer, result);
   for (int unknown : result.blamed)
     if (const int contact = partAt(group, island, unknown).contact; contact >= 0)

@@ -61,10 +61,10 @@ class ShortSearch {
   ShortSearch(const ShortSearch&) = delete;
   ShortSearch& operator=(const ShortSearch&) = delete;
 
-  /// And for less: for bodies that are taken softer than they are.
+  /// And for less: for bodies that are taken softer than they are, nobody knows by how much.
   void takeAnyNear() {
     Options options = solver_.options();
-    options.tolerance = std::max(options.tolerance, 1e-5);
+    options.tolerance = std::max(options.tolerance, 1e-4);
     options.sweepBudget = std::min(options.sweepBudget, 2000);
     solver_.setOptions(options);
   }

@@ -2,6 +2,11 @@
 
 namespace demos {
 
+double Jitter::operator()() {
+  // Spelled out, because the standard does not fix what its distributions return.
+  return size_ * (2 * double(random_() >> 11) / double(1ULL << 53) - 1);
+}
+
 btRigidBody& addGround(World& world, double mu, double halfSize) {
   btBoxShape& slab = world.box(vec3(halfSize, 1, halfSize));
   return world.add(0, slab, at(0, -1, 0), {surfaceFriction(mu), 0});

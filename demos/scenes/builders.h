@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <random>
 #include <vector>
 
 #include "demos/scenes/scene.h"
@@ -13,6 +14,18 @@ constexpr double usualFriction = 0.5;
 
 /// The default of all scenes: half size 0.5 m, 1 kg.
 constexpr double unitHalf = 0.5;
+
+/// Numbers of at most `size`, by which bodies are put out of line, so that a pile has no preferred
+/// direction: the same in every run, on every machine.
+class Jitter {
+ public:
+  explicit Jitter(double size) : size_(size) {}
+  double operator()();
+
+ private:
+  std::mt19937_64 random_{1920};
+  double size_;
+};
 
 /// Half the side of the ground of most scenes, m.
 constexpr double usualGround = 50;
@@ -98,6 +111,9 @@ std::unique_ptr<World> buildPyramid(int base);
 std::unique_ptr<World> buildWall(int columns, int rows);
 std::unique_ptr<World> buildDominoRun(int count);
 std::unique_ptr<World> buildCardHouse(int storeys);
+/// A bin of 4 x 3 m with boxes of 1 kg and half a metre in it; after two seconds one of its walls
+/// closes at 0.5 m/s, whatever is in its way, until 2.2 x 3 m are left.
+std::unique_ptr<World> buildCompactor(int boxes);
 
 // --- Round and hung things
 // --------------------------------------------------------------------------------------

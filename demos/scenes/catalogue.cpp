@@ -135,6 +135,12 @@ void addBoxScenes(std::vector<SceneDescription>& scenes) {
   scenes.push_back({"domino_run", "forty dominoes, the first leaning on its edge", 10,
                     seenFrom(0, 10, 45), "all fall; no energy is gained",
                     [] { return buildDominoRun(40); }});
+  scenes.push_back({"compactor",
+                    "72 boxes of half a metre in a bin, one wall of which closes at 0.5 m/s",
+                    7,
+                    {vec3(1.5, 4, 9), vec3(-0.2, 1.3, 0), 40},
+                    "no solution where they jam: they give a little, none is thrown out",
+                    [] { return buildCompactor(72); }});
 }
 
 void addRoundAndHungScenes(std::vector<SceneDescription>& scenes) {

@@ -1,5 +1,3 @@
-#include <random>
-
 #include "demos/scenes/builders.h"
 
 namespace demos {
@@ -16,11 +14,7 @@ std::unique_ptr<World> buildSpheresBin(int side) {
        {btVector3(1, 0, 0), btVector3(-1, 0, 0), btVector3(0, 0, 1), btVector3(0, 0, -1)})
     world->add(0, world->plane(normal, wall), at(0, 0, 0), material);
 
-  std::mt19937_64 random(1920);
-  // Spelled out, because the standard does not fix what its distributions return.
-  const auto jitter = [&random] {
-    return disorder * (2 * double(random() >> 11) / double(1ULL << 53) - 1);
-  };
+  Jitter jitter(disorder);
   btSphereShape& sphere = world->sphere(radius);
   for (int layer = 0; layer < side; ++layer)
     for (int row = 0; row < side; ++row)

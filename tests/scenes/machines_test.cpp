@@ -1,5 +1,6 @@
 // Scenes with joints: what they hold, they hold.
 #include <algorithm>
+#include <cmath>
 
 #include "demos/scenes/builders.h"
 #include "tests/scenes/run_scene.h"
@@ -18,6 +19,26 @@ TEST(Gripper, LiftsTheBoxWithoutSlip) {
   EXPECT_NEAR(box.getWorldTransform().getOrigin().y(), 0.5 + 1, 0.02);
   EXPECT_NEAR(palm.getWorldTransform().getOrigin().y() - box.getWorldTransform().getOrigin().y(),
               below, 1e-3);
+}
+
+// The shut bin has room for all boxes, but only if they climb onto each other.
+TEST(Compactor, JamsAndThrowsNoBox) {
+  constexpr double halfLength = 2, halfWidth = 1.5;  // of the open bin, m
+  constexpr double slowEnough = 20;                  // m/s; the wall closes at 0.5
+  OnRegions run(buildCompactor(24));
+  int jams = 0;
+  while (run.world->time() < 7) {
+    run.world->step(1 / hz);
+    jams += run.solver.report().softened > 0;
+    for (const btRigidBody* box : run.world->movableBodies()) {
+      ASSERT_LT(box->getLinearVelocity().length(), slowEnough) << run.world->time();
+      const btVector3& place = box->getWorldTransform().getOrigin();
+      ASSERT_TRUE(std::abs(place.x()) < halfLength && std::abs(place.z()) < halfWidth &&
+                  place.y() > 0)
+          << run.world->time();
+    }
+  }
+  EXPECT_GT(jams, 0);
 }
 
 TEST(HeavyBallChain, KeepsItsLength) {
