@@ -13,6 +13,7 @@
 #include "bullet_ext/gather.h"
 #include "bullet_ext/names.h"
 #include "bullet_ext/prefetch.h"
+#include "bullet_ext/response.h"
 #include "bullet_ext/softness.h"
 
 namespace delassus::bullet {
@@ -103,19 +104,6 @@ double bounceOf(const Pair& pair, const btManifoldPoint& point, const btContactS
   const double a = c.frame.col(0).dot(slipBefore(pair, c));
   if (std::abs(a) < info.m_restitutionVelocityThreshold) return 0;
   return std::max(0.0, -a * point.m_combinedRestitution);
-}
-
-/// What one body adds to W_ii of a contact along `axis`. The linear factor is left out, as in
-/// Bullet's solvers.
-double responseOf(const Group& group, int body, const Vec3& arm, const Vec3& axis) {
-  if (!group.movable(body)) return 0;
-  const Vec3 turn = arm.cross(axis);
-  if (const Articulation::Limb* limb = group.articulation.limbOf(body))
-    return (axis.transpose() * limb->motion.topRows<3>() +
-            turn.transpose() * limb->motion.bottomRows<3>())
-        .squaredNorm();
-  return group.bodySources[body].rigid->getInvMass() * axis.squaredNorm() +
-         turn.dot(group.bodies[body].inverseInertia * turn);
 }
 
 double tangentialResponse(const Group& group, const Contact& c, int column) {
@@ -344,8 +332,11 @@ void gatherContacts(Group& group, const GroupInput& input, StepReport& report) {
     if (!responds(input.dispatcher, a, b)) continue;
     const int indexA = bodyIndex(group, a, info, report);
     const int indexB = bodyIndex(group, b, info, report);
+    const auto first = static_cast<int>(group.contacts.size());
     gatherManifold(group, pairOf(group, manifold, indexA, indexB, info), info, report);
+    group.twoSided.note(group, a, indexA, b, indexB, first);
   }
+  group.twoSided.soften(group);
 }
 
 }  // namespace delassus::bullet

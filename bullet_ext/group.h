@@ -9,6 +9,7 @@
 #include "bullet_ext/contact_event.h"
 #include "bullet_ext/joined_bodies.h"
 #include "bullet_ext/joint_loops.h"
+#include "bullet_ext/two_sided.h"
 #include "delassus/articulation.h"
 #include "delassus/body.h"
 #include "delassus/contact.h"
@@ -120,6 +121,7 @@ struct Group {
   AddressTable indexOf;
   JoinedBodies joined;
   JointLoops loops;
+  TwoSided twoSided;
   std::vector<InfoRow> asked;  ///< of the joint that is being gathered
 
   void clear();
