@@ -60,8 +60,9 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   /// step can follow: such bodies, and no others, turn as if held by implicit springs of their
   /// geometric stiffness under the last step's forces (geometric_stiffness.h). Joints hold as well;
   /// swings lose some energy, in proportion to the step. Needs SOLVER_USE_WARMSTARTING and a warm
-  /// starting factor above 0, has no effect in a solver pool; report().stiffened counts. Off at
-  /// first: such ropes gain energy and tear, with any solver, unless steps are shorter.
+  /// starting factor above 0, has no effect in a solver pool; report().stiffened counts. On at
+  /// first: without it such ropes gain energy and tear, with any solver that has their joints hold,
+  /// unless steps are shorter.
   void setGeometricStiffness(bool on);
   /// Forgets the last step's report, the workspace, and the reactions that are kept here; Bullet's
   /// contact points keep theirs. Options, threads, listeners and what was switched on stay. Throws
@@ -109,5 +110,5 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   // Shared, since who listens may end that while it is called; a copy of the function might take
   // memory in every step.
   std::shared_ptr<const Listener> listener_, troubleListener_, turningListener_;
-  bool stockRollingFriction_ = false, geometricStiffness_ = false;
+  bool stockRollingFriction_ = false, geometricStiffness_ = true;
 };

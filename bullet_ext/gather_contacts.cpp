@@ -111,14 +111,6 @@ double tangentialResponse(const Group& group, const Contact& c, int column) {
   return responseOf(group, c.a, c.armA, t) + responseOf(group, c.b, c.armB, t);
 }
 
-/// Of the contact of joined bodies: by that of them which answers less, so that a heavy one does
-/// not sink into a light one.
-double joinedCompliance(const Group& group, const Contact& c) {
-  const Vec3 n = c.frame.col(0);
-  const double a = responseOf(group, c.a, c.armA, n), b = responseOf(group, c.b, c.armB, n);
-  return joinedSoftness * (a > 0 && b > 0 ? std::min(a, b) : a + b);
-}
-
 /// How far the bodies are apart, m: not at all where the rounding of their places tells as much,
 /// and no more moves in a step.
 double distanceOf(const Pair& pair, const btManifoldPoint& point, const btContactSolverInfo& info,
@@ -152,7 +144,8 @@ double fillContact(const Group& group, Pair& pair, const btManifoldPoint& point,
   c.target = {bounceOf(pair, point, info, c) - std::max(d, 0.0) / h + (split ? 0 : recovery),
               frame.motion1, frame.motion2};
   c.compliance = soft.cfm < 0 ? 0 : soft.cfm / h;
-  if (pair.joined) c.compliance += joinedCompliance(group, c);
+  // By the lesser answer: a heavy body does not sink into a light one.
+  if (pair.joined) c.compliance += joinedSoftness * lesserResponse(group, c);
   if (group.isLimb(c.a) || group.isLimb(c.b))  // rigid bodies have that of their point alone
     c.slipCompliance = std::max<double>(info.m_frictionCFM, 0) / h;
   if (frame.softness > 0)
@@ -334,9 +327,9 @@ void gatherContacts(Group& group, const GroupInput& input, StepReport& report) {
     const int indexB = bodyIndex(group, b, info, report);
     const auto first = static_cast<int>(group.contacts.size());
     gatherManifold(group, pairOf(group, manifold, indexA, indexB, info), info, report);
-    group.twoSided.note(group, a, indexA, b, indexB, first);
+    group.opposed.note(group, a, indexA, b, indexB, first);
   }
-  group.twoSided.soften(group);
+  group.opposed.soften(group);
 }
 
 }  // namespace delassus::bullet

@@ -22,14 +22,14 @@ void Group::clear() {
   multiBodyRows.clear();
   indexOf.clear();
   joined.clear();
-  twoSided.clear();
+  opposed.clear();
 }
 
 std::size_t Group::bytes() const {
   return bytesOf(bodies, bodySources, contacts, contactSources, pushes, guess, idle, marks, rows,
                  rowGuess, joints, multiBodyRows, asked) +
          obsolete.capacity() * sizeof(void*) + indexOf.bytes() + joined.bytes() + loops.bytes() +
-         twoSided.bytes() + articulation.bytes();
+         opposed.bytes() + articulation.bytes();
 }
 
 }  // namespace delassus::bullet

@@ -9,7 +9,7 @@
 #include "bullet_ext/contact_event.h"
 #include "bullet_ext/joined_bodies.h"
 #include "bullet_ext/joint_loops.h"
-#include "bullet_ext/two_sided.h"
+#include "bullet_ext/opposed_contacts.h"
 #include "delassus/articulation.h"
 #include "delassus/body.h"
 #include "delassus/contact.h"
@@ -121,7 +121,7 @@ struct Group {
   AddressTable indexOf;
   JoinedBodies joined;
   JointLoops loops;
-  TwoSided twoSided;
+  OpposedContacts opposed;
   std::vector<InfoRow> asked;  ///< of the joint that is being gathered
 
   void clear();

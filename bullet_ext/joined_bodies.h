@@ -26,6 +26,13 @@ class JoinedBodies {
       if (partners_[i].body == &b) return true;
     return false;
   }
+  bool empty() const { return partners_.empty(); }
+  /// Calls `visit(a, b)` for every two that are joined, in the order of the joints.
+  template <class Visit>
+  void eachPair(const Visit& visit) const {
+    for (std::size_t i = 0; i < partners_.size(); i += 2)
+      visit(*partners_[i + 1].body, *partners_[i].body);
+  }
   std::size_t bytes() const { return first_.bytes() + partners_.capacity() * sizeof(Partner); }
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "bullet_ext/group.h"
@@ -18,6 +19,14 @@ inline double responseOf(const Group& group, int body, const Vec3& arm, const Ve
         .squaredNorm();
   return group.bodySources[body].rigid->getInvMass() * axis.squaredNorm() +
          turn.dot(group.bodies[body].inverseInertia * turn);
+}
+
+/// Along the normal of a contact, of that of its bodies which answers less; one that does not move
+/// is none.
+inline double lesserResponse(const Group& group, const Contact& c) {
+  const Vec3 n = c.frame.col(0);
+  const double a = responseOf(group, c.a, c.armA, n), b = responseOf(group, c.b, c.armB, n);
+  return a > 0 && b > 0 ? std::min(a, b) : a + b;
 }
 
 }  // namespace delassus::bullet

@@ -9,6 +9,7 @@
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "bullet_ext/convert.h"
 #include "bullet_ext/group.h"
+#include "bullet_ext/response.h"
 #include "bullet_ext/solve_group.h"
 #include "delassus/contact_motion.h"
 
@@ -68,19 +69,26 @@ bool drives(const Group& group, int k, double r) {
   return std::isfinite(bound) && (std::abs(r) >= bound || bound < breakingImpulseOf(group, k));
 }
 
-/// What is done to the bodies of an island, and the most that is asked for there.
+/// What is done to the bodies of an island, J.
 struct Hold {
-  double work = 0;            ///< r (u + u⁺)/2 of all that holds, J
-  double drive = 0;           ///< of what drives joints, whichever way, J
-  double push = 0, turn = 0;  ///< targets, m/s and rad/s
+  double work = 0;   ///< r (u + u⁺)/2 of all that holds
+  double asked = 0;  ///< r·target of it
+  double alone = 0;  ///< ½ target²/W_ii: the work, if each target were met alone
+  double drive = 0;  ///< of what drives joints, whichever way
 };
-/// No work where no joint holds, whatever contacts do.
+/// Nothing where no joint holds, whatever contacts do.
 Hold holdOf(const Group& group, const Island& island, const Problem& problem,
             const Solution& solution) {
   const VectorXd &r = solution.r, &compliance = problem.W.bodySpace().compliance;
   Hold sum;
   const auto workOf = [&](int at, double target) {
     return r[at] * (0.5 * (problem.q[at] + solution.u[at] - compliance[at] * r[at]) + target);
+  };
+  const auto add = [&](int at, double target, double response) {
+    sum.work += workOf(at, target);
+    if (!(r[at] * target > 0) || !(response > 0)) return;
+    sum.asked += r[at] * target;
+    sum.alone += 0.5 * target * target / response;
   };
   bool jointsHold = false;
   const auto contacts = static_cast<int>(r.size() - island.rows.size());
@@ -92,65 +100,45 @@ Hold holdOf(const Group& group, const Island& island, const Problem& problem,
       sum.drive += std::abs(workOf(at, row.target));
       continue;
     }
-    sum.work += workOf(at, row.target);
-    double& asked = turns(row) ? sum.turn : sum.push;
-    asked = std::max(asked, std::abs(row.target));
+    add(at, row.target, diagonal(group.bodies, row));
     jointsHold = true;
   }
   if (!jointsHold) return {};
 
   int at = 0;
-  const auto addContact = [&](double target) {
-    sum.work += workOf(at++, target);
-    sum.push = std::max(sum.push, std::abs(target));
+  const auto addContact = [&](const Contact& c, int unknowns) {
+    for (int k = 0; k < unknowns; ++k, ++at) {
+      const Vec3 axis = c.frame.col(k);
+      add(at, c.target[k],
+          responseOf(group, c.a, c.armA, axis) + responseOf(group, c.b, c.armB, axis));
+    }
   };
-  for (const int k : island.frictional)
-    for (const double target : group.contacts[k].target) addContact(target);
-  for (const int k : island.frictionless) addContact(group.contacts[k].target[0]);
+  for (const int k : island.frictional) addContact(group.contacts[k], 3);
+  for (const int k : island.frictionless) addContact(group.contacts[k], 1);
   return sum;
 }
 
-/// Whether the work is more than it takes to have all that moves go `jointReach` times as fast as
-/// it did, at the speed that is asked for.
-bool exceeds(double work, double energy) { return work > jointReach * jointReach * energy; }
-
-/// Of the bodies that may leave their place: what they have, and what `speed` gives them, J.
-double energyOfPlaces(const Group& group, const Island& island, double speed) {
-  double sum = 0;
-  for (const int body : island.bodies) {
-    const double inverse = group.bodies[body].inverseMass.maxCoeff();
-    if (inverse > 0)
-      sum += 0.5 / inverse * (group.bodies[body].velocity.head<3>().squaredNorm() + speed * speed);
-  }
-  return sum;
-}
-
-/// The same of their turns, about the axes about which they may turn.
-double energyOfTurns(const Group& group, const Island& island, double speed) {
+/// Of the turns of the island's bodies, about the axes about which they may turn, J.
+double energyOfTurns(const Group& group, const Island& island) {
   double sum = 0;
   for (const int body : island.bodies) {
     const Mat3 inertia =
         group.bodies[body].inverseInertia.completeOrthogonalDecomposition().pseudoInverse();
     const Vec3 turn = group.bodies[body].velocity.tail<3>();
-    sum += 0.5 * (turn.dot(inertia * turn) + speed * speed * inertia.trace());
+    sum += 0.5 * turn.dot(inertia * turn);
   }
   return sum;
 }
 
-/// How far from where they hold the bodies of the island's joints are at most, both together, m.
-/// What does not move has no arm: where its origin is says nothing.
-double longestJoint(const Group& group, const Island& island) {
-  const auto armOf = [](int body, const Row6& J) {
-    const double push = J.head<3>().norm();
-    return body >= 0 && push > 0 ? J.tail<3>().norm() / push : 0.0;
-  };
-  double length = 0;
-  for (const int k : island.rows) {
-    const Row& row = group.rows[k];
-    if (row.governor < 0)
-      length = std::max(length, armOf(row.a, row.jacobianA) + armOf(row.b, row.jacobianB));
+/// Of the island's bodies, J, if each that may leave its place went at least so fast.
+double energyOf(const Group& group, const Island& island, double leastSpeed) {
+  double sum = energyOfTurns(group, island);
+  for (const int body : island.bodies) {
+    const double inverse = group.bodies[body].inverseMass.maxCoeff();
+    const double speed = std::max(group.bodies[body].velocity.head<3>().norm(), leastSpeed);
+    if (inverse > 0) sum += 0.5 / inverse * speed * speed;
   }
-  return length;
+  return sum;
 }
 
 }  // namespace
@@ -169,13 +157,10 @@ bool contactsThrowOne(const Group& group, const Island& island, double demand, c
 bool jointsThrowOne(const Group& group, const Island& island, const Problem& problem,
                     const Solution& solution) {
   const Hold hold = holdOf(group, island, problem, solution);
-  // What is cheap first: few go on.
-  if (!(hold.work > 0) ||
-      !exceeds(hold.work, hold.drive + energyOfPlaces(group, island, hold.push)))
-    return false;
-  const double speed = hold.push + hold.turn * longestJoint(group, island);
-  return exceeds(hold.work, hold.drive + energyOfPlaces(group, island, speed) +
-                                energyOfTurns(group, island, hold.turn));
+  // The work would be no more than what is asked for, but for rounding. What is cheap first: few go
+  // on.
+  return std::min(hold.work, hold.asked) > timesAlone * (hold.alone + hold.drive) &&
+         hold.work > shareOfMotion * energyOf(group, island, 0);
 }
 
 double driveOf(const Group& group, const Island& island) {
@@ -194,14 +179,7 @@ double energyAtHand(const Group& group, const Island& island) {
   for (const int k : island.rows)
     if (const Row& row = group.rows[k]; row.governor < 0 && !turns(row))
       drive = std::max(drive, std::abs(row.target));
-  drive += askedByTurns(group, island);
-  double sum = energyOfTurns(group, island, 0);
-  for (const int body : island.bodies) {
-    const double inverse = group.bodies[body].inverseMass.maxCoeff();
-    const double speed = std::max(group.bodies[body].velocity.head<3>().norm(), drive);
-    if (inverse > 0) sum += 0.5 / inverse * speed * speed;
-  }
-  return sum;
+  return energyOf(group, island, drive + askedByTurns(group, island));
 }
 
 void soften(const std::vector<Body>& bodies, Contact& contact, double share) {

@@ -23,23 +23,26 @@ struct Group;
 /// How many times as fast as all that asks for motion, or moved before, a body may leave: out of a
 /// wedge of 11 degrees it does so exactly.
 constexpr double reach = 10;
-/// The same where joints throw, in the mean of all that they hold.
+/// The same of what joints hold, in their softer answer.
 constexpr double jointReach = 3;
 
 /// Whether what presses leaves more than `times` as fast as anything in the island was, or is asked
 /// to be (`demand`, m/s, and what turns joints, at the arms of the contacts).
 bool contactsThrowOne(const Group& group, const Island& island, double demand, const Answer& answer,
                       double times = reach);
-/// Whether joints that hold, and contacts beside them, do more work than jointReach² times
+/// Whether joints that hold, and contacts beside them, do more work
 ///
-///   - the energy of all that moves and turns, as it was and at the speeds that they ask for,
-///   - and the work of what drives joints, whichever way: motors, limits and springs, which have
-///     bounds and may do all that these allow. A breaking threshold is no such bound.
+///   - than timesAlone times ½ target²/W_ii of all their targets, which is what each would take
+///     alone, and the work of what drives joints, whichever way: motors, limits and springs, which
+///     have bounds and may do all that these allow (a breaking threshold is no such bound),
+///   - and than a shareOfMotion of the energy that the island has.
 ///
 /// Work that is done to hold, r (u + u⁺)/2, is what targets ask for: held at rest nothing gains
-/// any.
+/// any. Limbs that fall in a heap take up to 20 times what they would take alone, taut bridges up
+/// to 40; those that are wedged, or a chain that is too short, hundreds and thousands.
 bool jointsThrowOne(const Group& group, const Island& island, const Problem& problem,
                     const Solution& solution);
+constexpr double timesAlone = 50, shareOfMotion = 1.0 / 3;
 
 /// The fastest of what touches the island and does not give way, m/s.
 double driveOf(const Group& group, const Island& island);

@@ -23,7 +23,7 @@ struct RunArguments {
   double seconds = 0;  ///< 0: the scene's own
   double hz = 0;       ///< 0: the scene's own
   int threads = 1;
-  bool geometricStiffness = false;
+  bool noGeometricStiffness = false;
   bool json = false;
   bool explain = false;
 };
@@ -160,7 +160,7 @@ void tellWhatIsIdle(const RunArguments& arguments, const std::vector<NamedSolver
                    option);
   };
   tell(arguments.threads > 1, "--threads");
-  tell(arguments.geometricStiffness, "--geometric-stiffness");
+  tell(arguments.noGeometricStiffness, "--no-geometric-stiffness");
   tell(arguments.explain, "--explain");
 }
 
@@ -175,7 +175,7 @@ int runSubject(const RunArguments& arguments) {
   std::optional<Law> law;
   for (NamedSolver& solver : solvers) {
     solver.setThreads(arguments.threads);
-    solver.setGeometricStiffness(arguments.geometricStiffness);
+    solver.setGeometricStiffness(!arguments.noGeometricStiffness);
     Subject subject = openSubject(arguments.subject);
     RunSettings settings{arguments.seconds > 0 ? arguments.seconds : subject.seconds,
                          arguments.hz > 0 ? arguments.hz : subject.hz, subject.law};
@@ -261,8 +261,8 @@ void addRunCommand(CLI::App& app, Action& chosen) {
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->add_flag(
-      "--geometric-stiffness", arguments->geometricStiffness,
-      "delassus: light bodies in taut joints turn no faster than the step can follow");
+      "--no-geometric-stiffness", arguments->noGeometricStiffness,
+      "delassus: light bodies in taut joints may turn faster than the step can follow");
   command->add_flag("--explain", arguments->explain,
                     "what the scene asks of delassus, what a step is made of therefore, and what "
                     "each part costs");

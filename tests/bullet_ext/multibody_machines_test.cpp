@@ -208,7 +208,6 @@ TEST(MultiBodyMachines, AConstraintWithoutRowsCarriesATree) {
 
 TEST(MultiBodyMachines, RopesOfRigidBodiesAreStiffenedToo) {
   DelassusMultiBodyWorld world;
-  dynamic_cast<btDelassusMultiBodyConstraintSolver&>(world.solver()).setGeometricStiffness(true);
   const btVector3 half(btScalar(0.05), btScalar(0.25), btScalar(0.05)), end(0, half.y(), 0);
   btRigidBody* above = nullptr;
   for (int i = 0; i < 4; ++i) {
@@ -223,6 +222,9 @@ TEST(MultiBodyMachines, RopesOfRigidBodiesAreStiffenedToo) {
   }
   world.advance(2);
   EXPECT_EQ(world.report().stiffened, 3);
+  dynamic_cast<btDelassusMultiBodyConstraintSolver&>(world.solver()).setGeometricStiffness(false);
+  world.advance();
+  EXPECT_EQ(world.report().stiffened, 0);
 }
 
 }  // namespace

@@ -157,11 +157,11 @@ TEST_F(Command, NamesWhatItDoesNotUnderstand) {
 
 TEST_F(Command, TellsWhichOptionsChangeNothing) {
   const std::string options =
-      "run one_box --seconds 0.1 --threads 2 --geometric-stiffness --explain --solver ";
+      "run one_box --seconds 0.1 --threads 2 --no-geometric-stiffness --explain --solver ";
   const Outcome stock = call(options + "si:10,dantzig");
   EXPECT_EQ(stock.status, 0);
   EXPECT_EQ(lines(stock.err), 3) << stock.err;
-  for (const char* option : {"--threads", "--geometric-stiffness", "--explain"})
+  for (const char* option : {"--threads", "--no-geometric-stiffness", "--explain"})
     EXPECT_NE(stock.err.find(option), std::string::npos) << option;
   EXPECT_EQ(call(options + "si:10,delassus").err, "");
 }

@@ -89,12 +89,11 @@ Sweep geometricChain() {
     return trial;
   };
   sweep.remark =
-      "Another remedy: `setGeometricStiffness(true)`. Each link turns as if implicit springs of "
-      "the "
-      "stiffness that the last step's tension gives it held it, and no other body does. It costs "
-      "no "
-      "time, and a swing 2 % of its energy a second at 60 Hz, less in shorter steps. The stock "
-      "solvers have nothing of the kind. What opens in the end are joints that give by 1e-10 (in "
+      "Another remedy, and on unless it is switched off, as it is in all other maps: "
+      "`setGeometricStiffness(true)`. Each link turns as if implicit springs of the stiffness that "
+      "the last step's tension gives it held it, and no other body does. It costs no time, and a "
+      "swing 2 % of its energy a second at 60 Hz, less in shorter steps. The stock solvers have "
+      "nothing of the kind. What opens in the end are joints that give by 1e-10 (in "
       "float 1e-8) of their W, lest rounding in redundant ones contradict itself.";
   return sweep;
 }

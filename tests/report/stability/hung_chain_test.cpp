@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <utility>
 
 #include "tests/report/stability/run_trial.h"
 
@@ -34,6 +35,12 @@ TEST(HungChain, StiffenedHoldsFarBeyondTheLimit) {
   EXPECT_GT(worstError(hungChain(chain, seconds)), allowed);
   chain.stiffened = true;
   EXPECT_LT(worstError(hungChain(chain, seconds)), allowed);
+}
+
+TEST(HungChain, WithGeometricStiffnessHoldsFarBeyondTheLimit) {
+  Trial trial = hungChain(chainWith(1000 * heaviestBall(links, 1 / rate)), seconds);
+  trial.geometricStiffness = true;
+  EXPECT_LT(worstError(std::move(trial)), allowed);
 }
 
 TEST(HungChain, AsManySubstepsAsTheLimitAsksForHoldIt) {

@@ -12,6 +12,7 @@ namespace demos::report::stability {
 inline double worstError(Trial trial, int every = 1) {
   NamedSolver named("delassus");
   named.configure(trial.world->dynamics().getSolverInfo());
+  named.setGeometricStiffness(trial.geometricStiffness);
   trial.world->setSolver(named.solver());
   double worst = 0;
   for (int step = 1; step <= trial.steps; ++step) {
