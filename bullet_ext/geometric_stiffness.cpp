@@ -24,31 +24,45 @@ struct Arms {
 };
 
 template <class Joint>
-bool readFrames(const btTypedConstraint& any, Arms& arms,
-                const btTransform& (Joint::*frameA)() const,
+Arms readFrames(const btTypedConstraint& any, const btTransform& (Joint::*frameA)() const,
                 const btTransform& (Joint::*frameB)() const) {
   const auto* joint = dynamic_cast<const Joint*>(&any);
-  if (!joint) return false;
-  arms = {(joint->*frameA)().getOrigin(), (joint->*frameB)().getOrigin()};
-  return true;
+  return joint ? Arms{(joint->*frameA)().getOrigin(), (joint->*frameB)().getOrigin()} : Arms();
+}
+
+/// In the frames of the bodies. The type saves casts that fail; of the user's own joints it may say
+/// anything.
+Arms localArmsOf(const btTypedConstraint& joint) {
+  switch (joint.getConstraintType()) {
+    case POINT2POINT_CONSTRAINT_TYPE: {
+      const auto* point = dynamic_cast<const btPoint2PointConstraint*>(&joint);
+      return point ? Arms{point->getPivotInA(), point->getPivotInB()} : Arms();
+    }
+    case HINGE_CONSTRAINT_TYPE:
+      return readFrames<btHingeConstraint>(joint, &btHingeConstraint::getAFrame,
+                                           &btHingeConstraint::getBFrame);
+    case CONETWIST_CONSTRAINT_TYPE:
+      return readFrames<btConeTwistConstraint>(joint, &btConeTwistConstraint::getAFrame,
+                                               &btConeTwistConstraint::getBFrame);
+    case SLIDER_CONSTRAINT_TYPE:
+      return readFrames<btSliderConstraint>(joint, &btSliderConstraint::getFrameOffsetA,
+                                            &btSliderConstraint::getFrameOffsetB);
+    case D6_CONSTRAINT_TYPE:
+    case D6_SPRING_CONSTRAINT_TYPE:
+      return readFrames<btGeneric6DofConstraint>(joint, &btGeneric6DofConstraint::getFrameOffsetA,
+                                                 &btGeneric6DofConstraint::getFrameOffsetB);
+    case D6_SPRING_2_CONSTRAINT_TYPE:
+    case FIXED_CONSTRAINT_TYPE:
+      return readFrames<btGeneric6DofSpring2Constraint>(
+          joint, &btGeneric6DofSpring2Constraint::getFrameOffsetA,
+          &btGeneric6DofSpring2Constraint::getFrameOffsetB);
+    default:
+      return {};
+  }
 }
 
 Arms armsOf(const btTypedConstraint& joint) {
-  Arms arms;
-  if (const auto* point = dynamic_cast<const btPoint2PointConstraint*>(&joint))
-    arms = {point->getPivotInA(), point->getPivotInB()};
-  else
-    readFrames<btHingeConstraint>(joint, arms, &btHingeConstraint::getAFrame,
-                                  &btHingeConstraint::getBFrame) ||
-        readFrames<btConeTwistConstraint>(joint, arms, &btConeTwistConstraint::getAFrame,
-                                          &btConeTwistConstraint::getBFrame) ||
-        readFrames<btSliderConstraint>(joint, arms, &btSliderConstraint::getFrameOffsetA,
-                                       &btSliderConstraint::getFrameOffsetB) ||
-        readFrames<btGeneric6DofConstraint>(joint, arms, &btGeneric6DofConstraint::getFrameOffsetA,
-                                            &btGeneric6DofConstraint::getFrameOffsetB) ||
-        readFrames<btGeneric6DofSpring2Constraint>(
-            joint, arms, &btGeneric6DofSpring2Constraint::getFrameOffsetA,
-            &btGeneric6DofSpring2Constraint::getFrameOffsetB);
+  const Arms arms = localArmsOf(joint);
   const btTransform &a = joint.getRigidBodyA().getWorldTransform(),
                     &b = joint.getRigidBodyB().getWorldTransform();
   return {a.getBasis() * arms.onA, b.getBasis() * arms.onB};

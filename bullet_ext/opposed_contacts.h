@@ -17,8 +17,8 @@ struct Group;
 /// Contacts of the same two bodies that overlap and push against each other. Triangles (a mesh, a
 /// heightfield) push from both sides, so that what is thin, as the leg of a chair or a limb, and
 /// comes to be half way through them is pushed both ways by one face; and so are parts of compounds
-/// that interlock. Met exactly, such demands hold the two together, or throw them apart. Bodies that
-/// joints link are one in triangles: a limb may be above them and the next one below.
+/// that interlock. Met exactly, such demands hold the two together, or throw them apart. What
+/// joints link is one body in triangles: a limb may be above them and the next one below.
 class OpposedContacts {
  public:
   void clear() {
