@@ -94,6 +94,8 @@ bool answerJam(const Group& group, const Island& island, double most, Bench& ben
     take(group, island, solution, residual, answer, result);
     if (contactsThrowOne(group, island, demand, answer, suspectReach) && isFound(1, guess))
       take(group, island, solution, residualOf(group, island, solution.r, bench), answer, result);
+    if (!island.rows.empty() && contactsThrowOne(group, island, demand, answer, suspectReach))
+      answerSoftened(group, island, true, bench, answer, result);
     mark(group, island, result).isJammed = true;
     return true;
   }

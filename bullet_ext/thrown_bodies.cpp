@@ -160,7 +160,7 @@ bool jointsThrowOne(const Group& group, const Island& island, const Problem& pro
   // The work would be no more than what is asked for, but for rounding. What is cheap first: few go
   // on.
   return std::min(hold.work, hold.asked) > timesAlone * (hold.alone + hold.drive) &&
-         hold.work > shareOfMotion * energyOf(group, island, 0);
+         hold.work > energyOf(group, island, 0);
 }
 
 double driveOf(const Group& group, const Island& island) {

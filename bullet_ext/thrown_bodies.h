@@ -35,14 +35,14 @@ bool contactsThrowOne(const Group& group, const Island& island, double demand, c
 ///   - than timesAlone times ½ target²/W_ii of all their targets, which is what each would take
 ///     alone, and the work of what drives joints, whichever way: motors, limits and springs, which
 ///     have bounds and may do all that these allow (a breaking threshold is no such bound),
-///   - and than a shareOfMotion of the energy that the island has.
+///   - and than the energy that the island has.
 ///
 /// Work that is done to hold, r (u + u⁺)/2, is what targets ask for: held at rest nothing gains
-/// any. Limbs that fall in a heap take up to 20 times what they would take alone, taut bridges up
-/// to 40; those that are wedged, or a chain that is too short, hundreds and thousands.
+/// any. Limbs in a heap take up to 20 times what they would take alone; those that are wedged, or a
+/// chain that is too short, hundreds and thousands.
 bool jointsThrowOne(const Group& group, const Island& island, const Problem& problem,
                     const Solution& solution);
-constexpr double timesAlone = 50, shareOfMotion = 1.0 / 3;
+constexpr double timesAlone = 30;
 
 /// The fastest of what touches the island and does not give way, m/s.
 double driveOf(const Group& group, const Island& island);
