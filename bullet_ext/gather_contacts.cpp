@@ -14,6 +14,7 @@
 #include "bullet_ext/names.h"
 #include "bullet_ext/prefetch.h"
 #include "bullet_ext/response.h"
+#include "bullet_ext/saturating_sum.h"
 #include "bullet_ext/softness.h"
 
 namespace delassus::bullet {
@@ -329,7 +330,7 @@ void gatherContacts(Group& group, const GroupInput& input, StepReport& report) {
     gatherManifold(group, pairOf(group, manifold, indexA, indexB, info), info, report);
     group.opposed.note(group, a, indexA, b, indexB, first);
   }
-  group.opposed.soften(group);
+  addTo(report.opposed, group.opposed.soften(group));
 }
 
 }  // namespace delassus::bullet

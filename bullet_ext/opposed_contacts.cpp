@@ -1,6 +1,7 @@
 #include "bullet_ext/opposed_contacts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "BulletCollision/CollisionDispatch/btCollisionObject.h"
@@ -26,8 +27,8 @@ bool isOfTriangles(const btCollisionObject& object) {
   return object.getCollisionShape()->isConcave();
 }
 
-Vec3 placeOf(const Group& group, int body) {
-  return toCore(group.bodySources[body].rigid->getWorldTransform().getOrigin());
+double massOf(const btRigidBody& body) {
+  return body.getInvMass() > 0 ? 1 / static_cast<double>(body.getInvMass()) : 0;
 }
 
 }  // namespace
@@ -37,7 +38,7 @@ void OpposedContacts::add(int body, const btCollisionObject& object, bool isInTr
   const auto number = static_cast<int>(touches_.size());
   const int* known = objects_.find(&object);
   if (!known) objects_.insert(&object, number);
-  touches_.push_back({body, body, known ? *known : number, first, end, isInTriangles});
+  touches_.push_back({body, known ? *known : number, first, end, isInTriangles});
 }
 
 void OpposedContacts::note(const Group& group, const btCollisionObject& a, int indexA,
@@ -52,86 +53,107 @@ void OpposedContacts::note(const Group& group, const btCollisionObject& a, int i
     add(indexB, a, !movesA && isOfTriangles(a), first, end);
 }
 
-void OpposedContacts::findMechanisms(const Group& group) {
-  const auto isRigid = [&](int body) { return group.movable(body) && !group.isLimb(body); };
-  mechanisms_.reset(static_cast<int>(group.bodies.size()));
-  group.joined.eachPair([&](const btCollisionObject& a, const btCollisionObject& b) {
-    const int *indexA = group.indexOf.find(&a), *indexB = group.indexOf.find(&b);
-    if (indexA && indexB && isRigid(*indexA) && isRigid(*indexB))
-      mechanisms_.join(*indexA, *indexB);
-  });
-  for (Touch& touch : touches_)
-    if (touch.isInTriangles) touch.mechanism = mechanisms_.root(touch.body);
-}
-
-/// Whether there are any among those that overlap; marks them.
-bool OpposedContacts::findOpposed() {
-  constexpr double cosOpposed = -0.5, cosHalf = 0.5;
-  // As a rule no two of them are.
-  if (std::all_of(overlapping_.begin(), overlapping_.end(), [&](const Overlap& overlap) {
-        return overlap.push.dot(overlapping_.front().push) > cosHalf;
-      }))
-    return false;
-  bool any = false;
-  for (std::size_t i = 0; i < overlapping_.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      if (overlapping_[i].push.dot(overlapping_[j].push) >= cosOpposed) continue;
-      overlapping_[i].isOpposed = overlapping_[j].isOpposed = true;
-      any = true;
-    }
-  return any;
-}
-
-Vec3 OpposedContacts::centreOf(const Group& group, int mechanism) {
-  double mass = 0;
-  Vec3 sum = Vec3::Zero();
-  for (int body = 0; body < static_cast<int>(group.bodies.size()); ++body) {
-    if (!group.movable(body) || group.isLimb(body) || mechanisms_.root(body) != mechanism) continue;
-    const double inverse = group.bodySources[body].rigid->getInvMass();
-    if (!(inverse > 0)) continue;
-    mass += 1 / inverse;
-    sum += placeOf(group, body) / inverse;
-  }
-  return mass > 0 ? Vec3(sum / mass) : placeOf(group, mechanism);
-}
-
-void OpposedContacts::soften(Group& group, const Touch& touch) {
-  const bool isLinked = touch.isInTriangles && !group.joined.empty() && !group.isLimb(touch.body);
-  const Vec3 centre = isLinked ? centreOf(group, touch.mechanism) : Vec3::Zero();
-  for (const Overlap& overlap : overlapping_) {
-    if (!overlap.isOpposed) continue;
-    Contact& contact = group.contacts[overlap.contact];
-    double& push = group.pushes[overlap.contact];
-    Vec3 arm = contact.a == overlap.body ? contact.armA : contact.armB;
-    if (isLinked) arm += placeOf(group, overlap.body) - centre;
-    const bool isBehind = touch.isInTriangles && overlap.push.dot(arm) > 0;
-    contact.compliance += (isBehind ? shareBehind : share) * lesserResponse(group, contact);
-    contact.target[0] += push;
-    push = 0;
-  }
-}
-
-void OpposedContacts::soften(Group& group) {
-  const auto isInTriangles = [](const Touch& touch) { return touch.isInTriangles; };
-  if (!group.joined.empty() && std::any_of(touches_.begin(), touches_.end(), isInTriangles))
-    findMechanisms(group);
+/// Spans, in the order of bodies and objects.
+void OpposedContacts::collect(const Group& group) {
   std::sort(touches_.begin(), touches_.end(), [](const Touch& x, const Touch& y) {
-    return std::tie(x.mechanism, x.object, x.first) < std::tie(y.mechanism, y.object, y.first);
+    return std::tie(x.body, x.object, x.first) < std::tie(y.body, y.object, y.first);
   });
-  for (auto touch = touches_.begin(); touch != touches_.end();) {
-    const Touch& first = *touch;
-    overlapping_.clear();
-    for (; touch != touches_.end() && touch->mechanism == first.mechanism &&
-           touch->object == first.object;
-         ++touch)
-      for (int k = touch->first; k < touch->end; ++k) {
-        if (pointOf(group, k).getDistance() >= 0) continue;
-        const Contact& contact = group.contacts[k];
-        const int sign = contact.a == touch->body ? 1 : -1;
-        overlapping_.push_back({k, touch->body, sign * contact.frame.col(0), false});
-      }
-    if (findOpposed()) soften(group, first);
+  spans_.clear();
+  overlaps_.clear();
+  for (const Touch& touch : touches_) {
+    const auto before = static_cast<int>(overlaps_.size());
+    for (int k = touch.first; k < touch.end; ++k) {
+      const btManifoldPoint& point = pointOf(group, k);
+      if (point.getDistance() >= 0) continue;
+      const Contact& contact = group.contacts[k];
+      const bool isFirst = contact.a == touch.body;
+      Overlap overlap;
+      overlap.contact = k;
+      overlap.push = (isFirst ? 1 : -1) * contact.frame.col(0);
+      overlap.place = toCore(isFirst ? point.getPositionWorldOnB() : point.getPositionWorldOnA());
+      overlap.depth = -static_cast<double>(point.getDistance());
+      overlaps_.push_back(overlap);
+    }
+    const auto end = static_cast<int>(overlaps_.size());
+    if (end == before) continue;
+    if (!spans_.empty() && spans_.back().body == touch.body && spans_.back().object == touch.object)
+      spans_.back().end = end;
+    else
+      spans_.push_back({touch.body, touch.object, before, end, touch.isInTriangles});
   }
+}
+
+/// Marks what is opposed of two spans on one object, or of one with itself.
+void OpposedContacts::compare(const Group& group, const Span& a, const Span& b) {
+  constexpr double cosOpposed = -0.5, cosContrary = -0.98;
+  for (int i = a.first; i < a.end; ++i)
+    for (int j = b.first; j < (a.first == b.first ? i : b.end); ++j) {
+      Overlap &p = overlaps_[i], &q = overlaps_[j];
+      const double cosine = p.push.dot(q.push);
+      if (cosine >= cosOpposed) continue;
+      const Vec3 apart = q.place - p.place;
+      const double room = p.depth + q.depth;
+      const bool isOneSheet =
+          std::abs(apart.dot(p.push)) <= room || std::abs(apart.dot(q.push)) <= room;
+      if (!isOneSheet && (a.isInTriangles || cosine >= cosContrary)) continue;
+      p.isOpposed = q.isOpposed = true;
+      if (a.body == b.body) continue;
+      const btRigidBody &bodyA = *group.bodySources[a.body].rigid,
+                        &bodyB = *group.bodySources[b.body].rigid;
+      const Vec3 fromAToB =
+          toCore(bodyB.getWorldTransform().getOrigin() - bodyA.getWorldTransform().getOrigin());
+      p.mass += massOf(bodyA) + massOf(bodyB);
+      p.moment += massOf(bodyB) * fromAToB;
+      q.mass += massOf(bodyA) + massOf(bodyB);
+      q.moment -= massOf(bodyA) * fromAToB;
+    }
+}
+
+/// Of bodies that a joint links, in the same triangles.
+void OpposedContacts::compareLinked(const Group& group) {
+  const auto isBefore = [](const Span& x, const Span& y) {
+    return std::tie(x.body, x.object) < std::tie(y.body, y.object);
+  };
+  const auto spanFrom = [&](int body, int object) {
+    return std::lower_bound(spans_.begin(), spans_.end(), Span{body, object, 0, 0, true}, isBefore);
+  };
+  const auto isRigid = [&](const int* body) {
+    return body && group.movable(*body) && !group.isLimb(*body);
+  };
+  group.joined.eachPair([&](const btCollisionObject& a, const btCollisionObject& b) {
+    const int *bodyA = group.indexOf.find(&a), *bodyB = group.indexOf.find(&b);
+    if (!isRigid(bodyA) || !isRigid(bodyB) || *bodyA == *bodyB) return;
+    for (auto mine = spanFrom(*bodyA, 0); mine != spans_.end() && mine->body == *bodyA; ++mine) {
+      if (!mine->isInTriangles) continue;
+      const auto other = spanFrom(*bodyB, mine->object);
+      if (other != spans_.end() && other->body == *bodyB && other->object == mine->object)
+        compare(group, *mine, *other);
+    }
+  });
+}
+
+int OpposedContacts::soften(Group& group) {
+  if (touches_.empty()) return 0;
+  collect(group);
+  for (const Span& span : spans_) compare(group, span, span);
+  if (!group.joined.empty()) compareLinked(group);
+  int count = 0;
+  for (const Span& span : spans_)
+    for (int k = span.first; k < span.end; ++k) {
+      const Overlap& overlap = overlaps_[k];
+      if (!overlap.isOpposed) continue;
+      Contact& contact = group.contacts[overlap.contact];
+      double& push = group.pushes[overlap.contact];
+      Vec3 fromCentre = contact.a == span.body ? contact.armA : contact.armB;
+      if (overlap.mass > 0) fromCentre -= overlap.moment / overlap.mass;
+      const bool isBehind = span.isInTriangles && overlap.push.dot(fromCentre) > 0;
+      contact.compliance = std::max(
+          contact.compliance, (isBehind ? shareBehind : share) * lesserResponse(group, contact));
+      contact.target[0] += push;
+      push = 0;
+      ++count;
+    }
+  return count;
 }
 
 }  // namespace delassus::bullet

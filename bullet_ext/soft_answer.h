@@ -31,8 +31,8 @@ void answerSoftened(const Group& group, const Island& island, bool withJoints, B
 ///
 /// The island is then answered, and marked as jammed, unless this misses the law by more than
 /// `most`, m/s: contacts give by a tenth to a millionth of what they do where bodies are
-/// thrown (`soften`), as little as tells it, or by all of that where they would throw, joints too if
-/// need be. The search begins with `bench.guess`. Else nothing changes.
+/// thrown (`soften`), as little as tells it, or by all of that where they would throw, joints too
+/// if need be. The search begins with `bench.guess`. Else nothing changes.
 bool answerJam(const Group& group, const Island& island, double most, Bench& bench, Answer& answer,
                IslandResult& result);
 

@@ -61,7 +61,8 @@ class ShortSearch {
   ShortSearch(const ShortSearch&) = delete;
   ShortSearch& operator=(const ShortSearch&) = delete;
 
-  /// And for less: for bodies that are taken softer than they are, nobody knows by how much.
+  /// And for less: for bodies that are taken softer than they are, nobody knows by how much. What
+  /// tells a jam from what is none leaves room for an error of 1e-4 (answerJam), not of 1e-3.
   void takeAnyNear() {
     Options options = solver_.options();
     options.tolerance = std::max(options.tolerance, 1e-4);

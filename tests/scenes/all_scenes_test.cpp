@@ -29,9 +29,10 @@ int throughInStock(const Build& build, int steps, double hz) {
 /// Steps a world and checks that the law was solved, by our solver alone, that the numbers stay
 /// numbers, and that nothing goes through what does not go through in stock (its narrow phase keeps
 /// one point of a thin rod that lies on a plane). `ofSeconds`: of a longer run, of which these are
-/// the first steps. Where a scene asks for what no motion gives, any number of steps may end above.
+/// the first steps. `unsolvable`: the share of steps in which a scene asks for what no motion
+/// gives.
 void expectLawKept(const Build& build, double seconds, double hz = 60, double ofSeconds = 0,
-                   bool isPossible = true) {
+                   double unsolvable = 0) {
   // Of the steps of all seconds that may end above it. In float positions are rounded until
   // contacts contradict each other.
   constexpr double share = sizeof(btScalar) == sizeof(double) ? 0.01 : 0.02;
@@ -58,7 +59,7 @@ void expectLawKept(const Build& build, double seconds, double hz = 60, double of
     SCOPED_TRACE("bodies ended in or under what cannot move");
     EXPECT_LE(through, throughInStock(build, steps, hz));
   }
-  EXPECT_LE(above, isPossible ? share * std::max(seconds, ofSeconds) * hz : steps)
+  EXPECT_LE(above, (share + unsolvable) * std::max(seconds, ofSeconds) * hz)
       << "steps above the tolerance, of " << steps << "; the worst has " << worst << " m/s";
   EXPECT_EQ(obsolete, 0);
   EXPECT_GT(solved, 0) << "nothing touched: no law was tried";
@@ -80,7 +81,7 @@ class WholeScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(WholeScene, KeepsTheLawToItsEndSlow) {
   const SceneDescription& scene = findScene(GetParam());
-  expectLawKept(scene.build, scene.seconds, scene.hz, 0, scene.name != "compactor");
+  expectLawKept(scene.build, scene.seconds, scene.hz, 0, scene.name == "compactor" ? 0.6 : 0);
 }
 
 std::vector<std::string> sceneNames() {
