@@ -13,8 +13,8 @@ struct Answer;
 /// Reactions of the last step, for those who cannot carry their own: rows of joints and of turning
 /// friction, points that Bullet's narrow phase has put in the place of others, and in single
 /// precision all points, which round theirs by more than the tolerance: no island would be kept.
-/// Only guesses come from here, on which the answer does not depend, and what joints pulled with, for
-/// GeometricStiffness.
+/// Only guesses come from here, on which the answer does not depend, and what joints pulled with,
+/// for GeometricStiffness.
 ///
 /// A fresh point takes over the reaction of the nearest point of its manifold that is gone; then
 /// all points of the manifold share the rest, so that together they push and turn as those of the
