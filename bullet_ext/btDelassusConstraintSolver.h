@@ -61,9 +61,8 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   /// geometric stiffness under the last step's forces (geometric_stiffness.h). Joints hold as well;
   /// swings lose some energy, in proportion to the step. Needs SOLVER_USE_WARMSTARTING and a warm
   /// starting factor above 0, has no effect in a solver pool, or where worlds take turns with one
-  /// solver; report().stiffened counts. On at
-  /// first: without it such ropes gain energy and tear, with any solver that has their joints hold,
-  /// unless steps are shorter.
+  /// solver; report().stiffened counts. On at first: without it such ropes gain energy and tear,
+  /// with any solver that has their joints hold, unless steps are shorter.
   void setGeometricStiffness(bool on);
   /// Forgets the last step's report, the workspace, and the reactions that are kept here; Bullet's
   /// contact points keep theirs. Options, threads, listeners and what was switched on stay. Throws

@@ -68,14 +68,6 @@ bool drives(const Group& group, int k, double r) {
   return std::isfinite(bound) && (std::abs(r) >= bound || bound < breakingImpulseOf(group, k));
 }
 
-/// What the body adds to W_ii of a contact along `axis`.
-double responseOf(const std::vector<Body>& bodies, int index, const Vec3& arm, const Vec3& axis) {
-  if (index == fixedWorld) return 0;
-  const Vec3 turn = arm.cross(axis);
-  return axis.dot(bodies[index].inverseMass.cwiseProduct(axis)) +
-         turn.dot(bodies[index].inverseInertia * turn);
-}
-
 /// What is done to the bodies of an island, J.
 struct Hold {
   double work = 0;   ///< r (u + u⁺)/2 of all that holds
@@ -114,12 +106,8 @@ Hold holdOf(const Group& group, const Island& island, const Problem& problem,
 
   int at = 0;
   const auto addContact = [&](const Contact& c, int unknowns) {
-    for (int k = 0; k < unknowns; ++k, ++at) {
-      const Vec3 axis = c.frame.col(k);
-      add(at, c.target[k],
-          responseOf(group.bodies, c.a, c.armA, axis) +
-              responseOf(group.bodies, c.b, c.armB, axis));
-    }
+    for (int axis = 0; axis < unknowns; ++axis)
+      add(at++, c.target[axis], diagonal(group.bodies, c, axis));
   };
   for (const int k : island.frictional) addContact(group.contacts[k], 3);
   for (const int k : island.frictionless) addContact(group.contacts[k], 1);

@@ -30,6 +30,8 @@ constexpr double jointReach = 3;
 /// to be (`demand`, m/s, and what turns joints, at the arms of the contacts).
 bool contactsThrowOne(const Group& group, const Island& island, double demand, const Answer& answer,
                       double times = reach);
+/// How many times the work that targets take alone joints may do, and not be taken to throw.
+constexpr double timesAlone = 30;
 /// Whether joints that hold, and contacts beside them, do more work
 ///
 ///   - than timesAlone times ½ target²/W_ii of all their targets, which is what each would take
@@ -42,7 +44,6 @@ bool contactsThrowOne(const Group& group, const Island& island, double demand, c
 /// chain that is too short, hundreds and thousands.
 bool jointsThrowOne(const Group& group, const Island& island, const Problem& problem,
                     const Solution& solution);
-constexpr double timesAlone = 30;
 
 /// The fastest of what touches the island and does not give way, m/s.
 double driveOf(const Group& group, const Island& island);

@@ -46,7 +46,8 @@ std::vector<Cost> costsOf(const StepTotals& totals) {
   };
   return {
       cost("gather", "gather", sum.secondsGather,
-           sum.stiffened > 0 ? count("bodies stiffened", sum.stiffened) : ""),
+           (sum.stiffened > 0 ? count("bodies stiffened", sum.stiffened) + "; " : "") +
+               count("opposed contacts", sum.opposed)),
       cost("plan", "plan and check", sum.secondsPlan,
            count("islands: free", sum.freeIslands) + count(", kept", sum.keptIslands)),
       cost("solve", "solve", sum.secondsSolve,

@@ -1,4 +1,4 @@
-// Scenes with joints: what they hold, they hold.
+// Scenes with joints, whose bodies these hold, and with a press.
 #include <algorithm>
 #include <cmath>
 
