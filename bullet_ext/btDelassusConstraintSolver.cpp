@@ -250,7 +250,8 @@ void btDelassusConstraintSolver::gather(const GroupInput& input, Extension* exte
   w.memory.recall(w.group);
   if (extension) extension->recall(w.group);
   w.memory.fitTimeStep(w.group, info.m_timeStep);
-  if (geometricStiffness_) addTo(report_.stiffened, w.stiffness.stiffen(w.group, info));
+  if (geometricStiffness_)
+    addTo(report_.stiffened, w.stiffness.stiffen(w.group, info, w.memory.lastStep()));
 }
 
 void btDelassusConstraintSolver::writeBack(const Plan& plan, const btContactSolverInfo& info,

@@ -1,5 +1,6 @@
 #include "bullet_ext/geometric_stiffness.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 
@@ -76,9 +77,19 @@ Mat3 stiffnessOf(const Vec3& impulse, const Vec3& arm, double h) {
   return 0.25 * h * size * length * (s.squaredNorm() * Mat3::Identity() - s * s.transpose());
 }
 
+/// Of A B, both symmetric and none of their eigenvalues negative.
+double largestEigenvalue(const Mat3& A, const Mat3& B) {
+  Eigen::SelfAdjointEigenSolver<Mat3> solver;
+  solver.compute(B);
+  const Mat3 root =
+      solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+  solver.compute(root.transpose() * A * root, Eigen::EigenvaluesOnly);
+  return solver.eigenvalues()[2];
+}
+
 }  // namespace
 
-int GeometricStiffness::stiffen(Group& group, const btContactSolverInfo& info) {
+int GeometricStiffness::stiffen(Group& group, const btContactSolverInfo& info, double lastStep) {
   const double h = info.m_timeStep;
   if (group.joints.empty()) return 0;
   stiffness_.assign(group.bodies.size(), Mat3::Zero());
@@ -93,12 +104,15 @@ int GeometricStiffness::stiffen(Group& group, const btContactSolverInfo& info) {
     add(first.b, joint.lastPullOnB, arms.onB);
   }
 
-  constexpr double slow = 1, fast = 2;
+  // Of (ω h)².
+  const double limit = lastStep == 0 || lastStep == h ? 4 : 0.5, beyond = 1.125 * limit;
   int changed = 0;
   for (std::size_t i = 0; i < group.bodies.size(); ++i) {
     Body& body = group.bodies[i];
     const Mat3 ratio = body.inverseInertia * stiffness_[i];
-    const double share = std::min((ratio.trace() - slow) / (fast - slow), 1.0);
+    if (!(ratio.trace() > limit)) continue;
+    const double fastest = largestEigenvalue(body.inverseInertia, stiffness_[i]);
+    const double share = std::min((fastest - limit) / (beyond - limit), 1.0);
     if (!(share > 0)) continue;
     const Mat3 slowed = (Mat3::Identity() + share * ratio).inverse();
     if (!slowed.allFinite()) continue;  // forces beyond all numbers

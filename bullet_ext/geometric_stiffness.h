@@ -18,20 +18,21 @@ struct Group;
 ///     K = |a| |f| (|s|² 1 − s sᵀ)/4,   s = a/|a| + f/|f|
 ///
 /// (the symmetric part of (a·f) 1 − a fᵀ where a ∥ f; else its positive part or a little more: what
-/// pushes adds nothing). A body with h² tr(I⁻¹ K) > 1, K summed over its joints, turns in this step
-/// as one that is held by implicit springs of that stiffness (Tournier, Nesme, Gilles, Faure 2015;
-/// only where it is needed: Andrews, Teichmann, Kövecses 2017),
+/// pushes adds nothing). ω² is the largest eigenvalue of I⁻¹ K, K summed over the joints of a body.
+/// One with ω h > 2, or 0.7 where the last step had another length, which steps can follow less,
+/// turns in this step as if it were held by implicit springs of that stiffness (Tournier, Nesme,
+/// Gilles, Faure 2015; only where it is needed: Andrews, Teichmann, Kövecses 2017),
 ///
 ///     (I + h² K) ω' = I ω + h T + moments of the reactions,
 ///
-/// K growing to its full size as the trace grows to 2; all others stay as they are.
+/// K growing to its full size as (ω h)² grows by an eighth; all others stay as they are.
 class GeometricStiffness {
  public:
   /// Changes the inertia and the free velocity of such bodies; call it when all is gathered and
   /// recalled. The forces are those of the last step, JointSource::lastPullOnA and B; the arms
   /// those of the joint's pivots or frames, so that only Bullet's own kinds of joints count.
-  /// Answers with the number of bodies changed.
-  int stiffen(Group& group, const btContactSolverInfo& info);
+  /// `lastStep`: its length, s; 0 if it is not known. Answers with the number of bodies changed.
+  int stiffen(Group& group, const btContactSolverInfo& info, double lastStep);
 
   std::size_t bytes() const { return stiffness_.capacity() * sizeof(Mat3); }
 

@@ -29,7 +29,7 @@ std::size_t Group::bytes() const {
   return bytesOf(bodies, bodySources, contacts, contactSources, pushes, guess, idle, marks, rows,
                  rowGuess, joints, multiBodyRows, asked) +
          obsolete.capacity() * sizeof(void*) + indexOf.bytes() + joined.bytes() + loops.bytes() +
-         opposed.bytes() + articulation.bytes();
+         opposed.bytes() + held.bytes() + articulation.bytes();
 }
 
 }  // namespace delassus::bullet

@@ -7,6 +7,7 @@
 #include "LinearMath/btScalar.h"
 #include "bullet_ext/address_table.h"
 #include "bullet_ext/contact_event.h"
+#include "bullet_ext/held_contacts.h"
 #include "bullet_ext/joined_bodies.h"
 #include "bullet_ext/joint_loops.h"
 #include "bullet_ext/opposed_contacts.h"
@@ -122,6 +123,7 @@ struct Group {
   JoinedBodies joined;
   JointLoops loops;
   OpposedContacts opposed;
+  HeldContacts held;
   std::vector<InfoRow> asked;  ///< of the joint that is being gathered
 
   void clear();

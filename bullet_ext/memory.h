@@ -34,6 +34,8 @@ class Memory {
   /// Forces go on from step to step, and impulses are as long as these: all guesses of `group`, by
   /// whomever, are made those of a step of h, s.
   void fitTimeStep(Group& group, double h) const;
+  /// Its length, s; 0: not known.
+  double lastStep() const { return last_.length; }
   /// h: of this step, s. `withPulls`: those of joints are kept, too, for who asks for them.
   void keep(const Group& group, const Answer& answer, double h, bool withPulls = false);
 

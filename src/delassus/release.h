@@ -45,8 +45,8 @@ struct ReleaseAnalysis {
 /// Answers for any number n of contacts. W: n × n, symmetric positive semi-definite (not looked
 /// for), 1/kg; q: size n, m/s. If status is not Solved, r and u are the best found, and no more is
 /// said of walls than of those; numbers that are not finite: NonFinite, and nothing else is to be
-/// read. Where contacts are redundant, f and r are the shares of least norm, and the distances are
-/// those at which these shares lose a contact.
+/// read. Where contacts are redundant, f and r are the shares of least norm, Σ W_ii f_i², and the
+/// distances are those at which these shares lose a contact.
 ReleaseAnalysis analyseRelease(const MatrixXd& W, const VectorXd& q);
 
 }  // namespace delassus

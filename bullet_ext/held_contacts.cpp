@@ -1,0 +1,243 @@
+#include "bullet_ext/held_contacts.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
+#include "bullet_ext/convert.h"
+#include "bullet_ext/gather.h"
+#include "bullet_ext/group.h"
+#include "bullet_ext/response.h"
+#include "bullet_ext/softness.h"
+
+namespace delassus::bullet {
+namespace {
+
+constexpr int none = -1;
+
+double productOn(const Body& body, const Vec6& p, const Vec6& q) {
+  return p.head<3>().dot(body.inverseMass.cwiseProduct(q.head<3>())) +
+         p.tail<3>().dot(body.inverseInertia * q.tail<3>());
+}
+
+/// Which ways the row holds its bodies, as rigid as it is: not as springs or motors do. It is a
+/// motor if it may push less than what breaks the joint.
+struct Ways {
+  bool up, down;
+};
+Ways waysOf(const JointSource& joint, const Row& row) {
+  if (joint.isSoft || row.lower == row.upper) return {false, false};
+  const double breaking = toCoreBound(joint.constraint->getBreakingImpulseThreshold());
+  return {row.upper >= breaking, row.lower <= -breaking};
+}
+
+bool isRigid(const Group& group, int body) { return group.movable(body) && !group.isLimb(body); }
+
+ImpulseSpan::Impulse impulseOf(const Group& group, const Row& row) {
+  ImpulseSpan::Impulse impulse;
+  if (isRigid(group, row.a)) impulse.a = row.a, impulse.onA = row.jacobianA.transpose();
+  if (isRigid(group, row.b)) impulse.b = row.b, impulse.onB = row.jacobianB.transpose();
+  return impulse;
+}
+
+/// Along the normal.
+ImpulseSpan::Impulse impulseOf(const Group& group, const Contact& contact) {
+  ImpulseSpan::Impulse impulse;
+  const Vec3 n = contact.frame.col(0);
+  if (isRigid(group, contact.a)) {
+    impulse.a = contact.a;
+    impulse.onA << n, contact.armA.cross(n);
+  }
+  if (isRigid(group, contact.b)) {
+    impulse.b = contact.b;
+    impulse.onB << -n, -contact.armB.cross(n);
+  }
+  return impulse;
+}
+
+double squaresOf(const std::vector<double>& numbers) {
+  double sum = 0;
+  for (const double x : numbers) sum += x * x;
+  return sum;
+}
+
+}  // namespace
+
+double ImpulseSpan::product(const std::vector<Body>& bodies, const Impulse& p, const Impulse& q) {
+  double sum = 0;
+  const auto add = [&](int body, const Vec6& onP, int other, const Vec6& onQ) {
+    if (body != none && body == other) sum += productOn(bodies[body], onP, onQ);
+  };
+  add(p.a, p.onA, q.a, q.onA);
+  add(p.a, p.onA, q.b, q.onB);
+  add(p.b, p.onB, q.a, q.onA);
+  add(p.b, p.onB, q.b, q.onB);
+  return sum;
+}
+
+void ImpulseSpan::truncate(int size) {
+  impulses_.resize(size);
+  factor_.resize(size * (size + 1) / 2);
+}
+
+void ImpulseSpan::coordinates(const std::vector<Body>& bodies, const Impulse& p,
+                              std::vector<double>& of) const {
+  of.clear();
+  const double* row = factor_.data();
+  for (int k = 0; k < size(); row += ++k) {
+    double left = product(bodies, p, impulses_[k]);
+    for (int j = 0; j < k; ++j) left -= row[j] * of[j];
+    of.push_back(left / row[k]);
+  }
+}
+
+void ImpulseSpan::add(const Impulse& p, const std::vector<double>& coordinates, double left) {
+  impulses_.push_back(p);
+  factor_.insert(factor_.end(), coordinates.begin(), coordinates.end());
+  factor_.push_back(std::sqrt(left));
+}
+
+std::size_t HeldContacts::bytes() const {
+  std::size_t sum =
+      links_.bytes() + bytesOf(holds_, mechanisms_, numberOf_, spans_, ofPush_, ofRow_);
+  for (const ImpulseSpan& span : spans_) sum += span.bytes();
+  return sum;
+}
+
+/// Rows that hold, and the mechanisms that they make.
+void HeldContacts::collect(const Group& group) {
+  const auto bodies = static_cast<int>(group.bodies.size());
+  links_.reset(bodies);
+  holds_.clear();
+  mechanisms_.clear();
+  numberOf_.assign(bodies, none);
+  spansUsed_ = 0;
+  for (const JointSource& joint : group.joints)
+    for (int k = joint.firstRow; k < joint.firstRow + joint.rowCount; ++k) {
+      const Ways ways = waysOf(joint, group.rows[k]);
+      const Impulse impulse = impulseOf(group, group.rows[k]);
+      if (!(ways.up || ways.down) || (impulse.a == none && impulse.b == none)) continue;
+      holds_.push_back({none, k, impulse, ways.up, ways.down});
+      if (impulse.a != none && impulse.b != none) links_.join(impulse.a, impulse.b);
+    }
+  for (Hold& hold : holds_) {
+    const bool links = hold.impulse.a != none && hold.impulse.b != none;
+    int& number = numberOf_[links_.root(hold.impulse.a != none ? hold.impulse.a : hold.impulse.b)];
+    if (number == none) {
+      number = static_cast<int>(mechanisms_.size());
+      mechanisms_.emplace_back();
+    }
+    hold.mechanism = number;
+    if (!links) mechanisms_[number].stands = true;
+  }
+  const auto key = [](const Hold& hold) {
+    return std::make_tuple(hold.mechanism, hold.isLimit(), hold.row);
+  };
+  std::sort(holds_.begin(), holds_.end(),
+            [&](const Hold& x, const Hold& y) { return key(x) < key(y); });
+  const auto count = static_cast<int>(holds_.size());
+  for (int k = 0; k < count; ++k) {
+    Mechanism& mechanism = mechanisms_[holds_[k].mechanism];
+    if (mechanism.end == 0) mechanism.begin = k;
+    mechanism.end = k + 1;
+  }
+}
+
+/// Of a body that can move; none where nothing holds it, or too much.
+int HeldContacts::mechanismOf(int body) {
+  const int number = numberOf_[links_.root(body)];
+  if (number == none || mechanisms_[number].end - mechanisms_[number].begin > mostRows) return none;
+  return number;
+}
+
+/// What holds both ways.
+ImpulseSpan& HeldContacts::spanOf(const Group& group, Mechanism& mechanism) {
+  if (mechanism.span == none) {
+    mechanism.span = spansUsed_++;
+    if (spansUsed_ > static_cast<int>(spans_.size())) spans_.emplace_back();
+    ImpulseSpan& span = spans_[mechanism.span];
+    span.truncate(0);
+    for (int k = mechanism.begin; k < mechanism.end && !holds_[k].isLimit(); ++k)
+      extend(group, holds_[k].impulse, span);
+  }
+  return spans_[mechanism.span];
+}
+
+/// Not by what the span has already. Of a row, leaves its coordinates in ofRow_.
+bool HeldContacts::extend(const Group& group, const Impulse& impulse, ImpulseSpan& span) {
+  const double size = ImpulseSpan::product(group.bodies, impulse, impulse);
+  span.coordinates(group.bodies, impulse, ofRow_);
+  const double left = size - squaresOf(ofRow_);
+  if (!(left > inVain * size)) return false;
+  span.add(impulse, ofRow_, left);
+  return true;
+}
+
+/// Of (push, push), what the mechanism takes up: by what holds both ways, or also by limits that
+/// the push would cross.
+double HeldContacts::takenUp(const Group& group, const Impulse& push, Mechanism& mechanism,
+                             bool withLimits) {
+  ImpulseSpan& span = spanOf(group, mechanism);
+  span.coordinates(group.bodies, push, ofPush_);
+  if (!withLimits) return squaresOf(ofPush_);
+  const int size = span.size();
+  for (int k = mechanism.begin; k < mechanism.end; ++k) {
+    const Hold& hold = holds_[k];
+    if (!hold.isLimit() || !extend(group, hold.impulse, span)) continue;
+    double along = ImpulseSpan::product(group.bodies, hold.impulse, push);
+    for (std::size_t j = 0; j < ofRow_.size(); ++j) along -= ofRow_[j] * ofPush_[j];
+    if (hold.up ? along < 0 : along > 0)
+      span.coordinates(group.bodies, push, ofPush_);
+    else
+      span.truncate(span.size() - 1);
+  }
+  span.truncate(size);
+  return squaresOf(ofPush_);
+}
+
+HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contact) {
+  if (group.isLimb(contact.a) || group.isLimb(contact.b)) return Held::No;
+  const Impulse push = impulseOf(group, contact);
+  int involved[2], count = 0;
+  bool stand = true;
+  for (const int body : {push.a, push.b}) {
+    if (body == none) continue;
+    const int number = mechanismOf(body);
+    if (number == none) return Held::No;
+    stand &= mechanisms_[number].stands;
+    if (count == 0 || involved[0] != number) involved[count++] = number;
+  }
+  const bool isWithin = count == 1 && push.a != none && push.b != none;
+  if (count == 0 || !(stand || isWithin)) return Held::No;
+  const double size = ImpulseSpan::product(group.bodies, push, push);
+  for (const bool withLimits : {false, true}) {
+    double left = size;
+    for (int k = 0; k < count; ++k)
+      left -= takenUp(group, push, mechanisms_[involved[k]], withLimits);
+    if (left <= share * size) return withLimits ? Held::ByLimit : Held::Always;
+  }
+  return Held::No;
+}
+
+void HeldContacts::soften(Group& group) {
+  if (group.contacts.empty() || group.joints.empty()) return;
+  collect(group);
+  if (holds_.empty()) return;
+  for (std::size_t i = 0; i < group.contacts.size(); ++i) {
+    Contact& contact = group.contacts[i];
+    const Held held = judge(group, contact);
+    if (held == Held::No) continue;
+    double& push = group.pushes[i];
+    if (held == Held::Always)
+      contact.target[0] = std::min(contact.target[0], 0.0);
+    else
+      contact.target[0] += push;
+    push = 0;
+    const double give = held == Held::Always ? softness : joinedSoftness;
+    contact.compliance = std::max(contact.compliance, give * lesserResponse(group, contact));
+  }
+}
+
+}  // namespace delassus::bullet

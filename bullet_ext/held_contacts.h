@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "delassus/bytes.h"
+#include "delassus/disjoint_sets.h"
+#include "delassus/types.h"
+
+namespace delassus {
+struct Body;
+struct Contact;
+}  // namespace delassus
+
+namespace delassus::bullet {
+
+struct Group;
+
+/// Impulses along rows or contacts, each on one or two bodies, and what they span. What two of them
+/// do together is measured as
+///
+///     (p, p') = pᵀ M⁻¹ p'
+class ImpulseSpan {
+ public:
+  /// On bodies that can move; −1: on none.
+  struct Impulse {
+    int a = -1, b = -1;
+    Vec6 onA = Vec6::Zero(), onB = Vec6::Zero();
+  };
+  static double product(const std::vector<Body>& bodies, const Impulse& p, const Impulse& q);
+
+  int size() const { return static_cast<int>(impulses_.size()); }
+  void truncate(int size);
+  /// Coordinates of p in the orthonormal basis that the impulses make, in the order in which they
+  /// were added.
+  void coordinates(const std::vector<Body>& bodies, const Impulse& p,
+                   std::vector<double>& of) const;
+  /// Adds p, whose coordinates and (p, p) less their squares these are.
+  void add(const Impulse& p, const std::vector<double>& coordinates, double left);
+  std::size_t bytes() const { return bytesOf(impulses_, factor_); }
+
+ private:
+  std::vector<Impulse> impulses_;
+  std::vector<double> factor_;  ///< of (p_i, p_j), by rows: the coordinates of each
+};
+
+/// Contacts along which joints leave their bodies no motion: a door that grazes the floor, a
+/// machine that is bolted to the ground it overlaps, a wheel and the fender of its own car. What
+/// such a contact asks for beyond rest is asked of joints as rigid as it is: taken at its word, an
+/// overlap of a millimetre would press with 1e11 N, and friction lock the door.
+///
+/// A contact is held if an impulse along it moves its bodies, as their joints leave them, by no
+/// more than `share` of what it would move them without: what leans by little more than a degree,
+/// as normals of the narrow phase may, or acts on a fortieth of the arm. It still lets nothing
+/// approach, but asks for no more than rest, and gives by `softness` of what the body answers that
+/// answers less: the joints carry all. Where only a limit holds, which lets the bodies go the other
+/// way, it gives by joinedSoftness and is not split, as contacts of bodies that a joint links.
+///
+/// Joints are those of the mechanisms of the two bodies, if these stand, or are one; none of more
+/// than `mostRows` rows. Springs and motors hold nothing.
+class HeldContacts {
+ public:
+  /// Call it when contacts and joints are gathered.
+  void soften(Group& group);
+
+  static constexpr double share = 5e-4, softness = 1;
+  static constexpr int mostRows = 100;
+
+  std::size_t bytes() const;
+
+ private:
+  using Impulse = ImpulseSpan::Impulse;
+  enum class Held { No, ByLimit, Always };
+  /// A row that holds.
+  struct Hold {
+    int mechanism, row;
+    Impulse impulse;
+    bool up, down;  ///< whether its reaction may be as large as need be, and as negative
+    bool isLimit() const { return up != down; }
+  };
+  /// Bodies that such rows link.
+  struct Mechanism {
+    int begin = 0, end = 0;  ///< among holds_, limits last
+    bool stands = false;     ///< held to what stands, too
+    int span = -1;           ///< among spans_: of what holds both ways; −1: not worked out
+  };
+  void collect(const Group& group);
+  int mechanismOf(int body);
+  ImpulseSpan& spanOf(const Group& group, Mechanism& mechanism);
+  bool extend(const Group& group, const Impulse& impulse, ImpulseSpan& span);
+  double takenUp(const Group& group, const Impulse& push, Mechanism& mechanism, bool withLimits);
+  Held judge(const Group& group, const Contact& contact);
+
+  DisjointSets links_;
+  std::vector<Hold> holds_;
+  std::vector<Mechanism> mechanisms_;
+  std::vector<int> numberOf_;       ///< of the mechanism of each root; −1: none
+  std::vector<ImpulseSpan> spans_;  ///< storage is used again
+  int spansUsed_ = 0;
+  std::vector<double> ofPush_, ofRow_;  ///< coordinates
+};
+
+}  // namespace delassus::bullet

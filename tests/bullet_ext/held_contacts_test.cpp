@@ -1,0 +1,175 @@
+/// What a joint to what stands holds, and what stands pushes at.
+
+#include <BulletDynamics/ConstraintSolver/btFixedConstraint.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "tests/support/bullet_world.h"
+
+namespace delassus::test {
+namespace {
+
+/// A door of 20 kg, 1 m by 2 m, that hangs on one or two hinges and is `overlap` deep in the floor.
+struct Door {
+  DelassusWorld world;
+  btRigidBody* leaf;
+  btHingeConstraint* hinge;
+  btJointFeedback feedback;
+
+  Door(double overlap, int hinges) {
+    world.addGround();
+    leaf = &world.addBox({0.5, 1, btScalar(0.05)}, {0.5, btScalar(1 - overlap), 0}, 20);
+    for (int k = 0; k < hinges; ++k)
+      hinge = &world.addJoint<btHingeConstraint>(*leaf, btVector3(-0.5, btScalar(0.8 - 1.6 * k), 0),
+                                                 btVector3(0, 1, 0));
+    hinge->setJointFeedback(&feedback);
+  }
+  /// Pushed for a second with 5 N at its far edge.
+  double angleAfterPush() {
+    for (int step = 0; step < 60; ++step) {
+      leaf->applyForce({0, 0, 5}, {0.5, 0, 0});
+      world.advance();
+      EXPECT_EQ(world.report().incompatible + world.report().outOfBudget, 0) << step;
+      EXPECT_EQ(world.report().pushUnsolved, 0) << step;
+      for (const btManifoldPoint* point : world.points())
+        EXPECT_LT(point->getAppliedImpulse(), 0.1 * 20 * g * h);
+    }
+    return hinge->getHingeAngle();
+  }
+};
+
+TEST(HeldContacts, ADoorThatGrazesTheFloorSwingsAsIfItDidNot) {
+  for (const int hinges : {1, 2}) {
+    const double free = Door(-0.1, hinges).angleAfterPush();
+    ASSERT_GT(std::abs(free), 0.2);
+    for (const double overlap : {1e-4, 1e-3, 0.02, 0.1}) {
+      SCOPED_TRACE(testing::Message() << hinges << " hinges, " << overlap << " m");
+      EXPECT_NEAR(Door(overlap, hinges).angleAfterPush(), free, tolerance(1e-5, 1e-4));
+    }
+  }
+}
+
+// A wheel on an axle of the world, as deep in the floor, right above which its axle is.
+TEST(HeldContacts, AWheelThatGrazesTheFloorTurns) {
+  DelassusWorld world;
+  world.addGround();
+  btRigidBody& wheel = world.addBody(std::make_unique<btCylinderShapeZ>(btVector3(0.5, 0.5, 0.1)),
+                                     world.at({0, btScalar(0.499), 0}), 10);
+  btHingeConstraint& axle =
+      world.addJoint<btHingeConstraint>(wheel, btVector3(0, 0, 0), btVector3(0, 0, 1));
+  axle.enableAngularMotor(true, 3, 1);
+  for (int step = 0; step < 60; ++step) {
+    world.advance();
+    ASSERT_EQ(world.report().incompatible + world.report().outOfBudget, 0) << step;
+  }
+  EXPECT_NEAR(wheel.getAngularVelocity().length(), 3, tolerance(1e-6, 1e-3));
+}
+
+// A car in space: its fender, welded to it, overlaps the wheel.
+TEST(HeldContacts, AWheelTurnsInTheFenderOfItsCar) {
+  for (const double overlap : {1e-4, 5e-3}) {
+    SCOPED_TRACE(overlap);
+    DelassusWorld world;
+    world->setGravity({0, 0, 0});
+    btRigidBody& car = world.addBox({1, btScalar(0.1), 0.2}, {0, 0, 0}, 10);
+    btRigidBody& wheel = world.addBody(std::make_unique<btCylinderShapeZ>(btVector3(0.4, 0.4, 0.1)),
+                                       world.at({0, 0, 0.5}), 5);
+    btRigidBody& fender =
+        world.addBox({btScalar(0.3), btScalar(0.05), 0.2}, {0, btScalar(0.45 - overlap), 0.5}, 1);
+    const btVector3 axis(0, 0, 1);
+    auto& axle = world.addJoint<btHingeConstraint>(car, wheel, btVector3(0, 0, 0.5),
+                                                   btVector3(0, 0, 0), axis, axis);
+    world.addJoint<btFixedConstraint>(car, fender, fender.getWorldTransform(),
+                                      btTransform::getIdentity());
+    axle.enableAngularMotor(true, 3, 1);
+    for (int step = 0; step < 60; ++step) {
+      world.advance();
+      ASSERT_EQ(world.report().incompatible + world.report().outOfBudget, 0) << step;
+    }
+    const btVector3 turn = wheel.getAngularVelocity() - car.getAngularVelocity();
+    EXPECT_NEAR(turn.length(), 3, tolerance(1e-4, 1e-3));
+    EXPECT_FALSE(world.points().empty());
+    world.clear();
+  }
+}
+
+// It carries what stands on it, and no more.
+TEST(HeldContacts, WhatIsBoltedIntoTheGroundPullsAtNoBolt) {
+  for (const double overlap : {1e-3, 0.05}) {
+    SCOPED_TRACE(overlap);
+    DelassusWorld world;
+    world.addGround();
+    btRigidBody& base = world.addCube({0, btScalar(0.5 - overlap), 0}, 10);
+    btFixedConstraint& bolt =
+        world.addJoint<btFixedConstraint>(base, btTypedConstraint::getFixedBody(),
+                                          btTransform::getIdentity(), base.getWorldTransform());
+    btJointFeedback feedback;
+    bolt.setJointFeedback(&feedback);
+    world.addCube({0, btScalar(1.5 - overlap), 0}, 5);
+    for (int step = 0; step < 60; ++step) {
+      world.advance();
+      ASSERT_EQ(world.report().incompatible + world.report().outOfBudget, 0) << step;
+      ASSERT_NEAR(feedback.m_appliedForceBodyA.length(), 15 * g, 15 * g * 0.02) << step;
+    }
+    EXPECT_NEAR(base.getWorldTransform().getOrigin().y(), 0.5 - overlap, tolerance(1e-6, 1e-4));
+    world.clear();
+  }
+}
+
+/// A plank of 2 m and 4 kg on a hinge of the world at its left end, level, its right end on a post
+/// that it overlaps by `overlap`.
+struct Plank {
+  DelassusWorld world;
+  btRigidBody* plank;
+  btHingeConstraint* hinge;
+
+  explicit Plank(double overlap) {
+    plank = &world.addBox({1, btScalar(0.05), 0.2}, {1, 0, 0}, 4);
+    hinge = &world.addJoint<btHingeConstraint>(*plank, btVector3(-1, 0, 0), btVector3(0, 0, 1));
+    world.addBox({btScalar(0.1), 1, 1}, {btScalar(1.9), btScalar(-1.05 + overlap), 0}, 0);
+  }
+  /// All of the last step, N.
+  double carried() {
+    double sum = 0;
+    for (const btManifoldPoint* point : world.points()) sum += point->getAppliedImpulse() / h;
+    return sum;
+  }
+};
+
+// The hinge leaves it free to rise: what overlaps is mended, and what it rests on carries its part.
+TEST(HeldContacts, WhatAJointLeavesFreeIsExact) {
+  Plank in(0.002);
+  for (int step = 0; step < 180; ++step) {
+    in.world.advance();
+    ASSERT_EQ(in.world.report().solved, 1) << step;
+  }
+  for (const btManifoldPoint* point : in.world.points())
+    EXPECT_GT(point->getDistance(), -tolerance(1e-6, 1e-4));
+  // Half its weight acts at the post's near edge or its own end, 1.8 or 2 m from the hinge.
+  EXPECT_GT(in.carried(), 4 * g / 2 * 0.999);
+  EXPECT_LT(in.carried(), 4 * g / 1.8 * 1.01);
+}
+
+// A stop that lets it not rise holds one way: it is pressed no deeper, and does not fall.
+TEST(HeldContacts, AgainstAStopItRestsWhereItIs) {
+  Plank in(0.002);
+  in.hinge->setLimit(-1, 0);  // counted upwards
+  double most = 0;
+  for (int step = 0; step < 300; ++step) {
+    in.world.advance();
+    ASSERT_EQ(in.world.report().incompatible + in.world.report().outOfBudget, 0) << step;
+    most = std::max(most, in.carried());
+  }
+  EXPECT_LT(most, 100 * 4 * g);
+  EXPECT_GT(in.carried(), 4 * g / 2 * 0.999);
+  EXPECT_LT(std::abs(in.hinge->getHingeAngle()), 2e-3);
+  in.plank->applyCentralForce({0, 100, 0});
+  in.world.advance();
+  EXPECT_LT(in.plank->getLinearVelocity().y(), 1e-3) << "the stop lets it not rise";
+}
+
+}  // namespace
+}  // namespace delassus::test
