@@ -59,7 +59,7 @@ void gatherJoined(Group& group, const GroupInput& input);
 /// Bodies that a joint holds to each other collide all the same, unless the joint was added to the
 /// world as one whose bodies do not. Their contacts give by joinedSoftness and are never split:
 /// where they contradict the joint, both would be met, as rigid as they are, by 1e9 N·s. So do,
-/// by more, those of two bodies that push both ways at one place (OpposedContacts), and, once joints
+/// by more, those of two bodies that push both ways at one place (OpposedContacts) and, once joints
 /// are gathered, those along which these leave no motion (HeldContacts).
 void gatherContacts(Group& group, const GroupInput& input, StepReport& report);
 

@@ -40,7 +40,7 @@ void expectLeastNorm(const std::vector<btVector3>& places) {
   const double inertia = mass / 3 * (half * half + thick * thick);
   const auto count = static_cast<int>(places.size());
   Eigen::MatrixX3d affine(count, 3);
-  VectorXd weighed(count);
+  Eigen::VectorXd weighed(count);
   double sum = 0;
   for (int i = 0; i < count; ++i) {
     const btManifoldPoint& point = *world.points()[i];
@@ -50,7 +50,7 @@ void expectLeastNorm(const std::vector<btVector3>& places) {
     sum += point.m_appliedImpulse;
   }
   EXPECT_NEAR(sum, mass * g * h, tolerance(1e-8, 1e-4));
-  const VectorXd fit = affine * affine.colPivHouseholderQr().solve(weighed);
+  const Eigen::VectorXd fit = affine * affine.colPivHouseholderQr().solve(weighed);
   EXPECT_LT((weighed - fit).norm(), tolerance(1e-6, 1e-3) * weighed.norm());
 }
 
