@@ -14,7 +14,7 @@ void gatherGroup(Group& group, const GroupInput& input, StepReport& report, Exte
   gatherJoined(group, input);
   gatherContacts(group, input, report);
   gatherJoints(group, input, report);
-  group.held.soften(group);
+  group.held.soften(group, input.info->m_timeStep);
   if (extension) extension->gatherRows(group, input, report);
   gatherTurningFriction(group, asStock);
 }

@@ -11,6 +11,7 @@
 #include "bullet_ext/group.h"
 #include "bullet_ext/response.h"
 #include "bullet_ext/softness.h"
+#include "delassus/contact_motion.h"
 
 namespace delassus::bullet {
 namespace {
@@ -39,6 +40,9 @@ ImpulseSpan::Impulse impulseOf(const Group& group, const Row& row) {
   ImpulseSpan::Impulse impulse;
   if (isRigid(group, row.a)) impulse.a = row.a, impulse.onA = row.jacobianA.transpose();
   if (isRigid(group, row.b)) impulse.b = row.b, impulse.onB = row.jacobianB.transpose();
+  impulse.wanted = row.target;
+  if (impulse.a == none) impulse.wanted -= along(group.bodies, row.a, row.jacobianA);
+  if (impulse.b == none) impulse.wanted -= along(group.bodies, row.b, row.jacobianB);
   return impulse;
 }
 
@@ -79,29 +83,38 @@ double ImpulseSpan::product(const std::vector<Body>& bodies, const Impulse& p, c
 
 void ImpulseSpan::truncate(int size) {
   impulses_.resize(size);
+  begins_.resize(size);
   factor_.resize(size * (size + 1) / 2);
 }
 
 void ImpulseSpan::coordinates(const std::vector<Body>& bodies, const Impulse& p,
                               std::vector<double>& of) const {
   of.clear();
+  int begin = size();
   const double* row = factor_.data();
   for (int k = 0; k < size(); row += ++k) {
     double left = product(bodies, p, impulses_[k]);
-    for (int j = 0; j < k; ++j) left -= row[j] * of[j];
+    for (int j = std::max(begin, begins_[k]); j < k; ++j) left -= row[j] * of[j];
     of.push_back(left / row[k]);
+    if (left != 0) begin = std::min(begin, k);
   }
 }
 
 void ImpulseSpan::add(const Impulse& p, const std::vector<double>& coordinates, double left) {
+  const double root = std::sqrt(left);
+  const double wanted = (p.wanted - wantedAlong(coordinates)) / root;
+  const auto begin =
+      std::find_if(coordinates.begin(), coordinates.end(), [](double x) { return x != 0; });
+  begins_.push_back(static_cast<int>(begin - coordinates.begin()));
   impulses_.push_back(p);
+  impulses_.back().wanted = wanted;
   factor_.insert(factor_.end(), coordinates.begin(), coordinates.end());
-  factor_.push_back(std::sqrt(left));
+  factor_.push_back(root);
 }
 
 std::size_t HeldContacts::bytes() const {
-  std::size_t sum =
-      links_.bytes() + bytesOf(holds_, mechanisms_, numberOf_, spans_, ofPush_, ofRow_);
+  std::size_t sum = links_.bytes() +
+                    bytesOf(holds_, mechanisms_, numberOf_, candidates_, spans_, ofPush_, ofRow_);
   for (const ImpulseSpan& span : spans_) sum += span.bytes();
   return sum;
 }
@@ -111,27 +124,47 @@ void HeldContacts::collect(const Group& group) {
   const auto bodies = static_cast<int>(group.bodies.size());
   links_.reset(bodies);
   holds_.clear();
-  mechanisms_.clear();
-  numberOf_.assign(bodies, none);
-  spansUsed_ = 0;
   for (const JointSource& joint : group.joints)
     for (int k = joint.firstRow; k < joint.firstRow + joint.rowCount; ++k) {
-      const Ways ways = waysOf(joint, group.rows[k]);
-      const Impulse impulse = impulseOf(group, group.rows[k]);
-      if (!(ways.up || ways.down) || (impulse.a == none && impulse.b == none)) continue;
-      holds_.push_back({none, k, impulse, ways.up, ways.down});
-      if (impulse.a != none && impulse.b != none) links_.join(impulse.a, impulse.b);
+      const Row& row = group.rows[k];
+      const Ways ways = waysOf(joint, row);
+      const int a = isRigid(group, row.a) ? row.a : none, b = isRigid(group, row.b) ? row.b : none;
+      if (!(ways.up || ways.down) || (a == none && b == none)) continue;
+      holds_.push_back({k, a, b, ways.up, ways.down});
+      if (a != none && b != none) links_.join(a, b);
     }
+  mechanisms_.clear();
+  numberOf_.assign(bodies, none);
   for (Hold& hold : holds_) {
-    const bool links = hold.impulse.a != none && hold.impulse.b != none;
-    int& number = numberOf_[links_.root(hold.impulse.a != none ? hold.impulse.a : hold.impulse.b)];
+    int& number = numberOf_[links_.root(hold.a != none ? hold.a : hold.b)];
     if (number == none) {
       number = static_cast<int>(mechanisms_.size());
       mechanisms_.emplace_back();
     }
     hold.mechanism = number;
-    if (!links) mechanisms_[number].stands = true;
+    ++mechanisms_[number].rows;
+    if (hold.a == none || hold.b == none) mechanisms_[number].stands = true;
   }
+}
+
+/// Of a body that can move; none where nothing holds it, or too much.
+int HeldContacts::mechanismOf(int body) {
+  const int number = numberOf_[links_.root(body)];
+  return number != none && mechanisms_[number].rows <= mostRows ? number : none;
+}
+
+/// Whether it is between parts of one mechanism, or of such as stand and what stands.
+bool HeldContacts::mayBeHeld(const Group& group, const Contact& contact) {
+  if (group.isLimb(contact.a) || group.isLimb(contact.b)) return false;
+  const bool movesA = group.movable(contact.a), movesB = group.movable(contact.b);
+  const int a = movesA ? mechanismOf(contact.a) : none, b = movesB ? mechanismOf(contact.b) : none;
+  if ((movesA && a == none) || (movesB && b == none)) return false;
+  if (movesA && a == b) return true;
+  return (movesA || movesB) && (!movesA || mechanisms_[a].stands) &&
+         (!movesB || mechanisms_[b].stands);
+}
+
+void HeldContacts::sortHolds() {
   const auto key = [](const Hold& hold) {
     return std::make_tuple(hold.mechanism, hold.isLimit(), hold.row);
   };
@@ -143,13 +176,7 @@ void HeldContacts::collect(const Group& group) {
     if (mechanism.end == 0) mechanism.begin = k;
     mechanism.end = k + 1;
   }
-}
-
-/// Of a body that can move; none where nothing holds it, or too much.
-int HeldContacts::mechanismOf(int body) {
-  const int number = numberOf_[links_.root(body)];
-  if (number == none || mechanisms_[number].end - mechanisms_[number].begin > mostRows) return none;
-  return number;
+  spansUsed_ = 0;
 }
 
 /// What holds both ways.
@@ -160,74 +187,94 @@ ImpulseSpan& HeldContacts::spanOf(const Group& group, Mechanism& mechanism) {
     ImpulseSpan& span = spans_[mechanism.span];
     span.truncate(0);
     for (int k = mechanism.begin; k < mechanism.end && !holds_[k].isLimit(); ++k)
-      extend(group, holds_[k].impulse, span);
+      extend(group, holds_[k], impulseOf(group, group.rows[holds_[k].row]), span);
   }
   return spans_[mechanism.span];
 }
 
-/// Not by what the span has already. Of a row, leaves its coordinates in ofRow_.
-bool HeldContacts::extend(const Group& group, const Impulse& impulse, ImpulseSpan& span) {
+/// By one more row; leaves its coordinates in ofRow_. False if nothing can follow it.
+bool HeldContacts::extend(const Group& group, const Hold& hold, const Impulse& impulse,
+                          ImpulseSpan& span) {
   const double size = ImpulseSpan::product(group.bodies, impulse, impulse);
   span.coordinates(group.bodies, impulse, ofRow_);
-  const double left = size - squaresOf(ofRow_);
-  if (!(left > inVain * size)) return false;
+  const double left = std::max(size - squaresOf(ofRow_), 0.0) + group.rows[hold.row].compliance;
+  if (!(left > 0)) return false;
   span.add(impulse, ofRow_, left);
   return true;
 }
 
 /// Of (push, push), what the mechanism takes up: by what holds both ways, or also by limits that
-/// the push would cross.
+/// the push would cross. Adds to `apart` how fast these ask the contact to part, m/s.
 double HeldContacts::takenUp(const Group& group, const Impulse& push, Mechanism& mechanism,
-                             bool withLimits) {
+                             bool withLimits, double& apart) {
   ImpulseSpan& span = spanOf(group, mechanism);
   span.coordinates(group.bodies, push, ofPush_);
-  if (!withLimits) return squaresOf(ofPush_);
+  if (!withLimits) {
+    apart += span.wantedAlong(ofPush_);
+    return squaresOf(ofPush_);
+  }
   const int size = span.size();
   for (int k = mechanism.begin; k < mechanism.end; ++k) {
     const Hold& hold = holds_[k];
-    if (!hold.isLimit() || !extend(group, hold.impulse, span)) continue;
-    double along = ImpulseSpan::product(group.bodies, hold.impulse, push);
+    if (!hold.isLimit()) continue;
+    const Impulse impulse = impulseOf(group, group.rows[hold.row]);
+    if (!extend(group, hold, impulse, span)) continue;
+    double along = ImpulseSpan::product(group.bodies, impulse, push);
     for (std::size_t j = 0; j < ofRow_.size(); ++j) along -= ofRow_[j] * ofPush_[j];
     if (hold.up ? along < 0 : along > 0)
       span.coordinates(group.bodies, push, ofPush_);
     else
       span.truncate(span.size() - 1);
   }
+  apart += span.wantedAlong(ofPush_);
   span.truncate(size);
   return squaresOf(ofPush_);
 }
 
-HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contact) {
-  if (group.isLimb(contact.a) || group.isLimb(contact.b)) return Held::No;
+HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contact, double h) {
   const Impulse push = impulseOf(group, contact);
   int involved[2], count = 0;
-  bool stand = true;
   for (const int body : {push.a, push.b}) {
     if (body == none) continue;
     const int number = mechanismOf(body);
-    if (number == none) return Held::No;
-    stand &= mechanisms_[number].stands;
     if (count == 0 || involved[0] != number) involved[count++] = number;
   }
-  const bool isWithin = count == 1 && push.a != none && push.b != none;
-  if (count == 0 || !(stand || isWithin)) return Held::No;
+  // What stands may move all the same, as kinematic bodies do; its normal leans a little.
+  Vec3 standing = Vec3::Zero();
+  double arm = 0;
+  if (push.a == none)
+    standing += velocityAt(group.bodies, contact.a, contact.armA);
+  else
+    arm = contact.armA.norm();
+  if (push.b == none)
+    standing -= velocityAt(group.bodies, contact.b, contact.armB);
+  else
+    arm = std::max(arm, contact.armB.norm());
+  const double harmless = still * arm / h + std::sqrt(share) * standing.norm();
   const double size = ImpulseSpan::product(group.bodies, push, push);
   for (const bool withLimits : {false, true}) {
-    double left = size;
+    double left = size, apart = contact.frame.col(0).dot(standing);
     for (int k = 0; k < count; ++k)
-      left -= takenUp(group, push, mechanisms_[involved[k]], withLimits);
-    if (left <= share * size) return withLimits ? Held::ByLimit : Held::Always;
+      left -= takenUp(group, push, mechanisms_[involved[k]], withLimits, apart);
+    if (left > share * size) continue;
+    if (apart < -harmless) return Held::No;
+    return withLimits ? Held::ByLimit : Held::Always;
   }
   return Held::No;
 }
 
-void HeldContacts::soften(Group& group) {
+void HeldContacts::soften(Group& group, double h) {
   if (group.contacts.empty() || group.joints.empty()) return;
   collect(group);
   if (holds_.empty()) return;
-  for (std::size_t i = 0; i < group.contacts.size(); ++i) {
+  candidates_.clear();
+  for (std::size_t i = 0; i < group.contacts.size(); ++i)
+    if (mayBeHeld(group, group.contacts[i])) candidates_.push_back(static_cast<int>(i));
+  if (candidates_.empty()) return;
+  sortHolds();
+  for (const int i : candidates_) {
     Contact& contact = group.contacts[i];
-    const Held held = judge(group, contact);
+    const Held held = judge(group, contact, h);
     if (held == Held::No) continue;
     double& push = group.pushes[i];
     if (held == Held::Always)

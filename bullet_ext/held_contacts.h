@@ -19,29 +19,38 @@ struct Group;
 /// Impulses along rows or contacts, each on one or two bodies, and what they span. What two of them
 /// do together is measured as
 ///
-///     (p, p') = pᵀ M⁻¹ p'
+///     (p, p') = pᵀ M⁻¹ p',   (p, p) of rows with their compliance
 class ImpulseSpan {
  public:
   /// On bodies that can move; −1: on none.
   struct Impulse {
     int a = -1, b = -1;
     Vec6 onA = Vec6::Zero(), onB = Vec6::Zero();
+    double wanted = 0;  ///< of a row: the velocity that it asks of these bodies, m/s
   };
   static double product(const std::vector<Body>& bodies, const Impulse& p, const Impulse& q);
 
   int size() const { return static_cast<int>(impulses_.size()); }
   void truncate(int size);
   /// Coordinates of p in the orthonormal basis that the impulses make, in the order in which they
-  /// were added.
+  /// were added: y = L⁻¹ (p_i, p) with L Lᵀ = (p_i, p_j).
   void coordinates(const std::vector<Body>& bodies, const Impulse& p,
                    std::vector<double>& of) const;
   /// Adds p, whose coordinates and (p, p) less their squares these are.
   void add(const Impulse& p, const std::vector<double>& coordinates, double left);
-  std::size_t bytes() const { return bytesOf(impulses_, factor_); }
+  /// The velocity that the rows ask for along what has these coordinates, as far as it lies in
+  /// their span, m/s: y·L⁻¹ w, w what each of them asks for.
+  double wantedAlong(const std::vector<double>& of) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < of.size(); ++k) sum += of[k] * impulses_[k].wanted;
+    return sum;
+  }
+  std::size_t bytes() const { return bytesOf(impulses_, begins_, factor_); }
 
  private:
   std::vector<Impulse> impulses_;
-  std::vector<double> factor_;  ///< of (p_i, p_j), by rows: the coordinates of each
+  std::vector<int> begins_;     ///< which coordinate of each is the first that is not zero
+  std::vector<double> factor_;  ///< L by rows: the coordinates of each
 };
 
 /// Contacts along which joints leave their bodies no motion: a door that grazes the floor, a
@@ -56,14 +65,17 @@ class ImpulseSpan {
 /// answers less: the joints carry all. Where only a limit holds, which lets the bodies go the other
 /// way, it gives by joinedSoftness and is not split, as contacts of bodies that a joint links.
 ///
+/// Not where the joints themselves, or what they hang on, drive the bodies together, by more than
+/// `still` of the arm a step: a servo does not press its arm through a table.
+///
 /// Joints are those of the mechanisms of the two bodies, if these stand, or are one; none of more
 /// than `mostRows` rows. Springs and motors hold nothing.
 class HeldContacts {
  public:
-  /// Call it when contacts and joints are gathered.
-  void soften(Group& group);
+  /// Call it when contacts and joints are gathered. h: the step, s.
+  void soften(Group& group, double h);
 
-  static constexpr double share = 5e-4, softness = 1;
+  static constexpr double share = 5e-4, softness = 1, still = 2e-5;
   static constexpr int mostRows = 100;
 
   std::size_t bytes() const;
@@ -73,28 +85,33 @@ class HeldContacts {
   enum class Held { No, ByLimit, Always };
   /// A row that holds.
   struct Hold {
-    int mechanism, row;
-    Impulse impulse;
+    int row, a, b;  ///< and its bodies that can move; −1: none
     bool up, down;  ///< whether its reaction may be as large as need be, and as negative
+    int mechanism = -1;
     bool isLimit() const { return up != down; }
   };
   /// Bodies that such rows link.
   struct Mechanism {
-    int begin = 0, end = 0;  ///< among holds_, limits last
+    int rows = 0;
     bool stands = false;     ///< held to what stands, too
+    int begin = 0, end = 0;  ///< among holds_, limits last
     int span = -1;           ///< among spans_: of what holds both ways; −1: not worked out
   };
   void collect(const Group& group);
   int mechanismOf(int body);
+  bool mayBeHeld(const Group& group, const Contact& contact);
+  void sortHolds();
   ImpulseSpan& spanOf(const Group& group, Mechanism& mechanism);
-  bool extend(const Group& group, const Impulse& impulse, ImpulseSpan& span);
-  double takenUp(const Group& group, const Impulse& push, Mechanism& mechanism, bool withLimits);
-  Held judge(const Group& group, const Contact& contact);
+  bool extend(const Group& group, const Hold& hold, const Impulse& impulse, ImpulseSpan& span);
+  double takenUp(const Group& group, const Impulse& push, Mechanism& mechanism, bool withLimits,
+                 double& apart);
+  Held judge(const Group& group, const Contact& contact, double h);
 
   DisjointSets links_;
   std::vector<Hold> holds_;
   std::vector<Mechanism> mechanisms_;
   std::vector<int> numberOf_;       ///< of the mechanism of each root; −1: none
+  std::vector<int> candidates_;     ///< contacts
   std::vector<ImpulseSpan> spans_;  ///< storage is used again
   int spansUsed_ = 0;
   std::vector<double> ofPush_, ofRow_;  ///< coordinates
