@@ -137,7 +137,6 @@ int renderSubject(const RenderArguments& arguments) {
   // What can be wrong is found before the first solver has run for minutes.
   std::vector<NamedSolver> solvers;
   for (const std::string& name : splitNames(arguments.solvers)) solvers.emplace_back(name);
-  if (solvers.empty()) solvers.emplace_back(arguments.solvers);
   if (!arguments.camera.empty() && arguments.camera == arguments.lookAt)
     throw BadUsage("--camera is where --look-at is: it would look nowhere");
   const Subject subject = openSubject(arguments.subject);

@@ -168,7 +168,6 @@ int runSubject(const RunArguments& arguments) {
   // A wrong name is told before the first solver has run for minutes.
   std::vector<NamedSolver> solvers;
   for (const std::string& name : splitNames(arguments.solvers)) solvers.emplace_back(name);
-  if (solvers.empty()) solvers.emplace_back(arguments.solvers);
   tellWhatIsIdle(arguments, solvers);
 
   std::vector<RunSummary> runs;

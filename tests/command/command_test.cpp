@@ -86,6 +86,18 @@ TEST_F(Command, NamesTheSolversThatExist) {
   EXPECT_EQ(lines(outcome.err), 1);
 }
 
+// A name that was lost on the way, as that of an empty variable.
+TEST_F(Command, RefusesSolversWithoutName) {
+  for (const char* list : {"si:10,,delassus", "si:10,", ",si:10", "''"})
+    for (const char* command : {"run one_box --solver ", "render one_box --solver "}) {
+      const Outcome outcome = call(std::string(command) + list);
+      EXPECT_EQ(outcome.status, 2) << command << list;
+      EXPECT_NE(outcome.err.find("a solver's name is empty"), std::string::npos) << outcome.err;
+      EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
+      EXPECT_EQ(outcome.out, "");
+    }
+}
+
 TEST_F(Command, NamesAFileThatCannotBeRead) {
   for (const std::string& path :
        {file("no/such.bullet"), folder_.string() + "/", write("bad.bullet", "nonsense")}) {
