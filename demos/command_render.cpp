@@ -73,6 +73,7 @@ std::vector<render::Film> recordAll(const RenderArguments& arguments,
   for (NamedSolver& solver : solvers) {
     Subject subject = openSubject(arguments.subject);
     ProgressBar bar(subject.name + " " + solver.name());
+    const auto blame = blameBullet(subject.name, solver);
     films.push_back(render::record(*subject.world, solver, subject.hz, times,
                                    [&bar](double fraction) { bar.show(fraction); }));
   }

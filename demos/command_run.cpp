@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "demos/command.h"
@@ -78,13 +79,13 @@ nlohmann::ordered_json toJson(const std::string& scene, const RunSummary& run) {
   return json;
 }
 
-void printMessages(const std::vector<RunSummary::Message>& messages) {
+void printMessages(std::FILE* out, const std::vector<RunSummary::Message>& messages) {
   constexpr std::size_t most = 10;
   for (std::size_t i = 0; i < std::min(most, messages.size()); ++i)
-    std::printf("  %s (%d %s)\n", messages[i].text.c_str(), messages[i].steps,
-                messages[i].steps == 1 ? "step" : "steps");
+    std::fprintf(out, "  %s (%d %s)\n", messages[i].text.c_str(), messages[i].steps,
+                 messages[i].steps == 1 ? "step" : "steps");
   if (messages.size() > most)
-    std::printf("  and %zu more; --json has them\n", messages.size() - most);
+    std::fprintf(out, "  and %zu more; --json has them\n", messages.size() - most);
 }
 
 /// The same words as `explain`, by key.
@@ -106,7 +107,7 @@ nlohmann::ordered_json explanation(const StepTotals& totals) {
   return json;
 }
 
-void printTable(const std::vector<RunSummary>& runs) {
+void printTable(std::FILE* out, const std::vector<RunSummary>& runs) {
   Table table({"solver", "ms median", "ms p95", "residual max", "rms m/s", "above 1e-6",
                "overlap m", "through", "drift m", "joints m", "kinetic J", "reaction/weight",
                "open/stick/slide", "fallbacks"});
@@ -123,30 +124,61 @@ void printTable(const std::vector<RunSummary>& runs) {
                    std::to_string(modes.slide),
                std::to_string(run.fallbacks)});
   }
-  std::fputs(table.text().c_str(), stdout);
+  std::fputs(table.text().c_str(), out);
   for (const RunSummary& run : runs)
     if (run.stepsLost > 0)
-      std::printf(
+      std::fprintf(
+          out,
           "%s: the world is lost: %d of %d steps end with a body that is nowhere, its place "
           "or velocity not a number\n",
           run.solver.c_str(), run.stepsLost, run.steps);
   for (const RunSummary& run : runs) {
     if (!run.regions) continue;
-    std::printf(
+    std::fprintf(
+        out,
         "%s: %.3g regions and %.3g factorisations a step; islands: %ld solved, %ld out of budget, "
         "%ld incompatible, %ld non-finite; %ld parts left out\n",
         run.solver.c_str(), run.regions->perStep, run.regions->factorisationsPerStep,
         run.regions->solved, run.regions->outOfBudget, run.regions->incompatible,
         run.regions->nonFinite, run.regions->leftOut);
-    printMessages(run.regions->messages);
+    printMessages(out, run.regions->messages);
   }
 }
 
-void printLawErrors(const Law& law, const std::vector<RunSummary>& runs) {
-  std::printf("%s:", law.name.c_str());
+void printLawErrors(std::FILE* out, const Law& law, const std::vector<RunSummary>& runs) {
+  std::fprintf(out, "%s:", law.name.c_str());
   for (const RunSummary& run : runs)
-    std::printf("  %s %s", run.solver.c_str(), shortNumber(*run.lawError).c_str());
-  std::printf("\n");
+    std::fprintf(out, "  %s %s", run.solver.c_str(), shortNumber(*run.lawError).c_str());
+  std::fprintf(out, "\n");
+}
+
+/// All that is said of the solvers that are done.
+void printRuns(std::FILE* out, const RunArguments& arguments, const std::optional<Law>& law,
+               const std::vector<RunSummary>& runs) {
+  if (runs.empty()) return;
+  std::fprintf(out, "%s: %d steps at %g Hz, %d bodies, up to %d contacts, %s precision\n",
+               arguments.subject.c_str(), runs[0].steps, runs[0].hz, runs[0].bodies,
+               runs[0].contactsMax, precisionName());
+  printTable(out, runs);
+  if (law) printLawErrors(out, *law, runs);
+  for (const RunSummary& run : runs)
+    if (arguments.explain && run.regions)
+      std::fprintf(out, "\n%s, means of %d steps\n\n%s", run.solver.c_str(), run.steps,
+                   explain(run.regions->totals).c_str());
+}
+
+/// The same, for when the next solver crashes.
+std::string textOfRuns(const RunArguments& arguments, const std::optional<Law>& law,
+                       const std::vector<RunSummary>& runs) {
+  char* text = nullptr;
+  std::size_t size = 0;
+  std::FILE* out = open_memstream(&text, &size);
+  if (out == nullptr) return "";
+  printRuns(out, arguments, law, runs);
+  std::fclose(out);
+  std::string copy(text, size);
+  std::free(text);
+  return copy;
 }
 
 /// Tells which of the options change nothing, since none of the solvers is ours.
@@ -186,6 +218,8 @@ int runSubject(const RunArguments& arguments) {
     }
     {
       ProgressBar bar(subject.name + " " + solver.name());
+      const auto blame =
+          blameBullet(subject.name, solver, arguments.json ? "" : textOfRuns(arguments, law, runs));
       runs.push_back(simulate(*subject.world, solver, settings,
                               [&bar](double fraction) { bar.show(fraction); }));
     }
@@ -194,19 +228,10 @@ int runSubject(const RunArguments& arguments) {
       if (arguments.explain && runs.back().regions)
         json["explain"] = explanation(runs.back().regions->totals);
       std::printf("%s\n", jsonLine(json).c_str());
+      std::fflush(stdout);  // the next solver may take minutes, or crash
     }
   }
-  if (!arguments.json && !runs.empty()) {
-    std::printf("%s: %d steps at %g Hz, %d bodies, up to %d contacts, %s precision\n",
-                arguments.subject.c_str(), runs[0].steps, runs[0].hz, runs[0].bodies,
-                runs[0].contactsMax, precisionName());
-    printTable(runs);
-    if (law) printLawErrors(*law, runs);
-    for (const RunSummary& run : runs)
-      if (arguments.explain && run.regions)
-        std::printf("\n%s, means of %d steps\n\n%s", run.solver.c_str(), run.steps,
-                    explain(run.regions->totals).c_str());
-  }
+  if (!arguments.json) printRuns(stdout, arguments, law, runs);
   return exitDone;
 }
 

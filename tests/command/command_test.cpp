@@ -150,6 +150,25 @@ TEST_F(Command, BlamesACrashOnTheFile) {
   EXPECT_EQ(lines(crash.err), 1) << crash.err;
 }
 
+// What is done is told as if nothing had happened.
+TEST_F(Command, BlamesACrashOnTheSolverOfBullet) {
+  // Ours has a millisecond's work; the sweeps of the other one take hours.
+  const std::string arguments = "run one_box --seconds 1 --solver delassus,si:10000000,si:1";
+  for (const bool json : {false, true}) {
+    Outcome crash;
+    for (const char* delay : {"0.5", "2", "8"}) {
+      crash = call(arguments + (json ? " --json" : ""),
+                   std::string("timeout --preserve-status --signal=SEGV ") + delay);
+      if (!crash.out.empty()) break;
+    }
+    EXPECT_EQ(crash.status, 1);
+    EXPECT_EQ(crash.err, "delassus: one_box: Bullet's own solver si:10000000 crashes on it\n");
+    EXPECT_NE(crash.out.find("delassus"), std::string::npos) << crash.out;
+    EXPECT_EQ(crash.out.find("si:"), std::string::npos) << crash.out;
+    EXPECT_EQ(lines(crash.out), json ? 1 : 4) << crash.out;
+  }
+}
+
 TEST_F(Command, NamesWhatItDoesNotUnderstand) {
   const auto fault = [this](const std::string& arguments) {
     const Outcome outcome = call(arguments);
