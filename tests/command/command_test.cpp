@@ -50,6 +50,29 @@ TEST_F(Command, NamesTheCommandThatIsUnknownAndThoseThatExist) {
   }
 }
 
+TEST_F(Command, NamesTheOptionThatIsUnknownAndThoseThatExist) {
+  for (const char* arguments :
+       {"run --no-such-flag", "run one_box --no-such-flag",
+        "run one_box --seconds 1 --no-such-flag", "run --no-such-flag si:10 one_box --json"}) {
+    const Outcome outcome = call(arguments);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(
+        outcome.err,
+        "delassus: run has no option '--no-such-flag'; there are --help, --solver, --seconds, "
+        "--hz, --threads, --no-geometric-stiffness, --explain, --json\n")
+        << arguments;
+  }
+  for (const char* sub : {"scenes", "render", "report", "solve", "dump", "atlas"}) {
+    const Outcome outcome = call(std::string(sub) + " --no-such-flag");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find("'--no-such-flag'; there are --help"), std::string::npos)
+        << outcome.err;
+  }
+  // Numbers may be negative, and words that are too many are no options.
+  EXPECT_EQ(call("run one_box --seconds -1").err.find("no option"), std::string::npos);
+  EXPECT_EQ(call("scenes extra").err.find("no option"), std::string::npos);
+}
+
 TEST_F(Command, LostOutputIsAFailure) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   for (const char* arguments : {"run one_box --seconds 0.1", "scenes", "run --help"}) {
