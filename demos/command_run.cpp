@@ -88,7 +88,7 @@ void printMessages(std::FILE* out, const std::vector<RunSummary::Message>& messa
     std::fprintf(out, "  and %zu more; --json has them\n", messages.size() - most);
 }
 
-/// The same words as `explain`, by key.
+/// The same words as `explain`, by key; regions and factorisations are keys of the run.
 nlohmann::ordered_json explanation(const StepTotals& totals) {
   nlohmann::ordered_json json;
   for (const Need& need : needsOf(totals)) json["asked_for"][need.key] = need.aStep;
@@ -99,11 +99,16 @@ nlohmann::ordered_json explanation(const StepTotals& totals) {
                                                  {"closed_form", sum.closedForms},
                                                  {"walked", sum.walks}};
   for (const auto& [key, count] : islands) json["islands"][key] = totals.aStep(count);
-  json["matrices"] = totals.aStep(sum.matrices);
-  json["push_islands"] = totals.aStep(sum.pushIslands);
-  json["softened"] = totals.aStep(sum.softened);
-  json["push_softened"] = totals.aStep(sum.pushSoftened);
-  json["events"] = totals.aStep(sum.events);
+  const std::pair<const char*, int> counts[] = {{"stiffened", sum.stiffened},
+                                                {"opposed", sum.opposed},
+                                                {"matrices", sum.matrices},
+                                                {"sweeps", sum.sweeps},
+                                                {"patches", sum.patches},
+                                                {"softened", sum.softened},
+                                                {"push_islands", sum.pushIslands},
+                                                {"push_softened", sum.pushSoftened},
+                                                {"events", sum.events}};
+  for (const auto& [key, count] : counts) json[key] = totals.aStep(count);
   return json;
 }
 

@@ -241,6 +241,8 @@ TEST_F(Command, ExplainsWhatAStepIsMadeOf) {
   EXPECT_EQ(explained["asked_for"]["listeners"], 0);
   EXPECT_EQ(explained["push_islands"], 0);
   EXPECT_EQ(explained["events"], 0);
+  for (const char* key : {"stiffened", "opposed", "sweeps", "patches", "softened", "push_softened"})
+    EXPECT_EQ(explained.value(key, -1.0), 0) << key;
   // The first step is solved; then the box stands.
   EXPECT_GT(explained["matrices"], 0);
   EXPECT_LT(explained["matrices"], 0.2);
