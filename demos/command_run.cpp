@@ -72,6 +72,7 @@ nlohmann::ordered_json toJson(const std::string& scene, const RunSummary& run) {
   if (run.lawError) json["law_error"] = *run.lawError;
   if (run.regions) {
     json["left_out"] = run.regions->leftOut;
+    json["stiffened"] = run.regions->stiffened;
     json["messages"] = nlohmann::ordered_json::array();
     for (const RunSummary::Message& message : run.regions->messages)
       json["messages"].push_back({{"text", message.text}, {"steps", message.steps}});
@@ -142,10 +143,13 @@ void printTable(std::FILE* out, const std::vector<RunSummary>& runs) {
     std::fprintf(
         out,
         "%s: %.3g regions and %.3g factorisations a step; islands: %ld solved, %ld out of budget, "
-        "%ld incompatible, %ld non-finite; %ld parts left out\n",
+        "%ld incompatible, %ld non-finite; %ld parts left out",
         run.solver.c_str(), run.regions->perStep, run.regions->factorisationsPerStep,
         run.regions->solved, run.regions->outOfBudget, run.regions->incompatible,
         run.regions->nonFinite, run.regions->leftOut);
+    if (const int most = run.regions->stiffened; most > 0)
+      std::fprintf(out, "; %d %s stiffened in a step at most", most, most == 1 ? "body" : "bodies");
+    std::fprintf(out, "\n");
     printMessages(out, run.regions->messages);
   }
 }
@@ -301,7 +305,8 @@ void addRunCommand(CLI::App& app, Action& chosen) {
       "\n"
       "Residuals (m/s), reaction/weight and the law's error are of the last three quarters of the\n"
       "run, kinetic energy, open/stick/slide and through (bodies in or under what cannot move) of\n"
-      "its end, all else of the whole; times are of solveGroup alone.");
+      "its end, all else of the whole; times are of solveGroup alone. Stiffened are bodies that\n"
+      "geometric stiffness had turn more slowly, most of a step.");
   command->callback(
       [&chosen, arguments] { chosen = [arguments] { return runSubject(*arguments); }; });
 }

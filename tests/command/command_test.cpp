@@ -263,6 +263,26 @@ TEST_F(Command, ExplainsWhatAStepIsMadeOf) {
   EXPECT_FALSE(json::parse(line).contains("explain"));
 }
 
+// Links of 0.1 kg under 100 kg turn faster than a step of 1/60 s follows.
+TEST_F(Command, TellsHowManyBodiesAreStiffened) {
+  const std::string arguments = "run heavy_ball_chain --hz 60 --seconds 0.3 --explain";
+  const json run = json::parse(call(arguments + " --json").out);
+  const int most = run.at("stiffened");
+  EXPECT_GT(most, 10);
+  EXPECT_LE(most, run.at("bodies"));
+  const double mean = run.at("explain").at("stiffened");
+  EXPECT_GT(mean, 0.5 * most);
+  EXPECT_LE(mean, most);
+  EXPECT_NE(call(arguments).out.find("; " + std::to_string(most) + " bodies stiffened in a step"),
+            std::string::npos);
+
+  const std::string off = arguments + " --no-geometric-stiffness";
+  EXPECT_EQ(json::parse(call(off + " --json").out).at("stiffened"), 0);
+  EXPECT_EQ(call(off).out.find("stiffened"), std::string::npos);
+  EXPECT_FALSE(
+      json::parse(call("run one_box --seconds 0.1 --solver si:10 --json").out).count("stiffened"));
+}
+
 TEST_F(Command, RunsAndTellsInJson) {
   const Outcome outcome = call("run one_box --solver delassus,si:10 --seconds 0.5 --json");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
