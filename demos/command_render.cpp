@@ -73,6 +73,7 @@ std::vector<render::Film> recordAll(const RenderArguments& arguments,
   for (NamedSolver& solver : solvers) {
     Subject subject = openSubject(arguments.subject);
     ProgressBar bar(subject.name + " " + solver.name());
+    const auto blame = blameBullet(subject.name, solver);
     films.push_back(render::record(*subject.world, solver, subject.hz, times,
                                    [&bar](double fraction) { bar.show(fraction); }));
   }
@@ -137,7 +138,6 @@ int renderSubject(const RenderArguments& arguments) {
   // What can be wrong is found before the first solver has run for minutes.
   std::vector<NamedSolver> solvers;
   for (const std::string& name : splitNames(arguments.solvers)) solvers.emplace_back(name);
-  if (solvers.empty()) solvers.emplace_back(arguments.solvers);
   if (!arguments.camera.empty() && arguments.camera == arguments.lookAt)
     throw BadUsage("--camera is where --look-at is: it would look nowhere");
   const Subject subject = openSubject(arguments.subject);

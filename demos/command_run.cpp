@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "demos/command.h"
@@ -71,6 +72,7 @@ nlohmann::ordered_json toJson(const std::string& scene, const RunSummary& run) {
   if (run.lawError) json["law_error"] = *run.lawError;
   if (run.regions) {
     json["left_out"] = run.regions->leftOut;
+    json["stiffened"] = run.regions->stiffened;
     json["messages"] = nlohmann::ordered_json::array();
     for (const RunSummary::Message& message : run.regions->messages)
       json["messages"].push_back({{"text", message.text}, {"steps", message.steps}});
@@ -78,16 +80,16 @@ nlohmann::ordered_json toJson(const std::string& scene, const RunSummary& run) {
   return json;
 }
 
-void printMessages(const std::vector<RunSummary::Message>& messages) {
+void printMessages(std::FILE* out, const std::vector<RunSummary::Message>& messages) {
   constexpr std::size_t most = 10;
   for (std::size_t i = 0; i < std::min(most, messages.size()); ++i)
-    std::printf("  %s (%d %s)\n", messages[i].text.c_str(), messages[i].steps,
-                messages[i].steps == 1 ? "step" : "steps");
+    std::fprintf(out, "  %s (%d %s)\n", messages[i].text.c_str(), messages[i].steps,
+                 messages[i].steps == 1 ? "step" : "steps");
   if (messages.size() > most)
-    std::printf("  and %zu more; --json has them\n", messages.size() - most);
+    std::fprintf(out, "  and %zu more; --json has them\n", messages.size() - most);
 }
 
-/// The same words as `explain`, by key.
+/// The same words as `explain`, by key; regions and factorisations are keys of the run.
 nlohmann::ordered_json explanation(const StepTotals& totals) {
   nlohmann::ordered_json json;
   for (const Need& need : needsOf(totals)) json["asked_for"][need.key] = need.aStep;
@@ -98,15 +100,20 @@ nlohmann::ordered_json explanation(const StepTotals& totals) {
                                                  {"closed_form", sum.closedForms},
                                                  {"walked", sum.walks}};
   for (const auto& [key, count] : islands) json["islands"][key] = totals.aStep(count);
-  json["matrices"] = totals.aStep(sum.matrices);
-  json["push_islands"] = totals.aStep(sum.pushIslands);
-  json["softened"] = totals.aStep(sum.softened);
-  json["push_softened"] = totals.aStep(sum.pushSoftened);
-  json["events"] = totals.aStep(sum.events);
+  const std::pair<const char*, int> counts[] = {{"stiffened", sum.stiffened},
+                                                {"opposed", sum.opposed},
+                                                {"matrices", sum.matrices},
+                                                {"sweeps", sum.sweeps},
+                                                {"patches", sum.patches},
+                                                {"softened", sum.softened},
+                                                {"push_islands", sum.pushIslands},
+                                                {"push_softened", sum.pushSoftened},
+                                                {"events", sum.events}};
+  for (const auto& [key, count] : counts) json[key] = totals.aStep(count);
   return json;
 }
 
-void printTable(const std::vector<RunSummary>& runs) {
+void printTable(std::FILE* out, const std::vector<RunSummary>& runs) {
   Table table({"solver", "ms median", "ms p95", "residual max", "rms m/s", "above 1e-6",
                "overlap m", "through", "drift m", "joints m", "kinetic J", "reaction/weight",
                "open/stick/slide", "fallbacks"});
@@ -123,30 +130,64 @@ void printTable(const std::vector<RunSummary>& runs) {
                    std::to_string(modes.slide),
                std::to_string(run.fallbacks)});
   }
-  std::fputs(table.text().c_str(), stdout);
+  std::fputs(table.text().c_str(), out);
   for (const RunSummary& run : runs)
     if (run.stepsLost > 0)
-      std::printf(
+      std::fprintf(
+          out,
           "%s: the world is lost: %d of %d steps end with a body that is nowhere, its place "
           "or velocity not a number\n",
           run.solver.c_str(), run.stepsLost, run.steps);
   for (const RunSummary& run : runs) {
     if (!run.regions) continue;
-    std::printf(
+    std::fprintf(
+        out,
         "%s: %.3g regions and %.3g factorisations a step; islands: %ld solved, %ld out of budget, "
-        "%ld incompatible, %ld non-finite; %ld parts left out\n",
+        "%ld incompatible, %ld non-finite; %ld parts left out",
         run.solver.c_str(), run.regions->perStep, run.regions->factorisationsPerStep,
         run.regions->solved, run.regions->outOfBudget, run.regions->incompatible,
         run.regions->nonFinite, run.regions->leftOut);
-    printMessages(run.regions->messages);
+    if (const int most = run.regions->stiffened; most > 0)
+      std::fprintf(out, "; %d %s stiffened in a step at most", most, most == 1 ? "body" : "bodies");
+    std::fprintf(out, "\n");
+    printMessages(out, run.regions->messages);
   }
 }
 
-void printLawErrors(const Law& law, const std::vector<RunSummary>& runs) {
-  std::printf("%s:", law.name.c_str());
+void printLawErrors(std::FILE* out, const Law& law, const std::vector<RunSummary>& runs) {
+  std::fprintf(out, "%s:", law.name.c_str());
   for (const RunSummary& run : runs)
-    std::printf("  %s %s", run.solver.c_str(), shortNumber(*run.lawError).c_str());
-  std::printf("\n");
+    std::fprintf(out, "  %s %s", run.solver.c_str(), shortNumber(*run.lawError).c_str());
+  std::fprintf(out, "\n");
+}
+
+/// All that is said of the solvers that are done.
+void printRuns(std::FILE* out, const RunArguments& arguments, const std::optional<Law>& law,
+               const std::vector<RunSummary>& runs) {
+  if (runs.empty()) return;
+  std::fprintf(out, "%s: %d steps at %g Hz, %d bodies, up to %d contacts, %s precision\n",
+               arguments.subject.c_str(), runs[0].steps, runs[0].hz, runs[0].bodies,
+               runs[0].contactsMax, precisionName());
+  printTable(out, runs);
+  if (law) printLawErrors(out, *law, runs);
+  for (const RunSummary& run : runs)
+    if (arguments.explain && run.regions)
+      std::fprintf(out, "\n%s, means of %d steps\n\n%s", run.solver.c_str(), run.steps,
+                   explain(run.regions->totals).c_str());
+}
+
+/// The same, for when the next solver crashes.
+std::string textOfRuns(const RunArguments& arguments, const std::optional<Law>& law,
+                       const std::vector<RunSummary>& runs) {
+  char* text = nullptr;
+  std::size_t size = 0;
+  std::FILE* out = open_memstream(&text, &size);
+  if (out == nullptr) return "";
+  printRuns(out, arguments, law, runs);
+  std::fclose(out);
+  std::string copy(text, size);
+  std::free(text);
+  return copy;
 }
 
 /// Tells which of the options change nothing, since none of the solvers is ours.
@@ -168,7 +209,6 @@ int runSubject(const RunArguments& arguments) {
   // A wrong name is told before the first solver has run for minutes.
   std::vector<NamedSolver> solvers;
   for (const std::string& name : splitNames(arguments.solvers)) solvers.emplace_back(name);
-  if (solvers.empty()) solvers.emplace_back(arguments.solvers);
   tellWhatIsIdle(arguments, solvers);
 
   std::vector<RunSummary> runs;
@@ -187,6 +227,8 @@ int runSubject(const RunArguments& arguments) {
     }
     {
       ProgressBar bar(subject.name + " " + solver.name());
+      const auto blame =
+          blameBullet(subject.name, solver, arguments.json ? "" : textOfRuns(arguments, law, runs));
       runs.push_back(simulate(*subject.world, solver, settings,
                               [&bar](double fraction) { bar.show(fraction); }));
     }
@@ -195,19 +237,10 @@ int runSubject(const RunArguments& arguments) {
       if (arguments.explain && runs.back().regions)
         json["explain"] = explanation(runs.back().regions->totals);
       std::printf("%s\n", jsonLine(json).c_str());
+      std::fflush(stdout);  // the next solver may take minutes, or crash
     }
   }
-  if (!arguments.json && !runs.empty()) {
-    std::printf("%s: %d steps at %g Hz, %d bodies, up to %d contacts, %s precision\n",
-                arguments.subject.c_str(), runs[0].steps, runs[0].hz, runs[0].bodies,
-                runs[0].contactsMax, precisionName());
-    printTable(runs);
-    if (law) printLawErrors(*law, runs);
-    for (const RunSummary& run : runs)
-      if (arguments.explain && run.regions)
-        std::printf("\n%s, means of %d steps\n\n%s", run.solver.c_str(), run.steps,
-                    explain(run.regions->totals).c_str());
-  }
+  if (!arguments.json) printRuns(stdout, arguments, law, runs);
   return exitDone;
 }
 
@@ -272,7 +305,8 @@ void addRunCommand(CLI::App& app, Action& chosen) {
       "\n"
       "Residuals (m/s), reaction/weight and the law's error are of the last three quarters of the\n"
       "run, kinetic energy, open/stick/slide and through (bodies in or under what cannot move) of\n"
-      "its end, all else of the whole; times are of solveGroup alone.");
+      "its end, all else of the whole; times are of solveGroup alone. Stiffened are bodies that\n"
+      "geometric stiffness had turn more slowly, most of a step.");
   command->callback(
       [&chosen, arguments] { chosen = [arguments] { return runSubject(*arguments); }; });
 }

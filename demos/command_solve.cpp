@@ -124,7 +124,8 @@ void addSolveCommand(CLI::App& app, Action& chosen) {
   command->footer(
       "rel: |F| / |q|, F = r - P(r - v) with P the projection on the cones or bounds and v the\n"
       "velocities u = W r + q (of contacts, those that De Saxce corrects: u + mu |u_t| n);\n"
-      "vel: |(F_i(s_i) / s_i)_i| / |q|, the same in velocities, with steps s_i = 3 / trace(W_ii).\n"
+      "vel: |(F_i(s_i) / s_i)_i| / |q|, the same in velocities, with steps s_i =\n"
+      "3 / trace(W_ii) of contacts and 1 / |W_ii| of rows.\n"
       "Exit status: 0 both are within the tolerance, 3 they are not, 1 a file cannot be read or\n"
       "written, 2 bad usage.");
   command->callback(

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 
 #include "demos/command.h"
@@ -12,22 +13,30 @@ namespace demos {
 namespace {
 
 constexpr std::size_t longest = 4096, stackSize = 1 << 16;
-char line[longest];  // where a signal handler can read it
-std::size_t length = 0;
+// Where a signal handler can read them: the line, and what goes to standard output before it.
+char line[longest];
+std::size_t length = 0, finishedLength = 0;
+const char* finishedText = nullptr;
 char stack[stackSize];  // of the handler: the usual one may be what overflowed
 
-/// Memory may be broken: nothing of the process runs any more but two system calls.
+/// Memory may be broken: nothing of the process runs any more but a few system calls.
 void tellAndLeave(int) {
-  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, line, length);
+  [[maybe_unused]] ssize_t written = write(STDOUT_FILENO, finishedText, finishedLength);
+  written = write(STDERR_FILENO, line, length);
   _exit(exitFailed);
 }
 
-}  // namespace
+/// Of all signals that a crash may be.
+void handleBy(void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = SA_ONSTACK;
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
+    sigaction(signal, &action, nullptr);
+}
 
-void blameCrashesOn(const std::string& file) {
-  const std::string text =
-      "delassus: " + file +
-      ": crashes Bullet or this program: the file is damaged, or one of them has an error\n";
+/// Nothing to say is what it is at first: the crash is left to the system.
+void sayAtCrash(const std::string& text) {
   length = std::min(text.size(), longest);
   std::memcpy(line, text.data(), length);
 
@@ -35,11 +44,32 @@ void blameCrashesOn(const std::string& file) {
   own.ss_sp = stack;
   own.ss_size = stackSize;
   sigaltstack(&own, nullptr);
-  struct sigaction action {};
-  action.sa_handler = tellAndLeave;
-  action.sa_flags = SA_ONSTACK;
-  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
-    sigaction(signal, &action, nullptr);
+  handleBy(text.empty() ? SIG_DFL : tellAndLeave);
+}
+
+/// The line of its own that it is, also where a progress bar stands.
+std::string asLine(const std::string& text) {
+  return (isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "") + ("delassus: " + text) + "\n";
+}
+
+}  // namespace
+
+void blameCrashesOn(const std::string& file) {
+  sayAtCrash(asLine(
+      file + ": crashes Bullet or this program: the file is damaged, or one of them has an error"));
+}
+
+CrashBlame::CrashBlame(const std::string& line, std::string finished)
+    : before_(demos::line, length), finished_(std::move(finished)) {
+  std::fflush(stdout);  // a crash would take with it what waits to be written
+  finishedText = finished_.data();
+  finishedLength = finished_.size();
+  sayAtCrash(asLine(line));
+}
+
+CrashBlame::~CrashBlame() {
+  sayAtCrash(before_);
+  finishedLength = 0;
 }
 
 }  // namespace demos

@@ -33,6 +33,21 @@ std::string commandFault(const CLI::App& app, int argc, char** argv) {
          "; there are " + existing;
 }
 
+/// What is wrong with an option of a sub-command; nothing if all that were given exist. CLI11 would
+/// only say what is missing, or which word it did not expect.
+std::string optionFault(const CLI::App& app) {
+  for (const CLI::App* command : app.get_subcommands())
+    for (const std::string& word : command->remaining()) {
+      if (word.size() < 2 || word[0] != '-') continue;
+      std::string existing;
+      for (const CLI::Option* option : command->get_options())
+        if (option->nonpositional())
+          existing += (existing.empty() ? "" : ", ") + option->get_name();
+      return command->get_name() + " has no option '" + word + "'; there are " + existing;
+    }
+  return "";
+}
+
 std::string versions() {
   return "delassus " DELASSUS_VERSION ", Bullet " + std::to_string(btGetVersion()) + " in " +
          precisionName() + " precision";
@@ -63,6 +78,10 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    if (const std::string fault = optionFault(app); error.get_exit_code() != 0 && !fault.empty()) {
+      std::fprintf(stderr, "delassus: %s\n", fault.c_str());
+      return exitBadUsage;
+    }
     return app.exit(error) == 0 ? afterOutput(exitDone) : exitBadUsage;
   }
   try {

@@ -4,7 +4,6 @@
 #include <system_error>
 
 #include "bullet_ext/btDelassusConstraintSolver.h"
-#include "demos/crash.h"
 #include "demos/process/apart.h"
 #include "demos/scenes/bullet_file.h"
 #include "demos/scenes/catalogue.h"
@@ -78,6 +77,15 @@ Subject loadSubject(const std::string& name) {
 Subject openSubject(const std::string& name) {
   if (isFile(name)) blameCrashesOn(name);
   return loadSubject(name);
+}
+
+std::unique_ptr<CrashBlame> blameBullet(const std::string& subject, const NamedSolver& solver,
+                                        const std::string& finished) {
+  if (solver.delassus() != nullptr) return nullptr;
+  return std::make_unique<CrashBlame>(subject + ": Bullet's own solver " + solver.name() +
+                                          " crashes on it" +
+                                          (isFile(subject) ? ", unless the file is damaged" : ""),
+                                      finished);
 }
 
 const char* precisionName() { return sizeof(btScalar) == sizeof(double) ? "double" : "float"; }

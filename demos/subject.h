@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "demos/crash.h"
 #include "demos/scenes/scene.h"
+#include "demos/scenes/solvers.h"
 
 namespace demos {
 
@@ -25,6 +27,12 @@ Subject loadSubject(const std::string& name);
 
 /// The same for a command: from here on, a crash is blamed on the file, if it is one.
 Subject openSubject(const std::string& name);
+
+/// While it lives, a crash is blamed on the solver that runs on `subject`, if it is Bullet's: some
+/// of them overflow the stack where there are many contacts. Null if it is ours. A crash prints
+/// `finished` first.
+std::unique_ptr<CrashBlame> blameBullet(const std::string& subject, const NamedSolver& solver,
+                                        const std::string& finished = "");
 
 /// "double" or "float": the precision of the Bullet library in this build.
 const char* precisionName();

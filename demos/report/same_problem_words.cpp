@@ -32,13 +32,20 @@ std::string fastestCell(const SceneView& view, double error) {
          (own != nullptr ? " (delassus " + shortMs(own->cost) + ")" : " (delassus: not reached)");
 }
 
+/// Its name, and how many of its samples count where not all do.
+std::string sceneCell(const SceneView& view) {
+  if (view.uncertain == 0) return view.scene;
+  return view.scene + " (" + std::to_string(view.samples) + " of " +
+         std::to_string(view.samples + view.uncertain) + " samples)";
+}
+
 std::string fastestTable(const std::vector<SceneView>& views) {
   std::vector<std::string> heading{"scene", "contacts"};
   for (const double error : errorLevels) heading.push_back("≤ " + shortNumber(error));
   MarkdownTable table(heading);
   for (const SceneView& view : views) {
     if (view.motion.empty()) continue;
-    std::vector<std::string> row{view.scene, std::to_string(view.contacts)};
+    std::vector<std::string> row{sceneCell(view), std::to_string(view.contacts)};
     for (const double error : errorLevels) row.push_back(fastestCell(view, error));
     table.add(row);
   }
@@ -215,7 +222,9 @@ Words writeSameProblem(const Plan& plan, const std::filesystem::path& report) {
       "that it has left in the contact\n"
       "points; joints, and points that are new, begin from nothing. **Bold**: ours; in brackets: "
       "ours where another one is\n"
-      "faster; none: no solver gets there; ?: finer than v* is known.\n\n" +
+      "faster; none: no solver gets there; ?: finer than v* is known. Behind a scene: the samples "
+      "that count, where v* of\n"
+      "the others is not known.\n\n" +
       fastestTable(warm) + "The same from cold, without stored impulses:\n\n" + fastestTable(cold) +
       picture(folderName, "overview", "error against time, all scenes");
   std::vector<SceneView> both = warm;

@@ -1,5 +1,7 @@
 #include "demos/report/settings.h"
 
+#include <cerrno>  // program_invocation_name
+
 #include "demos/scenes/catalogue.h"
 
 namespace demos::report {
@@ -47,19 +49,19 @@ Names sceneNames(bool quick) {
 }  // namespace
 
 std::string ReportArguments::command() const {
-  std::string text = "delassus report";
+  return program_invocation_name + (" " + words()) + " --out " + out;
+}
+
+std::string ReportArguments::commandAnywhere() const { return "delassus " + words() + " --out ."; }
+
+std::string ReportArguments::words() const {
+  std::string text = "report";
   if (stability) text += " --stability";
   if (quick) text += " --quick";
   if (!scenes.empty()) text += " --scenes " + joined(scenes);
   if (!solvers.empty()) text += " --solvers " + joined(solvers);
   if (!parts.empty()) text += " --parts " + joined(parts);
-  return text + " --out " + out;
-}
-
-std::string ReportArguments::commandAnywhere() const {
-  ReportArguments anywhere = *this;
-  anywhere.out = ".";
-  return anywhere.command();
+  return text;
 }
 
 Plan makePlan(const ReportArguments& arguments) {

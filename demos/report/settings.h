@@ -18,10 +18,15 @@ struct ReportArguments {
   bool stability = false;     ///< the stability map in place of the report
   bool onePrecision = false;  ///< of the map: without the other executable
 
-  /// The command that makes the same report.
+  /// The command that makes the same report where this one was called, with the executable as it
+  /// was called.
   std::string command() const;
-  /// The same, whatever the folder.
+  /// The same, whatever the executable and the folder.
   std::string commandAnywhere() const;
+
+ private:
+  /// The command without its first word and the folder.
+  std::string words() const;
 };
 
 /// What the report does about it. Full takes under 40 minutes on two slow cores, quick under 3.

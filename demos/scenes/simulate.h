@@ -60,7 +60,8 @@ struct RunSummary {
   struct Regions {
     double perStep = 0, factorisationsPerStep = 0;
     long solved = 0, outOfBudget = 0, incompatible = 0, nonFinite = 0;  ///< islands, all steps
-    long leftOut = 0;  ///< bodies, contacts and rows solved around, all steps
+    long leftOut = 0;   ///< bodies, contacts and rows solved around, all steps
+    int stiffened = 0;  ///< bodies that geometric stiffness had turn more slowly, most of a step
     std::vector<Message> messages;
     StepTotals totals;
   };

@@ -25,7 +25,9 @@ const SolverForm* formOf(const SolverName& name) {
 }
 
 [[noreturn]] void refuse(const std::string& name) {
-  throw UnknownSolver("there is no solver '" + name + "'; there are " + listOfSolverForms(" and "));
+  throw UnknownSolver(
+      (name.empty() ? "a solver's name is empty" : "there is no solver '" + name + "'") +
+      "; there are " + listOfSolverForms(" and "));
 }
 
 /// The name's part after the mark, as a count of at least one.
@@ -175,7 +177,7 @@ std::vector<std::string> splitNames(const std::string& list) {
   std::size_t begin = 0;
   while (begin <= list.size()) {
     const std::size_t comma = std::min(list.find(',', begin), list.size());
-    if (comma > begin) names.push_back(list.substr(begin, comma - begin));
+    names.push_back(list.substr(begin, comma - begin));
     begin = comma + 1;
   }
   return names;

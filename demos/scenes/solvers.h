@@ -82,7 +82,7 @@ class NamedSolver {
   const btMLCPSolver* mlcp_ = nullptr;
 };
 
-/// "a,b,c" as a list of names, none of them empty.
+/// "a,b,c" as a list of names; empty ones too, which are no solvers.
 std::vector<std::string> splitNames(const std::string& list);
 
 }  // namespace demos

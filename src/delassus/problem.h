@@ -57,8 +57,6 @@ double demandOf(double q, double lower, double upper, const OwnSize& ownSize) {
 /// Where the reaction of one unknown may lie.
 struct Interval {
   double lower, upper;
-
-  bool contains(double x) const { return lower <= x && x <= upper; }
 };
 
 /// That of an unknown of a contact, if it had no friction, or of a row.

@@ -50,6 +50,29 @@ TEST_F(Command, NamesTheCommandThatIsUnknownAndThoseThatExist) {
   }
 }
 
+TEST_F(Command, NamesTheOptionThatIsUnknownAndThoseThatExist) {
+  for (const char* arguments :
+       {"run --no-such-flag", "run one_box --no-such-flag",
+        "run one_box --seconds 1 --no-such-flag", "run --no-such-flag si:10 one_box --json"}) {
+    const Outcome outcome = call(arguments);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(
+        outcome.err,
+        "delassus: run has no option '--no-such-flag'; there are --help, --solver, --seconds, "
+        "--hz, --threads, --no-geometric-stiffness, --explain, --json\n")
+        << arguments;
+  }
+  for (const char* sub : {"scenes", "render", "report", "solve", "dump", "atlas"}) {
+    const Outcome outcome = call(std::string(sub) + " --no-such-flag");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find("'--no-such-flag'; there are --help"), std::string::npos)
+        << outcome.err;
+  }
+  // Numbers may be negative, and words that are too many are no options.
+  EXPECT_EQ(call("run one_box --seconds -1").err.find("no option"), std::string::npos);
+  EXPECT_EQ(call("scenes extra").err.find("no option"), std::string::npos);
+}
+
 TEST_F(Command, LostOutputIsAFailure) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   for (const char* arguments : {"run one_box --seconds 0.1", "scenes", "run --help"}) {
@@ -84,6 +107,18 @@ TEST_F(Command, NamesTheSolversThatExist) {
   EXPECT_NE(outcome.err.find("sj:10"), std::string::npos);
   EXPECT_NE(outcome.err.find("si:N"), std::string::npos);
   EXPECT_EQ(lines(outcome.err), 1);
+}
+
+// A name that was lost on the way, as that of an empty variable.
+TEST_F(Command, RefusesSolversWithoutName) {
+  for (const char* list : {"si:10,,delassus", "si:10,", ",si:10", "''"})
+    for (const char* command : {"run one_box --solver ", "render one_box --solver "}) {
+      const Outcome outcome = call(std::string(command) + list);
+      EXPECT_EQ(outcome.status, 2) << command << list;
+      EXPECT_NE(outcome.err.find("a solver's name is empty"), std::string::npos) << outcome.err;
+      EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
+      EXPECT_EQ(outcome.out, "");
+    }
 }
 
 TEST_F(Command, NamesAFileThatCannotBeRead) {
@@ -138,6 +173,25 @@ TEST_F(Command, BlamesACrashOnTheFile) {
   EXPECT_EQ(lines(crash.err), 1) << crash.err;
 }
 
+// What is done is told as if nothing had happened.
+TEST_F(Command, BlamesACrashOnTheSolverOfBullet) {
+  // Ours has a millisecond's work; the sweeps of the other one take hours.
+  const std::string arguments = "run one_box --seconds 1 --solver delassus,si:10000000,si:1";
+  for (const bool json : {false, true}) {
+    Outcome crash;
+    for (const char* delay : {"0.5", "2", "8"}) {
+      crash = call(arguments + (json ? " --json" : ""),
+                   std::string("timeout --preserve-status --signal=SEGV ") + delay);
+      if (!crash.out.empty()) break;
+    }
+    EXPECT_EQ(crash.status, 1);
+    EXPECT_EQ(crash.err, "delassus: one_box: Bullet's own solver si:10000000 crashes on it\n");
+    EXPECT_NE(crash.out.find("delassus"), std::string::npos) << crash.out;
+    EXPECT_EQ(crash.out.find("si:"), std::string::npos) << crash.out;
+    EXPECT_EQ(lines(crash.out), json ? 1 : 4) << crash.out;
+  }
+}
+
 TEST_F(Command, NamesWhatItDoesNotUnderstand) {
   const auto fault = [this](const std::string& arguments) {
     const Outcome outcome = call(arguments);
@@ -187,6 +241,8 @@ TEST_F(Command, ExplainsWhatAStepIsMadeOf) {
   EXPECT_EQ(explained["asked_for"]["listeners"], 0);
   EXPECT_EQ(explained["push_islands"], 0);
   EXPECT_EQ(explained["events"], 0);
+  for (const char* key : {"stiffened", "opposed", "sweeps", "patches", "softened", "push_softened"})
+    EXPECT_EQ(explained.value(key, -1.0), 0) << key;
   // The first step is solved; then the box stands.
   EXPECT_GT(explained["matrices"], 0);
   EXPECT_LT(explained["matrices"], 0.2);
@@ -205,6 +261,26 @@ TEST_F(Command, ExplainsWhatAStepIsMadeOf) {
   // Bullet's own solvers tell nothing of the kind.
   ASSERT_TRUE(std::getline(out, line));
   EXPECT_FALSE(json::parse(line).contains("explain"));
+}
+
+// Links of 0.1 kg under 100 kg turn faster than a step of 1/60 s follows.
+TEST_F(Command, TellsHowManyBodiesAreStiffened) {
+  const std::string arguments = "run heavy_ball_chain --hz 60 --seconds 0.3 --explain";
+  const json run = json::parse(call(arguments + " --json").out);
+  const int most = run.at("stiffened");
+  EXPECT_GT(most, 10);
+  EXPECT_LE(most, run.at("bodies"));
+  const double mean = run.at("explain").at("stiffened");
+  EXPECT_GT(mean, 0.5 * most);
+  EXPECT_LE(mean, most);
+  EXPECT_NE(call(arguments).out.find("; " + std::to_string(most) + " bodies stiffened in a step"),
+            std::string::npos);
+
+  const std::string off = arguments + " --no-geometric-stiffness";
+  EXPECT_EQ(json::parse(call(off + " --json").out).at("stiffened"), 0);
+  EXPECT_EQ(call(off).out.find("stiffened"), std::string::npos);
+  EXPECT_FALSE(
+      json::parse(call("run one_box --seconds 0.1 --solver si:10 --json").out).count("stiffened"));
 }
 
 TEST_F(Command, RunsAndTellsInJson) {

@@ -70,7 +70,15 @@ TEST_F(Report, JudgesTheSameProblemBySolvers) {
     }
   }
   const std::string page = read(out() / "report.md");
-  for (const char* words : {"delassus report --quick", "Bullet", "Who reaches which error",
+  // As it was called; what is noted for --resume is the same wherever the folder lies.
+  const std::string command =
+      "report --quick --scenes stack_10 --solvers delassus:1e-8,si:10 "
+      "--parts same_problem,persisting --out ";
+  EXPECT_NE(page.find("\n    " DELASSUS_COMMAND " " + command + out().string() + "\n"),
+            std::string::npos)
+      << page.substr(0, 500);
+  EXPECT_EQ(read(out() / "command.txt").rfind("delassus " + command + ".\n", 0), 0U);
+  for (const char* words : {"Bullet", "Who reaches which error",
                             "Where `delassus` is not the fastest", "stack_10", "si:10"})
     EXPECT_NE(page.find(words), std::string::npos) << words;
 }

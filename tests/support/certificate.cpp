@@ -17,7 +17,7 @@ MotionBound motionBound(const Problem& problem, const VectorXd& r, const VectorX
   MotionBound bound;
   for (int i = 0; i < problem.size(); ++i) {
     const Interval allowed = allowedWithoutFriction(problem, i);
-    if (!allowed.contains(r[i]) || std::isnan(u[i])) return nothingKnown;
+    if (!contains(allowed, r[i]) || std::isnan(u[i])) return nothingKnown;
     if (u[i] == 0) continue;
 
     // How far the true reaction can lie on the side where it makes u_i (r_i − r*_i) positive.

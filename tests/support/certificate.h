@@ -5,6 +5,11 @@
 
 namespace delassus::test {
 
+/// Whether a reaction is allowed.
+inline bool contains(const Interval& allowed, double reaction) {
+  return allowed.lower <= reaction && reaction <= allowed.upper;
+}
+
 /// How far the motion v that reactions r make can be from the motion v* that takes place
 /// (algorithms §9.4):
 ///
