@@ -71,13 +71,14 @@ double squaresOf(const std::vector<double>& numbers) {
 
 double ImpulseSpan::product(const std::vector<Body>& bodies, const Impulse& p, const Impulse& q) {
   double sum = 0;
-  const auto add = [&](int body, const Vec6& onP, int other, const Vec6& onQ) {
-    if (body != none && body == other) sum += productOn(bodies[body], onP, onQ);
-  };
-  add(p.a, p.onA, q.a, q.onA);
-  add(p.a, p.onA, q.b, q.onB);
-  add(p.b, p.onB, q.a, q.onA);
-  add(p.b, p.onB, q.b, q.onB);
+  if (p.a != none) {
+    if (p.a == q.a) sum += productOn(bodies[p.a], p.onA, q.onA);
+    if (p.a == q.b) sum += productOn(bodies[p.a], p.onA, q.onB);
+  }
+  if (p.b != none) {
+    if (p.b == q.a) sum += productOn(bodies[p.b], p.onB, q.onA);
+    if (p.b == q.b) sum += productOn(bodies[p.b], p.onB, q.onB);
+  }
   return sum;
 }
 
@@ -192,19 +193,21 @@ ImpulseSpan& HeldContacts::spanOf(const Group& group, Mechanism& mechanism) {
   return spans_[mechanism.span];
 }
 
-/// By one more row; leaves its coordinates in ofRow_. False if nothing can follow it.
-bool HeldContacts::extend(const Group& group, const Hold& hold, const Impulse& impulse,
-                          ImpulseSpan& span) {
+/// By one more row, whose coordinates are in ofRow_ then. Answers with the last of them, that along
+/// itself; 0 if nothing can follow it.
+double HeldContacts::extend(const Group& group, const Hold& hold, const Impulse& impulse,
+                            ImpulseSpan& span) {
   const double size = ImpulseSpan::product(group.bodies, impulse, impulse);
   span.coordinates(group.bodies, impulse, ofRow_);
   const double left = std::max(size - squaresOf(ofRow_), 0.0) + group.rows[hold.row].compliance;
-  if (!(left > 0)) return false;
+  if (!(left > 0)) return 0;
   span.add(impulse, ofRow_, left);
-  return true;
+  return std::sqrt(left);
 }
 
 /// Of (push, push), what the mechanism takes up: by what holds both ways, or also by limits that
-/// the push would cross. Adds to `apart` how fast these ask the contact to part, m/s.
+/// the push would cross, each tried once, in their order. Adds to `apart` how fast these ask the
+/// contact to part, m/s.
 double HeldContacts::takenUp(const Group& group, const Impulse& push, Mechanism& mechanism,
                              bool withLimits, double& apart) {
   ImpulseSpan& span = spanOf(group, mechanism);
@@ -218,11 +221,12 @@ double HeldContacts::takenUp(const Group& group, const Impulse& push, Mechanism&
     const Hold& hold = holds_[k];
     if (!hold.isLimit()) continue;
     const Impulse impulse = impulseOf(group, group.rows[hold.row]);
-    if (!extend(group, hold, impulse, span)) continue;
+    const double itself = extend(group, hold, impulse, span);
+    if (itself == 0) continue;
     double along = ImpulseSpan::product(group.bodies, impulse, push);
     for (std::size_t j = 0; j < ofRow_.size(); ++j) along -= ofRow_[j] * ofPush_[j];
     if (hold.up ? along < 0 : along > 0)
-      span.coordinates(group.bodies, push, ofPush_);
+      ofPush_.push_back(along / itself);
     else
       span.truncate(span.size() - 1);
   }
@@ -239,7 +243,7 @@ HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contac
     const int number = mechanismOf(body);
     if (count == 0 || involved[0] != number) involved[count++] = number;
   }
-  // What stands may move all the same, as kinematic bodies do; its normal leans a little.
+  // What stands may move all the same, as kinematic bodies do.
   Vec3 standing = Vec3::Zero();
   double arm = 0;
   if (push.a == none)
@@ -250,7 +254,8 @@ HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contac
     standing -= velocityAt(group.bodies, contact.b, contact.armB);
   else
     arm = std::max(arm, contact.armB.norm());
-  const double harmless = still * arm / h + std::sqrt(share) * standing.norm();
+  // Joints mend their errors; normals lean.
+  const double harmless = standing.isZero(0) ? still * arm / h : std::sqrt(share) * standing.norm();
   const double size = ImpulseSpan::product(group.bodies, push, push);
   for (const bool withLimits : {false, true}) {
     double left = size, apart = contact.frame.col(0).dot(standing);

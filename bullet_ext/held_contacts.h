@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "LinearMath/btScalar.h"
 #include "delassus/bytes.h"
 #include "delassus/disjoint_sets.h"
 #include "delassus/types.h"
@@ -59,24 +60,27 @@ class ImpulseSpan {
 /// overlap of a millimetre would press with 1e11 N, and friction lock the door.
 ///
 /// A contact is held if an impulse along it moves its bodies, as their joints leave them, by no
-/// more than `share` of what it would move them without: what leans by little more than a degree,
-/// as normals of the narrow phase may, or acts on a fortieth of the arm. It still lets nothing
-/// approach, but asks for no more than rest, and gives by `softness` of what the body answers that
-/// answers less: the joints carry all. Where only a limit holds, which lets the bodies go the other
-/// way, it gives by joinedSoftness and is not split, as contacts of bodies that a joint links.
+/// more than `share` of what it would move them without: what leans by less than half a degree, in
+/// float by little more than one, or acts on as small a part of the arm. It asks for no more than rest, and
+/// gives by `softness` of what the body answers that answers less: the joints carry all. Where only
+/// a limit holds, which lets the bodies go the other way, it gives by joinedSoftness and is not
+/// split, as contacts of bodies that a joint links.
 ///
 /// Not where the joints themselves, or what they hang on, drive the bodies together, by more than
-/// `still` of the arm a step: a servo does not press its arm through a table.
+/// `still` of the arm a step, or what is kinematic does: a servo does not press its arm through a
+/// table, and a weld breaks in a press.
 ///
 /// Joints are those of the mechanisms of the two bodies, if these stand, or are one; none of more
-/// than `mostRows` rows. Springs and motors hold nothing.
+/// than `mostRows` rows. Springs hold nothing, nor do motors, unless they may push without bounds.
 class HeldContacts {
  public:
   /// Call it when contacts and joints are gathered. h: the step, s.
   void soften(Group& group, double h);
 
-  static constexpr double share = 5e-4, softness = 1, still = 2e-5;
-  static constexpr int mostRows = 100;
+  /// In float normals lean by more.
+  static constexpr double share = sizeof(btScalar) == sizeof(double) ? 5e-5 : 5e-4;
+  static constexpr double softness = 1, still = 2e-4;
+  static constexpr int mostRows = 64;
 
   std::size_t bytes() const;
 
@@ -102,7 +106,7 @@ class HeldContacts {
   bool mayBeHeld(const Group& group, const Contact& contact);
   void sortHolds();
   ImpulseSpan& spanOf(const Group& group, Mechanism& mechanism);
-  bool extend(const Group& group, const Hold& hold, const Impulse& impulse, ImpulseSpan& span);
+  double extend(const Group& group, const Hold& hold, const Impulse& impulse, ImpulseSpan& span);
   double takenUp(const Group& group, const Impulse& push, Mechanism& mechanism, bool withLimits,
                  double& apart);
   Held judge(const Group& group, const Contact& contact, double h);

@@ -25,9 +25,8 @@ Names sameProblemMethods(bool quick) {
   Names names;
   for (int exponent = 2; exponent <= 10; exponent += quick ? 2 : 1)
     names.push_back("delassus:1e-" + std::to_string(exponent));
-  const std::vector<int> budgets = quick
-                                       ? std::vector<int>{1, 5, 20}
-                                       : std::vector<int>{1, 2, 5, 10, 20, 50, 100, 300, 1000};
+  const std::vector<int> budgets =
+      quick ? std::vector<int>{1, 5, 20} : std::vector<int>{1, 2, 5, 10, 20, 50, 100, 300, 1000};
   for (const int budget : budgets) names.push_back("delassus/" + std::to_string(budget));
 
   const std::vector<int> sweeps = quick

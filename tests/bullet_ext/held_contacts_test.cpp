@@ -171,5 +171,53 @@ TEST(HeldContacts, AgainstAStopItRestsWhereItIs) {
   EXPECT_LT(in.plank->getLinearVelocity().y(), 1e-3) << "the stop lets it not rise";
 }
 
+// A servo that presses its arm on a table is stopped there: who drives must not pass.
+TEST(HeldContacts, AServoDoesNotPassThroughATable) {
+  Plank in(0);
+  for (int step = 0; step < 120; ++step) {
+    const auto wanted = btScalar(-0.005 * step);  // 0.3 rad/s downwards
+    in.hinge->setLimit(wanted, wanted);
+    in.world.advance();
+  }
+  EXPECT_GT(in.plank->getWorldTransform().getOrigin().y(), -0.05);
+}
+
+// What a kinematic press drives against a weld still breaks it.
+TEST(HeldContacts, AWeldBreaksUnderAPress) {
+  DelassusWorld world;
+  btRigidBody& box = world.addBox({0.2, 0.2, 0.2}, {0, 1, 0});
+  auto& weld = world.addJoint<btFixedConstraint>(
+      box, btTypedConstraint::getFixedBody(), btTransform::getIdentity(), box.getWorldTransform());
+  weld.setBreakingImpulseThreshold(50);
+  btRigidBody& press = world.addBox({0.3, 0.5, 0.5}, {btScalar(-0.55), 1, 0}, 0);
+  press.setCollisionFlags(press.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+  for (int step = 1; step <= 60; ++step) {
+    press.setWorldTransform(world.at({btScalar(-0.55 + 0.5 * step / 60), 1, 0}));
+    world.advance();
+  }
+  EXPECT_FALSE(weld.isEnabled());
+}
+
+// Two hinges that disagree by a thousandth of a radian hold no motion that they do not have.
+TEST(HeldContacts, AFourBarWithHingesThatDisagreeRestsOnItsPost) {
+  DelassusWorld world;
+  world.addGround();
+  const auto addBar = [&](double x) -> btRigidBody& {
+    return world.addBox({btScalar(0.05), 0.25, btScalar(0.05)}, {btScalar(x), 0.75, 0});
+  };
+  btRigidBody &left = addBar(-0.5), &right = addBar(0.5);
+  btRigidBody& top = world.addBox({0.55, btScalar(0.05), btScalar(0.05)}, {0, 1, 0});
+  const btVector3 axis(0, 0, 1), off(btScalar(1e-3), 0, 1), low(0, -0.25, 0), high(0, 0.25, 0);
+  world.addJoint<btHingeConstraint>(left, low, axis);
+  world.addJoint<btHingeConstraint>(right, low, off.normalized());
+  world.addJoint<btHingeConstraint>(left, top, high, btVector3(-0.5, 0, 0), axis, axis);
+  world.addJoint<btHingeConstraint>(right, top, high, btVector3(0.5, 0, 0), axis, axis);
+  // It leans to the right until a bar of 0.9 m stops its top.
+  world.addBox({btScalar(0.05), 0.45, btScalar(0.2)}, {0.3, 0.45, 0}, 0);
+  top.applyCentralImpulse({0.5, 0, 0});
+  world.advance(240);
+  EXPECT_GT(top.getWorldTransform().getOrigin().y(), 0.9);
+}
+
 }  // namespace
 }  // namespace delassus::test
