@@ -61,10 +61,10 @@ class ImpulseSpan {
 ///
 /// A contact is held if an impulse along it moves its bodies, as their joints leave them, by no
 /// more than `share` of what it would move them without: what leans by less than half a degree, in
-/// float by little more than one, or acts on as small a part of the arm. It asks for no more than rest, and
-/// gives by `softness` of what the body answers that answers less: the joints carry all. Where only
-/// a limit holds, which lets the bodies go the other way, it gives by joinedSoftness and is not
-/// split, as contacts of bodies that a joint links.
+/// float by little more than one, or acts on as small a part of the arm. It asks for no more than
+/// rest, and gives by `softness` of what the body answers that answers less: the joints carry all.
+/// Where only a limit holds, which lets the bodies go the other way, it gives by joinedSoftness and
+/// is not split, as contacts of bodies that a joint links.
 ///
 /// Not where the joints themselves, or what they hang on, drive the bodies together, by more than
 /// `still` of the arm a step, or what is kinematic does: a servo does not press its arm through a
