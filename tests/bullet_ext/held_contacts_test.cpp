@@ -198,26 +198,5 @@ TEST(HeldContacts, AWeldBreaksUnderAPress) {
   EXPECT_FALSE(weld.isEnabled());
 }
 
-// Two hinges that disagree by a thousandth of a radian hold no motion that they do not have.
-TEST(HeldContacts, AFourBarWithHingesThatDisagreeRestsOnItsPost) {
-  DelassusWorld world;
-  world.addGround();
-  const auto addBar = [&](double x) -> btRigidBody& {
-    return world.addBox({btScalar(0.05), 0.25, btScalar(0.05)}, {btScalar(x), 0.75, 0});
-  };
-  btRigidBody &left = addBar(-0.5), &right = addBar(0.5);
-  btRigidBody& top = world.addBox({0.55, btScalar(0.05), btScalar(0.05)}, {0, 1, 0});
-  const btVector3 axis(0, 0, 1), off(btScalar(1e-3), 0, 1), low(0, -0.25, 0), high(0, 0.25, 0);
-  world.addJoint<btHingeConstraint>(left, low, axis);
-  world.addJoint<btHingeConstraint>(right, low, off.normalized());
-  world.addJoint<btHingeConstraint>(left, top, high, btVector3(-0.5, 0, 0), axis, axis);
-  world.addJoint<btHingeConstraint>(right, top, high, btVector3(0.5, 0, 0), axis, axis);
-  // It leans to the right until a bar of 0.9 m stops its top.
-  world.addBox({btScalar(0.05), 0.45, btScalar(0.2)}, {0.3, 0.45, 0}, 0);
-  top.applyCentralImpulse({0.5, 0, 0});
-  world.advance(240);
-  EXPECT_GT(top.getWorldTransform().getOrigin().y(), 0.9);
-}
-
 }  // namespace
 }  // namespace delassus::test
