@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.029224 1e-12 0.029224 0.029224
+0.029724 1e-12 0.029724 0.029724
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.019209 1e-12 0.019209 0.019209
+0.023856 1e-12 0.023856 0.023856
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.012369 1e-12 0.012369 0.012369
+0.012969 1e-12 0.012969 0.012969
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.04722 1e-12 0.04722 0.04722
+0.049123 1e-12 0.049123 0.049123
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.179567 1e-12 0.179567 0.179567
+0.186709 1e-12 0.186709 0.186709
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.890428 1e-12 0.890428 0.890428
+1.26407 1e-12 1.26407 1.26407
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.072178 1e-12 0.072178 0.072178
+0.090545 1e-12 0.090545 0.090545
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.015172 1e-12 0.015172 0.015172
+0.015393 1e-12 0.015393 0.015393
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.062423 1e-12 0.062423 0.062423
+0.063715 1e-12 0.063715 0.063715
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.102933 1e-12 0.102933 0.102933
+0.13444 1e-12 0.13444 0.13444
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.029474 1e-12 0.029474 0.029474
+0.03387 1e-12 0.03387 0.03387
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.090325 1e-12 0.090325 0.090325
+0.131476 1e-12 0.131476 0.131476
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-1.12155 1e-12 1.12155 1.12155
+1.26412 1e-12 1.26412 1.26412
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.029224 0.0168827 0.029224 0.029224
+0.029724 0.0168827 0.029724 0.029724
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.019209 0.0123288 0.019209 0.019209
+0.023856 0.0123288 0.023856 0.023856
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.012369 0.0111974 0.012369 0.012369
+0.012969 0.0111974 0.012969 0.012969
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.04722 0.0144332 0.04722 0.04722
+0.049123 0.0144332 0.049123 0.049123
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.179567 0.0144332 0.179567 0.179567
+0.186709 0.0144332 0.186709 0.186709
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.890428 0.0144332 0.890428 0.890428
+1.26407 0.0144332 1.26407 1.26407
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.072178 0.0123557 0.072178 0.072178
+0.090545 0.0123557 0.090545 0.090545
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.015172 0.0131251 0.015172 0.015172
+0.015393 0.0131251 0.015393 0.015393
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.062423 0.0129979 0.062423 0.062423
+0.063715 0.0129979 0.063715 0.063715
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.102933 0.0141521 0.102933 0.102933
+0.13444 0.0141521 0.13444 0.13444
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.029474 0.0161089 0.029474 0.029474
+0.03387 0.0161089 0.03387 0.03387
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.090325 0.0122605 0.090325 0.090325
+0.131476 0.0122605 0.131476 0.131476
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-1.12155 0.0469486 1.12155 1.12155
+1.26412 0.0469486 1.26412 1.26412
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.029224 9.57905e-09 0.029224 0.029224
+0.029724 9.57905e-09 0.029724 0.029724
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.019209 0.000184433 0.019209 0.019209
+0.023856 0.00014209 0.023856 0.023856
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.012369 7.46436e-06 0.012369 0.012369
+0.012969 7.46436e-06 0.012969 0.012969
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.04722 7.6924e-09 0.04722 0.04722
+0.049123 7.6924e-09 0.049123 0.049123
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.179567 8.36709e-09 0.179567 0.179567
+0.186709 8.36709e-09 0.186709 0.186709
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.890428 1.32551e-08 0.890428 0.890428
+1.26407 1.32551e-08 1.26407 1.26407
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.072178 4.43081e-09 0.072178 0.072178
+0.090545 4.43081e-09 0.090545 0.090545
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.015172 0.000438412 0.015172 0.015172
+0.015393 0.000438412 0.015393 0.015393
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.062423 1.022e-08 0.062423 0.062423
+0.063715 1.022e-08 0.063715 0.063715
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.102933 7.00686e-09 0.102933 0.102933
+0.13444 7.00686e-09 0.13444 0.13444
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.029474 1.25939e-05 0.029474 0.029474
+0.03387 1.25939e-05 0.03387 0.03387
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.090325 7.66175e-09 0.090325 0.090325
+0.131476 7.66175e-09 0.131476 0.131476
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-1.12155 0.26307 1.12155 1.12155
+1.26412 0.26307 1.26412 1.26412
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00878715:3.69073]
+set xrange [0.0090029:5.68818]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -223,26 +223,27 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.225889, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.156421, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.212162, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.178058, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.305327, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.278385, graph 0.5 to graph 0.305327, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.526464, graph 0.5 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.791543, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.375575, graph 0.593103 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.348633, graph 0.5 to graph 0.375575, graph 0.593103 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.117362, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0904197, graph 0.5 to graph 0.117362, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.140491, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.324594, graph 0.5 to graph 0.297652, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.434338, graph 0.453448 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.407396, graph 0.5 to graph 0.434338, graph 0.453448 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.2273, graph 0.371983 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.200358, graph 0.5 to graph 0.2273, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.412706, graph 0.371983 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.385764, graph 0.5 to graph 0.412706, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
-set label "lemke" at graph 0.663606, graph 0.476724 left front noenhanced textcolor rgb '#999999'
+set label "si:50" at graph 0.290066, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.263124, graph 0.5 to graph 0.290066, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.497122, graph 0.5 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.793705, graph 0.5 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.384896, graph 0.593103 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.357954, graph 0.5 to graph 0.384896, graph 0.593103 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.110118, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0831756, graph 0.5 to graph 0.110118, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.119354, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.303457, graph 0.5 to graph 0.276515, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.446191, graph 0.453448 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.419249, graph 0.5 to graph 0.446191, graph 0.453448 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.23241, graph 0.371983 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.205468, graph 0.5 to graph 0.23241, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.442734, graph 0.395259 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.415792, graph 0.5 to graph 0.442734, graph 0.395259 nohead lw 0.6 lc rgb '#555555'
+set label "lemke" at graph 0.793711, graph 0.546552 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.766769, graph 0.5 to graph 0.793711, graph 0.546552 nohead lw 0.6 lc rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -265,7 +266,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00878715:3.69073]
+set xrange [0.0090029:5.68818]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -277,25 +278,24 @@ unset label
 unset arrow
 unset object
 set label "si:10" at graph 0.0835457, graph 0.512921 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.412706, graph 0.544254 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.156421, graph 0.463994 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.129479, graph 0.54546 to graph 0.156421, graph 0.463994 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.375575, graph 0.604124 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.348633, graph 0.545934 to graph 0.375575, graph 0.604124 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:50" at graph 0.140491, graph 0.638402 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.324594, graph 0.556936 to graph 0.297652, graph 0.638402 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.117362, graph 0.570689 left front noenhanced textcolor rgb '#009e73'
-set label "pgs:50" at graph 0.245744, graph 0.517222 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.407396, graph 0.575411 to graph 0.380454, graph 0.517222 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:50" at graph 0.305327, graph 0.661147 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.278385, graph 0.579682 to graph 0.305327, graph 0.661147 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.526464, graph 0.59132 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.791543, graph 0.579682 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.0162544, graph 0.684999 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.200358, graph 0.603533 to graph 0.173416, graph 0.684999 nohead lw 0.6 lc rgb '#555555'
-set label "delassus" at graph 0.225889, graph 0.718462 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.198947, graph 0.61372 to graph 0.225889, graph 0.718462 nohead lw 0.6 lc rgb '#0060a8'
-set label "lemke" at graph 0.829747, graph 0.835812 left front noenhanced textcolor rgb '#999999'
+set label "dantzig:1e-6" at graph 0.442734, graph 0.544254 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.178058, graph 0.463994 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.151116, graph 0.54546 to graph 0.178058, graph 0.463994 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.196302, graph 0.522658 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:50" at graph 0.330399, graph 0.603488 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.303457, graph 0.556936 to graph 0.330399, graph 0.603488 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.110118, graph 0.640517 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0831756, graph 0.559051 to graph 0.110118, graph 0.640517 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.446191, graph 0.656877 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.419249, graph 0.575411 to graph 0.446191, graph 0.656877 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:50" at graph 0.123924, graph 0.579682 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.497122, graph 0.59132 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.793705, graph 0.579682 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.23241, graph 0.696637 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.205468, graph 0.603533 to graph 0.23241, graph 0.696637 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.212162, graph 0.753376 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.18522, graph 0.61372 to graph 0.212162, graph 0.753376 nohead lw 0.6 lc rgb '#0060a8'
+set label "lemke" at graph 0.793711, graph 0.835812 left front noenhanced textcolor rgb '#999999'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -318,7 +318,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00878715:3.69073]
+set xrange [0.0090029:5.68818]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -329,22 +329,22 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "si2:50" at graph 0.186981, graph 0.0718315 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.434338, graph 0.0706712 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.412706, graph 0.133172 left front noenhanced textcolor rgb '#555555'
-set label "si:50" at graph 0.139185, graph 0.133365 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.526464, graph 0.183974 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.499522, graph 0.102508 to graph 0.526464, graph 0.183974 nohead lw 0.6 lc rgb '#d55e00'
-set label "delassus" at graph 0.225889, graph 0.190501 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.198947, graph 0.109036 to graph 0.225889, graph 0.190501 nohead lw 0.6 lc rgb '#0060a8'
-set label "nncg:50" at graph 0.351536, graph 0.240179 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.324594, graph 0.112161 to graph 0.351536, graph 0.240179 nohead lw 0.6 lc rgb '#009e73'
-set label "si:1000" at graph 0.791543, graph 0.124709 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.196302, graph 0.0718315 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.446191, graph 0.0706712 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.442734, graph 0.133172 left front noenhanced textcolor rgb '#555555'
+set label "si:50" at graph 0.123924, graph 0.133365 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.497122, graph 0.183974 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.47018, graph 0.102508 to graph 0.497122, graph 0.183974 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.212162, graph 0.190501 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.18522, graph 0.109036 to graph 0.212162, graph 0.190501 nohead lw 0.6 lc rgb '#0060a8'
+set label "nncg:50" at graph 0.330399, graph 0.240179 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.303457, graph 0.112161 to graph 0.330399, graph 0.240179 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000" at graph 0.793705, graph 0.124709 left front noenhanced textcolor rgb '#d55e00'
 set label "si:10" at graph 0.0835457, graph 0.430333 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.2273, graph 0.455573 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.156421, graph 0.585093 left front noenhanced textcolor rgb '#0060a8'
-set label "nncg:10" at graph 0.117362, graph 0.638514 left front noenhanced textcolor rgb '#009e73'
-set label "lemke" at graph 0.829747, graph 0.935564 left front noenhanced textcolor rgb '#999999'
+set label "dantzig" at graph 0.23241, graph 0.455573 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.178058, graph 0.572507 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg:10" at graph 0.110118, graph 0.626876 left front noenhanced textcolor rgb '#009e73'
+set label "lemke" at graph 0.793711, graph 0.935564 left front noenhanced textcolor rgb '#999999'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

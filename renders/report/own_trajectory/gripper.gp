@@ -2,182 +2,182 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.008102 39.7133 0.008102 0.008102
+0.008984 39.7133 0.008984 0.008984
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.003405 39.7133 0.003405 0.003405
+0.003916 39.7133 0.003916 0.003916
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.005558 37.9149 0.005558 0.005558
+0.005629 37.9149 0.005629 0.005629
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.02011 38.2401 0.02011 0.02011
+0.020741 38.2401 0.020741 0.020741
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.07365 38.6732 0.07365 0.07365
+0.07394 38.6732 0.07394 0.07394
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.344734 38.757 0.344734 0.344734
+0.349982 38.757 0.349982 0.349982
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.024046 39.732 0.024046 0.024046
+0.024367 39.732 0.024367 0.024367
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.006239 36.4352 0.006239 0.006239
+0.006269 36.4352 0.006269 0.006269
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.058127 38.2932 0.058127 0.058127
+0.060671 38.2932 0.060671 0.060671
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.011557 32.8561 0.011557 0.011557
+0.011807 32.8561 0.011807 0.011807
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.016785 37.9822 0.016785 0.016785
+0.017095 37.9822 0.017095 0.017095
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-21.0911 37.5966 21.0911 21.0911
+22.0133 37.5966 22.0133 22.0133
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.008102 1.02078e-11 0.008102 0.008102
+0.008984 1.02078e-11 0.008984 0.008984
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.003405 5.16345e-07 0.003405 0.003405
+0.003916 5.16345e-07 0.003916 0.003916
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.005558 0.00500574 0.005558 0.005558
+0.005629 0.00500574 0.005629 0.005629
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.02011 0.00669307 0.02011 0.02011
+0.020741 0.00669307 0.020741 0.020741
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.07365 0.00333333 0.07365 0.07365
+0.07394 0.00333333 0.07394 0.07394
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.344734 0.00333333 0.344734 0.344734
+0.349982 0.00333333 0.349982 0.349982
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.024046 0.00669494 0.024046 0.024046
+0.024367 0.00669494 0.024367 0.024367
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.006239 0.0301487 0.006239 0.006239
+0.006269 0.0301487 0.006269 0.006269
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.058127 0.00669307 0.058127 0.058127
+0.060671 0.00669307 0.060671 0.060671
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.011557 0.022196 0.011557 0.011557
+0.011807 0.022196 0.011807 0.011807
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.016785 0.00333328 0.016785 0.016785
+0.017095 0.00333328 0.017095 0.017095
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-21.0911 0.0424203 21.0911 21.0911
+22.0133 0.0424203 22.0133 22.0133
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.008102 6.38178e-12 0.008102 0.008102
+0.008984 6.37622e-12 0.008984 0.008984
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.003405 7.34387e-07 0.003405 0.003405
+0.003916 7.34387e-07 0.003916 0.003916
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.005558 0.00599616 0.005558 0.005558
+0.005629 0.00599616 0.005629 0.005629
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.02011 0.0019067 0.02011 0.02011
+0.020741 0.0019067 0.020741 0.020741
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.07365 0.000601327 0.07365 0.07365
+0.07394 0.000601327 0.07394 0.07394
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.344734 0.000111512 0.344734 0.344734
+0.349982 0.000111512 0.349982 0.349982
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.024046 0.000496805 0.024046 0.024046
+0.024367 0.000496805 0.024367 0.024367
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.006239 0.0127535 0.006239 0.006239
+0.006269 0.0127535 0.006269 0.006269
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.058127 0.00216536 0.058127 0.058127
+0.060671 0.00216536 0.060671 0.060671
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.011557 0.00360595 0.011557 0.011557
+0.011807 0.00360595 0.011807 0.011807
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.016785 1.40259e-06 0.016785 0.016785
+0.017095 1.40259e-06 0.017095 0.017095
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-21.0911 0.00958296 21.0911 21.0911
+22.0133 0.00958296 22.0133 22.0133
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -197,7 +197,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00176188:200.042]
+set xrange [0.00204118:203.633]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics nomirror (10, 20, 50, 100, 200, 500)
@@ -208,25 +208,25 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig" at graph 0.188533, graph 0.516616 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.135571, graph 0.631349 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.10863, graph 0.561522 to graph 0.135571, graph 0.631349 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.179425, graph 0.516616 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.124425, graph 0.631349 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0974833, graph 0.561522 to graph 0.124425, graph 0.631349 nohead lw 0.6 lc rgb '#009e73'
 set label "lemke" at graph 0.833669, graph 0.575149 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.125642, graph 0.683552 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0986998, graph 0.57881 to graph 0.125642, graph 0.683552 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.220595, graph 0.463201 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.193653, graph 0.57958 to graph 0.220595, graph 0.463201 nohead lw 0.6 lc rgb '#555555'
-set label "si:50" at graph 0.06998, graph 0.489416 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.20918, graph 0.582519 to graph 0.182238, graph 0.489416 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.327309, graph 0.618035 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.347644, graph 0.564134 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.480244, graph 0.611626 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.11507, graph 0.683552 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.088128, graph 0.57881 to graph 0.11507, graph 0.683552 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.211577, graph 0.463201 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.184636, graph 0.57958 to graph 0.211577, graph 0.463201 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.0622311, graph 0.489416 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.201431, graph 0.582519 to graph 0.174489, graph 0.489416 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.321623, graph 0.618035 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.338806, graph 0.564134 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.473867, graph 0.588351 left front noenhanced textcolor rgb '#d55e00'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.738591 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.598935 to graph 0.0835457, graph 0.738591 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.158019, graph 0.785143 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.131077, graph 0.598936 to graph 0.158019, graph 0.785143 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.251479, graph 0.680606 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.224537, graph 0.59914 to graph 0.251479, graph 0.680606 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus" at graph 0.155686, graph 0.785143 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.128744, graph 0.598936 to graph 0.155686, graph 0.785143 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.24237, graph 0.680606 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.215428, graph 0.59914 to graph 0.24237, graph 0.680606 nohead lw 0.6 lc rgb '#e69f00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -248,7 +248,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00176188:200.042]
+set xrange [0.00204118:203.633]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -259,21 +259,20 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.158019, graph 0.091721 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.155686, graph 0.091721 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.519358 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.220595, graph 0.84244 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.347644, graph 0.90063 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.480244, graph 0.784251 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.453302, graph 0.865716 to graph 0.480244, graph 0.784251 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:10" at graph 0.125642, graph 0.916684 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.06998, graph 0.858325 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.327309, graph 0.951428 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.300367, graph 0.893239 to graph 0.327309, graph 0.951428 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si2:50" at graph 0.0628852, graph 0.800146 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.224537, graph 0.89325 to graph 0.197595, graph 0.800146 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig" at graph 0.188533, graph 0.742726 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.161591, graph 0.94057 to graph 0.188533, graph 0.742726 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.135571, graph 0.964299 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.211577, graph 0.84244 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.338806, graph 0.90063 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.473867, graph 0.888992 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.11507, graph 0.916684 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0622311, graph 0.858325 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.321623, graph 0.951428 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.294681, graph 0.893239 to graph 0.321623, graph 0.951428 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si2:50" at graph 0.0537769, graph 0.800146 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.215428, graph 0.89325 to graph 0.188487, graph 0.800146 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig" at graph 0.179425, graph 0.742726 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.152483, graph 0.94057 to graph 0.179425, graph 0.742726 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.124425, graph 0.964299 left front noenhanced textcolor rgb '#009e73'
 set label "lemke" at graph 0.833669, graph 0.966143 left front noenhanced textcolor rgb '#999999'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -296,7 +295,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00176188:200.042]
+set xrange [0.00204118:203.633]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -307,20 +306,20 @@ set ylabel "joints pulled apart, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.158019, graph 0.0731765 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.155686, graph 0.0731421 left front noenhanced textcolor rgb '#0060a8'
 set label "delassus:1e-3" at graph 0.0835457, graph 0.533266 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.220595, graph 0.582088 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.480244, graph 0.731575 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0628852, graph 0.790562 left front noenhanced textcolor rgb '#e69f00'
-set label "si:200" at graph 0.347644, graph 0.798101 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.06998, graph 0.843662 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.327309, graph 0.848685 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.188533, graph 0.903734 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.125642, graph 0.958725 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0986998, graph 0.888898 to graph 0.125642, graph 0.958725 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.211577, graph 0.582088 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.473867, graph 0.731575 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0537769, graph 0.790562 left front noenhanced textcolor rgb '#e69f00'
+set label "si:200" at graph 0.338806, graph 0.798101 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0622311, graph 0.843662 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.321623, graph 0.848685 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.179425, graph 0.903734 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.11507, graph 0.958725 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.088128, graph 0.888898 to graph 0.11507, graph 0.958725 nohead lw 0.6 lc rgb '#d55e00'
 set label "lemke" at graph 0.833669, graph 0.907409 left front noenhanced textcolor rgb '#999999'
-set label "nncg:10" at graph 0.135571, graph 0.732487 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.10863, graph 0.918694 to graph 0.135571, graph 0.732487 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.124425, graph 0.732487 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0974833, graph 0.918694 to graph 0.124425, graph 0.732487 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

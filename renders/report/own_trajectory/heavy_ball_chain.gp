@@ -2,167 +2,167 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.086389 1e-12 0.086389 0.086389
+0.098937 1e-12 0.098937 0.098937
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.097586 1e-12 0.097586 0.097586
+0.097395 1e-12 0.097395 0.097395
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.027841 1e-12 0.027841 0.027841
+0.029114 1e-12 0.029114 0.029114
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.087811 1e-12 0.087811 0.087811
+0.091156 1e-12 0.091156 0.091156
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.318294 1e-12 0.318294 0.318294
+0.325845 1e-12 0.325845 0.325845
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-1.61136 1e-12 1.61136 1.61136
+1.57176 1e-12 1.57176 1.57176
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.099449 1e-12 0.099449 0.099449
+0.104205 1e-12 0.104205 0.104205
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.235311 1e-12 0.235311 0.235311
+0.24797 1e-12 0.24797 0.24797
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.162091 1972.84 0.162091 0.162091
+0.167209 1972.84 0.167209 0.167209
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.403392 1e-12 0.403392 0.403392
+0.326918 1e-12 0.326918 0.326918
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-10.4454 1e-12 10.4454 10.4454
+10.7703 1e-12 10.7703 10.7703
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.086389 0.0148597 0.086389 0.086389
+0.098937 0.018073 0.098937 0.098937
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.097586 0.0133184 0.097586 0.097586
+0.097395 0.0114225 0.097395 0.097395
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.027841 0.0182838 0.027841 0.027841
+0.029114 0.0182838 0.029114 0.029114
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.087811 0.0146517 0.087811 0.087811
+0.091156 0.0146517 0.091156 0.091156
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.318294 0.0156359 0.318294 0.318294
+0.325845 0.0156359 0.325845 0.325845
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-1.61136 0.0193802 1.61136 1.61136
+1.57176 0.0193802 1.57176 1.57176
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.099449 0.0148255 0.099449 0.099449
+0.104205 0.0148255 0.104205 0.104205
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.235311 0.0271712 0.235311 0.235311
+0.24797 0.0271712 0.24797 0.24797
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.162091 0.0669926 0.162091 0.162091
+0.167209 0.0669926 0.167209 0.167209
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.403392 0.0211407 0.403392 0.403392
+0.326918 0.0211407 0.326918 0.326918
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-10.4454 2.42204e-05 10.4454 10.4454
+10.7703 2.42204e-05 10.7703 10.7703
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.086389 0.000264731 0.086389 0.086389
+0.098937 0.000166884 0.098937 0.098937
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.097586 0.000444006 0.097586 0.097586
+0.097395 0.000191512 0.097395 0.097395
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.027841 0.147173 0.027841 0.027841
+0.029114 0.147173 0.029114 0.029114
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.087811 0.0267271 0.087811 0.087811
+0.091156 0.0267271 0.091156 0.091156
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.318294 0.00570616 0.318294 0.318294
+0.325845 0.00570616 0.325845 0.325845
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-1.61136 0.0010972 1.61136 1.61136
+1.57176 0.0010972 1.57176 1.57176
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.099449 0.0267271 0.099449 0.099449
+0.104205 0.0267271 0.104205 0.104205
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.235311 0.0267271 0.235311 0.235311
+0.24797 0.0267271 0.24797 0.24797
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.162091 0.284647 0.162091 0.162091
+0.167209 0.284647 0.167209 0.167209
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.403392 0.000277861 0.403392 0.403392
+0.326918 0.000277861 0.326918 0.326918
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-10.4454 0.000765011 10.4454 10.4454
+10.7703 0.000765011 10.7703 10.7703
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -182,7 +182,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0163486:198.641]
+set xrange [0.0171178:203.394]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -193,21 +193,21 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.203943, graph 0.0355477 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.216901, graph 0.0937373 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.213919, graph 0.0355477 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.212245, graph 0.0937373 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.0355477 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0395371, graph 0.0937373 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.342603, graph 0.140289 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.315661, graph 0.0588235 to graph 0.342603, graph 0.140289 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.515048, graph 0.0588235 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0303185, graph 0.140289 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.19197, graph 0.0588235 to graph 0.165028, graph 0.140289 nohead lw 0.6 lc rgb '#e69f00'
-set label "pgs:50" at graph 0.310486, graph 0.186841 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.283544, graph 0.0588235 to graph 0.310486, graph 0.186841 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.367795, graph 0.233392 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.340853, graph 0.0588235 to graph 0.367795, graph 0.233392 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.0390472, graph 0.0937373 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.340954, graph 0.140289 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.314012, graph 0.0588235 to graph 0.340954, graph 0.140289 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.508658, graph 0.0588235 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0308544, graph 0.140289 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.192506, graph 0.0588235 to graph 0.165564, graph 0.140289 nohead lw 0.6 lc rgb '#e69f00'
+set label "pgs:50" at graph 0.311846, graph 0.186841 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.284904, graph 0.0588235 to graph 0.311846, graph 0.186841 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.0180009, graph 0.186841 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.314362, graph 0.0588235 to graph 0.28742, graph 0.186841 nohead lw 0.6 lc rgb '#555555'
 set label "lemke (cut)" at graph 0.713778, graph 0.0588235 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.270853, graph 0.958535 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.269847, graph 0.958535 left front noenhanced textcolor rgb '#555555'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -228,7 +228,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0163486:198.641]
+set xrange [0.0171178:203.394]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -240,22 +240,21 @@ unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.0960452 left front noenhanced textcolor rgb '#999999'
-set label "delassus:1e-3" at graph 0.216901, graph 0.769475 left front noenhanced textcolor rgb '#0060a8'
-set label "si:50" at graph 0.0395371, graph 0.791472 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0303185, graph 0.839304 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.19197, graph 0.792752 to graph 0.165028, graph 0.839304 nohead lw 0.6 lc rgb '#e69f00'
-set label "delassus" at graph 0.203943, graph 0.711537 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.177001, graph 0.793003 to graph 0.203943, graph 0.711537 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:200" at graph 0.342603, graph 0.85672 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.315661, graph 0.79853 to graph 0.342603, graph 0.85672 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.212245, graph 0.76444 left front noenhanced textcolor rgb '#0060a8'
+set label "si:50" at graph 0.0390472, graph 0.791472 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0308544, graph 0.839304 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.192506, graph 0.792752 to graph 0.165564, graph 0.839304 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:200" at graph 0.340954, graph 0.821806 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.213919, graph 0.884085 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.186977, graph 0.814258 to graph 0.213919, graph 0.884085 nohead lw 0.6 lc rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.896982 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.815517 to graph 0.0835457, graph 0.896982 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.515048, graph 0.82184 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.367795, graph 0.912745 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.340853, graph 0.83128 to graph 0.367795, graph 0.912745 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:50" at graph 0.310486, graph 0.963269 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.283544, graph 0.858527 to graph 0.310486, graph 0.963269 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.0598081, graph 0.956507 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.508658, graph 0.82184 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.341304, graph 0.936021 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.314362, graph 0.83128 to graph 0.341304, graph 0.936021 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:50" at graph 0.311846, graph 0.707234 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.284904, graph 0.858527 to graph 0.311846, graph 0.707234 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.058802, graph 0.956507 left front noenhanced textcolor rgb '#555555'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -276,7 +275,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0163486:198.641]
+set xrange [0.0171178:203.394]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -287,17 +286,19 @@ set ylabel "joints pulled apart, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.203943, graph 0.0824253 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.367795, graph 0.134233 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.216901, graph 0.185123 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.213919, graph 0.0556034 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.212245, graph 0.140377 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.185303, graph 0.070549 to graph 0.212245, graph 0.140377 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.341304, graph 0.192422 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.314362, graph 0.110957 to graph 0.341304, graph 0.192422 nohead lw 0.6 lc rgb '#555555'
 set label "lemke (cut)" at graph 0.713778, graph 0.220917 left front noenhanced textcolor rgb '#999999'
-set label "si:1000" at graph 0.515048, graph 0.260072 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.342603, graph 0.439086 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0395371, graph 0.606738 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.218912, graph 0.641652 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.310486, graph 0.5951 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:1000" at graph 0.508658, graph 0.260072 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.340954, graph 0.439086 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0390472, graph 0.606738 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.219448, graph 0.641652 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.311846, graph 0.5951 left front noenhanced textcolor rgb '#cc79a7'
 set label "si:10" at graph 0.0835457, graph 0.791957 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.270853, graph 0.863577 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.269847, graph 0.863577 left front noenhanced textcolor rgb '#555555'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.043425 1e-12 0.043425 0.043425
+0.046419 1e-12 0.046419 0.046419
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.701736 0.000110493 0.701736 0.701736
+0.498373 1.98174e-05 0.498373 0.498373
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.11389 0.00743872 0.11389 0.11389
+0.118687 0.00743872 0.118687 0.118687
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.45608 0.00478727 0.45608 0.45608
+0.482119 0.00478727 0.482119 0.482119
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-1.72765 0.0019517 1.72765 1.72765
+1.80387 0.0019517 1.80387 1.80387
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-8.55163 0.000311285 8.55163 8.55163
+9.04507 0.000311285 9.04507 9.04507
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.669458 0.0295384 0.669458 0.669458
+0.707504 0.0295384 0.707504 0.707504
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.156343 0.0259801 0.156343 0.156343
+0.166228 0.0259801 0.166228 0.166228
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.663629 0.0140686 0.663629 0.663629
+0.696228 0.0140686 0.696228 0.696228
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-4.46408 0.00467153 4.46408 4.46408
+5.18679 0.00467153 5.18679 5.18679
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.966831 0.00743872 0.966831 0.966831
+1.01075 0.00743872 1.01075 1.01075
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-40.7098 1.22696e-05 40.7098 40.7098
+43.7638 1.22696e-05 43.7638 43.7638
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-611.215 0.00546619 611.215 611.215
+698.653 0.00546619 698.653 698.653
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.043425 1e-12 0.043425 0.043425
+0.046419 1e-12 0.046419 0.046419
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.701736 4.43838e-06 0.701736 0.701736
+0.498373 8.83467e-07 0.498373 0.498373
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.11389 0.00193605 0.11389 0.11389
+0.118687 0.00193605 0.118687 0.118687
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.45608 0.000123043 0.45608 0.45608
+0.482119 0.000123043 0.482119 0.482119
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-1.72765 1.20872e-05 1.72765 1.72765
+1.80387 1.20872e-05 1.80387 1.80387
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-8.55163 1.6582e-06 8.55163 8.55163
+9.04507 1.6582e-06 9.04507 9.04507
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.669458 0.00349947 0.669458 0.669458
+0.707504 0.00349947 0.707504 0.707504
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.156343 0.0041112 0.156343 0.156343
+0.166228 0.0041112 0.166228 0.166228
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.663629 0.00735095 0.663629 0.663629
+0.696228 0.00735095 0.696228 0.696228
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-4.46408 0.000115843 4.46408 4.46408
+5.18679 0.000115843 5.18679 5.18679
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.966831 0.00193605 0.966831 0.966831
+1.01075 0.00193605 1.01075 1.01075
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-40.7098 1.85382e-06 40.7098 40.7098
+43.7638 1.85382e-06 43.7638 43.7638
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-611.215 0.00193605 611.215 611.215
+698.653 0.00193605 698.653 698.653
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.043425 1e-12 0.043425 0.043425
+0.046419 1e-12 0.046419 0.046419
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.701736 4.01174e-05 0.701736 0.701736
+0.498373 3.0481e-05 0.498373 0.498373
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.11389 0.000915652 0.11389 0.11389
+0.118687 0.000915652 0.118687 0.118687
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.45608 0.000346473 0.45608 0.45608
+0.482119 0.000346473 0.482119 0.482119
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-1.72765 7.95587e-05 1.72765 1.72765
+1.80387 7.95587e-05 1.80387 1.80387
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-8.55163 1.19033e-05 8.55163 8.55163
+9.04507 1.19033e-05 9.04507 9.04507
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.669458 0.00357685 0.669458 0.669458
+0.707504 0.00357685 0.707504 0.707504
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.156343 0.0251522 0.156343 0.156343
+0.166228 0.0251522 0.166228 0.166228
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.663629 0.159299 0.663629 0.663629
+0.696228 0.159299 0.696228 0.696228
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-4.46408 0.000334435 4.46408 4.46408
+5.18679 0.000334435 5.18679 5.18679
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.966831 0.000915652 0.966831 0.966831
+1.01075 0.000915652 1.01075 1.01075
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-40.7098 1e-12 40.7098 40.7098
+43.7638 1e-12 43.7638 43.7638
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-611.215 1e-12 611.215 611.215
+698.653 1e-12 698.653 698.653
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0184141:70399.7]
+set xrange [0.0195655:83196.2]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -224,23 +224,23 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6 (cut)" at graph 0.535045, graph 0.674069 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.267131, graph 0.753611 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.432097, graph 0.802734 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.326574, graph 0.857534 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.389207, graph 0.912397 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.0725596, graph 0.878369 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6 (cut)" at graph 0.53227, graph 0.674069 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.239062, graph 0.703058 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.428975, graph 0.791097 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.323341, graph 0.857534 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.39254, graph 0.912397 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.0707479, graph 0.878369 left front noenhanced textcolor rgb '#d55e00'
 set label "lemke (cut)" at graph 0.713778, graph 0.894807 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.147161, graph 0.824493 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.12022, graph 0.905958 to graph 0.147161, graph 0.824493 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.288274, graph 0.964148 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.261333, graph 0.905958 to graph 0.288274, graph 0.964148 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.0524018, graph 0.975573 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.236505, graph 0.929021 to graph 0.209563, graph 0.975573 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.168065, graph 0.706823 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.141123, graph 0.95122 to graph 0.168065, graph 0.706823 nohead lw 0.6 lc rgb '#009e73'
-set label "si2:50" at graph 0.264024, graph 0.804572 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.237082, graph 0.955866 to graph 0.264024, graph 0.804572 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:10" at graph 0.145053, graph 0.824493 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.118111, graph 0.905958 to graph 0.145053, graph 0.824493 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.28539, graph 0.964148 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.258448, graph 0.905958 to graph 0.28539, graph 0.964148 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.0499217, graph 0.975573 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.234025, graph 0.929021 to graph 0.207083, graph 0.975573 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.167124, graph 0.776651 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.140182, graph 0.95122 to graph 0.167124, graph 0.776651 nohead lw 0.6 lc rgb '#009e73'
+set label "si2:50" at graph 0.0734259, graph 0.723107 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.235078, graph 0.955866 to graph 0.208136, graph 0.723107 nohead lw 0.6 lc rgb '#e69f00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -263,7 +263,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0184141:70399.7]
+set xrange [0.0195655:83196.2]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -275,22 +275,21 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0909091 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.221051, graph 0.656331 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6 (cut)" at graph 0.535045, graph 0.660733 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.267131, graph 0.76503 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.240189, graph 0.695202 to graph 0.267131, graph 0.76503 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:200" at graph 0.326574, graph 0.711481 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.389207, graph 0.823988 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.238702, graph 0.826369 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.147161, graph 0.935174 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.288274, graph 0.935174 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.239062, graph 0.631472 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.21793, graph 0.679607 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6 (cut)" at graph 0.53227, graph 0.660733 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.323341, graph 0.734757 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.39254, graph 0.823988 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.23689, graph 0.826369 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.145053, graph 0.935174 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.28539, graph 0.935174 left front noenhanced textcolor rgb '#555555'
 set label "lemke (cut)" at graph 0.713778, graph 0.935174 left front noenhanced textcolor rgb '#999999'
-set label "si2:50" at graph 0.264024, graph 0.87708 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.237082, graph 0.958546 to graph 0.264024, graph 0.87708 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.168065, graph 0.708872 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.141123, graph 0.964906 to graph 0.168065, graph 0.708872 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.0524018, graph 0.883621 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.236505, graph 0.987849 to graph 0.209563, graph 0.883621 nohead lw 0.6 lc rgb '#009e73'
+set label "si2:50" at graph 0.262019, graph 0.87708 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.235078, graph 0.958546 to graph 0.262019, graph 0.87708 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.167124, graph 0.580854 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.140182, graph 0.964906 to graph 0.167124, graph 0.580854 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.0499217, graph 0.883621 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.234025, graph 0.987849 to graph 0.207083, graph 0.883621 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -313,7 +312,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0184141:70399.7]
+set xrange [0.0195655:83196.2]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -325,24 +324,20 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6 (cut)" at graph 0.535045, graph 0.100199 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.53227, graph 0.100199 left front noenhanced textcolor rgb '#555555'
 set label "lemke (cut)" at graph 0.713778, graph 0.0536472 left front noenhanced textcolor rgb '#999999'
-set label "si:1000" at graph 0.432097, graph 0.621205 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.267131, graph 0.708347 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.240189, graph 0.661795 to graph 0.267131, graph 0.708347 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:200" at graph 0.137981, graph 0.638117 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.299632, graph 0.684668 to graph 0.272691, graph 0.638117 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.389207, graph 0.755915 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.0725596, graph 0.733821 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.147161, graph 0.836115 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.12022, graph 0.766287 to graph 0.147161, graph 0.836115 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.288274, graph 0.812839 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.261333, graph 0.766287 to graph 0.288274, graph 0.812839 nohead lw 0.6 lc rgb '#555555'
-set label "si2:50" at graph 0.264024, graph 0.869997 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.237082, graph 0.811808 to graph 0.264024, graph 0.869997 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.168065, graph 0.970071 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.141123, graph 0.876967 to graph 0.168065, graph 0.970071 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.0524018, graph 0.915356 left front noenhanced textcolor rgb '#009e73'
+set label "si:1000" at graph 0.428975, graph 0.621205 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.239062, graph 0.571152 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.21212, graph 0.652618 to graph 0.239062, graph 0.571152 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:200" at graph 0.323341, graph 0.684668 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.39254, graph 0.732639 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.23689, graph 0.733821 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.145053, graph 0.836115 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.118111, graph 0.766287 to graph 0.145053, graph 0.836115 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.28539, graph 0.789563 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.262019, graph 0.846722 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.167124, graph 0.900243 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.260967, graph 0.95027 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

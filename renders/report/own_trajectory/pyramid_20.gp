@@ -2,167 +2,167 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.183163 1e-12 0.183163 0.183163
+0.195993 1e-12 0.195993 0.195993
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-5.61146 0.000672063 5.61146 5.61146
+5.85596 0.000722204 5.85596 5.85596
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.481488 0.0861536 0.481488 0.481488
+0.498062 0.0861536 0.498062 0.498062
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-1.76191 0.00905939 1.76191 1.76191
+1.88009 0.00905939 1.88009 1.88009
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-7.06694 0.00855399 7.06694 7.06694
+7.53274 0.00855399 7.53274 7.53274
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-36.2073 0.00136793 36.2073 36.2073
+38.2528 0.00130163 38.2528 38.2528
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-2.8477 0.132401 2.8477 2.8477
+3.00208 0.132401 3.00208 3.00208
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.656168 0.0854176 0.656168 0.656168
+0.682777 0.0854176 0.682777 0.682777
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-2.753 33.2113 2.753 2.753
+2.87614 33.2113 2.87614 2.87614
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-99.3899 0.00497431 99.3899 99.3899
+100.984 0.00497431 100.984 100.984
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-69.2318 0.0444475 69.2318 69.2318
+71.5327 0.0428441 71.5327 71.5327
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.183163 1e-12 0.183163 0.183163
+0.195993 1e-12 0.195993 0.195993
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-5.61146 6.61173e-06 5.61146 5.61146
+5.85596 6.85362e-06 5.85596 5.85596
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.481488 0.00611616 0.481488 0.481488
+0.498062 0.00611616 0.498062 0.498062
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-1.76191 0.000726752 1.76191 1.76191
+1.88009 0.000726752 1.88009 1.88009
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-7.06694 6.46454e-05 7.06694 7.06694
+7.53274 6.46454e-05 7.53274 7.53274
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-36.2073 4.75653e-06 36.2073 36.2073
+38.2528 4.75653e-06 38.2528 38.2528
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-2.8477 0.0114209 2.8477 2.8477
+3.00208 0.0114209 3.00208 3.00208
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.656168 0.0209408 0.656168 0.656168
+0.682777 0.0209408 0.682777 0.682777
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-2.753 0.456277 2.753 2.753
+2.87614 0.456277 2.87614 2.87614
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-99.3899 0.000726761 99.3899 99.3899
+100.984 0.000726761 100.984 100.984
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-69.2318 0.00611616 69.2318 69.2318
+71.5327 0.00611616 71.5327 71.5327
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.183163 1e-12 0.183163 0.183163
+0.195993 1e-12 0.195993 0.195993
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-5.61146 0.000714169 5.61146 5.61146
+5.85596 0.000687267 5.85596 5.85596
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.481488 0.00043191 0.481488 0.481488
+0.498062 0.00043191 0.498062 0.498062
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-1.76191 0.000140512 1.76191 1.76191
+1.88009 0.000140512 1.88009 1.88009
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-7.06694 0.000184248 7.06694 7.06694
+7.53274 0.000184248 7.53274 7.53274
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-36.2073 3.12749e-05 36.2073 36.2073
+38.2528 2.80051e-05 38.2528 38.2528
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-2.8477 0.00375766 2.8477 2.8477
+3.00208 0.00375766 3.00208 3.00208
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.656168 0.0556839 0.656168 0.656168
+0.682777 0.0556839 0.682777 0.682777
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-2.753 0.174073 2.753 2.753
+2.87614 0.174073 2.87614 2.87614
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-99.3899 1e-12 99.3899 99.3899
+100.984 1e-12 100.984 100.984
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-69.2318 1e-12 69.2318 69.2318
+71.5327 1e-12 71.5327 71.5327
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -182,7 +182,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.102141:3091.38]
+set xrange [0.109822:3053.39]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -194,16 +194,16 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0666667 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0694697, graph 0.655161 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000 (cut)" at graph 0.595927, graph 0.675738 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.0697724, graph 0.657244 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000 (cut)" at graph 0.598931, graph 0.674299 left front noenhanced textcolor rgb '#d55e00'
 set label "pgs:50 (cut)" at graph 0.693796, graph 0.724753 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.437576, graph 0.728811 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.136809, graph 0.730473 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig (cut)" at graph 0.658751, graph 0.776523 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.20722, graph 0.783799 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.0110775, graph 0.795685 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.349484, graph 0.831402 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:50" at graph 0.346206, graph 0.968086 left front noenhanced textcolor rgb '#009e73'
+set label "si:200" at graph 0.440134, graph 0.728811 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.138357, graph 0.730473 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig (cut)" at graph 0.660101, graph 0.775459 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.205514, graph 0.783799 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.00854559, graph 0.795685 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.350232, graph 0.831402 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:50" at graph 0.346044, graph 0.968086 left front noenhanced textcolor rgb '#009e73'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -224,7 +224,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.102141:3091.38]
+set xrange [0.109822:3053.39]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -236,16 +236,16 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000 (cut)" at graph 0.595927, graph 0.590561 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.0694697, graph 0.601563 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.437576, graph 0.677734 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.302951, graph 0.758568 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000 (cut)" at graph 0.598931, graph 0.590561 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.0697724, graph 0.602763 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.440134, graph 0.677734 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.304499, graph 0.758568 left front noenhanced textcolor rgb '#d55e00'
 set label "pgs:50 (cut)" at graph 0.693796, graph 0.758569 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:10" at graph 0.177219, graph 0.829729 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig (cut)" at graph 0.658751, graph 0.829729 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.349484, graph 0.850592 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.20722, graph 0.905759 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.346206, graph 0.973787 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.174688, graph 0.829729 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig (cut)" at graph 0.660101, graph 0.829729 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.350232, graph 0.850592 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.205514, graph 0.905759 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.346044, graph 0.973787 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -266,7 +266,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.102141:3091.38]
+set xrange [0.109822:3053.39]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -279,15 +279,15 @@ unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
 set label "pgs:50 (cut)" at graph 0.693796, graph 0.0769231 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.312996, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
-set label "si:1000 (cut)" at graph 0.595927, graph 0.653477 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.136809, graph 0.70367 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.437576, graph 0.712723 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.0110775, graph 0.741184 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.415225, graph 0.769623 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.16089, graph 0.813455 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.20722, graph 0.903518 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.346206, graph 0.953233 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig (cut)" at graph 0.314346, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
+set label "si:1000 (cut)" at graph 0.598931, graph 0.649787 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.138357, graph 0.70367 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.440134, graph 0.712723 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.00854559, graph 0.741184 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.415527, graph 0.76834 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.161639, graph 0.813455 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.205514, graph 0.903518 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.346044, graph 0.953233 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,167 +2,167 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-1.36505 1e-12 1.36505 1.36505
+1.75213 1e-12 1.75213 1.75213
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.961803 1e-12 0.961803 0.961803
+1.11841 1e-12 1.11841 1.11841
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.247188 1e-12 0.247188 0.247188
+0.259757 1e-12 0.259757 0.259757
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.823677 1e-12 0.823677 0.823677
+0.858761 1e-12 0.858761 0.858761
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-2.91867 1e-12 2.91867 2.91867
+3.0189 1e-12 3.0189 3.0189
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-14.1543 1e-12 14.1543 14.1543
+15.1419 1e-12 15.1419 15.1419
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.880973 1e-12 0.880973 0.880973
+0.927853 1e-12 0.927853 0.927853
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-3.4864 1e-12 3.4864 3.4864
+3.48989 1e-12 3.48989 3.48989
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-26.7474 1e-12 26.7474 26.7474
+27.952 1e-12 27.952 27.952
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-26.385 1e-12 26.385 26.385
+27.1353 1e-12 27.1353 27.1353
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-284.091 1e-12 284.091 284.091
+300.696 1e-12 300.696 300.696
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-1.36505 0.100174 1.36505 1.36505
+1.75213 0.100174 1.75213 1.75213
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.961803 0.105714 0.961803 0.961803
+1.11841 0.100174 1.11841 1.11841
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.247188 0.070909 0.247188 0.247188
+0.259757 0.070909 0.259757 0.259757
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.823677 0.0672482 0.823677 0.823677
+0.858761 0.0672482 0.858761 0.858761
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-2.91867 0.0753632 2.91867 2.91867
+3.0189 0.0753632 3.0189 3.0189
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-14.1543 0.0696225 14.1543 14.1543
+15.1419 0.0696225 15.1419 15.1419
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.880973 0.100681 0.880973 0.880973
+0.927853 0.100681 0.927853 0.927853
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-3.4864 0.0731354 3.4864 3.4864
+3.48989 0.0731354 3.48989 3.48989
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-26.7474 0.0847997 26.7474 26.7474
+27.952 0.0847997 27.952 27.952
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-26.385 0.0786604 26.385 26.385
+27.1353 0.0786604 27.1353 27.1353
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-284.091 1e-12 284.091 284.091
+300.696 1e-12 300.696 300.696
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-1.36505 0.0389089 1.36505 1.36505
+1.75213 0.0388306 1.75213 1.75213
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.961803 0.0404885 0.961803 0.961803
+1.11841 0.0388306 1.11841 1.11841
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.247188 0.0657587 0.247188 0.247188
+0.259757 0.0657587 0.259757 0.259757
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.823677 0.0320519 0.823677 0.823677
+0.858761 0.0320519 0.858761 0.858761
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-2.91867 0.037435 2.91867 2.91867
+3.0189 0.037435 3.0189 3.0189
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-14.1543 0.0379267 14.1543 14.1543
+15.1419 0.0379267 15.1419 15.1419
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.880973 0.0412119 0.880973 0.880973
+0.927853 0.0412119 0.927853 0.927853
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-3.4864 0.0356133 3.4864 3.4864
+3.48989 0.0356133 3.48989 3.48989
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-26.7474 0.049883 26.7474 26.7474
+27.952 0.049883 27.952 27.952
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-26.385 0.0428533 26.385 26.385
+27.1353 0.0428533 27.1353 27.1353
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-284.091 1e-12 284.091 284.091
+300.696 1e-12 300.696 300.696
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -182,7 +182,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.131268:9423.07]
+set xrange [0.137853:10009.6]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -193,21 +193,22 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.23637, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.205056, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.254087, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.213978, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0250491, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.304334, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.277392, graph 0.5 to graph 0.304334, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.445541, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.00861181, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.170263, graph 0.5 to graph 0.143321, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
-set label "pgs:50" at graph 0.32023, graph 0.593103 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.293289, graph 0.5 to graph 0.32023, graph 0.593103 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.502458, graph 0.534914 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6 (cut)" at graph 0.501238, graph 0.418534 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.474296, graph 0.5 to graph 0.501238, graph 0.418534 nohead lw 0.6 lc rgb '#555555'
-set label "lemke (cut)" at graph 0.713778, graph 0.488362 left front noenhanced textcolor rgb '#999999'
+set label "si:50" at graph 0.0242346, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.302694, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.275752, graph 0.5 to graph 0.302694, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.446765, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.00869659, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.170348, graph 0.5 to graph 0.143406, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
+set label "pgs:50" at graph 0.315647, graph 0.593103 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.288705, graph 0.5 to graph 0.315647, graph 0.593103 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.501535, graph 0.418534 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.474593, graph 0.5 to graph 0.501535, graph 0.418534 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.498886, graph 0.593103 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.471944, graph 0.5 to graph 0.498886, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.713778, graph 0.5 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -228,7 +229,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.131268:9423.07]
+set xrange [0.137853:10009.6]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -240,21 +241,21 @@ unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.191191, graph 0.886546 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.445541, graph 0.887705 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.190377, graph 0.886546 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.446765, graph 0.887705 left front noenhanced textcolor rgb '#d55e00'
 set label "si:10" at graph 0.0835457, graph 0.958144 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.911592 to graph 0.0835457, graph 0.958144 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.32023, graph 0.935901 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.304334, graph 0.878714 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6 (cut)" at graph 0.501238, graph 0.938334 left front noenhanced textcolor rgb '#555555'
-set label "dantzig (cut)" at graph 0.502458, graph 0.836103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.475516, graph 0.917569 to graph 0.502458, graph 0.836103 nohead lw 0.6 lc rgb '#555555'
-set label "delassus" at graph 0.00287312, graph 0.876583 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.209428, graph 0.923135 to graph 0.182486, graph 0.876583 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.197205, graph 0.8302 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.170263, graph 0.923304 to graph 0.197205, graph 0.8302 nohead lw 0.6 lc rgb '#e69f00'
-set label "delassus:1e-3" at graph 0.205056, graph 0.77364 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.178114, graph 0.924933 to graph 0.205056, graph 0.77364 nohead lw 0.6 lc rgb '#0060a8'
+set label "pgs:50" at graph 0.315647, graph 0.935901 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.302694, graph 0.878714 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6 (cut)" at graph 0.498886, graph 0.938334 left front noenhanced textcolor rgb '#555555'
+set label "dantzig (cut)" at graph 0.501535, graph 0.836103 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.474593, graph 0.917569 to graph 0.501535, graph 0.836103 nohead lw 0.6 lc rgb '#555555'
+set label "delassus:1e-3" at graph 0.213978, graph 0.78348 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.187036, graph 0.923135 to graph 0.213978, graph 0.78348 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.254087, graph 0.830032 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.227145, graph 0.923135 to graph 0.254087, graph 0.830032 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.00869659, graph 0.876752 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.170348, graph 0.923304 to graph 0.143406, graph 0.876752 nohead lw 0.6 lc rgb '#e69f00'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -275,7 +276,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.131268:9423.07]
+set xrange [0.137853:10009.6]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -287,21 +288,21 @@ unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.0833333 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.0250491, graph 0.958821 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.32023, graph 0.939358 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.115741, graph 0.90625 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.277392, graph 0.96444 to graph 0.250451, graph 0.90625 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.445541, graph 0.883447 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.418599, graph 0.964912 to graph 0.445541, graph 0.883447 nohead lw 0.6 lc rgb '#d55e00'
-set label "delassus" at graph 0.23637, graph 0.849458 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.209428, graph 0.965837 to graph 0.23637, graph 0.849458 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.205056, graph 0.792709 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.178114, graph 0.967278 to graph 0.205056, graph 0.792709 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.00861181, graph 0.851539 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.170263, graph 0.967919 to graph 0.143321, graph 0.851539 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig:1e-6 (cut)" at graph 0.501238, graph 0.969332 left front noenhanced textcolor rgb '#555555'
-set label "dantzig (cut)" at graph 0.502458, graph 0.835174 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.475516, graph 0.974829 to graph 0.502458, graph 0.835174 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.0242346, graph 0.958821 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.315647, graph 0.939358 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.114101, graph 0.90625 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.275752, graph 0.96444 to graph 0.24881, graph 0.90625 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.446765, graph 0.883447 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.419823, graph 0.964912 to graph 0.446765, graph 0.883447 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.213978, graph 0.826109 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.187036, graph 0.965765 to graph 0.213978, graph 0.826109 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.254087, graph 0.884299 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.227145, graph 0.965765 to graph 0.254087, graph 0.884299 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.00869659, graph 0.851539 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.170348, graph 0.967919 to graph 0.143406, graph 0.851539 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig:1e-6 (cut)" at graph 0.498886, graph 0.969332 left front noenhanced textcolor rgb '#555555'
+set label "dantzig (cut)" at graph 0.501535, graph 0.776985 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.474593, graph 0.974829 to graph 0.501535, graph 0.776985 nohead lw 0.6 lc rgb '#555555'
 set label "si:10" at graph 0.0835457, graph 0.802155 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.984829 to graph 0.0835457, graph 0.802155 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \

@@ -2,22 +2,22 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.002164 1e-12 0.002164 0.002164
+0.002274 1e-12 0.002274 0.002274
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.001822 1e-12 0.001822 0.001822
+0.001872 1e-12 0.001872 0.001872
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.000531 1e-12 0.000531 0.000531
+0.000731 1e-12 0.000731 0.000731
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.000881 1e-12 0.000881 0.000881
+0.000912 1e-12 0.000912 0.000912
 EOD
 $line0_4 << EOD
 EOD
@@ -27,17 +27,17 @@ EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.001022 1e-12 0.001022 0.001022
+0.001062 1e-12 0.001062 0.001062
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.000941 1e-12 0.000941 0.000941
+0.000942 1e-12 0.000942 0.000942
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.000681 1e-12 0.000681 0.000681
+0.000911 1e-12 0.000911 0.000911
 EOD
 $line0_8 << EOD
 EOD
@@ -47,42 +47,42 @@ EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.003525 1e-12 0.003525 0.003525
+0.003685 1e-12 0.003685 0.003685
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.000941 1e-12 0.000941 0.000941
+0.000961 1e-12 0.000961 0.000961
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.000931 1e-12 0.000931 0.000931
+0.000961 1e-12 0.000961 0.000961
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-0.253759 3.08263 0.253759 0.253759
+0.266457 3.08263 0.266457 0.266457
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.002164 0.0709823 0.002164 0.002164
+0.002274 0.0709823 0.002274 0.002274
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.001822 0.0709823 0.001822 0.001822
+0.001872 0.0709823 0.001872 0.001872
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.000531 0.0709823 0.000531 0.000531
+0.000731 0.0709823 0.000731 0.000731
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.000881 0.0709823 0.000881 0.000881
+0.000912 0.0709823 0.000912 0.000912
 EOD
 $line1_4 << EOD
 EOD
@@ -92,17 +92,17 @@ EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.001022 0.0709823 0.001022 0.001022
+0.001062 0.0709823 0.001062 0.001062
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.000941 0.0709823 0.000941 0.000941
+0.000942 0.0709823 0.000942 0.000942
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.000681 0.0709822 0.000681 0.000681
+0.000911 0.0709822 0.000911 0.000911
 EOD
 $line1_8 << EOD
 EOD
@@ -112,42 +112,42 @@ EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.003525 0.0709823 0.003525 0.003525
+0.003685 0.0709823 0.003685 0.003685
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.000941 0.0709823 0.000941 0.000941
+0.000961 0.0709823 0.000961 0.000961
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.000931 0.0709882 0.000931 0.000931
+0.000961 0.0709882 0.000961 0.000961
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-0.253759 0.0225015 0.253759 0.253759
+0.266457 0.0225015 0.266457 0.266457
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.002164 2.20986 0.002164 0.002164
+0.002274 2.20986 0.002274 0.002274
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.001822 2.20986 0.001822 0.001822
+0.001872 2.20986 0.001872 0.001872
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.000531 2.20986 0.000531 0.000531
+0.000731 2.20986 0.000731 0.000731
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.000881 2.20986 0.000881 0.000881
+0.000912 2.20986 0.000912 0.000912
 EOD
 $line2_4 << EOD
 EOD
@@ -157,17 +157,17 @@ EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.001022 2.20986 0.001022 0.001022
+0.001062 2.20986 0.001062 0.001062
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.000941 2.20986 0.000941 0.000941
+0.000942 2.20986 0.000942 0.000942
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.000681 2.20986 0.000681 0.000681
+0.000911 2.20986 0.000911 0.000911
 EOD
 $line2_8 << EOD
 EOD
@@ -177,22 +177,22 @@ EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.003525 2.20986 0.003525 0.003525
+0.003685 2.20986 0.003685 0.003685
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.000941 2.20986 0.000941 0.000941
+0.000961 2.20986 0.000961 0.000961
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.000931 2.20982 0.000931 0.000931
+0.000961 2.20982 0.000961 0.000961
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-0.253759 0.0414571 0.253759 0.253759
+0.266457 0.0414571 0.266457 0.266457
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.000333361:1.24383]
+set xrange [0.000468395:1.21805]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,27 +223,27 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.254371, graph 0.0947044 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.233455, graph 0.0481527 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.227869, graph 0.0947044 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.203131, graph 0.0481527 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.0947044 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.145105, graph 0.141256 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.118163, graph 0.0714286 to graph 0.145105, graph 0.141256 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.167824, graph 0.187808 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.140882, graph 0.0714286 to graph 0.167824, graph 0.187808 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.163156, graph 0.23436 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.136214, graph 0.0714286 to graph 0.163156, graph 0.23436 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.153116, graph 0.280911 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.126174, graph 0.0714286 to graph 0.153116, graph 0.280911 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.113797, graph 0.327463 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0868549, graph 0.0714286 to graph 0.113797, graph 0.327463 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.151817, graph 0.385653 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.124875, graph 0.0714286 to graph 0.151817, graph 0.385653 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.313697, graph 0.141256 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.286755, graph 0.0714286 to graph 0.313697, graph 0.141256 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.153116, graph 0.443842 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.126174, graph 0.0714286 to graph 0.153116, graph 0.443842 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.151817, graph 0.502032 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.124875, graph 0.0714286 to graph 0.151817, graph 0.502032 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.111679, graph 0.141256 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0847373, graph 0.0714286 to graph 0.111679, graph 0.141256 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.131043, graph 0.187808 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.104101, graph 0.0714286 to graph 0.131043, graph 0.187808 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.131043, graph 0.23436 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.104101, graph 0.0714286 to graph 0.131043, graph 0.23436 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.115795, graph 0.280911 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.0888532, graph 0.0714286 to graph 0.115795, graph 0.280911 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.11154, graph 0.327463 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0845978, graph 0.0714286 to graph 0.11154, graph 0.327463 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.114301, graph 0.385653 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0873595, graph 0.0714286 to graph 0.114301, graph 0.385653 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.289259, graph 0.141256 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.262317, graph 0.0714286 to graph 0.289259, graph 0.141256 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.118335, graph 0.443842 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0913927, graph 0.0714286 to graph 0.118335, graph 0.443842 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.118335, graph 0.502032 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0913927, graph 0.0714286 to graph 0.118335, graph 0.502032 nohead lw 0.6 lc rgb '#555555'
 set label "lemke" at graph 0.833669, graph 0.963494 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -267,7 +267,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.000333361:1.24383]
+set xrange [0.000468395:1.21805]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics nomirror (0.01, 0.02, 0.05, 0.1, 0.2, 0.5)
@@ -279,26 +279,26 @@ unset label
 unset arrow
 unset object
 set label "lemke" at graph 0.833669, graph 0.352212 left front noenhanced textcolor rgb '#999999'
-set label "nncg:10" at graph 0.113797, graph 0.827874 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:10" at graph 0.11154, graph 0.827874 left front noenhanced textcolor rgb '#009e73'
 set label "si:10" at graph 0.0835457, graph 0.886064 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus" at graph 0.254371, graph 0.886064 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.233455, graph 0.769684 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.206513, graph 0.85115 to graph 0.233455, graph 0.769684 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:50" at graph 0.145105, graph 0.944253 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.118163, graph 0.85115 to graph 0.145105, graph 0.944253 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.167824, graph 0.723133 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.140882, graph 0.85115 to graph 0.167824, graph 0.723133 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.163156, graph 0.676581 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.136214, graph 0.85115 to graph 0.163156, graph 0.676581 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.153116, graph 0.630029 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.126174, graph 0.85115 to graph 0.153116, graph 0.630029 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:50" at graph 0.151817, graph 0.583477 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.124875, graph 0.85115 to graph 0.151817, graph 0.583477 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.313697, graph 0.839512 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.153116, graph 0.525288 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.126174, graph 0.85115 to graph 0.153116, graph 0.525288 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.151817, graph 0.467135 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.124875, graph 0.851186 to graph 0.151817, graph 0.467135 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.227869, graph 0.886064 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.203131, graph 0.769684 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.176189, graph 0.85115 to graph 0.203131, graph 0.769684 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:50" at graph 0.111679, graph 0.932615 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0847373, graph 0.85115 to graph 0.111679, graph 0.932615 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.131043, graph 0.723133 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.104101, graph 0.85115 to graph 0.131043, graph 0.723133 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.131043, graph 0.676581 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.104101, graph 0.85115 to graph 0.131043, graph 0.676581 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.115795, graph 0.630029 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.0888532, graph 0.85115 to graph 0.115795, graph 0.630029 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:50" at graph 0.114301, graph 0.583477 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0873595, graph 0.85115 to graph 0.114301, graph 0.583477 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.289259, graph 0.839512 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.118335, graph 0.525288 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0913927, graph 0.85115 to graph 0.118335, graph 0.525288 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.118335, graph 0.467135 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0913927, graph 0.851186 to graph 0.118335, graph 0.467135 nohead lw 0.6 lc rgb '#555555'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -321,7 +321,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.000333361:1.24383]
+set xrange [0.000468395:1.21805]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -333,27 +333,27 @@ unset label
 unset arrow
 unset object
 set label "lemke" at graph 0.833669, graph 0.205866 left front noenhanced textcolor rgb '#999999'
-set label "dantzig:1e-6" at graph 0.151817, graph 0.758176 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.113797, graph 0.816368 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.118335, graph 0.758176 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.11154, graph 0.816368 left front noenhanced textcolor rgb '#009e73'
 set label "si:10" at graph 0.0835457, graph 0.86292 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.781455 to graph 0.0835457, graph 0.86292 nohead lw 0.6 lc rgb '#d55e00'
-set label "delassus" at graph 0.254371, graph 0.86292 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.227429, graph 0.781455 to graph 0.254371, graph 0.86292 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.233455, graph 0.699989 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.206513, graph 0.781455 to graph 0.233455, graph 0.699989 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:50" at graph 0.145105, graph 0.909472 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.118163, graph 0.781455 to graph 0.145105, graph 0.909472 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.167824, graph 0.653437 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.140882, graph 0.781455 to graph 0.167824, graph 0.653437 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.163156, graph 0.956024 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.136214, graph 0.781455 to graph 0.163156, graph 0.956024 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.153116, graph 0.606886 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.126174, graph 0.781455 to graph 0.153116, graph 0.606886 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:50" at graph 0.151817, graph 0.560334 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.124875, graph 0.781455 to graph 0.151817, graph 0.560334 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.313697, graph 0.804731 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.153116, graph 0.513782 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.126174, graph 0.781455 to graph 0.153116, graph 0.513782 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.227869, graph 0.86292 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.200928, graph 0.781455 to graph 0.227869, graph 0.86292 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.203131, graph 0.699989 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.176189, graph 0.781455 to graph 0.203131, graph 0.699989 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:50" at graph 0.111679, graph 0.909472 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0847373, graph 0.781455 to graph 0.111679, graph 0.909472 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.131043, graph 0.653437 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.104101, graph 0.781455 to graph 0.131043, graph 0.653437 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.131043, graph 0.956024 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.104101, graph 0.781455 to graph 0.131043, graph 0.956024 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.115795, graph 0.606886 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.0888532, graph 0.781455 to graph 0.115795, graph 0.606886 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:50" at graph 0.114301, graph 0.560334 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0873595, graph 0.781455 to graph 0.114301, graph 0.560334 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.289259, graph 0.804731 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.118335, graph 0.513782 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0913927, graph 0.781455 to graph 0.118335, graph 0.513782 nohead lw 0.6 lc rgb '#555555'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-17.9632 1e-12 17.9632 17.9632
+11.5275 1e-12 11.5275 11.5275
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-13.509 1e-12 13.509 13.509
+11.898 1e-12 11.898 11.898
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-1.08896 1e-12 1.08896 1.08896
+1.1251 1e-12 1.1251 1.1251
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-3.63021 1e-12 3.63021 3.63021
+3.96672 1e-12 3.96672 3.96672
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-12.5435 1e-12 12.5435 12.5435
+13.3377 1e-12 13.3377 13.3377
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-47.1473 1e-12 47.1473 47.1473
+50.775 1e-12 50.775 50.775
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-4.29878 1e-12 4.29878 4.29878
+4.53128 1e-12 4.53128 4.53128
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-1.31162 1e-12 1.31162 1.31162
+1.36348 1e-12 1.36348 1.36348
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-4.62224 1e-12 4.62224 4.62224
+4.90704 1e-12 4.90704 4.90704
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-66.3073 1e-12 66.3073 66.3073
+63.3197 1e-12 63.3197 63.3197
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-19.1828 1e-12 19.1828 19.1828
+19.7951 1e-12 19.7951 19.7951
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-18.9286 1e-12 18.9286 18.9286
+19.8267 1e-12 19.8267 19.8267
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-3.23643 1e-12 3.23643 3.23643
+2.73681 1e-12 2.73681 2.73681
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-17.9632 0.0903329 17.9632 17.9632
+11.5275 0.0903329 11.5275 11.5275
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-13.509 0.0903333 13.509 13.509
+11.898 0.0903349 11.898 11.898
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-1.08896 0.0596164 1.08896 1.08896
+1.1251 0.0596164 1.1251 1.1251
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-3.63021 0.0785919 3.63021 3.63021
+3.96672 0.0785919 3.96672 3.96672
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-12.5435 0.0821982 12.5435 12.5435
+13.3377 0.0821982 13.3377 13.3377
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-47.1473 0.0821606 47.1473 47.1473
+50.775 0.0821606 50.775 50.775
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-4.29878 0.086607 4.29878 4.29878
+4.53128 0.086607 4.53128 4.53128
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-1.31162 0.0606733 1.31162 1.31162
+1.36348 0.0606733 1.36348 1.36348
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-4.62224 0.080631 4.62224 4.62224
+4.90704 0.080631 4.90704 4.90704
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-66.3073 0.0864095 66.3073 66.3073
+63.3197 0.0864095 63.3197 63.3197
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-19.1828 0.0575464 19.1828 19.1828
+19.7951 0.0575464 19.7951 19.7951
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-18.9286 0.0576006 18.9286 18.9286
+19.8267 0.0576006 19.8267 19.8267
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-3.23643 1e-12 3.23643 3.23643
+2.73681 1e-12 2.73681 2.73681
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-17.9632 0.12431 17.9632 17.9632
+11.5275 1e-12 11.5275 11.5275
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-13.509 0.0877321 13.509 13.509
+11.898 0.0728058 11.898 11.898
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-1.08896 0.0127214 1.08896 1.08896
+1.1251 0.0127214 1.1251 1.1251
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-3.63021 0.0203721 3.63021 3.63021
+3.96672 0.0203721 3.96672 3.96672
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-12.5435 0.0325035 12.5435 12.5435
+13.3377 0.0325035 13.3377 13.3377
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-47.1473 0.0665711 47.1473 47.1473
+50.775 0.0421233 50.775 50.775
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-4.29878 0.0139113 4.29878 4.29878
+4.53128 0.0139113 4.53128 4.53128
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-1.31162 0.0145098 1.31162 1.31162
+1.36348 0.0145098 1.36348 1.36348
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-4.62224 0.0845091 4.62224 4.62224
+4.90704 0.0845091 4.90704 4.90704
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-66.3073 1e-12 66.3073 66.3073
+63.3197 1e-12 63.3197 63.3197
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-19.1828 1e-12 19.1828 19.1828
+19.7951 1e-12 19.7951 19.7951
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-18.9286 1e-12 18.9286 18.9286
+19.8267 1e-12 19.8267 19.8267
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-3.23643 1e-12 3.23643 3.23643
+2.73681 1e-12 2.73681 2.73681
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.743853:624.85]
+set xrange [0.77417:571.588]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -223,26 +223,26 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus (cut)" at graph 0.499842, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3 (cut)" at graph 0.457521, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus (cut)" at graph 0.435868, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3 (cut)" at graph 0.440657, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.262365, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.257915, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000 (cut)" at graph 0.64315, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.616208, graph 0.5 to graph 0.64315, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.0988759, graph 0.534914 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.111174, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0842322, graph 0.5 to graph 0.111174, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.298244, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.271302, graph 0.5 to graph 0.298244, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
+set label "si:50" at graph 0.274339, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.269359, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000 (cut)" at graph 0.660365, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.633423, graph 0.5 to graph 0.660365, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.105893, graph 0.534914 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.112644, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0857016, graph 0.5 to graph 0.112644, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.30655, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.279608, graph 0.5 to graph 0.30655, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
 set label "pgs:50 (cut)" at graph 0.693796, graph 0.593103 left front noenhanced textcolor rgb '#cc79a7'
 set arrow from graph 0.666854, graph 0.5 to graph 0.693796, graph 0.593103 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.163843, graph 0.593103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.482656, graph 0.5 to graph 0.455714, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6 (cut)" at graph 0.507616, graph 0.371983 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.480674, graph 0.5 to graph 0.507616, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
-set label "lemke (cut)" at graph 0.245312, graph 0.371983 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.21837, graph 0.5 to graph 0.245312, graph 0.371983 nohead lw 0.6 lc rgb '#999999'
+set label "dantzig (cut)" at graph 0.171982, graph 0.593103 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.490795, graph 0.5 to graph 0.463853, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.517978, graph 0.371983 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.491036, graph 0.5 to graph 0.517978, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.218142, graph 0.371983 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.1912, graph 0.5 to graph 0.218142, graph 0.371983 nohead lw 0.6 lc rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -265,7 +265,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.743853:624.85]
+set xrange [0.77417:571.588]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -276,25 +276,25 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke (cut)" at graph 0.245312, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "dantzig (cut)" at graph 0.509598, graph 0.892979 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6 (cut)" at graph 0.0496033, graph 0.881372 left front noenhanced textcolor rgb '#555555'
+set label "lemke (cut)" at graph 0.218142, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
+set label "dantzig (cut)" at graph 0.517737, graph 0.892979 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.0599654, graph 0.881372 left front noenhanced textcolor rgb '#555555'
 set label "si:10" at graph 0.0835457, graph 0.940711 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.111174, graph 0.824919 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0842322, graph 0.906384 to graph 0.111174, graph 0.824919 nohead lw 0.6 lc rgb '#009e73'
-set label "si:50" at graph 0.262365, graph 0.949943 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.298244, graph 0.834419 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.271302, graph 0.915885 to graph 0.298244, graph 0.834419 nohead lw 0.6 lc rgb '#009e73'
-set label "si:1000 (cut)" at graph 0.64315, graph 0.951426 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.446508, graph 0.951442 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.112644, graph 0.824919 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0857016, graph 0.906384 to graph 0.112644, graph 0.824919 nohead lw 0.6 lc rgb '#009e73'
+set label "si:50" at graph 0.274339, graph 0.949943 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.30655, graph 0.834419 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.279608, graph 0.915885 to graph 0.30655, graph 0.834419 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000 (cut)" at graph 0.660365, graph 0.951426 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.457953, graph 0.939804 left front noenhanced textcolor rgb '#d55e00'
 set label "pgs:50 (cut)" at graph 0.693796, graph 0.836732 left front noenhanced textcolor rgb '#cc79a7'
 set arrow from graph 0.666854, graph 0.918197 to graph 0.693796, graph 0.836732 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si2:50" at graph 0.287469, graph 0.778618 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.260528, graph 0.918273 to graph 0.287469, graph 0.778618 nohead lw 0.6 lc rgb '#e69f00'
-set label "delassus (cut)" at graph 0.499842, graph 0.780025 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.4729, graph 0.91968 to graph 0.499842, graph 0.780025 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus:1e-3 (cut)" at graph 0.457521, graph 0.721836 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.430579, graph 0.919681 to graph 0.457521, graph 0.721836 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.294487, graph 0.778618 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.267545, graph 0.918273 to graph 0.294487, graph 0.778618 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus (cut)" at graph 0.435868, graph 0.780025 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.408926, graph 0.91968 to graph 0.435868, graph 0.780025 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus:1e-3 (cut)" at graph 0.440657, graph 0.721836 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.413715, graph 0.919681 to graph 0.440657, graph 0.721836 nohead lw 0.6 lc rgb '#0060a8'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -317,7 +317,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.743853:624.85]
+set xrange [0.77417:571.588]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -328,23 +328,22 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "pgs:50 (cut)" at graph 0.693796, graph 0.0769231 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.163843, graph 0.100199 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6 (cut)" at graph 0.0496033, graph 0.0536472 left front noenhanced textcolor rgb '#555555'
-set label "lemke (cut)" at graph 0.245312, graph 0.158389 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.21837, graph 0.0769231 to graph 0.245312, graph 0.158389 nohead lw 0.6 lc rgb '#999999'
+set label "delassus (cut)" at graph 0.435868, graph 0.100199 left front noenhanced textcolor rgb '#0060a8'
+set label "pgs:50 (cut)" at graph 0.693796, graph 0.0536472 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.171982, graph 0.0536472 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.517978, graph 0.158389 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.491036, graph 0.0769231 to graph 0.517978, graph 0.158389 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.218142, graph 0.158389 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.1912, graph 0.0769231 to graph 0.218142, graph 0.158389 nohead lw 0.6 lc rgb '#999999'
 set label "si:10" at graph 0.0835457, graph 0.830919 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.287469, graph 0.857182 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.111174, graph 0.893503 left front noenhanced textcolor rgb '#009e73'
-set label "si:50" at graph 0.262365, graph 0.800098 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.235423, graph 0.869926 to graph 0.262365, graph 0.800098 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.446508, graph 0.885533 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000 (cut)" at graph 0.64315, graph 0.909484 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.0871988, graph 0.94073 left front noenhanced textcolor rgb '#009e73'
-set label "delassus:1e-3 (cut)" at graph 0.457521, graph 0.965256 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.430579, graph 0.918704 to graph 0.457521, graph 0.965256 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus (cut)" at graph 0.499842, graph 0.837243 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.4729, graph 0.930347 to graph 0.499842, graph 0.837243 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.294487, graph 0.857182 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.112644, graph 0.893503 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.274339, graph 0.800098 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.247397, graph 0.869926 to graph 0.274339, graph 0.800098 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.457953, graph 0.885533 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000 (cut)" at graph 0.660365, graph 0.894194 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3 (cut)" at graph 0.440657, graph 0.947388 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg:50" at graph 0.0955043, graph 0.94073 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

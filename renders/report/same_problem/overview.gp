@@ -1,411 +1,426 @@
 # Draws overview.svg and overview.png: gnuplot overview.gp
 $line0_0 << EOD
-0.000310667 1e-13 0.000307 0.000320333
+0.000310333 1e-13 0.000307 0.000317
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.000317 1e-13 0.000317 0.000317
+0.000313667 1e-13 0.000313667 0.000313667
 EOD
 $line0_2 << EOD
-0.00107533 1e-13 0.00107167 0.00108833
+0.00114867 1e-13 0.00114467 0.001165
 EOD
 $marks0_2 << EOD
 EOD
 $line1_0 << EOD
-0.00630633 0.0403056 0.00629633 0.00631633
-0.023445 0.0298954 0.023338 0.0246597
-0.028476 0.0227675 0.0283423 0.029611
-0.038761 0.0227624 0.038564 0.0398123
-0.0692467 0.0227624 0.068996 0.0703113
+0.00660967 0.0403056 0.00658967 0.00661667
+0.024947 0.0298954 0.0248303 0.0262053
+0.031527 0.0227675 0.0310467 0.032141
+0.0407407 0.0227624 0.0405237 0.0422333
+0.0741277 0.0227624 0.0736867 0.0800693
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.00965433 0.0407875 0.00965433 0.00965433
+0.010031 0.0407875 0.010031 0.010031
 EOD
 $line1_2 << EOD
-0.0342277 5.05981e-10 0.034181 0.034331
-0.0447133 1e-13 0.0446427 0.0448433
+0.0355727 5.05979e-10 0.0355267 0.035653
+0.0480013 1e-13 0.0479047 0.0481213
 EOD
 $marks1_2 << EOD
 EOD
 $line2_0 << EOD
-0.008252 0.716912 0.008239 0.00827233
-0.009885 0.605739 0.00986833 0.00993433
-0.0127323 0.579252 0.0127253 0.0127593
-0.015877 0.339693 0.0158367 0.0159207
-0.028476 0.197973 0.0284157 0.028543
-0.0487727 0.130868 0.048666 0.0488063
-0.0653777 0.00061836 0.0650803 0.0668327
+0.00854933 0.716912 0.00853633 0.00859633
+0.0102383 0.605739 0.010202 0.0102657
+0.0131767 0.579252 0.013143 0.0132297
+0.0165683 0.339693 0.0165283 0.0166213
+0.029958 0.197973 0.0298677 0.030032
+0.050342 0.130868 0.0502883 0.0504617
+0.068011 0.00061836 0.0664493 0.068936
 EOD
 $marks2_0 << EOD
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.0127323 0.579252 0.0127323 0.0127323
+0.0131767 0.579252 0.0131767 0.0131767
 EOD
 $line2_2 << EOD
-0.00483067 1e-13 0.00482367 0.004847
+0.00501433 1e-13 0.00500067 0.00503767
 EOD
 $marks2_2 << EOD
 EOD
 $line3_0 << EOD
-0.00821567 0.997126 0.00820567 0.00822567
-0.0114703 0.997124 0.0114537 0.0114873
-0.0127357 0.995724 0.0127157 0.0127527
-0.01575 0.992397 0.0157133 0.0157903
-0.028649 0.990153 0.0285223 0.0287997
-0.0481917 0.985269 0.0481517 0.048232
-0.0652243 0.976647 0.0650773 0.065381
-0.075576 0.130574 0.0741303 0.0771717
+0.00857933 0.997126 0.00856233 0.00858967
+0.012021 0.997124 0.0120047 0.0120513
+0.0132033 0.995724 0.0131763 0.013226
+0.0164113 0.992397 0.016378 0.016448
+0.0292003 0.990153 0.0291233 0.0292737
+0.0501983 0.985269 0.0500913 0.0503513
+0.0678743 0.976647 0.0677143 0.0680113
+0.0783 0.130574 0.078113 0.079552
 EOD
 $marks3_0 << EOD
 EOD
 $line3_1 << EOD
 EOD
 $marks3_1 << EOD
-0.0127357 0.995724 0.0127357 0.0127357
+0.0132033 0.995724 0.0132033 0.0132033
 EOD
 $line3_2 << EOD
-0.00461333 5.86019e-09 0.00460667 0.00462667
-0.004727 2.5664e-11 0.00471033 0.00473733
-0.00474367 1.05342e-11 0.00473033 0.00475067
+0.00486067 5.86019e-09 0.00484733 0.00507767
+0.00496067 1.05342e-11 0.004954 0.00497767
 EOD
 $marks3_2 << EOD
 EOD
 $line4_0 << EOD
-0.0316577 0.926036 0.0316237 0.0316877
-0.039402 0.904292 0.039332 0.0394587
-0.049798 0.894835 0.0497473 0.0498807
-0.0638517 0.822127 0.0637653 0.0639587
-0.114558 0.801754 0.114377 0.114905
-0.193862 0.750351 0.193709 0.194093
-0.266694 0.671472 0.266227 0.267419
-0.375263 0.626558 0.373864 0.376214
-0.513299 0.465567 0.511906 0.514881
-0.732809 0.447062 0.730726 0.739546
-1.01505 0.278849 1.0125 1.03146
-1.81075 0.182198 1.80053 1.82426
-2.51172 0.0703965 2.50444 2.52905
-2.67484 0.00895085 2.65628 2.68734
+0.0330893 0.926036 0.0330223 0.033143
+0.04052 0.904292 0.0404333 0.0406237
+0.0519773 0.894835 0.0517973 0.0520917
+0.0653107 0.822127 0.0651703 0.0655673
+0.117435 0.801754 0.117058 0.117789
+0.201507 0.750351 0.200545 0.202222
+0.270644 0.671472 0.269862 0.272149
+0.390105 0.626558 0.38906 0.391821
+0.527286 0.465567 0.526341 0.529869
+0.759038 0.447062 0.755266 0.77581
+1.0489 0.278849 1.04187 1.06267
+1.87721 0.182198 1.8666 1.89838
+2.59383 0.0703965 2.58633 2.6107
+2.75639 0.00895085 2.72959 2.76937
 EOD
 $marks4_0 << EOD
 EOD
 $line4_1 << EOD
 EOD
 $marks4_1 << EOD
-0.049798 0.894835 0.049798 0.049798
+0.0519773 0.894835 0.0519773 0.0519773
 EOD
 $line4_2 << EOD
-0.017336 1.51462e-08 0.017309 0.017359
-0.0177333 3.92716e-12 0.0177167 0.0177597
+0.0182203 1.51462e-08 0.0181637 0.018264
+0.018641 3.92716e-12 0.018608 0.0186847
 EOD
 $marks4_2 << EOD
 EOD
 $line5_0 << EOD
-0.0740203 0.44258 0.0739167 0.074121
-0.0937527 0.245927 0.093526 0.0939063
-0.15448 0.0597601 0.154233 0.154764
-0.443458 0.00779958 0.442216 0.44487
-0.658765 0.00165521 0.655971 0.673437
-0.855893 0.00119107 0.853863 0.873095
-1.29152 0.000651464 1.28417 1.34808
-1.70855 0.000531489 1.69521 1.72515
-2.60362 0.000162152 2.55708 2.69155
-4.27336 6.25643e-05 4.25793 4.29654
-6.24993 2.56568e-06 6.23538 6.27123
-8.54982 1.97618e-06 8.53784 8.55453
-12.6535 3.47997e-09 12.6535 12.7672
-17.1933 2.54829e-09 17.1933 19.2039
-25.7081 2.10483e-13 25.7081 26.2157
+0.0810143 0.44258 0.0807933 0.0811813
+0.100867 0.245927 0.100647 0.101154
+0.164809 0.0597601 0.164315 0.16534
+0.484412 0.00779958 0.482212 0.487126
+0.70668 0.00165521 0.703823 0.720087
+0.943694 0.00119107 0.938095 0.965833
+1.37785 0.000651464 1.36327 1.39131
+1.85561 0.000531489 1.83755 1.8775
+2.74736 0.000162152 2.73727 2.75952
+4.73949 6.25643e-05 4.71132 4.75401
+6.73786 2.56568e-06 6.73167 6.75991
+9.59505 1.97618e-06 9.57305 9.60166
+13.3664 3.47997e-09 13.3664 13.4113
+18.9353 2.54829e-09 18.9353 18.9821
+26.6335 2.10483e-13 26.6335 26.6866
 EOD
 $marks5_0 << EOD
 EOD
 $line5_1 << EOD
 EOD
 $marks5_1 << EOD
-0.115576 0.253641 0.115576 0.115576
+0.125821 0.253641 0.125821 0.125821
 EOD
 $line5_2 << EOD
-0.0435547 1.31846e-08 0.0434583 0.043629
-0.0440787 2.10483e-13 0.0439823 0.044246
+0.0468297 1.31846e-08 0.0467267 0.0469633
+0.0477647 2.10483e-13 0.0476743 0.0480643
 EOD
 $marks5_2 << EOD
 EOD
 $line6_0 << EOD
-0.293955 0.704545 0.293294 0.294859
-0.376368 0.591319 0.375253 0.378791
-0.454163 0.583607 0.453329 0.455723
-0.614907 0.32907 0.613053 0.620659
-1.78142 0.181015 1.76221 1.80246
-2.60099 0.180567 2.58621 2.61296
-2.63284 0.082558 2.61653 2.65284
-3.43249 0.0514512 3.41929 3.45001
-5.09749 0.0129409 5.05957 5.13638
-6.71592 0.00834562 6.69581 6.74874
-9.87606 0.00335433 9.85772 9.87606
-16.8596 0.00200145 16.8596 17.7741
-24.7373 0.000741706 24.7373 24.9535
-33.0798 0.000537575 33.0798 33.8758
-48.532 0.00012963 48.532 48.6577
-66.1821 8.87081e-05 66.1821 69.0695
-97.7549 4.70778e-06 97.7549 99.4111
+0.326373 0.704545 0.324454 0.330452
+0.418774 0.591319 0.415833 0.421061
+0.501892 0.583607 0.499451 0.507503
+0.683917 0.32907 0.678405 0.697073
+1.99317 0.181015 1.9706 2.00566
+2.87371 0.180567 2.85354 2.88466
+2.93453 0.082558 2.91195 2.95118
+3.84048 0.0514512 3.82499 3.8509
+5.69414 0.0129409 5.65696 5.71118
+7.56228 0.00834562 7.50626 7.58591
+11.0446 0.00335433 11.0208 11.0446
+18.2784 0.00200145 18.2784 18.3804
+27.7466 0.000741706 27.7466 27.9222
+36.63 0.000537575 36.63 36.795
+55.0597 0.00012963 55.0597 55.2253
+73.1361 8.87081e-05 73.1361 73.2823
+110.163 4.70778e-06 110.163 110.652
 EOD
 $marks6_0 << EOD
 EOD
 $line6_1 << EOD
 EOD
 $marks6_1 << EOD
-0.454163 0.583607 0.454163 0.454163
+0.501892 0.583607 0.501892 0.501892
 EOD
 $line6_2 << EOD
-0.174316 8.79252e-09 0.174049 0.174617
-0.175969 1.79855e-13 0.175725 0.176343
+0.192698 8.79252e-09 0.192083 0.193752
+0.196887 1.79855e-13 0.196283 0.197694
 EOD
 $marks6_2 << EOD
 EOD
 $line7_0 << EOD
-0.272423 0.636535 0.270998 0.273812
-0.343649 0.545973 0.3419 0.346163
-0.418978 0.454878 0.418013 0.420587
-0.552857 0.23761 0.551148 0.557544
-1.00092 0.107182 0.996265 1.01951
-1.62584 0.0562172 1.61302 1.63967
-2.33705 0.0153793 2.31796 2.35206
-3.15499 0.0122348 3.13617 3.17785
-4.52896 0.00297643 4.50777 4.54584
-6.30847 0.00273334 6.29457 6.3354
-9.02715 0.000788542 9.01588 9.03398
-15.5609 0.000240205 15.5609 15.6463
-22.4396 2.32129e-05 22.4396 22.6102
-31.2575 5.26856e-06 31.2575 31.4957
-45.2413 6.12024e-08 45.2413 45.6896
-62.6523 2.56564e-09 62.6523 63.7048
-89.5297 2.10036e-11 89.5297 90.1233
+0.30422 0.636535 0.303256 0.305479
+0.373547 0.545973 0.372312 0.375597
+0.47143 0.454878 0.469854 0.475489
+0.610797 0.23761 0.608734 0.622588
+1.11388 0.107182 1.10454 1.14613
+1.82106 0.0562172 1.79981 1.8367
+2.67153 0.0550979 2.65736 2.70447
+2.88049 0.0153793 2.68664 2.98448
+3.51022 0.0122348 3.48976 3.53398
+5.11423 0.00297643 5.00883 5.26134
+6.86787 0.00273334 6.85379 6.90461
+9.92084 0.000788542 9.88165 9.92084
+17.641 0.000240205 17.641 18.9046
+24.6737 2.32129e-05 24.6737 27.0953
+34.4943 5.26856e-06 34.4943 34.9224
+49.2908 6.12024e-08 49.2908 50.2677
+68.3757 2.56564e-09 68.3757 69.1381
+98.9514 2.10036e-11 98.9514 99.8053
 EOD
 $marks7_0 << EOD
 EOD
 $line7_1 << EOD
 EOD
 $marks7_1 << EOD
-0.418978 0.454878 0.418978 0.418978
+0.47143 0.454878 0.47143 0.47143
 EOD
 $line7_2 << EOD
-0.168201 5.11659e-13 0.167764 0.168858
+0.188652 5.11659e-13 0.187977 0.18997
 EOD
 $marks7_2 << EOD
 EOD
 $line8_0 << EOD
-0.016742 0.742924 0.016731 0.016755
-0.0245163 0.739217 0.0236287 0.02463
-0.026002 0.651451 0.025969 0.026029
-0.0325317 0.606529 0.032485 0.0326023
-0.044246 0.551414 0.044176 0.044296
-0.0642457 0.511838 0.064069 0.0643527
-0.0990877 0.44663 0.0989843 0.0991877
-0.135803 0.427292 0.135662 0.135906
-0.146061 0.313588 0.145654 0.146595
-0.280104 0.178071 0.27944 0.280528
-0.550614 0.10762 0.549443 0.553145
-1.33014 0.0877662 1.32145 1.34802
-2.63887 0.0730841 2.62507 2.65015
-5.29594 0.055098 5.28316 5.30103
+0.0183777 0.750456 0.018361 0.018411
+0.026089 0.747017 0.0260283 0.026115
+0.028556 0.661352 0.0285157 0.0285957
+0.035937 0.599295 0.0358867 0.0360003
+0.049043 0.554887 0.0489233 0.0492367
+0.0698243 0.527813 0.0696873 0.0700143
+0.108078 0.441852 0.107775 0.108358
+0.161384 0.341244 0.16104 0.161828
+0.302274 0.192456 0.301236 0.303462
+0.597267 0.104231 0.595845 0.602254
+1.48995 0.0671594 1.48147 1.50434
+2.93101 0.041681 2.91619 2.93917
+5.8164 0.0231651 5.77794 5.83427
 EOD
 $marks8_0 << EOD
 EOD
 $line8_1 << EOD
 EOD
 $marks8_1 << EOD
-0.026002 0.651451 0.026002 0.026002
+0.028556 0.661352 0.028556 0.028556
 EOD
 $line8_2 << EOD
-0.0434417 1 0.0433677 0.043548
-0.0474343 0.838513 0.0472637 0.0475643
-0.0488227 0.709627 0.0486527 0.048913
-0.054685 0.523701 0.0545677 0.054865
-0.0677343 0.346651 0.0673933 0.067988
-0.122005 0.17003 0.121878 0.122292
-0.272316 0.100295 0.271905 0.273517
-0.504575 0.00548672 0.501304 0.511065
-0.654676 0.000199442 0.647819 0.661049
-0.867259 0.00017942 0.864078 0.884135
-0.889446 4.67245e-07 0.87843 0.904401
-1.38264 6.15907e-08 1.36499 1.40618
-1.94819 1.11612e-08 1.92574 1.95944
+0.048589 1 0.048515 0.0487427
+0.053827 0.910656 0.0536403 0.054074
+0.0564537 0.825689 0.0563577 0.056785
+0.063121 0.709914 0.0629677 0.0632577
+0.0807833 0.417824 0.0806533 0.0810907
+0.13431 0.213581 0.134016 0.13464
+0.251629 0.0956311 0.25077 0.252696
+0.531199 0.0847142 0.527873 0.538736
+0.73105 0.0160177 0.727645 0.743465
+0.914166 0.00197598 0.910307 0.931278
+0.921805 8.3039e-06 0.914356 0.931605
+1.23895 2.93412e-06 1.22833 1.24662
+1.51441 8.01391e-08 1.50182 1.52666
 EOD
 $marks8_2 << EOD
 EOD
 $line9_0 << EOD
-0.00896 0.28168 0.00895033 0.00896733
-0.0136107 0.148776 0.013594 0.0136273
-0.0228977 0.0568471 0.0228673 0.0229307
-0.0523547 0.00976809 0.052278 0.0524217
-0.0786673 0.00956268 0.078424 0.0788507
-0.0992947 0.00638199 0.0991077 0.099709
-0.15219 0.00618908 0.151897 0.153078
-0.198249 0.00415143 0.197698 0.198826
-0.477472 0.00169026 0.476517 0.479254
-0.956866 0.000460191 0.954239 0.973031
-1.93722 5.0438e-05 1.9265 1.95167
+0.0100117 0.28168 0.009998 0.0100347
+0.015246 0.148776 0.0152293 0.0152597
+0.0255617 0.0568471 0.0254843 0.0256177
+0.0567743 0.00976809 0.0567113 0.056858
+0.0872997 0.00956268 0.0871863 0.0874437
+0.110328 0.00638199 0.110201 0.110492
+0.169463 0.00618908 0.169152 0.169907
+0.216289 0.00415143 0.215705 0.21692
+0.535701 0.00169026 0.533652 0.539077
+1.0557 0.000460191 1.05166 1.07718
+2.14038 5.0438e-05 2.12882 2.15895
 EOD
 $marks9_0 << EOD
 EOD
 $line9_1 << EOD
 EOD
 $marks9_1 << EOD
-0.0136107 0.148776 0.0136107 0.0136107
+0.015246 0.148776 0.015246 0.015246
 EOD
 $line9_2 << EOD
-0.00690367 2.33509e-09 0.00689 0.00693
-0.0142247 2.74741e-10 0.0141947 0.014258
-0.027835 1.378e-10 0.0277883 0.0279747
+0.00768433 2.33509e-09 0.007668 0.00771133
+0.00769833 1.15661e-09 0.00767833 0.00772433
+0.0158537 2.74741e-10 0.0158303 0.0159237
+0.0313733 1.378e-10 0.0312333 0.0314837
 EOD
 $marks9_2 << EOD
 EOD
 $line10_0 << EOD
-0.029303 0.121814 0.029273 0.029324
-0.04657 0.028702 0.046549 0.046619
-0.080831 0.00514601 0.08061 0.082352
-0.126539 0.00413177 0.124586 0.130264
-0.182532 0.00362837 0.182271 0.182632
-0.263683 0.000951448 0.261569 0.284144
-0.508939 0.000192907 0.507186 0.525003
-0.994904 3.9176e-06 0.99303 1.01415
-2.515 1.00211e-10 2.48099 2.59609
-4.95939 1e-13 4.95139 4.98596
+0.030656 0.121814 0.030606 0.030735
+0.049133 0.028702 0.049064 0.049234
+0.086018 0.00514601 0.085808 0.086169
+0.121491 0.00413177 0.121261 0.121621
+0.196843 0.00362837 0.196363 0.197294
+0.279727 0.000951448 0.279267 0.280348
+0.544852 0.000192907 0.540666 0.561517
+1.06462 3.9176e-06 1.05621 1.08372
+2.65694 1.00211e-10 2.64037 2.67244
+5.29894 1e-13 5.29309 5.32117
 EOD
 $marks10_0 << EOD
 EOD
 $line10_1 << EOD
 EOD
 $marks10_1 << EOD
-0.04657 0.028702 0.04657 0.04657
+0.049133 0.028702 0.049133 0.049133
 EOD
 $line10_2 << EOD
-0.045858 0.0640871 0.045808 0.045918
-0.050956 0.0196449 0.049964 0.051487
-0.058407 0.00102291 0.058317 0.058447
-0.092368 0.000820039 0.092358 0.092428
-0.218596 2.14876e-08 0.217965 0.22109
-0.242872 1e-13 0.242241 0.246067
+0.049364 0.0640871 0.049233 0.049564
+0.052989 0.0196449 0.052818 0.05319
+0.062182 0.00102291 0.062092 0.062243
+0.097826 0.000820039 0.097676 0.098317
+0.171946 0.000328147 0.171045 0.172237
+0.232867 2.14876e-08 0.232006 0.235111
+0.262641 1e-13 0.260508 0.263012
 EOD
 $marks10_2 << EOD
 EOD
 $line11_0 << EOD
-0.00374867 0.579538 0.00373567 0.00375267
-0.005612 0.368124 0.00560833 0.00562167
-0.00691667 0.246505 0.00690667 0.00693033
-0.009247 0.0446838 0.00924 0.00926
-0.0182773 0.000309291 0.0182407 0.018381
+0.003856 0.579538 0.003849 0.00386567
+0.005762 0.368124 0.005752 0.005785
+0.00726067 0.246505 0.00724733 0.00727767
+0.00961833 0.0446838 0.00960433 0.00964133
+0.019282 0.000309291 0.0192323 0.0194087
 EOD
 $marks11_0 << EOD
 EOD
 $line11_1 << EOD
 EOD
 $marks11_1 << EOD
-0.005612 0.368124 0.005612 0.005612
+0.005762 0.368124 0.005762 0.005762
 EOD
 $line11_2 << EOD
-0.0229877 7.15918e-08 0.0229413 0.023111
-0.024784 7.68569e-09 0.0247233 0.024894
-0.024874 7.68355e-09 0.0247973 0.02497
-0.0267027 7.67887e-09 0.0266093 0.026783
-0.0274743 7.67742e-09 0.0273743 0.0275677
+0.0244133 7.90435e-08 0.0242897 0.0245363
+0.026082 2.26026e-08 0.025972 0.0261693
+0.0271473 1.77959e-08 0.027084 0.0272737
 EOD
 $marks11_2 << EOD
 EOD
 $line12_0 << EOD
-0.149356 0.634339 0.149192 0.149933
-0.158273 0.58368 0.157952 0.159027
-0.211929 0.506586 0.211759 0.212547
-0.226675 0.384054 0.226397 0.227382
-0.371861 0.264631 0.367337 0.379279
-0.77843 0.144753 0.776087 0.797072
-1.47464 0.124215 1.45589 1.49756
+0.154534 0.634339 0.15417 0.155131
+0.163924 0.58368 0.163734 0.164175
+0.219844 0.506586 0.219407 0.220569
+0.23714 0.384054 0.236522 0.237757
+0.378657 0.260744 0.378214 0.38009
+0.801948 0.168108 0.799779 0.813426
+1.51406 0.127951 1.4999 1.5351
+2.94476 0.111291 2.92564 2.96139
+7.17552 0.108344 7.15727 7.19418
+14.1627 0.10825 14.1559 14.1808
+28.1211 0.10816 28.1211 28.2876
 EOD
 $marks12_0 << EOD
 EOD
 $line12_1 << EOD
 EOD
 $marks12_1 << EOD
-0.211929 0.506586 0.211929 0.211929
+0.219844 0.506586 0.219844 0.219844
 EOD
 $line12_2 << EOD
-0.635481 0.707309 0.630333 0.651438
-0.677787 0.555105 0.670142 0.704053
-0.711498 0.320687 0.706457 0.72899
-0.804185 0.0403099 0.794364 0.820643
-0.825954 0.000133568 0.81652 0.840476
-0.913128 1.7137e-05 0.905473 0.933478
-1.10791 6.09543e-06 1.09991 1.12528
-1.35208 2.93715e-07 1.34398 1.36126
-1.50714 1.26313e-08 1.49704 1.52665
-1.62031 1.99112e-09 1.61239 1.64133
-1.7179 1.26059e-09 1.71148 1.73405
-1.95049 1.24317e-09 1.93682 1.96617
+0.797355 0.707669 0.78467 0.82026
+0.801502 0.647764 0.790602 0.825053
+0.838016 0.555015 0.825848 0.860336
+0.868748 0.332541 0.855685 0.885848
+0.956756 0.0468028 0.948093 0.975685
+1.04433 1.51454e-05 1.03272 1.07177
+1.20204 2.54651e-06 1.18579 1.22043
+1.45178 4.76766e-07 1.43731 1.47685
+1.91965 9.76924e-08 1.90501 1.94979
+1.92887 7.35743e-09 1.91067 1.95649
+1.99945 6.24074e-09 1.97902 2.01832
+2.12825 6.20757e-09 2.10981 2.15847
 EOD
 $marks12_2 << EOD
 EOD
 $line13_0 << EOD
-0.0146553 0.959009 0.0146317 0.014672
-0.0173723 0.958639 0.0173593 0.0173993
-0.0215987 0.95745 0.0215823 0.0216157
-0.0261023 0.957079 0.0260757 0.026126
-0.0268333 0.95441 0.0268033 0.0268733
-0.0769313 0.952182 0.076881 0.0770187
-0.0945073 0.951757 0.0941237 0.0946847
-0.14527 0.946183 0.145049 0.145564
-0.178005 0.94574 0.177705 0.178329
-0.223082 0.202674 0.222519 0.225596
+0.0175797 0.969523 0.0175627 0.0176097
+0.0207843 0.966917 0.0207677 0.0208013
+0.030936 0.964871 0.030906 0.0309763
+0.0509793 0.963711 0.050936 0.0510397
+0.109333 0.96179 0.109243 0.109433
+0.206374 0.958887 0.206181 0.206668
+0.329705 0.956756 0.329041 0.333006
+0.360824 0.479326 0.359135 0.367735
 EOD
 $marks13_0 << EOD
 EOD
 $line13_1 << EOD
 EOD
 $marks13_1 << EOD
-0.0215987 0.95745 0.0215987 0.0215987
+0.0259817 0.968157 0.0259817 0.0259817
 EOD
 $line13_2 << EOD
-0.043662 0.230153 0.0435483 0.043889
-0.0445797 0.199484 0.044503 0.0446897
-0.0494603 0.126292 0.0493707 0.0496007
-0.055289 0.00022402 0.0551993 0.0554327
+0.0447737 0.962985 0.04471 0.0449337
+0.048195 0.955954 0.0480517 0.0488057
+0.0555733 0.949677 0.055412 0.0557967
+0.0677077 0.947794 0.0676277 0.0678377
+0.0932057 0.945653 0.0930717 0.093563
+0.169733 0.942115 0.169519 0.170057
+0.182058 0.0780306 0.181704 0.182536
+0.417486 0.0086554 0.417012 0.422763
+0.493185 0.00409174 0.489546 0.500266
+0.828545 7.24012e-05 0.821244 0.832168
 EOD
 $marks13_2 << EOD
 EOD
 $line14_0 << EOD
-0.452421 0.802889 0.449066 0.470241
-0.610106 0.771229 0.604184 0.635681
-0.663269 0.764282 0.657366 0.68644
-0.882436 0.750396 0.862155 0.933829
-0.955468 0.701039 0.939982 0.979126
-1.60707 0.607827 1.59426 1.6354
-3.59681 0.453644 3.57804 3.66405
-7.00675 0.33718 6.98705 7.06182
-13.4445 0.254038 13.4226 13.5903
-32.5213 0.209019 32.5213 32.7315
+0.414257 0.440483 0.405935 0.51009
+0.519855 0.427065 0.515589 0.54981
+0.622839 0.369479 0.59678 0.675908
+0.749467 0.350223 0.743899 0.77141
+0.819602 0.336309 0.801575 0.842476
+1.0413 0.319476 1.01345 1.08571
+1.29016 0.312908 1.27042 1.31446
+1.41367 0.24302 1.38549 1.44457
+3.18852 0.104262 3.15804 3.27993
+6.24685 0.04871 6.19446 6.35664
+11.9674 0.0453047 11.9674 12.0478
 EOD
 $marks14_0 << EOD
 EOD
 $line14_1 << EOD
 EOD
 $marks14_1 << EOD
-0.663269 0.764282 0.663269 0.663269
+0.622839 0.369479 0.622839 0.622839
 EOD
 $line14_2 << EOD
-0.767985 0.88906 0.754311 0.802229
-0.851002 0.750646 0.836867 0.905133
-0.9593 0.616856 0.942549 0.994897
-1.21961 0.502682 1.19943 1.25702
-2.04473 0.338094 2.00437 2.08317
-29.2561 0.11089 29.2464 29.3598
-129.052 0.0683637 129.042 129.912
+0.716699 0.693039 0.714145 0.760983
+0.774465 0.361232 0.762637 0.810989
+0.847464 0.220589 0.840954 0.882125
+1.04391 0.116046 1.02332 1.08527
+1.65217 0.0208928 1.60921 1.72867
+1.9109 0.000612648 1.87927 1.99446
+2.14031 4.69833e-05 2.1067 2.21342
+2.21824 1.22177e-05 2.16316 2.32585
+2.79022 8.70559e-07 2.74587 2.86672
+3.27282 4.65562e-08 3.24537 3.31108
+3.96031 4.53481e-09 3.9146 4.00147
+4.02593 4.87442e-10 4.00663 4.10753
+4.31971 5.61836e-11 4.25172 4.41131
+4.7355 5.51038e-12 4.69977 4.77062
 EOD
 $marks14_2 << EOD
 EOD
@@ -427,7 +442,7 @@ set logscale x
 set xtics nomirror (0.0001, 0.0002, 0.0005, 0.001, 0.002, 0.005)
 set mxtics
 set format x "%g"
-set xrange [0.000277965:0.00198322]
+set xrange [0.000276004:0.00218965]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -439,8 +454,8 @@ unset label
 unset arrow
 unset object
 set label "best of Bullet's" at graph 0.0914038, graph 0.037156 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.101674, graph 0.130046 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0668742, graph 0 to graph 0.101674, graph 0.130046 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.0965624, graph 0.130046 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0617624, graph 0 to graph 0.0965624, graph 0.130046 nohead lw 0.6 lc rgb '#555555'
 set label "delassus" at graph 0.723301, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line0_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
@@ -458,7 +473,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00458477:1.28066]
+set xrange [0.0047918:1.40666]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -469,9 +484,9 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.439163, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.440343, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.81123 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.167012, graph 0.866479 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.164818, graph 0.866479 left front noenhanced textcolor rgb '#555555'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line1_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line1_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -488,7 +503,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00341559:1.55962]
+set xrange [0.00354443:1.62674]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -501,7 +516,7 @@ unset arrow
 unset object
 set label "delassus" at graph 0.0914038, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.699374 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.249664, graph 0.948789 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.24904, graph 0.948789 left front noenhanced textcolor rgb '#555555'
 plot $line2_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line2_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line2_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -518,7 +533,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00318008:2.27493]
+set xrange [0.00335808:2.30915]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -530,9 +545,9 @@ unset label
 unset arrow
 unset object
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.05342e-11 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.0956424, graph 0.144471 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0945208, graph 0.144471 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.865418 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.0312975, graph 0.891283 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.0297584, graph 0.891283 left front noenhanced textcolor rgb '#555555'
 plot $line3_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line3_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line3_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -549,7 +564,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00886706:1235.3]
+set xrange [0.00934386:1242.76]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -561,9 +576,9 @@ unset label
 unset arrow
 unset object
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 3.92716e-12 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.093317, graph 0.113863 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0933384, graph 0.113863 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.782276 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.180491, graph 0.96228 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.180254, graph 0.96228 left front noenhanced textcolor rgb '#555555'
 plot $line4_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line4_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line4_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -580,7 +595,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0186353:60814.5]
+set xrange [0.0201358:60218.3]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -593,8 +608,8 @@ unset arrow
 unset object
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 2.10483e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
 set label "best of Bullet's" at graph 0.516822, graph 0.037156 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus" at graph 0.0922011, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.156472, graph 0.886016 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.0927296, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.157687, graph 0.886016 left front noenhanced textcolor rgb '#555555'
 plot $line5_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line5_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line5_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -611,7 +626,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0750926:217273]
+set xrange [0.0827989:250655]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -623,9 +638,9 @@ unset label
 unset arrow
 unset object
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.79855e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.092038, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.092845, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.548058 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.155767, graph 0.949022 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.15555, graph 0.949022 left front noenhanced textcolor rgb '#555555'
 plot $line6_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line6_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line6_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -642,7 +657,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.072963:186742]
+set xrange [0.0819945:202736]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -656,7 +671,7 @@ unset object
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 5.11659e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
 set label "delassus" at graph 0.0914038, graph 0.0506415 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.165878 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.153257, graph 0.922713 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.15362, graph 0.922713 left front noenhanced textcolor rgb '#555555'
 plot $line7_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line7_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line7_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -673,7 +688,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00778311:5861.95]
+set xrange [0.00854291:6442.15]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -684,11 +699,11 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 6.14704e-11 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.442921, graph 0.360551 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.516822, graph 0.838653 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.123938, graph 0.803809 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0891379, graph 0.915277 to graph 0.123938, graph 0.803809 nohead lw 0.6 lc rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 8.01391e-08 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.417389, graph 0.421703 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.516822, graph 0.811774 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.12397, graph 0.804277 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0891702, graph 0.915745 to graph 0.12397, graph 0.804277 nohead lw 0.6 lc rgb '#555555'
 plot $line8_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line8_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line8_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -705,7 +720,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00326099:1853.19]
+set xrange [0.00363332:2029.17]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -716,9 +731,9 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.196626, graph 0.224232 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.197712, graph 0.224232 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.621626 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.142633, graph 0.906623 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.143178, graph 0.906623 left front noenhanced textcolor rgb '#555555'
 plot $line9_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line9_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line9_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -735,7 +750,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0148047:2563.37]
+set xrange [0.0154448:2810.09]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -747,8 +762,8 @@ unset label
 unset arrow
 unset object
 set label "best of Bullet's" at graph 0.516822, graph 0.037156 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus" at graph 0.266737, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.129811, graph 0.837 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.268753, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.130351, graph 0.837 left front noenhanced textcolor rgb '#555555'
 plot $line10_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line10_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line10_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -765,7 +780,7 @@ set logscale x
 set xtics nomirror (0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5)
 set mxtics
 set format x "%g"
-set xrange [0.0030269:0.132393]
+set xrange [0.00310464:0.142858]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -776,10 +791,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.3769e-11 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.618594, graph 0.348944 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.510716, graph 0.677883 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.198201, graph 0.934727 left front noenhanced textcolor rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 4.05096e-11 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.601112, graph 0.375023 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.511765, graph 0.677883 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.196303, graph 0.934727 left front noenhanced textcolor rgb '#555555'
 plot $line11_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line11_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line11_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -795,8 +810,8 @@ set title "ragdolls" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.109898:24.8179]
+set format x "10^{%T}"
+set xrange [0.0773248:15876.6]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -807,10 +822,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 2.50251e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.565502, graph 0.292467 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.513901, graph 0.86387 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.155967, graph 0.944631 left front noenhanced textcolor rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 8.44399e-10 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.305806, graph 0.342352 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.516822, graph 0.859576 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.120221, graph 0.907475 left front noenhanced textcolor rgb '#555555'
 plot $line12_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line12_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line12_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -827,7 +842,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0102015:6.14054]
+set xrange [0.0116866:15.8641]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -838,11 +853,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 0.00022402 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.298863, graph 0.667878 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.516822, graph 0.879057 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.152, graph 0.629975 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.1172, graph 0.927223 to graph 0.152, graph 0.629975 nohead lw 0.6 lc rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 7.24012e-05 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.62554, graph 0.632839 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.510299, graph 0.905759 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.14556, graph 0.871834 left front noenhanced textcolor rgb '#555555'
 plot $line13_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line13_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line13_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -858,8 +872,8 @@ set title "spheres_bin" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "10^{%T}"
-set xrange [0.253514:7045.04]
+set format x "%g"
+set xrange [0.264797:718.691]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -870,11 +884,9 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 5.55213e-12 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.643898, graph 0.845345 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.509197, graph 0.935747 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.128792, graph 0.84592 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0939916, graph 0.920232 to graph 0.128792, graph 0.84592 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.399561, graph 0.12437 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.516822, graph 0.832582 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.142984, graph 0.953419 left front noenhanced textcolor rgb '#555555'
 plot $line14_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line14_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line14_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \

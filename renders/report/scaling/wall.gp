@@ -1,80 +1,81 @@
 # Draws wall.svg and wall.png: gnuplot wall.gp
 $line0_0 << EOD
-4 2.24525 4 4
-8 2.47663 8 8
-44 24.0599 44 44
-240 190.47 240 240
-992 944.532 992 992
-4156 1820.62 4156 4156
+4 1.58975 4 4
+8 1.78763 8 8
+44 16.17 44 44
+240 121.859 240 240
+992 535.024 992 992
+4156 871.388 4156 4156
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 1.6925 4 4
-8 1.60075 8 8
-44 15.2443 44 44
-240 17.3423 240 240
-992 17.6364 992 992
-4156 316.796 4156 4156
+4 1.19925 4 4
+8 1.14663 8 8
+44 9.99125 44 44
+240 10.6127 240 240
+992 10.9046 992 992
+4156 168.983 4156 4156
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.40275 4 4
-8 0.367 8 8
-44 0.366795 44 44
-240 0.422883 240 240
-992 0.410773 992 992
-4156 0.608525 4156 4156
-17032 0.767676 17032 17032
-42644 1.02229 42644 42644
+4 0.293 4 4
+8 0.28675 8 8
+44 0.275182 44 44
+240 0.292979 240 240
+992 0.300266 992 992
+4156 0.308998 4156 4156
+17032 0.435858 17032 17032
+42644 0.622026 42644 42644
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 2.81475 4 4
-8 2.54062 8 8
-44 2.55827 44 44
-240 3.01222 240 240
-992 3.03799 992 992
-4156 4.96075 4156 4156
-17032 5.39039 17032 17032
-42644 6.94359 42644 42644
+4 2.053 4 4
+8 2.05925 8 8
+44 1.95041 44 44
+240 2.21021 240 240
+992 2.24951 992 992
+4156 2.27422 4156 4156
+17032 2.58021 17032 17032
+42644 3.38022 42644 42644
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.51875 4 4
-8 0.454125 8 8
-44 0.521159 44 44
-240 0.531762 240 240
-992 0.547949 992 992
-4156 0.880542 4156 4156
-17032 1.0312 17032 17032
-42644 1.36928 42644 42644
+4 0.3655 4 4
+8 0.3555 8 8
+44 0.366 44 44
+240 0.397092 240 240
+992 0.385373 992 992
+4156 0.403742 4156 4156
+17032 0.571896 17032 17032
+42644 0.676821 42644 42644
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 1.07725 4 4
-8 1.14062 8 8
-44 2.58073 44 44
-240 7.68535 240 240
-992 43.7416 992 992
-4156 323.122 4156 4156
+4 0.741 4 4
+8 0.704875 8 8
+44 1.7813 44 44
+240 3.95535 240 240
+992 19.6036 992 992
+4156 112.981 4156 4156
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 1.21825 4 4
+4 0.54825 4 4
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 0.703 4 4
-8 0.81625 8 8
-44 2.72795 44 44
-240 194.009 240 240
+4 0.4905 4 4
+8 0.51575 8 8
+44 1.4615 44 44
+240 94.1579 240 240
+992 4677.35 992 992
 EOD
 $marks0_7 << EOD
 EOD
@@ -83,42 +84,43 @@ EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-992 4.11648 992 992
-4156 13.9223 4156 4156
+240 2.01933 240 240
+992 4.5015 992 992
+4156 14.25 4156 4156
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-992 3.35053 992 992
-4156 13.652 4156 4156
+992 3.45293 992 992
+4156 13.9182 4156 4156
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4156 8.77363 4156 4156
-17032 29.6346 17032 17032
-42644 68.9848 42644 42644
+4156 9.95738 4156 4156
+17032 39.0595 17032 17032
+42644 53.6248 42644 42644
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4156 8.77363 4156 4156
-17032 29.5567 17032 17032
-42644 68.9848 42644 42644
+4156 9.95738 4156 4156
+17032 39.0595 17032 17032
+42644 53.6248 42644 42644
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4156 8.82278 4156 4156
-17032 29.6919 17032 17032
-42644 69.2838 42644 42644
+4156 10.0229 4156 4156
+17032 39.3175 17032 17032
+42644 53.6248 42644 42644
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-240 4.53837 240 240
-992 65.7449 992 992
-4156 1118.57 4156 4156
+240 4.41549 240 240
+992 65.7981 992 992
+4156 1120.01 4156 4156
 EOD
 $marks1_5 << EOD
 EOD
@@ -127,7 +129,8 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-240 8.09779 240 240
+240 8.24525 240 240
+992 128.582 992 992
 EOD
 $marks1_7 << EOD
 EOD
@@ -164,15 +167,15 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.201914 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.076027, graph 0.08913 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.217147 to graph 0.076027, graph 0.08913 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.836374, graph 0.250574 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.368317 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.178618, graph 0.657564 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-4" at graph 0.645488, graph 0.700156 left front noenhanced textcolor rgb '#0060a8'
-set label "pgs:10" at graph 0.509525, graph 0.701873 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus" at graph 0.645488, graph 0.852044 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig" at graph 0.076027, graph 0.0663302 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.147796 to graph 0.076027, graph 0.0663302 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.836374, graph 0.158762 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.684225, graph 0.189371 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.305789 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:10" at graph 0.645488, graph 0.610601 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.645488, graph 0.657207 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.645488, graph 0.788042 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.528039, graph 0.934 left front noenhanced textcolor rgb '#555555'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -217,16 +220,15 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig:1e-6" at graph 0.076027, graph 0.0990744 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.227092 to graph 0.076027, graph 0.0990744 nohead lw 0.6 lc rgb '#555555'
-set label "delassus:1e-4" at graph 0.245344, graph 0.307075 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.494609, graph 0.355755 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.475186, graph 0.285928 to graph 0.494609, graph 0.355755 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:10" at graph 0.836374, graph 0.459688 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.471326 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.50671 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.460158 to graph 0.836374, graph 0.50671 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:10" at graph 0.494609, graph 0.762166 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.245344, graph 0.309172 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.494609, graph 0.230264 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.475186, graph 0.288454 to graph 0.494609, graph 0.230264 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.432341 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.455617 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.490531 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.432341 to graph 0.836374, graph 0.490531 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.0512482, graph 0.527295 left front noenhanced textcolor rgb '#555555'
+set label "pgs:10" at graph 0.494609, graph 0.762305 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
