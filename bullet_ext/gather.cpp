@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "bullet_ext/extension.h"
+#include "bullet_ext/saturating_sum.h"
 
 namespace delassus::bullet {
 
@@ -14,7 +16,7 @@ void gatherGroup(Group& group, const GroupInput& input, StepReport& report, Exte
   gatherJoined(group, input);
   gatherContacts(group, input, report);
   gatherJoints(group, input, report);
-  group.held.soften(group, input.info->m_timeStep);
+  addTo(report.held, group.held.soften(group, input.info->m_timeStep));
   if (extension) extension->gatherRows(group, input, report);
   gatherTurningFriction(group, asStock);
 }

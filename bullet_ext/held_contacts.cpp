@@ -7,7 +7,6 @@
 
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "bullet_ext/convert.h"
-#include "bullet_ext/gather.h"
 #include "bullet_ext/group.h"
 #include "bullet_ext/response.h"
 #include "bullet_ext/softness.h"
@@ -17,11 +16,6 @@ namespace delassus::bullet {
 namespace {
 
 constexpr int none = -1;
-
-double productOn(const Body& body, const Vec6& p, const Vec6& q) {
-  return p.head<3>().dot(body.inverseMass.cwiseProduct(q.head<3>())) +
-         p.tail<3>().dot(body.inverseInertia * q.tail<3>());
-}
 
 /// Which ways the row holds its bodies, as rigid as it is: not as springs or motors do. It is a
 /// motor if it may push less than what breaks the joint.
@@ -68,50 +62,6 @@ double squaresOf(const std::vector<double>& numbers) {
 }
 
 }  // namespace
-
-double ImpulseSpan::product(const std::vector<Body>& bodies, const Impulse& p, const Impulse& q) {
-  double sum = 0;
-  if (p.a != none) {
-    if (p.a == q.a) sum += productOn(bodies[p.a], p.onA, q.onA);
-    if (p.a == q.b) sum += productOn(bodies[p.a], p.onA, q.onB);
-  }
-  if (p.b != none) {
-    if (p.b == q.a) sum += productOn(bodies[p.b], p.onB, q.onA);
-    if (p.b == q.b) sum += productOn(bodies[p.b], p.onB, q.onB);
-  }
-  return sum;
-}
-
-void ImpulseSpan::truncate(int size) {
-  impulses_.resize(size);
-  begins_.resize(size);
-  factor_.resize(size * (size + 1) / 2);
-}
-
-void ImpulseSpan::coordinates(const std::vector<Body>& bodies, const Impulse& p,
-                              std::vector<double>& of) const {
-  of.clear();
-  int begin = size();
-  const double* row = factor_.data();
-  for (int k = 0; k < size(); row += ++k) {
-    double left = product(bodies, p, impulses_[k]);
-    for (int j = std::max(begin, begins_[k]); j < k; ++j) left -= row[j] * of[j];
-    of.push_back(left / row[k]);
-    if (left != 0) begin = std::min(begin, k);
-  }
-}
-
-void ImpulseSpan::add(const Impulse& p, const std::vector<double>& coordinates, double left) {
-  const double root = std::sqrt(left);
-  const double wanted = (p.wanted - wantedAlong(coordinates)) / root;
-  const auto begin =
-      std::find_if(coordinates.begin(), coordinates.end(), [](double x) { return x != 0; });
-  begins_.push_back(static_cast<int>(begin - coordinates.begin()));
-  impulses_.push_back(p);
-  impulses_.back().wanted = wanted;
-  factor_.insert(factor_.end(), coordinates.begin(), coordinates.end());
-  factor_.push_back(root);
-}
 
 std::size_t HeldContacts::bytes() const {
   std::size_t sum = links_.bytes() +
@@ -268,15 +218,16 @@ HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contac
   return Held::No;
 }
 
-void HeldContacts::soften(Group& group, double h) {
-  if (group.contacts.empty() || group.joints.empty()) return;
+int HeldContacts::soften(Group& group, double h) {
+  if (group.contacts.empty() || group.joints.empty()) return 0;
   collect(group);
-  if (holds_.empty()) return;
+  if (holds_.empty()) return 0;
   candidates_.clear();
   for (std::size_t i = 0; i < group.contacts.size(); ++i)
     if (mayBeHeld(group, group.contacts[i])) candidates_.push_back(static_cast<int>(i));
-  if (candidates_.empty()) return;
+  if (candidates_.empty()) return 0;
   sortHolds();
+  int count = 0;
   for (const int i : candidates_) {
     Contact& contact = group.contacts[i];
     const Held held = judge(group, contact, h);
@@ -289,7 +240,9 @@ void HeldContacts::soften(Group& group, double h) {
     push = 0;
     const double give = held == Held::Always ? softness : joinedSoftness;
     contact.compliance = std::max(contact.compliance, give * lesserResponse(group, contact));
+    ++count;
   }
+  return count;
 }
 
 }  // namespace delassus::bullet

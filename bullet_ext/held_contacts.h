@@ -4,55 +4,13 @@
 #include <vector>
 
 #include "LinearMath/btScalar.h"
-#include "delassus/bytes.h"
+#include "bullet_ext/impulse_span.h"
+#include "delassus/contact.h"
 #include "delassus/disjoint_sets.h"
-#include "delassus/types.h"
-
-namespace delassus {
-struct Body;
-struct Contact;
-}  // namespace delassus
 
 namespace delassus::bullet {
 
 struct Group;
-
-/// Impulses along rows or contacts, each on one or two bodies, and what they span. What two of them
-/// do together is measured as
-///
-///     (p, p') = pᵀ M⁻¹ p',   (p, p) of rows with their compliance
-class ImpulseSpan {
- public:
-  /// On bodies that can move; −1: on none.
-  struct Impulse {
-    int a = -1, b = -1;
-    Vec6 onA = Vec6::Zero(), onB = Vec6::Zero();
-    double wanted = 0;  ///< of a row: the velocity that it asks of these bodies, m/s
-  };
-  static double product(const std::vector<Body>& bodies, const Impulse& p, const Impulse& q);
-
-  int size() const { return static_cast<int>(impulses_.size()); }
-  void truncate(int size);
-  /// Coordinates of p in the orthonormal basis that the impulses make, in the order in which they
-  /// were added: y = L⁻¹ (p_i, p) with L Lᵀ = (p_i, p_j).
-  void coordinates(const std::vector<Body>& bodies, const Impulse& p,
-                   std::vector<double>& of) const;
-  /// Adds p, whose coordinates and (p, p) less their squares these are.
-  void add(const Impulse& p, const std::vector<double>& coordinates, double left);
-  /// The velocity that the rows ask for along what has these coordinates, as far as it lies in
-  /// their span, m/s: y·L⁻¹ w, w what each of them asks for.
-  double wantedAlong(const std::vector<double>& of) const {
-    double sum = 0;
-    for (std::size_t k = 0; k < of.size(); ++k) sum += of[k] * impulses_[k].wanted;
-    return sum;
-  }
-  std::size_t bytes() const { return bytesOf(impulses_, begins_, factor_); }
-
- private:
-  std::vector<Impulse> impulses_;
-  std::vector<int> begins_;     ///< which coordinate of each is the first that is not zero
-  std::vector<double> factor_;  ///< L by rows: the coordinates of each
-};
 
 /// Contacts along which joints leave their bodies no motion: a door that grazes the floor, a
 /// machine that is bolted to the ground it overlaps, a wheel and the fender of its own car. What
@@ -74,8 +32,8 @@ class ImpulseSpan {
 /// than `mostRows` rows. Springs hold nothing, nor do motors, unless they may push without bounds.
 class HeldContacts {
  public:
-  /// Call it when contacts and joints are gathered. h: the step, s.
-  void soften(Group& group, double h);
+  /// Call it when contacts and joints are gathered. h: the step, s. Answers with how many are held.
+  int soften(Group& group, double h);
 
   /// In float normals lean by more.
   static constexpr double share = sizeof(btScalar) == sizeof(double) ? 5e-5 : 5e-4;

@@ -36,6 +36,7 @@ struct StepReport {
   int softened = 0;
   /// Bodies, contacts, rows and steps that were solved around: not finite or absurd.
   int leftOut = 0;
+  int held = 0;          ///< contacts that leave their load to joints (held_contacts.h)
   int opposed = 0;       ///< contacts that give, since they push one body both ways (gather.h)
   int stiffened = 0;     ///< bodies that setGeometricStiffness had turn more slowly
   int pushIslands = 0;   ///< islands of the split-impulse problem, not counted in `islands`

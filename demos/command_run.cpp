@@ -102,6 +102,7 @@ nlohmann::ordered_json explanation(const StepTotals& totals) {
   for (const auto& [key, count] : islands) json["islands"][key] = totals.aStep(count);
   const std::pair<const char*, int> counts[] = {{"stiffened", sum.stiffened},
                                                 {"opposed", sum.opposed},
+                                                {"held", sum.held},
                                                 {"matrices", sum.matrices},
                                                 {"sweeps", sum.sweeps},
                                                 {"patches", sum.patches},

@@ -47,7 +47,7 @@ std::vector<Cost> costsOf(const StepTotals& totals) {
   return {
       cost("gather", "gather", sum.secondsGather,
            (sum.stiffened > 0 ? count("bodies stiffened", sum.stiffened) + "; " : "") +
-               count("opposed contacts", sum.opposed)),
+               count("contacts: opposed", sum.opposed) + count(", held by joints", sum.held)),
       cost("plan", "plan and check", sum.secondsPlan,
            count("islands: free", sum.freeIslands) + count(", kept", sum.keptIslands)),
       cost("solve", "solve", sum.secondsSolve,

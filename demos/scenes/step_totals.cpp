@@ -12,7 +12,8 @@ void StepTotals::add(const delassus::StepReport& report) {
        {&Report::islands, &Report::freeIslands, &Report::keptIslands, &Report::closedForms,
         &Report::walks, &Report::matrices, &Report::regions, &Report::factorisations,
         &Report::sweeps, &Report::patches, &Report::pushIslands, &Report::softened,
-        &Report::pushSoftened, &Report::opposed, &Report::stiffened, &Report::events})
+        &Report::pushSoftened, &Report::held, &Report::opposed, &Report::stiffened,
+        &Report::events})
     delassus::addTo(sum.*count, report.*count);
   for (const auto seconds :
        {&Report::secondsGather, &Report::secondsPlan, &Report::secondsSolve, &Report::secondsPush,

@@ -1,4 +1,4 @@
-/// What a joint to what stands holds, and what stands pushes at.
+/// Contacts with what joints hold: they ask for nothing, unless something drives it there.
 
 #include <BulletDynamics/ConstraintSolver/btFixedConstraint.h>
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ TEST(HeldContacts, ADoorThatGrazesTheFloorSwingsAsIfItDidNot) {
   }
 }
 
-// A wheel on an axle of the world, as deep in the floor, right above which its axle is.
+// A wheel on an axle of the world, a millimetre deep in the floor.
 TEST(HeldContacts, AWheelThatGrazesTheFloorTurns) {
   DelassusWorld world;
   world.addGround();
@@ -64,6 +64,7 @@ TEST(HeldContacts, AWheelThatGrazesTheFloorTurns) {
   for (int step = 0; step < 60; ++step) {
     world.advance();
     ASSERT_EQ(world.report().incompatible + world.report().outOfBudget, 0) << step;
+    EXPECT_EQ(world.report().held, world.report().contacts) << step;
   }
   EXPECT_NEAR(wheel.getAngularVelocity().length(), 3, tolerance(1e-6, 1e-3));
 }
@@ -145,6 +146,7 @@ TEST(HeldContacts, WhatAJointLeavesFreeIsExact) {
   for (int step = 0; step < 180; ++step) {
     in.world.advance();
     ASSERT_EQ(in.world.report().solved, 1) << step;
+    ASSERT_EQ(in.world.report().held, 0) << step;
   }
   for (const btManifoldPoint* point : in.world.points())
     EXPECT_GT(point->getDistance(), -tolerance(1e-6, 1e-4));
