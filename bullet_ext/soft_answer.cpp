@@ -1,5 +1,6 @@
 #include "bullet_ext/soft_answer.h"
 
+#include <cmath>
 #include <vector>
 
 #include "bullet_ext/solve_group.h"
@@ -39,6 +40,37 @@ const Problem& softProblem(const Group& group, const Island& island, double shar
   return bench.assembler.assemble(group.bodies, bench.softContacts, rows, island);
 }
 
+/// What joints hold with in a solution, not what drives them.
+std::vector<int> rowsThatHold(const Group& group, const Island& island, const VectorXd& r) {
+  std::vector<int> rows;
+  auto at = static_cast<int>(r.size() - island.rows.size());
+  for (const int k : island.rows) {
+    if (group.rows[k].governor < 0 && !drives(group, k, r[at])) rows.push_back(k);
+    ++at;
+  }
+  return rows;
+}
+
+/// The island's problem where these rows, and contacts that are to part, ask for a share of what
+/// they do, and contacts give if they throw.
+const Problem& heldBackProblem(const Group& group, const Island& island,
+                               const std::vector<int>& rows, double share, bool contactsThrow,
+                               Bench& bench) {
+  bench.softRows = group.rows;
+  for (const int k : rows) {
+    Row& row = bench.softRows[k];
+    // What a limit does not ask for yet, it allows.
+    if (row.target > 0 ? row.upper > 0 : row.lower < 0) row.target *= share;
+  }
+  bench.softContacts = group.contacts;
+  island.eachContact([&](int i) {
+    Contact& contact = bench.softContacts[i];
+    if (contact.target[0] > 0) contact.target[0] *= share;
+    if (contactsThrow) soften(group.bodies, contact);
+  });
+  return bench.assembler.assemble(group.bodies, bench.softContacts, bench.softRows, island);
+}
+
 /// By its contacts that give, J; less what the residual of their law leaves open.
 double takenUp(const Group& group, const Island& island, const Solution& soft, const Bench& bench) {
   double sum = -soft.r.lpNorm<1>() * soft.residual / 2;
@@ -55,16 +87,31 @@ double takenUp(const Group& group, const Island& island, const Solution& soft, c
 
 }  // namespace
 
-void answerSoftened(const Group& group, const Island& island, bool withJoints, Bench& bench,
-                    Answer& answer, IslandResult& result) {
-  std::vector<Row> rows = group.rows;
-  if (withJoints)
-    for (const int k : island.rows)
-      if (rows[k].governor < 0) soften(group.bodies, rows[k]);
+void answerSoftened(const Group& group, const Island& island, Bench& bench, Answer& answer,
+                    IslandResult& result) {
   Solution& solution = bench.solution;
-  bench.solver.solve(softProblem(group, island, 1, rows, bench), VectorXd(), solution);
+  bench.solver.solve(softProblem(group, island, 1, group.rows, bench), VectorXd(), solution);
   bench.counts.add(solution);
   if (!fitsBullet(solution.r)) return;
+  take(group, island, solution, residualOf(group, island, solution.r, bench), answer, result);
+}
+
+void answerHeldBack(const Group& group, const Island& island, const TargetWork& exact,
+                    bool contactsThrow, Bench& bench, Answer& answer, IslandResult& result) {
+  constexpr double spare = 0.9;
+  constexpr int mostTries = 4;
+  Solution& solution = bench.solution;
+  const std::vector<int> holding = rowsThatHold(group, island, solution.r);
+  double share = 1, done = exact.done;
+  for (int tries = 1; share > 0 && done > exact.allowed; ++tries) {
+    share *= tries < mostTries ? spare * std::sqrt(exact.allowed / done) : 0;
+    const Problem& problem =
+        heldBackProblem(group, island, holding, share, contactsThrow, bench);
+    bench.solver.solve(problem, solution.r, solution);
+    bench.counts.add(solution);
+    if (!fitsBullet(solution.r)) return;
+    done = workOfTargets(group, bench.softContacts, bench.softRows, island, problem, solution).done;
+  }
   take(group, island, solution, residualOf(group, island, solution.r, bench), answer, result);
 }
 
@@ -95,7 +142,7 @@ bool answerJam(const Group& group, const Island& island, double most, Bench& ben
     if (contactsThrowOne(group, island, demand, answer, suspectReach) && isFound(1, guess))
       take(group, island, solution, residualOf(group, island, solution.r, bench), answer, result);
     if (!island.rows.empty() && contactsThrowOne(group, island, demand, answer, suspectReach))
-      answerSoftened(group, island, true, bench, answer, result);
+      answerHeldBack(group, island, {1, 0}, true, bench, answer, result);
     mark(group, island, result).isJammed = true;
     return true;
   }

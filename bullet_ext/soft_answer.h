@@ -8,14 +8,22 @@ struct Answer;
 struct Bench;
 struct Group;
 struct IslandResult;
+struct TargetWork;
 
-// Answers as if contacts, or also joints, gave a little. They are told as incompatible, with the
-// residual of the law as it stands.
+// Answers as if contacts gave a little, or joints asked for less. They are told as incompatible,
+// with the residual of the law as it stands.
 
-/// Takes the exact answer back, which throws a body (thrown_bodies.h), and finds that for contacts,
-/// or also joints, that give a little.
-void answerSoftened(const Group& group, const Island& island, bool withJoints, Bench& bench,
-                    Answer& answer, IslandResult& result);
+/// Takes the exact answer back, whose contacts throw a body (thrown_bodies.h), and finds that of
+/// contacts that give a little.
+void answerSoftened(const Group& group, const Island& island, Bench& bench, Answer& answer,
+                    IslandResult& result);
+
+/// The same where joints throw, doing the work `exact`: all that holds asks for the same share of
+/// what it does, so small that its work is what is allowed. (It grows with the square of what is
+/// asked; what asks for nothing does none.) Joints stay as rigid as they are, whatever they carry,
+/// and correct their errors in more steps. If contacts throw, too, they give a little.
+void answerHeldBack(const Group& group, const Island& island, const TargetWork& exact,
+                    bool contactsThrow, Bench& bench, Answer& answer, IslandResult& result);
 
 /// An island jams if what squeezes it does not give way, as a kinematic wall: rigid bodies then
 /// have no motion at all, or none but one that flings out what is pinched, and a search for it

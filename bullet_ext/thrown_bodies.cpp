@@ -60,14 +60,6 @@ double breakingImpulseOf(const Group& group, int row) {
              : infinity;
 }
 
-/// Whether what pushes the row this way drives it, or brakes: with so much and no more. What breaks
-/// at so much holds until then.
-bool drives(const Group& group, int k, double r) {
-  const Row& row = group.rows[k];
-  const double bound = r > 0 ? row.upper : -row.lower;
-  return std::isfinite(bound) && (std::abs(r) >= bound || bound < breakingImpulseOf(group, k));
-}
-
 /// What is done to the bodies of an island, J.
 struct Hold {
   double work = 0;   ///< r (u + u⁺)/2 of all that holds
@@ -76,8 +68,8 @@ struct Hold {
   double drive = 0;  ///< of what drives joints, whichever way
 };
 /// Nothing where no joint holds, whatever contacts do.
-Hold holdOf(const Group& group, const Island& island, const Problem& problem,
-            const Solution& solution) {
+Hold holdOf(const Group& group, const std::vector<Contact>& contacts, const std::vector<Row>& rows,
+            const Island& island, const Problem& problem, const Solution& solution) {
   const VectorXd &r = solution.r, &compliance = problem.W.bodySpace().compliance;
   Hold sum;
   const auto workOf = [&](int at, double target) {
@@ -90,10 +82,10 @@ Hold holdOf(const Group& group, const Island& island, const Problem& problem,
     sum.alone += 0.5 * target * target / response;
   };
   bool jointsHold = false;
-  const auto contacts = static_cast<int>(r.size() - island.rows.size());
+  const auto contactsEnd = static_cast<int>(r.size() - island.rows.size());
   for (std::size_t i = 0; i < island.rows.size(); ++i) {
-    const int at = contacts + static_cast<int>(i);
-    const Row& row = group.rows[island.rows[i]];
+    const int at = contactsEnd + static_cast<int>(i);
+    const Row& row = rows[island.rows[i]];
     if (row.governor >= 0 || r[at] == 0) continue;
     if (drives(group, island.rows[i], r[at])) {
       sum.drive += std::abs(workOf(at, row.target));
@@ -109,8 +101,8 @@ Hold holdOf(const Group& group, const Island& island, const Problem& problem,
     for (int axis = 0; axis < unknowns; ++axis)
       add(at++, c.target[axis], diagonal(group.bodies, c, axis));
   };
-  for (const int k : island.frictional) addContact(group.contacts[k], 3);
-  for (const int k : island.frictionless) addContact(group.contacts[k], 1);
+  for (const int k : island.frictional) addContact(contacts[k], 3);
+  for (const int k : island.frictionless) addContact(contacts[k], 1);
   return sum;
 }
 
@@ -150,13 +142,20 @@ bool contactsThrowOne(const Group& group, const Island& island, double demand, c
   return after > times * before && after > times * (before + askedByTurns(group, island));
 }
 
-bool jointsThrowOne(const Group& group, const Island& island, const Problem& problem,
-                    const Solution& solution) {
-  const Hold hold = holdOf(group, island, problem, solution);
-  // The work would be no more than what is asked for, but for rounding. What is cheap first: few go
-  // on.
-  return std::min(hold.work, hold.asked) > timesAlone * (hold.alone + hold.drive) &&
-         hold.work > energyOf(group, island, 0);
+bool drives(const Group& group, int row, double r) {
+  const double bound = r > 0 ? group.rows[row].upper : -group.rows[row].lower;
+  return std::isfinite(bound) && (std::abs(r) >= bound || bound < breakingImpulseOf(group, row));
+}
+
+TargetWork workOfTargets(const Group& group, const std::vector<Contact>& contacts,
+                         const std::vector<Row>& rows, const Island& island,
+                         const Problem& problem, const Solution& solution) {
+  const Hold hold = holdOf(group, contacts, rows, island, problem, solution);
+  // The work would be no more than what is asked for, but for rounding.
+  TargetWork work{std::min(hold.work, hold.asked), timesAlone * (hold.alone + hold.drive)};
+  // What is cheap first: few go on.
+  if (work.done > work.allowed) work.allowed = std::max(work.allowed, energyOf(group, island, 0));
+  return work;
 }
 
 double driveOf(const Group& group, const Island& island) {

@@ -30,20 +30,30 @@ constexpr double jointReach = 3;
 /// to be (`demand`, m/s, and what turns joints, at the arms of the contacts).
 bool contactsThrowOne(const Group& group, const Island& island, double demand, const Answer& answer,
                       double times = reach);
-/// How many times the work that targets take alone joints may do, and not be taken to throw.
+/// Work on the bodies of an island, J.
+struct TargetWork {
+  double done = 0;     ///< by joints that hold, and contacts beside them, for what they ask for
+  double allowed = 0;  ///< more would throw a body
+};
+/// How many times the work that targets take alone joints may do.
 constexpr double timesAlone = 30;
-/// Whether joints that hold, and contacts beside them, do more work
+/// The work of `solution` for the targets of these contacts and rows, those of the group or others,
+/// in the place of these. Work that is done to hold, r (u + u⁺)/2, is what targets ask for: held at
+/// rest nothing gains any. Allowed is the larger of
 ///
-///   - than timesAlone times ½ target²/W_ii of all their targets, which is what each would take
-///     alone, and the work of what drives joints, whichever way: motors, limits and springs, which
-///     have bounds and may do all that these allow (a breaking threshold is no such bound),
-///   - and than the energy that the island has.
+///   - timesAlone times ½ target²/W_ii of all targets, which is what each would take alone, and the
+///     work of what drives joints, whichever way: motors, limits and springs, which have bounds and
+///     may do all that these allow (a breaking threshold is no such bound),
+///   - and the energy that the island has.
 ///
-/// Work that is done to hold, r (u + u⁺)/2, is what targets ask for: held at rest nothing gains
-/// any. Limbs in a heap take up to 20 times what they would take alone; those that are wedged, or a
+/// Limbs in a heap take up to 20 times what they would take alone; those that are wedged, or a
 /// chain that is too short, hundreds and thousands.
-bool jointsThrowOne(const Group& group, const Island& island, const Problem& problem,
-                    const Solution& solution);
+TargetWork workOfTargets(const Group& group, const std::vector<Contact>& contacts,
+                         const std::vector<Row>& rows, const Island& island,
+                         const Problem& problem, const Solution& solution);
+/// Whether what pushes the row by r drives it, or brakes: with so much and no more. What breaks at
+/// so much holds until then.
+bool drives(const Group& group, int row, double r);
 
 /// The fastest of what touches the island and does not give way, m/s.
 double driveOf(const Group& group, const Island& island);
