@@ -10,6 +10,8 @@
 namespace delassus::bullet {
 namespace {
 
+constexpr double roughly = 1e-2;  ///< of the demands
+
 /// The answer is this one, for bodies that are softer than they are.
 void take(const Group& group, const Island& island, const Solution& solution,
           const VelocityResidual& residual, Answer& answer, IslandResult& result) {
@@ -40,27 +42,14 @@ const Problem& softProblem(const Group& group, const Island& island, double shar
   return bench.assembler.assemble(group.bodies, bench.softContacts, rows, island);
 }
 
-/// What joints hold with in a solution, not what drives them.
-std::vector<int> rowsThatHold(const Group& group, const Island& island, const VectorXd& r) {
-  std::vector<int> rows;
-  auto at = static_cast<int>(r.size() - island.rows.size());
-  for (const int k : island.rows) {
-    if (group.rows[k].governor < 0 && !drives(group, k, r[at])) rows.push_back(k);
-    ++at;
-  }
-  return rows;
-}
-
-/// The island's problem where these rows, and contacts that are to part, ask for a share of what
-/// they do, and contacts give if they throw.
-const Problem& heldBackProblem(const Group& group, const Island& island,
-                               const std::vector<int>& rows, double share, bool contactsThrow,
-                               Bench& bench) {
+/// The island's problem where joints that hold, and contacts that are to part, ask for a share of
+/// what they do, and contacts give if they throw.
+const Problem& heldBackProblem(const Group& group, const Island& island, double share,
+                               bool contactsThrow, Bench& bench) {
   bench.softRows = group.rows;
-  for (const int k : rows) {
+  for (const int k : island.rows) {
     Row& row = bench.softRows[k];
-    // What a limit does not ask for yet, it allows.
-    if (row.target > 0 ? row.upper > 0 : row.lower < 0) row.target *= share;
+    if (row.governor < 0 && !drives(group, k, row.target > 0)) row.target *= share;
   }
   bench.softContacts = group.contacts;
   island.eachContact([&](int i) {
@@ -100,17 +89,25 @@ void answerHeldBack(const Group& group, const Island& island, const TargetWork& 
                     bool contactsThrow, Bench& bench, Answer& answer, IslandResult& result) {
   constexpr double spare = 0.9;
   constexpr int mostTries = 4;
+  const ShortSearch search(bench.solver);
   Solution& solution = bench.solution;
-  const std::vector<int> holding = rowsThatHold(group, island, solution.r);
+  bool contactsGive = contactsThrow;
   double share = 1, done = exact.done;
-  for (int tries = 1; share > 0 && done > exact.allowed; ++tries) {
-    share *= tries < mostTries ? spare * std::sqrt(exact.allowed / done) : 0;
-    const Problem& problem =
-        heldBackProblem(group, island, holding, share, contactsThrow, bench);
-    bench.solver.solve(problem, solution.r, solution);
-    bench.counts.add(solution);
+  for (int tries = 1; share > 0 && done > exact.fair; ++tries) {
+    share *= tries < mostTries ? spare * std::sqrt(exact.fair / done) : 0;
+    const auto solve = [&] {
+      const Problem& problem = heldBackProblem(group, island, share, contactsGive, bench);
+      bench.solver.solve(problem, solution.r, solution);
+      bench.counts.add(solution);
+      done = workOfTargets(group, bench.softContacts, bench.softRows, island, problem, solution).done;
+      return solution.residual <= roughly * problem.demand();
+    };
+    // What is wedged so that this is not found soon has contacts give, too.
+    if (!solve() && !contactsGive) {
+      contactsGive = true;
+      solve();
+    }
     if (!fitsBullet(solution.r)) return;
-    done = workOfTargets(group, bench.softContacts, bench.softRows, island, problem, solution).done;
   }
   take(group, island, solution, residualOf(group, island, solution.r, bench), answer, result);
 }
@@ -118,7 +115,6 @@ void answerHeldBack(const Group& group, const Island& island, const TargetWork& 
 bool answerJam(const Group& group, const Island& island, double most, Bench& bench, Answer& answer,
                IslandResult& result) {
   constexpr double shares[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
-  constexpr double roughly = 1e-2;  // of the demands
   const double atHand = energyAtHand(group, island);
   ShortSearch search(bench.solver);
   search.takeAnyNear();
@@ -141,8 +137,6 @@ bool answerJam(const Group& group, const Island& island, double most, Bench& ben
     take(group, island, solution, residual, answer, result);
     if (contactsThrowOne(group, island, demand, answer, suspectReach) && isFound(1, guess))
       take(group, island, solution, residualOf(group, island, solution.r, bench), answer, result);
-    if (!island.rows.empty() && contactsThrowOne(group, island, demand, answer, suspectReach))
-      answerHeldBack(group, island, {1, 0}, true, bench, answer, result);
     mark(group, island, result).isJammed = true;
     return true;
   }

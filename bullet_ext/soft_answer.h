@@ -19,9 +19,10 @@ void answerSoftened(const Group& group, const Island& island, Bench& bench, Answ
                     IslandResult& result);
 
 /// The same where joints throw, doing the work `exact`: all that holds asks for the same share of
-/// what it does, so small that its work is what is allowed. (It grows with the square of what is
-/// asked; what asks for nothing does none.) Joints stay as rigid as they are, whatever they carry,
-/// and correct their errors in more steps. If contacts throw, too, they give a little.
+/// what it does, so small that its work is fair. (It grows with the square of what is asked; what
+/// asks for nothing does none.) Joints stay as rigid as they are, whatever they carry, and correct
+/// their errors in more steps. Contacts give a little if they throw, too, or where else nothing is
+/// found soon.
 void answerHeldBack(const Group& group, const Island& island, const TargetWork& exact,
                     bool contactsThrow, Bench& bench, Answer& answer, IslandResult& result);
 
@@ -39,8 +40,8 @@ void answerHeldBack(const Group& group, const Island& island, const TargetWork& 
 ///
 /// The island is then answered, and marked as jammed, unless this misses the law by more than
 /// `most`, m/s: contacts give by a tenth to a millionth of what they do where bodies are
-/// thrown (`soften`), as little as tells it, or by all of that where they would throw, joints too
-/// if need be. The search begins with `bench.guess`. Else nothing changes.
+/// thrown (`soften`), as little as tells it, or by all of that where they would throw. The search
+/// begins with `bench.guess`. Else nothing changes.
 bool answerJam(const Group& group, const Island& island, double most, Bench& bench, Answer& answer,
                IslandResult& result);
 

@@ -60,6 +60,9 @@ double breakingImpulseOf(const Group& group, int row) {
              : infinity;
 }
 
+/// How much may push it up, or down.
+double boundOf(const Row& row, bool up) { return up ? row.upper : -row.lower; }
+
 /// What is done to the bodies of an island, J.
 struct Hold {
   double work = 0;   ///< r (u + u⁺)/2 of all that holds
@@ -87,7 +90,8 @@ Hold holdOf(const Group& group, const std::vector<Contact>& contacts, const std:
     const int at = contactsEnd + static_cast<int>(i);
     const Row& row = rows[island.rows[i]];
     if (row.governor >= 0 || r[at] == 0) continue;
-    if (drives(group, island.rows[i], r[at])) {
+    const bool up = r[at] > 0;
+    if (std::abs(r[at]) >= boundOf(row, up) || drives(group, island.rows[i], up)) {
       sum.drive += std::abs(workOf(at, row.target));
       continue;
     }
@@ -142,19 +146,24 @@ bool contactsThrowOne(const Group& group, const Island& island, double demand, c
   return after > times * before && after > times * (before + askedByTurns(group, island));
 }
 
-bool drives(const Group& group, int row, double r) {
-  const double bound = r > 0 ? group.rows[row].upper : -group.rows[row].lower;
-  return std::isfinite(bound) && (std::abs(r) >= bound || bound < breakingImpulseOf(group, row));
+bool drives(const Group& group, int row, bool up) {
+  const double bound = boundOf(group.rows[row], up);
+  return std::isfinite(bound) && bound < breakingImpulseOf(group, row);
 }
 
 TargetWork workOfTargets(const Group& group, const std::vector<Contact>& contacts,
                          const std::vector<Row>& rows, const Island& island,
                          const Problem& problem, const Solution& solution) {
   const Hold hold = holdOf(group, contacts, rows, island, problem, solution);
-  // The work would be no more than what is asked for, but for rounding.
-  TargetWork work{std::min(hold.work, hold.asked), timesAlone * (hold.alone + hold.drive)};
-  // What is cheap first: few go on.
-  if (work.done > work.allowed) work.allowed = std::max(work.allowed, energyOf(group, island, 0));
+  TargetWork work;
+  // It would be no more than what is asked for, but for rounding.
+  work.done = std::min(hold.work, hold.asked);
+  work.fair = hold.alone + hold.drive;
+  work.allowed = timesAlone * work.fair;
+  if (work.done <= work.allowed) return work;  // as most do: what follows is dear
+  const double energy = energyOf(group, island, 0);
+  work.fair = std::max(work.fair, energy);
+  work.allowed = std::max(work.allowed, energy);
   return work;
 }
 
@@ -187,18 +196,6 @@ void soften(const std::vector<Body>& bodies, Contact& contact, double share) {
   };
   contact.compliance +=
       share * softness * (response(contact.a, contact.armA) + response(contact.b, contact.armB));
-}
-
-void soften(const std::vector<Body>& bodies, Row& row) {
-  constexpr double softness = 0.5 / (jointReach * jointReach);
-  const auto response = [&](int index, const Row6& J) {
-    if (index < 0) return 0.0;
-    const Body& body = bodies[index];
-    const Vec3 turn = J.tail<3>().transpose();
-    return body.inverseMass.maxCoeff() * J.head<3>().squaredNorm() +
-           turn.dot(body.inverseInertia * turn);
-  };
-  row.compliance += softness * (response(row.a, row.jacobianA) + response(row.b, row.jacobianB));
 }
 
 }  // namespace delassus::bullet

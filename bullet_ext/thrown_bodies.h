@@ -17,43 +17,40 @@ struct Group;
 // The exact answer may throw a body: what is pinched between faces that lean against each other by
 // ε leaves them at 1/ε of what pinches it, and so does what a load presses that is off its line by
 // ε, or a link of a chain that is to be shorter than the way between its ends. An island whose
-// answer does so is solved again as if its contacts gave a little; if it is its joints that throw,
-// as if these did, too.
+// answer does so is solved again (soft_answer.h).
 
 /// How many times as fast as all that asks for motion, or moved before, a body may leave: out of a
 /// wedge of 11 degrees it does so exactly.
 constexpr double reach = 10;
-/// The same of what joints hold, in their softer answer.
-constexpr double jointReach = 3;
 
 /// Whether what presses leaves more than `times` as fast as anything in the island was, or is asked
 /// to be (`demand`, m/s, and what turns joints, at the arms of the contacts).
 bool contactsThrowOne(const Group& group, const Island& island, double demand, const Answer& answer,
                       double times = reach);
-/// Work on the bodies of an island, J.
+/// What joints that hold, and contacts beside them, do to the bodies of an island for what they ask
+/// for, J. Work that is done to hold, r (u + u⁺)/2, is what targets ask for: held at rest nothing
+/// gains any.
 struct TargetWork {
-  double done = 0;     ///< by joints that hold, and contacts beside them, for what they ask for
-  double allowed = 0;  ///< more would throw a body
+  double done = 0;
+  /// The larger of ½ target²/W_ii of all targets, which is what each would take alone, with the
+  /// work of what drives joints, whichever way, and of the energy that the island has. Motors,
+  /// limits and springs drive, which have bounds and may do all that these allow (a breaking
+  /// threshold is no such bound).
+  double fair = 0;
+  /// The same with timesAlone times the former: who does more throws a body. Limbs in a heap take
+  /// up to 20 times what they would take alone; those that are wedged, or a chain that is too
+  /// short, hundreds and thousands.
+  double allowed = 0;
 };
-/// How many times the work that targets take alone joints may do.
 constexpr double timesAlone = 30;
-/// The work of `solution` for the targets of these contacts and rows, those of the group or others,
-/// in the place of these. Work that is done to hold, r (u + u⁺)/2, is what targets ask for: held at
-/// rest nothing gains any. Allowed is the larger of
-///
-///   - timesAlone times ½ target²/W_ii of all targets, which is what each would take alone, and the
-///     work of what drives joints, whichever way: motors, limits and springs, which have bounds and
-///     may do all that these allow (a breaking threshold is no such bound),
-///   - and the energy that the island has.
-///
-/// Limbs in a heap take up to 20 times what they would take alone; those that are wedged, or a
-/// chain that is too short, hundreds and thousands.
+/// Of `solution`, for the targets of these contacts and rows: those of the group, or others in the
+/// place of these.
 TargetWork workOfTargets(const Group& group, const std::vector<Contact>& contacts,
                          const std::vector<Row>& rows, const Island& island,
                          const Problem& problem, const Solution& solution);
-/// Whether what pushes the row by r drives it, or brakes: with so much and no more. What breaks at
-/// so much holds until then.
-bool drives(const Group& group, int row, double r);
+/// Whether what pushes the row up, or down, drives it, or brakes: with so much and no more. What
+/// breaks at so much holds until then.
+bool drives(const Group& group, int row, bool up);
 
 /// The fastest of what touches the island and does not give way, m/s.
 double driveOf(const Group& group, const Island& island);
@@ -69,7 +66,5 @@ double energyAtHand(const Group& group, const Island& island);
 ///
 /// or by a `share` of that.
 void soften(const std::vector<Body>& bodies, Contact& contact, double share = 1);
-/// The same for a row, s' = 1/(2 jointReach²).
-void soften(const std::vector<Body>& bodies, Row& row);
 
 }  // namespace delassus::bullet
