@@ -99,7 +99,8 @@ void answerHeldBack(const Group& group, const Island& island, const TargetWork& 
       const Problem& problem = heldBackProblem(group, island, share, contactsGive, bench);
       bench.solver.solve(problem, solution.r, solution);
       bench.counts.add(solution);
-      done = workOfTargets(group, bench.softContacts, bench.softRows, island, problem, solution).done;
+      done =
+          workOfTargets(group, bench.softContacts, bench.softRows, island, problem, solution).done;
       return solution.residual <= roughly * problem.demand();
     };
     // What is wedged so that this is not found soon has contacts give, too.

@@ -46,8 +46,8 @@ constexpr double timesAlone = 30;
 /// Of `solution`, for the targets of these contacts and rows: those of the group, or others in the
 /// place of these.
 TargetWork workOfTargets(const Group& group, const std::vector<Contact>& contacts,
-                         const std::vector<Row>& rows, const Island& island,
-                         const Problem& problem, const Solution& solution);
+                         const std::vector<Row>& rows, const Island& island, const Problem& problem,
+                         const Solution& solution);
 /// Whether what pushes the row up, or down, drives it, or brakes: with so much and no more. What
 /// breaks at so much holds until then.
 bool drives(const Group& group, int row, bool up);
