@@ -12,7 +12,7 @@ namespace {
 
 constexpr double roughly = 1e-2;  ///< of the demands
 
-/// The answer is this one, for bodies that are softer than they are.
+/// The answer is this one, to another problem than the island's.
 void take(const Group& group, const Island& island, const Solution& solution,
           const VelocityResidual& residual, Answer& answer, IslandResult& result) {
   for (const int body : island.bodies) answer.bodies[body] = group.bodies[body];
@@ -35,17 +35,16 @@ VelocityResidual residualOf(const Group& group, const Island& island, const Vect
 }
 
 /// The island's problem where its contacts give by so much of what `soften` gives.
-const Problem& softProblem(const Group& group, const Island& island, double share,
-                           const std::vector<Row>& rows, Bench& bench) {
+const Problem& softProblem(const Group& group, const Island& island, double share, Bench& bench) {
   bench.softContacts = group.contacts;
   island.eachContact([&](int i) { soften(group.bodies, bench.softContacts[i], share); });
-  return bench.assembler.assemble(group.bodies, bench.softContacts, rows, island);
+  return bench.assembler.assemble(group.bodies, bench.softContacts, group.rows, island);
 }
 
 /// The island's problem where joints that hold, and contacts that are to part, ask for a share of
-/// what they do, and contacts give if they throw.
+/// what they do, and contacts perhaps give.
 const Problem& heldBackProblem(const Group& group, const Island& island, double share,
-                               bool contactsThrow, Bench& bench) {
+                               bool contactsGive, Bench& bench) {
   bench.softRows = group.rows;
   for (const int k : island.rows) {
     Row& row = bench.softRows[k];
@@ -55,7 +54,7 @@ const Problem& heldBackProblem(const Group& group, const Island& island, double 
   island.eachContact([&](int i) {
     Contact& contact = bench.softContacts[i];
     if (contact.target[0] > 0) contact.target[0] *= share;
-    if (contactsThrow) soften(group.bodies, contact);
+    if (contactsGive) soften(group.bodies, contact);
   });
   return bench.assembler.assemble(group.bodies, bench.softContacts, bench.softRows, island);
 }
@@ -79,7 +78,7 @@ double takenUp(const Group& group, const Island& island, const Solution& soft, c
 void answerSoftened(const Group& group, const Island& island, Bench& bench, Answer& answer,
                     IslandResult& result) {
   Solution& solution = bench.solution;
-  bench.solver.solve(softProblem(group, island, 1, group.rows, bench), VectorXd(), solution);
+  bench.solver.solve(softProblem(group, island, 1, bench), VectorXd(), solution);
   bench.counts.add(solution);
   if (!fitsBullet(solution.r)) return;
   take(group, island, solution, residualOf(group, island, solution.r, bench), answer, result);
@@ -122,7 +121,7 @@ bool answerJam(const Group& group, const Island& island, double most, Bench& ben
   Solution& solution = bench.solution;
   double demand = 0;
   const auto isFound = [&](double share, const VectorXd& guess) {
-    const Problem& problem = softProblem(group, island, share, group.rows, bench);
+    const Problem& problem = softProblem(group, island, share, bench);
     bench.solver.solve(problem, guess, solution);
     bench.counts.add(solution);
     demand = problem.demand();
