@@ -9,7 +9,7 @@
 namespace delassus::bullet {
 namespace {
 
-/// The answer is this one, for bodies that are softer than they are.
+/// Takes this solution, for bodies that are softer than they are, as the answer.
 void take(const Group& group, const Island& island, const Solution& solution,
           const VelocityResidual& residual, Answer& answer, IslandResult& result) {
   for (const int body : island.bodies) answer.bodies[body] = group.bodies[body];
@@ -24,14 +24,14 @@ void take(const Group& group, const Island& island, const Solution& solution,
   result.blamed = {residual.worst};
 }
 
-/// By how much the law as it stands is missed.
+/// How far the reactions miss the law without softness.
 VelocityResidual residualOf(const Group& group, const Island& island, const VectorXd& r,
                             Bench& bench) {
   return naturalResidual(bench.assembler.assemble(group.bodies, group.contacts, group.rows, island),
                          r);
 }
 
-/// The island's problem where its contacts give by so much of what `soften` gives.
+/// The island's problem if its contacts give by this share of what `soften` gives.
 const Problem& softProblem(const Group& group, const Island& island, double share,
                            const std::vector<Row>& rows, Bench& bench) {
   bench.softContacts = group.contacts;
@@ -39,7 +39,8 @@ const Problem& softProblem(const Group& group, const Island& island, double shar
   return bench.assembler.assemble(group.bodies, bench.softContacts, rows, island);
 }
 
-/// By its contacts that give, J; less what the residual of their law leaves open.
+/// The energy that contacts take up as they give, J; less what the residual of their law leaves
+/// open.
 double takenUp(const Group& group, const Island& island, const Solution& soft, const Bench& bench) {
   double sum = -soft.r.lpNorm<1>() * soft.residual / 2;
   int at = 0;

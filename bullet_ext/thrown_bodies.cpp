@@ -15,7 +15,7 @@
 namespace delassus::bullet {
 namespace {
 
-/// How fast the body, or its point at `arm`, is, m/s.
+/// The speed of the body, or of its point at `arm` if that is faster, m/s.
 double speedOf(const std::vector<Body>& bodies, int body, const Vec3& arm) {
   if (body == fixedWorld) return 0;
   const Vec6& v = bodies[body].velocity;
@@ -30,8 +30,8 @@ bool turns(const Row& row) {
   return row.jacobianA.head<3>().isZero(0) && row.jacobianB.head<3>().isZero(0);
 }
 
-/// How fast contacts of the island go about its bodies if these turn as joints ask, m/s: a motor of
-/// little force, whatever its speed, asks for little.
+/// How fast contacts of the island go round its bodies if these turn as joints ask, m/s. A motor of
+/// little force asks for little, whatever its speed.
 double askedByTurns(const Group& group, const Island& island) {
   double turn = 0, arm = 0;
   for (const int k : island.rows) {
@@ -48,7 +48,7 @@ double askedByTurns(const Group& group, const Island& island) {
   return turn * arm;
 }
 
-/// Of which impulse the joint of this row breaks; infinite where no joint has asked for it.
+/// The impulse at which the joint of this row breaks; infinite if no joint has asked for the row.
 double breakingImpulseOf(const Group& group, int row) {
   const auto after =
       std::upper_bound(group.joints.begin(), group.joints.end(), row,
@@ -60,22 +60,22 @@ double breakingImpulseOf(const Group& group, int row) {
              : infinity;
 }
 
-/// Whether what pushes the row this way drives it, or brakes: with so much and no more. What breaks
-/// at so much holds until then.
+/// Whether a push in this direction drives or brakes the row, with a bounded force. A bound at
+/// which the joint breaks does not count: until then the joint holds.
 bool drives(const Group& group, int k, double r) {
   const Row& row = group.rows[k];
   const double bound = r > 0 ? row.upper : -row.lower;
   return std::isfinite(bound) && (std::abs(r) >= bound || bound < breakingImpulseOf(group, k));
 }
 
-/// What is done to the bodies of an island, J.
+/// The work that is done to the bodies of an island, J.
 struct Hold {
   double work = 0;   ///< r (u + u⁺)/2 of all that holds
-  double asked = 0;  ///< r·target of it
+  double asked = 0;  ///< r·target of all that holds
   double alone = 0;  ///< ½ target²/W_ii: the work, if each target were met alone
-  double drive = 0;  ///< of what drives joints, whichever way
+  double drive = 0;  ///< work of what drives joints, in either direction
 };
-/// Nothing where no joint holds, whatever contacts do.
+/// All zero where no joint holds, whatever contacts do.
 Hold holdOf(const Group& group, const Island& island, const Problem& problem,
             const Solution& solution) {
   const VectorXd &r = solution.r, &compliance = problem.W.bodySpace().compliance;
@@ -114,7 +114,7 @@ Hold holdOf(const Group& group, const Island& island, const Problem& problem,
   return sum;
 }
 
-/// Of the turns of the island's bodies, about the axes about which they may turn, J.
+/// The energy of the turns of the island's bodies, about the axes about which they may turn, J.
 double energyOfTurns(const Group& group, const Island& island) {
   double sum = 0;
   for (const int body : island.bodies) {
@@ -126,7 +126,7 @@ double energyOfTurns(const Group& group, const Island& island) {
   return sum;
 }
 
-/// Of the island's bodies, J, if each that may leave its place went at least so fast.
+/// The energy of the island's bodies, J, if each that may leave its place went at least so fast.
 double energyOf(const Group& group, const Island& island, double leastSpeed) {
   double sum = energyOfTurns(group, island);
   for (const int body : island.bodies) {
@@ -153,8 +153,8 @@ bool contactsThrowOne(const Group& group, const Island& island, double demand, c
 bool jointsThrowOne(const Group& group, const Island& island, const Problem& problem,
                     const Solution& solution) {
   const Hold hold = holdOf(group, island, problem, solution);
-  // The work would be no more than what is asked for, but for rounding. What is cheap first: few go
-  // on.
+  // Without rounding the work would be no more than what is asked for. The cheap test comes first:
+  // few islands go on to the other.
   return std::min(hold.work, hold.asked) > timesAlone * (hold.alone + hold.drive) &&
          hold.work > energyOf(group, island, 0);
 }

@@ -18,9 +18,8 @@ class Hands;
 /// them are swept at once, by several hands if there are any. The sweeps are in single precision,
 /// but only for what they change (swept_groups.h): r₀ and u₀, and all differences of them that an
 /// answer makes small, are computed in double precision when sweeps begin. Rounding then costs
-/// about
-/// 1e-7 of what the sweeps change, and sweeps that begin where others have ended go on as far as
-/// double precision does.
+/// about 1e-7 of what the sweeps change, and sweeps that begin where others have ended go on as far
+/// as double precision does.
 ///
 /// With g = g(x) swept from x, the next sweep begins from x⁺ = g + β (g − g_before), with β as in
 /// Nesterov 1983. β restarts at 0 whenever ‖g(x) − x‖ has grown (O'Donoghue and Candès 2015).

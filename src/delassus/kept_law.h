@@ -12,8 +12,7 @@
 namespace delassus {
 
 /// Collects the natural residuals of an island, one contact or row after the other, until one is
-/// too
-/// large.
+/// too large.
 class Residuals {
  public:
   explicit Residuals(double tolerance) : tolerance_(tolerance) {}

@@ -45,8 +45,7 @@ struct Problem {
 ///     min(|q|, W_aa b),   b = upper if q < 0, else −lower
 ///
 /// An open limit asks for nothing. A motor of little force asks for little, whatever its speed. If
-/// b
-/// or W_aa < 0 the answer is |q|. `ownSize()` returns W_aa, which only few rows need.
+/// b or W_aa < 0 the answer is |q|. `ownSize()` returns W_aa, which only few rows need.
 template <class OwnSize>
 double demandOf(double q, double lower, double upper, const OwnSize& ownSize) {
   const double bound = q < 0 ? upper : -lower;

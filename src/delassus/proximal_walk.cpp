@@ -69,13 +69,11 @@ double ProximalWalk<Motion>::tryStep(double share) {
 }
 
 /// Takes as much of the step as lets the energy norm `error` of the error fall. Near a solution
-/// that
-/// is the whole step. Elsewhere the step is halved until the error falls. Along the step the error
-/// falls as far as some wall of the regions, and rises behind it; halves alone come ever nearer to
-/// that wall and never through it. So the step goes on from wall to wall as long as the error
-/// falls,
-/// and ends a hair's breadth behind the last wall: the next step then knows the region there. False
-/// if the error does not fall.
+/// that is the whole step. Elsewhere the step is halved until the error falls. Along the step the
+/// error falls as far as some wall of the regions, and rises behind it; halves alone come ever
+/// nearer to that wall and never through it. So the step goes on from wall to wall as long as the
+/// error falls, and ends a hair's breadth behind the last wall: the next step then knows the region
+/// there. False if the error does not fall.
 template <class Motion>
 bool ProximalWalk<Motion>::stepAlong(double& error) {
   constexpr int mostHalvings = 10, mostWalls = 4;
@@ -255,8 +253,7 @@ Outcome ProximalWalk<Motion>::converge(double tolerance, double firstWeight, int
   constexpr double smallest = 1e-12, largest = 10, hardly = 1e-7;
   // Shares of the residual that a step leaves. Above `slow` a smaller weight is needed; above
   // `tooSlow` no more digits come by themselves; above `atItsEnd`, with the smallest weight,
-  // nothing
-  // more will come; above `stuck` reactions may grow in vain.
+  // nothing more will come; above `stuck` reactions may grow in vain.
   constexpr double slow = 1e-2, tooSlow = 0.3, atItsEnd = 0.1, stuck = 0.5;
   constexpr int easyRegions = 6;  // an outer step with no more regions was an easy one
   constexpr int mostIdle = 1000;  // outer steps without regions, which no budget ends

@@ -22,8 +22,7 @@ double leastRmsFromNothing(const Problem& problem) {
 constexpr double nearly = 1e-6;  ///< share of the demands that reactions leave open
 
 /// Whether explicit entries are too many for a dense matrix and its factor: then they are only
-/// swept
-/// over.
+/// swept over.
 bool isTooLargeToFactor(const Problem& problem) {
   constexpr int most = 10000;
   return !problem.W.inBodySpace() && problem.size() > most;
@@ -37,9 +36,8 @@ double Search::firstWeight(const Solution& from, double least) const {
 
 /// In a wedged bin of 1000 spheres 193 walks of 50 regions each were made after sweeps. Of the 35
 /// that set out within reach, 16 met an answer; of the 158 others, 4. From further off, a few
-/// regions
-/// lead as far as many, and eight thousand sweeps cost no more than 50 regions. In a hurry the
-/// answer stays where the sweeps have left it.
+/// regions lead as far as many, and eight thousand sweeps cost no more than 50 regions. In a hurry
+/// the answer stays where the sweeps have left it.
 int Search::regionsFrom(const Solution& from, const Task& task, int most) const {
   constexpr double withinReach = 1e-4;
   constexpr int aNudge = 10;

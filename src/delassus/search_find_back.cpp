@@ -129,10 +129,9 @@ void Search::compromise(double tolerance, int regionBudget, Solution& best) {
 }
 
 /// Goes on in two ways, by turns. In one, sweeps and patches mend the best answer, and the walk
-/// goes
-/// on from there. But an answer of small residual may be far from any solution. So in the other,
-/// sweeps set out anew from where the step began and go on, further each time, whether or not they
-/// better the best answer; a short walk is tried from wherever they are.
+/// goes on from there. But an answer of small residual may be far from any solution. So in the
+/// other, sweeps set out anew from where the step began and go on, further each time, whether or
+/// not they better the best answer; a short walk is tried from wherever they are.
 template <class Motion>
 Outcome Search::wander(Engines<Motion>& engines, const Task& task, Solution& best) {
   constexpr int shortest = 100, longest = 3200, tryFromAfar = 40;

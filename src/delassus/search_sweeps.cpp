@@ -33,8 +33,7 @@ bool Search::sweepAndLearn(const Task& task, double tolerance, Solution& best) {
 /// Makes all sweeps of the budget, one after the other, whether or not they gain, as sequential
 /// impulses do. Like these, it begins from a little less than the reactions of the last step, if
 /// nothing has bettered them yet: with the full reactions, errors that remain would let a pile
-/// swing
-/// for ever. Many contacts go by colour.
+/// swing for ever. Many contacts go by colour.
 ///
 /// A single sweep leaves reactions that the single sweep of the next step does not mend. It begins
 /// from nothing if that is nearer to an answer and there are no joints to hold. With two or more

@@ -19,26 +19,24 @@ enum class Outcome : unsigned char;
 class Solver {
  public:
   /// Throws std::invalid_argument where check(options) does. (A budget may have any value; one
-  /// below
-  /// 0 allows nothing.)
+  /// below 0 allows nothing.)
   explicit Solver(Options options = {});
   ~Solver();
   Solver(Solver&&) noexcept;
   Solver& operator=(Solver&&) noexcept;
 
   /// Solves `problem`, starting from the reactions `guess` (N·s, in the order of q). A guess that
-  /// is
-  /// empty, of another size, or not all finite stands for no reactions. The best answer found is
-  /// always returned; its status and natural residual (m/s) tell how good it is. With more than
-  /// 10 000 unknowns and explicit entries, the answer is that of sweeps alone: there is no room for
-  /// a dense factor. Sizes that do not fit each other (Problem) are not detected.
+  /// is empty, of another size, or not all finite stands for no reactions. The best answer found is
+  /// always returned; its status and natural residual (m/s) tell how good it is. With explicit
+  /// entries and more than 10 000 unknowns, the answer is that of sweeps alone: there is no room
+  /// for a dense factor. Sizes that do not fit each other (Problem) are not detected.
   Solution solve(const Problem& problem, const VectorXd& guess = {});
   /// The same into storage that is used again; `guess` may be the reactions in `into`.
   void solve(const Problem& problem, const VectorXd& guess, Solution& into);
 
   /// Lends threads for large problems, until another call or null takes them back. The answer is
-  /// the
-  /// same, bit for bit. The threads must live until then, and do no other work while this solves.
+  /// the same, bit for bit. The threads must live until then, and do no other work while this
+  /// solves.
   void setHands(Hands* hands);
 
   const Options& options() const { return options_; }
