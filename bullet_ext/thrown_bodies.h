@@ -53,8 +53,8 @@ double driveOf(const Group& group, const Island& island);
 /// drives there: bodies that do not give way, targets of contacts and joints.
 double energyAtHand(const Group& group, const Island& island);
 
-/// Makes the contact give by s' of its response, in addition to what it gives already; s' = 1/(2
-/// reach²). The response is taken as if no axis of its moving bodies were locked. With one such
+/// Makes the contact give by s' = 1/(2 reach²) of its response, in addition to what it gives
+/// already. The response is taken as if no axis of its moving bodies were locked. With one such
 /// contact a face, a body that is pinched at the speed p leaves at
 ///
 ///     p ε/(ε²/2 + s') ≤ p/√(2 s') = reach p
