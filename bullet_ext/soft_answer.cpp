@@ -1,5 +1,6 @@
 #include "bullet_ext/soft_answer.h"
 
+#include <cmath>
 #include <vector>
 
 #include "bullet_ext/solve_group.h"
@@ -9,7 +10,9 @@
 namespace delassus::bullet {
 namespace {
 
-/// Takes this solution, for bodies that are softer than they are, as the answer.
+constexpr double roughly = 1e-2;  ///< of the demands
+
+/// Takes this solution, of an easier problem, as the answer.
 void take(const Group& group, const Island& island, const Solution& solution,
           const VelocityResidual& residual, Answer& answer, IslandResult& result) {
   for (const int body : island.bodies) answer.bodies[body] = group.bodies[body];
@@ -39,6 +42,24 @@ const Problem& softProblem(const Group& group, const Island& island, double shar
   return bench.assembler.assemble(group.bodies, bench.softContacts, rows, island);
 }
 
+/// The island's problem if joints that hold, and contacts that are to part, ask for this share of
+/// what they ask for now. Contacts also give if they throw.
+const Problem& heldBackProblem(const Group& group, const Island& island, double share,
+                               bool contactsThrow, Bench& bench) {
+  bench.softRows = group.rows;
+  for (const int k : island.rows) {
+    Row& row = bench.softRows[k];
+    if (row.governor < 0 && !drives(group, k, row.target > 0)) row.target *= share;
+  }
+  bench.softContacts = group.contacts;
+  island.eachContact([&](int i) {
+    Contact& contact = bench.softContacts[i];
+    if (contact.target[0] > 0) contact.target[0] *= share;
+    if (contactsThrow) soften(group.bodies, contact);
+  });
+  return bench.assembler.assemble(group.bodies, bench.softContacts, bench.softRows, island);
+}
+
 /// The energy that contacts take up as they give, J; less what the residual of their law leaves
 /// open.
 double takenUp(const Group& group, const Island& island, const Solution& soft, const Bench& bench) {
@@ -56,23 +77,45 @@ double takenUp(const Group& group, const Island& island, const Solution& soft, c
 
 }  // namespace
 
-void answerSoftened(const Group& group, const Island& island, bool withJoints, Bench& bench,
-                    Answer& answer, IslandResult& result) {
-  std::vector<Row> rows = group.rows;
-  if (withJoints)
-    for (const int k : island.rows)
-      if (rows[k].governor < 0) soften(group.bodies, rows[k]);
+void answerSoftened(const Group& group, const Island& island, Bench& bench, Answer& answer,
+                    IslandResult& result) {
   Solution& solution = bench.solution;
-  bench.solver.solve(softProblem(group, island, 1, rows, bench), VectorXd(), solution);
+  bench.solver.solve(softProblem(group, island, 1, group.rows, bench), VectorXd(), solution);
   bench.counts.add(solution);
   if (!fitsBullet(solution.r)) return;
+  take(group, island, solution, residualOf(group, island, solution.r, bench), answer, result);
+}
+
+void answerHeldBack(const Group& group, const Island& island, const TargetWork& exact,
+                    bool contactsThrow, Bench& bench, Answer& answer, IslandResult& result) {
+  constexpr double spare = 0.9;
+  constexpr int mostTries = 4;
+  const ShortSearch search(bench.solver);
+  Solution& solution = bench.solution;
+  bool contactsGive = contactsThrow;
+  double share = 1, done = exact.done;
+  for (int tries = 1; share > 0 && done > exact.fair; ++tries) {
+    share *= tries < mostTries ? spare * std::sqrt(exact.fair / done) : 0;
+    const auto solve = [&] {
+      const Problem& problem = heldBackProblem(group, island, share, contactsGive, bench);
+      bench.solver.solve(problem, solution.r, solution);
+      bench.counts.add(solution);
+      done = workOfTargets(group, bench.softContacts, bench.softRows, island, problem, solution).done;
+      return solution.residual <= roughly * problem.demand();
+    };
+    // Where bodies are so wedged that this is not found soon, contacts give, too.
+    if (!solve() && !contactsGive) {
+      contactsGive = true;
+      solve();
+    }
+    if (!fitsBullet(solution.r)) return;
+  }
   take(group, island, solution, residualOf(group, island, solution.r, bench), answer, result);
 }
 
 bool answerJam(const Group& group, const Island& island, double most, Bench& bench, Answer& answer,
                IslandResult& result) {
   constexpr double shares[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
-  constexpr double roughly = 1e-2;  // of the demands
   const double atHand = energyAtHand(group, island);
   ShortSearch search(bench.solver);
   search.takeAnyNear();
@@ -95,8 +138,6 @@ bool answerJam(const Group& group, const Island& island, double most, Bench& ben
     take(group, island, solution, residual, answer, result);
     if (contactsThrowOne(group, island, demand, answer, suspectReach) && isFound(1, guess))
       take(group, island, solution, residualOf(group, island, solution.r, bench), answer, result);
-    if (!island.rows.empty() && contactsThrowOne(group, island, demand, answer, suspectReach))
-      answerSoftened(group, island, true, bench, answer, result);
     mark(group, island, result).isJammed = true;
     return true;
   }

@@ -8,14 +8,23 @@ struct Answer;
 struct Bench;
 struct Group;
 struct IslandResult;
+struct TargetWork;
 
-// Answers as if contacts, or also joints, gave a little. They are reported as incompatible, with
-// the residual of the law without softness.
+// Answers as if contacts gave a little, or joints asked for less. They are reported as incompatible,
+// with the residual of the law as it stands.
 
-/// Takes back the exact answer, which throws a body (thrown_bodies.h), and finds the answer for
-/// contacts, or also joints, that give a little.
-void answerSoftened(const Group& group, const Island& island, bool withJoints, Bench& bench,
-                    Answer& answer, IslandResult& result);
+/// Takes back the exact answer, whose contacts throw a body (thrown_bodies.h), and finds the answer
+/// for contacts that give a little.
+void answerSoftened(const Group& group, const Island& island, Bench& bench, Answer& answer,
+                    IslandResult& result);
+
+/// The same where joints throw and do the work `exact`. All that holds then asks for the same share
+/// of what it asks for now, a share so small that the work is fair. (The work grows with the square
+/// of what is asked; parts that ask for nothing do none.) Joints stay as rigid as they are, whatever
+/// they carry, and correct their errors in more steps. Contacts give a little if they throw, too, or
+/// if nothing else is found soon.
+void answerHeldBack(const Group& group, const Island& island, const TargetWork& exact,
+                    bool contactsThrow, Bench& bench, Answer& answer, IslandResult& result);
 
 /// Answers an island that jams. An island jams if a body that squeezes it does not give way, such
 /// as a kinematic wall. Rigid bodies then have no motion at all, or only one that flings out what
@@ -33,8 +42,8 @@ void answerSoftened(const Group& group, const Island& island, bool withJoints, B
 /// An island that jams is answered, and marked as jammed, unless the answer misses the law by more
 /// than `most`, m/s. In this answer contacts give by a tenth to a millionth of what they give where
 /// bodies are thrown (`soften`): as little as reveals the jam. Where that would throw a body they
-/// give by all of it, and joints give, too, if need be. The search begins with `bench.guess`.
-/// Otherwise nothing changes, and false is returned.
+/// give by all of it. The search begins with `bench.guess`. Otherwise nothing changes, and false is
+/// returned.
 bool answerJam(const Group& group, const Island& island, double most, Bench& bench, Answer& answer,
                IslandResult& result);
 

@@ -204,15 +204,19 @@ void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& 
   }
   const bool contactsHurry = contactsThrowOne(group, island, demand, answer, suspectReach);
   const bool contactsThrow = contactsHurry && contactsThrowOne(group, island, demand, answer);
-  const bool jointsThrow = !contactsThrow && jointsThrowOne(group, island, problem, solution);
+  const TargetWork work =
+      workOfTargets(group, group.contacts, group.rows, island, problem, solution);
+  const bool jointsThrow = work.done > work.allowed;
   const bool isLost = end == SearchEnd::Whole && isFarOff(solution, demand);
   bench.guess.resize(0);
   if (mayJam && !jointsThrow && (isLost || contactsHurry) &&
       answerJam(group, island, isLost ? nearly * solution.residual : infinity, bench, answer,
                 result))
     return;
-  if (contactsThrow || jointsThrow)
-    answerSoftened(group, island, jointsThrow, bench, answer, result);
+  if (jointsThrow)
+    answerHeldBack(group, island, work, contactsThrow, bench, answer, result);
+  else if (contactsThrow)
+    answerSoftened(group, island, bench, answer, result);
 }
 
 /// An island that jammed in the last step is likely to jam again, with much the same reactions.

@@ -31,7 +31,7 @@ struct IslandResult {
   IslandMarks marks;  ///< restless: other reactions were found than those of the last step
   int markedBody;     ///< one of its bodies, if there are any marks
   bool isAnswered;    ///< or else among Answer::unanswered
-  bool isSoftened;    ///< its contacts, or joints, were taken softer than they are (soft_answer.h)
+  bool isSoftened;    ///< its contacts gave, or its joints asked for less (soft_answer.h)
   /// First unknowns of the contacts and rows that keep it from being solved.
   std::vector<int> blamed;
 };

@@ -60,13 +60,8 @@ double breakingImpulseOf(const Group& group, int row) {
              : infinity;
 }
 
-/// Whether a push in this direction drives or brakes the row, with a bounded force. A bound at
-/// which the joint breaks does not count: until then the joint holds.
-bool drives(const Group& group, int k, double r) {
-  const Row& row = group.rows[k];
-  const double bound = r > 0 ? row.upper : -row.lower;
-  return std::isfinite(bound) && (std::abs(r) >= bound || bound < breakingImpulseOf(group, k));
-}
+/// The largest impulse that may push the row up, or down.
+double boundOf(const Row& row, bool up) { return up ? row.upper : -row.lower; }
 
 /// The work that is done to the bodies of an island, J.
 struct Hold {
@@ -76,8 +71,8 @@ struct Hold {
   double drive = 0;  ///< work of what drives joints, in either direction
 };
 /// All zero where no joint holds, whatever contacts do.
-Hold holdOf(const Group& group, const Island& island, const Problem& problem,
-            const Solution& solution) {
+Hold holdOf(const Group& group, const std::vector<Contact>& contacts, const std::vector<Row>& rows,
+            const Island& island, const Problem& problem, const Solution& solution) {
   const VectorXd &r = solution.r, &compliance = problem.W.bodySpace().compliance;
   Hold sum;
   const auto workOf = [&](int at, double target) {
@@ -90,12 +85,13 @@ Hold holdOf(const Group& group, const Island& island, const Problem& problem,
     sum.alone += 0.5 * target * target / response;
   };
   bool jointsHold = false;
-  const auto contacts = static_cast<int>(r.size() - island.rows.size());
+  const auto contactsEnd = static_cast<int>(r.size() - island.rows.size());
   for (std::size_t i = 0; i < island.rows.size(); ++i) {
-    const int at = contacts + static_cast<int>(i);
-    const Row& row = group.rows[island.rows[i]];
+    const int at = contactsEnd + static_cast<int>(i);
+    const Row& row = rows[island.rows[i]];
     if (row.governor >= 0 || r[at] == 0) continue;
-    if (drives(group, island.rows[i], r[at])) {
+    const bool up = r[at] > 0;
+    if (std::abs(r[at]) >= boundOf(row, up) || drives(group, island.rows[i], up)) {
       sum.drive += std::abs(workOf(at, row.target));
       continue;
     }
@@ -109,8 +105,8 @@ Hold holdOf(const Group& group, const Island& island, const Problem& problem,
     for (int axis = 0; axis < unknowns; ++axis)
       add(at++, c.target[axis], diagonal(group.bodies, c, axis));
   };
-  for (const int k : island.frictional) addContact(group.contacts[k], 3);
-  for (const int k : island.frictionless) addContact(group.contacts[k], 1);
+  for (const int k : island.frictional) addContact(contacts[k], 3);
+  for (const int k : island.frictionless) addContact(contacts[k], 1);
   return sum;
 }
 
@@ -150,13 +146,25 @@ bool contactsThrowOne(const Group& group, const Island& island, double demand, c
   return after > times * before && after > times * (before + askedByTurns(group, island));
 }
 
-bool jointsThrowOne(const Group& group, const Island& island, const Problem& problem,
-                    const Solution& solution) {
-  const Hold hold = holdOf(group, island, problem, solution);
-  // Without rounding the work would be no more than what is asked for. The cheap test comes first:
-  // few islands go on to the other.
-  return std::min(hold.work, hold.asked) > timesAlone * (hold.alone + hold.drive) &&
-         hold.work > energyOf(group, island, 0);
+bool drives(const Group& group, int row, bool up) {
+  const double bound = boundOf(group.rows[row], up);
+  return std::isfinite(bound) && bound < breakingImpulseOf(group, row);
+}
+
+TargetWork workOfTargets(const Group& group, const std::vector<Contact>& contacts,
+                         const std::vector<Row>& rows, const Island& island,
+                         const Problem& problem, const Solution& solution) {
+  const Hold hold = holdOf(group, contacts, rows, island, problem, solution);
+  TargetWork work;
+  // Without rounding the work would be no more than what is asked for.
+  work.done = std::min(hold.work, hold.asked);
+  work.fair = hold.alone + hold.drive;
+  work.allowed = timesAlone * work.fair;
+  if (work.done <= work.allowed) return work;  // as most do: the energy is expensive
+  const double energy = energyOf(group, island, 0);
+  work.fair = std::max(work.fair, energy);
+  work.allowed = std::max(work.allowed, energy);
+  return work;
 }
 
 double driveOf(const Group& group, const Island& island) {
@@ -188,18 +196,6 @@ void soften(const std::vector<Body>& bodies, Contact& contact, double share) {
   };
   contact.compliance +=
       share * softness * (response(contact.a, contact.armA) + response(contact.b, contact.armB));
-}
-
-void soften(const std::vector<Body>& bodies, Row& row) {
-  constexpr double softness = 0.5 / (jointReach * jointReach);
-  const auto response = [&](int index, const Row6& J) {
-    if (index < 0) return 0.0;
-    const Body& body = bodies[index];
-    const Vec3 turn = J.tail<3>().transpose();
-    return body.inverseMass.maxCoeff() * J.head<3>().squaredNorm() +
-           turn.dot(body.inverseInertia * turn);
-  };
-  row.compliance += softness * (response(row.a, row.jacobianA) + response(row.b, row.jacobianB));
 }
 
 }  // namespace delassus::bullet

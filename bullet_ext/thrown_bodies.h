@@ -17,35 +17,40 @@ struct Group;
 // The exact answer may throw a body. A body that is pinched between faces that lean against each
 // other by ε leaves them at 1/ε times the speed at which it is pinched. So does a body that a load
 // presses off its line by ε, or a link of a chain that is to be shorter than the way between its
-// ends. An island whose answer throws a body is solved again as if its contacts gave a little; if
-// its joints throw, as if these gave, too.
+// ends. An island whose answer throws a body is solved again (soft_answer.h).
 
 /// How many times as fast a body may leave as anything asks to move, or moved before: out of a
 /// wedge of 11 degrees it leaves so fast exactly.
 constexpr double reach = 10;
-/// The same for bodies that joints hold, in their softer answer.
-constexpr double jointReach = 3;
 
 /// Whether a pressing contact leaves more than `times` as fast as anything in the island was, or is
 /// asked to be (`demand`, m/s, and the turns that joints ask for, at the arms of the contacts).
 bool contactsThrowOne(const Group& group, const Island& island, double demand, const Answer& answer,
                       double times = reach);
-/// Joints are not taken to throw while they do no more than this many times the work that their
-/// targets would take alone.
+/// The work that joints that hold, and contacts beside them, do on the bodies of an island to meet
+/// their targets, J. The work done to hold, r (u + u⁺)/2, is what targets ask for: nothing that is
+/// held at rest gains energy.
+struct TargetWork {
+  double done = 0;
+  /// The larger of the energy that the island has, and of this sum: ½ target²/W_ii over all
+  /// targets, which is what each would take alone, and the work of what drives joints, in either
+  /// direction. Motors, limits and springs drive. They have bounds and may do all that these allow
+  /// (a breaking threshold is no such bound).
+  double fair = 0;
+  /// The same with timesAlone times the sum: an answer with more work throws a body. Limbs in a
+  /// heap take up to 20 times what they would take alone; limbs that are wedged, or a chain that is
+  /// too short, take hundreds and thousands of times as much.
+  double allowed = 0;
+};
 constexpr double timesAlone = 30;
-/// Whether joints that hold, and contacts beside them, do more work
-///
-///   - than timesAlone times the sum of ½ target²/W_ii over all their targets, which is what each
-///     would take alone, and of the work of what drives joints, in either direction: motors, limits
-///     and springs, which have bounds and may do all that these allow (a breaking threshold is no
-///     such bound),
-///   - and than the energy that the island has.
-///
-/// The work done to hold, r (u + u⁺)/2, is what targets ask for: nothing that is held at rest gains
-/// energy. Limbs in a heap take up to 20 times what they would take alone; limbs that are wedged,
-/// or a chain that is too short, take hundreds and thousands of times as much.
-bool jointsThrowOne(const Group& group, const Island& island, const Problem& problem,
-                    const Solution& solution);
+/// The work of `solution`, for the targets of these contacts and rows: those of the group, or others
+/// in their place.
+TargetWork workOfTargets(const Group& group, const std::vector<Contact>& contacts,
+                         const std::vector<Row>& rows, const Island& island,
+                         const Problem& problem, const Solution& solution);
+/// Whether a push of the row up, or down, drives or brakes it, with a bounded force. A bound at which
+/// the joint breaks does not count: until then the joint holds.
+bool drives(const Group& group, int row, bool up);
 
 /// The largest speed of bodies that touch the island and do not give way, m/s.
 double driveOf(const Group& group, const Island& island);
@@ -61,7 +66,5 @@ double energyAtHand(const Group& group, const Island& island);
 ///
 /// With `share`, the contact gives by this share of s'.
 void soften(const std::vector<Body>& bodies, Contact& contact, double share = 1);
-/// Does the same for a row, with s' = 1/(2 jointReach²).
-void soften(const std::vector<Body>& bodies, Row& row);
 
 }  // namespace delassus::bullet

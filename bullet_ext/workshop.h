@@ -11,6 +11,7 @@
 #include "delassus/contact.h"
 #include "delassus/island.h"
 #include "delassus/island_check.h"
+#include "delassus/row.h"
 #include "delassus/solution.h"
 #include "delassus/solver.h"
 
@@ -28,10 +29,11 @@ struct Bench {
   VectorXd guess;
   Solution solution;
   std::vector<Contact> softContacts;
+  std::vector<Row> softRows;
 
   std::size_t bytes() const {
     return solver.bytes() + check.bytes() + assembler.bytes() + coupling.bytes() +
-           solution.bytes() + bytesOf(guess, softContacts);
+           solution.bytes() + bytesOf(guess, softContacts, softRows);
   }
 
   /// What was done here since the last Workshop::takeCounts().
