@@ -100,7 +100,8 @@ void answerHeldBack(const Group& group, const Island& island, const TargetWork& 
       const Problem& problem = heldBackProblem(group, island, share, contactsGive, bench);
       bench.solver.solve(problem, solution.r, solution);
       bench.counts.add(solution);
-      done = workOfTargets(group, bench.softContacts, bench.softRows, island, problem, solution).done;
+      done =
+          workOfTargets(group, bench.softContacts, bench.softRows, island, problem, solution).done;
       return solution.residual <= roughly * problem.demand();
     };
     // Where bodies are so wedged that this is not found soon, contacts give, too.

@@ -152,8 +152,8 @@ bool drives(const Group& group, int row, bool up) {
 }
 
 TargetWork workOfTargets(const Group& group, const std::vector<Contact>& contacts,
-                         const std::vector<Row>& rows, const Island& island,
-                         const Problem& problem, const Solution& solution) {
+                         const std::vector<Row>& rows, const Island& island, const Problem& problem,
+                         const Solution& solution) {
   const Hold hold = holdOf(group, contacts, rows, island, problem, solution);
   TargetWork work;
   // Without rounding the work would be no more than what is asked for.

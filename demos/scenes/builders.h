@@ -121,6 +121,9 @@ std::unique_ptr<World> buildCompactor(int boxes);
 /// side³ spheres of radius 0.45 m poured into a bin of side x side metres.
 std::unique_ptr<World> buildSpheresBin(int side);
 std::unique_ptr<World> buildHeavyBallChain(int links, double ballMass);
+/// Planks of 2 kg and a metre between two posts, straight, with hinges at their ends; a crate falls
+/// on their middle from 15 cm.
+std::unique_ptr<World> buildPlankBridge(int planks, double loadMass);
 std::unique_ptr<World> buildNewtonCradle(int balls);
 /// A doll of eleven limbs of 1 kg, 1.9 m tall at scale 1, with its feet at `place` and friction
 /// `mu` against its like.

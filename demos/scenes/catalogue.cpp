@@ -151,6 +151,12 @@ void addRoundAndHungScenes(std::vector<SceneDescription>& scenes) {
                     seenFrom(0, 8, 30, 7),
                     "the chain stretches less than a thousandth of its length",
                     [] { return buildHeavyBallChain(20, 100); }, chainRate});
+  scenes.push_back({"plank_bridge",
+                    "crate of 100 kg dropped on eight taut planks of 2 kg",
+                    6,
+                    {vec3(5, 5, 12), vec3(0, 2.3, 0), 40},
+                    "sags, and carries the crate at rest",
+                    [] { return buildPlankBridge(8, 100); }});
   scenes.push_back({"newton_cradle", "five hung balls, restitution 1, one let go from 45 degrees",
                     5, seenFrom(0, 2.5, 10, 2.5),
                     "no energy is gained; the strings keep their length",

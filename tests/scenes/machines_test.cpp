@@ -53,6 +53,21 @@ TEST(HeavyBallChain, KeepsItsLength) {
   EXPECT_LT(error, 1e-3 * length);
 }
 
+TEST(PlankBridge, CarriesItsCrateAtRest) {
+  const SceneDescription& scene = findScene("plank_bridge");
+  OnRegions run(scene.build());
+  const btRigidBody& crate = *run.world->movableBodies().back();
+  const double start = totalEnergy(*run.world), height = crate.getWorldTransform().getOrigin().y();
+  while (run.world->time() < 4) {
+    run.world->step(1 / scene.hz);
+    ASSERT_LT(totalEnergy(*run.world), start) << run.world->time();
+    ASSERT_LT(largestJointError(run.world->dynamics()), 2e-3) << run.world->time();
+  }
+  EXPECT_LT(crate.getLinearVelocity().length(), 1e-4);
+  EXPECT_NEAR(crate.getWorldTransform().getOrigin().y(), height - 0.24, 0.02);
+  EXPECT_LT(run.solver.report().residualMax, 1e-6);
+}
+
 /// Energy above that of the start, step by step, with `solver` (null: ours).
 std::vector<double> energyOfCradle(double rate, std::unique_ptr<btConstraintSolver> solver) {
   OnRegions run("newton_cradle");
