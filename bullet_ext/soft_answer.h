@@ -10,8 +10,8 @@ struct Group;
 struct IslandResult;
 struct TargetWork;
 
-// Answers as if contacts gave a little, or joints asked for less. They are reported as incompatible,
-// with the residual of the law as it stands.
+// Answers as if contacts gave a little, or joints asked for less. They are reported as
+// incompatible, with the residual of the law as it stands.
 
 /// Takes back the exact answer, whose contacts throw a body (thrown_bodies.h), and finds the answer
 /// for contacts that give a little.
@@ -20,9 +20,9 @@ void answerSoftened(const Group& group, const Island& island, Bench& bench, Answ
 
 /// The same where joints throw and do the work `exact`. All that holds then asks for the same share
 /// of what it asks for now, a share so small that the work is fair. (The work grows with the square
-/// of what is asked; parts that ask for nothing do none.) Joints stay as rigid as they are, whatever
-/// they carry, and correct their errors in more steps. Contacts give a little if they throw, too, or
-/// if nothing else is found soon.
+/// of what is asked; parts that ask for nothing do none.) Joints stay as rigid as they are,
+/// whatever they carry, and correct their errors in more steps. Contacts give a little if they
+/// throw, too, or where nothing is found soon without that.
 void answerHeldBack(const Group& group, const Island& island, const TargetWork& exact,
                     bool contactsThrow, Bench& bench, Answer& answer, IslandResult& result);
 

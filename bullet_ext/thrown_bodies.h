@@ -43,13 +43,13 @@ struct TargetWork {
   double allowed = 0;
 };
 constexpr double timesAlone = 30;
-/// The work of `solution`, for the targets of these contacts and rows: those of the group, or others
-/// in their place.
+/// The work of `solution`, for the targets of these contacts and rows: those of the group, or
+/// others in their place.
 TargetWork workOfTargets(const Group& group, const std::vector<Contact>& contacts,
                          const std::vector<Row>& rows, const Island& island, const Problem& problem,
                          const Solution& solution);
-/// Whether a push of the row up, or down, drives or brakes it, with a bounded force. A bound at which
-/// the joint breaks does not count: until then the joint holds.
+/// Whether a push of the row up, or down, drives or brakes it, with a bounded force. A bound at
+/// which the joint breaks does not count: until then the joint holds.
 bool drives(const Group& group, int row, bool up);
 
 /// The largest speed of bodies that touch the island and do not give way, m/s.
