@@ -22,10 +22,11 @@ struct GroupInput;
 ///     btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
 ///
 /// Drop-in for btSequentialImpulseConstraintSolver in a world of rigid bodies. One solver a world:
-/// it owns its workspace; reactions are kept in Bullet's contact points, and for joints, rolling
-/// and spinning friction, points that narrow phase replaced, and the digits that float has no room
-/// for, here for one step. That needs prepareSolve, which Bullet's world calls; without it (a
-/// solver pool) float worlds are solved in every step.
+/// it owns its workspace. Reactions are kept in Bullet's contact points. Some have no room there:
+/// those of joints, of rolling and spinning friction, of points that the narrow phase replaced, and
+/// the digits that float cannot hold. The solver itself keeps these for one step. For that it needs
+/// prepareSolve, which Bullet's world calls; without it (a solver pool) float worlds are solved in
+/// every step.
 class btDelassusConstraintSolver : public btConstraintSolver {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();
@@ -42,57 +43,60 @@ class btDelassusConstraintSolver : public btConstraintSolver {
                       int manifoldCount, btTypedConstraint** constraints, int constraintCount,
                       const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
                       btDispatcher* dispatcher) override;
-  /// Has islands that do not touch solved side by side by so many threads, the caller's being one
-  /// of them, and one that is most of a group swept over by all of them together if it is large
-  /// (coloured_sweeps.h): it starts the others at once, and they sleep between steps. Until then,
-  /// and with 1, no thread is started. The motion, the report (but for its seconds and bytes) and
-  /// the order of events are the same for any number; below 1 is 1. Storage that is kept from step
-  /// to step is given back. Throws std::system_error where no thread is to be had, and
-  /// std::bad_alloc where there is no room for so many; the caller is alone then.
+  /// Solves islands that do not touch side by side on this many threads, the caller's being one of
+  /// them. A large island that makes up most of a group is swept over by all threads together
+  /// (coloured_sweeps.h). This call starts the other threads at once; they sleep between steps. No
+  /// thread is started before it, nor by setThreads(1); a number below 1 counts as 1. The motion,
+  /// the report (but for its seconds and bytes) and the order of events are the same for any
+  /// number. Storage that is kept from step to step is given back. Throws std::system_error where
+  /// no thread is to be had, and std::bad_alloc where there is no room for so many; then the caller
+  /// works alone.
   void setThreads(int threads);
-  /// Has rolling and spinning friction of rigid bodies bounded as in Bullet's own solver, for
-  /// worlds that were tuned with it: |τ| ≤ κ min(r_n, 1 N·s) at each point in each step, and no
-  /// spinning friction where there is no rolling friction. What weighs more than 1 N·s of load a
-  /// step (6 kg on one point at 60 Hz) then rolls on as it does there. Off at first: |τ| ≤ κ r_n,
-  /// whatever the load and the step.
+  /// Bounds rolling and spinning friction of rigid bodies as Bullet's own solver does, for worlds
+  /// that were tuned with it: |τ| ≤ κ min(r_n, 1 N·s) at each point in each step, and no spinning
+  /// friction where there is no rolling friction. A body with more than 1 N·s of load a step on a
+  /// point (6 kg at 60 Hz) then rolls on, as it does there. Off at first: |τ| ≤ κ r_n, whatever the
+  /// load and the step.
   void setStockRollingFriction(bool on);
-  /// Has light bodies in taut joints (a rope of links under a heavy load) turn no faster than the
-  /// step can follow: such bodies, and no others, turn as if held by implicit springs of their
-  /// geometric stiffness under the last step's forces (geometric_stiffness.h). Joints hold as well;
-  /// swings lose some energy, in proportion to the step. Needs SOLVER_USE_WARMSTARTING and a warm
-  /// starting factor above 0, has no effect in a solver pool, or where worlds take turns with one
-  /// solver; report().stiffened counts. On at first: without it such ropes gain energy and tear,
-  /// with any solver that has their joints hold, unless steps are shorter.
+  /// Lets light bodies in taut joints (a rope of links under a heavy load) turn no faster than the
+  /// step can follow: these bodies, and no others, turn as if held by implicit springs of their
+  /// geometric stiffness under the last step's forces (geometric_stiffness.h). Their joints hold as
+  /// exactly as others; their swings lose some energy, in proportion to the step. Needs
+  /// SOLVER_USE_WARMSTARTING and a warm starting factor above 0. Has no effect in a solver pool, or
+  /// where several worlds use one solver in turn. report().stiffened counts the bodies. On at
+  /// first: without it such ropes gain energy and tear with any solver whose joints hold, unless
+  /// steps are shorter.
   void setGeometricStiffness(bool on);
-  /// Forgets the last step's report, the workspace, and the reactions that are kept here; Bullet's
-  /// contact points keep theirs. Options, threads, listeners and what was switched on stay. Throws
-  /// as setThreads.
+  /// Forgets the last step's report, the workspace, and the reactions that the solver itself keeps;
+  /// Bullet's contact points keep theirs. Options, threads, listeners and switches stay. Throws as
+  /// setThreads does.
   void reset() override;
-  /// BT_NNCG_SOLVER, of Bullet's names that of another solver of the whole, for which nobody takes
-  /// this one: Bullet casts what answers BT_MULTIBODY_SOLVER, its examples (Hinge2Vehicle,
-  /// ForkLift) write into what answers BT_MLCP_SOLVER.
+  /// BT_NNCG_SOLVER, because no code casts a solver that answers so. Bullet casts one that answers
+  /// BT_MULTIBODY_SOLVER, and its examples (Hinge2Vehicle, ForkLift) write into one that answers
+  /// BT_MLCP_SOLVER.
   btConstraintSolverType getSolverType() const override { return BT_NNCG_SOLVER; }
 
-  /// The whole last world step. In a solver pool, which does not announce steps, sums go on until
-  /// reset().
+  /// The report of the whole last world step. A solver pool does not announce steps: there the sums
+  /// go on until reset().
   const delassus::StepReport& report() const { return report_; }
 
-  /// Called at the end of each solveGroup with every contact whose mode changed, in the order of
-  /// Bullet's manifolds: first those that took part, then those that were left out. The listener
-  /// must not add or remove anything in the world, nor reset this solver; it may set listeners, for
-  /// the steps to come. An empty function ends it; then nothing is computed for it.
+  /// Calls the listener at the end of each solveGroup with every contact whose mode changed, in the
+  /// order of Bullet's manifolds: first those that took part, then those that were left out. The
+  /// listener must not add or remove anything in the world, nor reset this solver; it may set
+  /// listeners, for the steps to come. An empty function ends the calls; then no events are made.
   void setContactListener(std::function<void(const delassus::ContactEvent&)> listener);
-  /// The same for every contact in trouble, in every step in which it is, changed or not.
+  /// The same for every contact in trouble, in every step in which it is in trouble, whether or not
+  /// its mode changed.
   void setTroubleListener(std::function<void(const delassus::ContactEvent&)> listener);
   /// The same for every contact in which rolling or spinning friction acts, in every step in which
-  /// it does, changed or not: Bullet's points have no place for its moment.
+  /// it acts, whether or not its mode changed: Bullet's points have no place for its moment.
   void setTurningListener(std::function<void(const delassus::ContactEvent&)> listener);
 
  private:
   friend class btDelassusMultiBodyConstraintSolver;
   btDelassusConstraintSolver(const delassus::Options& options, btDelassusPrecision);
 
-  /// What one group took.
+  /// The work that one group took.
   struct Work {
     int iterations = 0;       ///< regions and sweeps, without those of pushes
     double residualMax = -1;  ///< m/s; −1 if nothing was solved
@@ -107,8 +111,8 @@ class btDelassusConstraintSolver : public btConstraintSolver {
   std::unique_ptr<Workspace> workspace_;
   delassus::StepReport report_;
   using Listener = std::function<void(const delassus::ContactEvent&)>;
-  // Shared, since who listens may end that while it is called; a copy of the function might take
-  // memory in every step.
+  // Shared, since a listener may end itself while it is called; a copy of the function might
+  // allocate memory in every step.
   std::shared_ptr<const Listener> listener_, troubleListener_, turningListener_;
   bool stockRollingFriction_ = false, geometricStiffness_ = true;
 };

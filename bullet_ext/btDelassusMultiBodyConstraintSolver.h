@@ -16,9 +16,9 @@
 ///     btMultiBodyDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
 ///
 /// A world without articulated bodies moves as it does with btDelassusConstraintSolver, bit for
-/// bit. One solver a world. Bullet accepts nothing there that is not derived from its own solver;
-/// nothing of that is used but m_analyticsData, which tells of the last group: its bodies and
-/// manifolds, as iterations the regions and sweeps (0: nothing had to be solved), as residual the
+/// bit. One solver a world. Bullet accepts only a class there that is derived from its own solver.
+/// Nothing of that base is used but m_analyticsData, which describes the last group: its bodies and
+/// manifolds; as iterations the regions and sweeps (0: nothing had to be solved); as residual the
 /// square of the largest natural residual, (m/s)².
 class btDelassusMultiBodyConstraintSolver : public btMultiBodyConstraintSolver {
  public:
@@ -43,14 +43,14 @@ class btDelassusMultiBodyConstraintSolver : public btMultiBodyConstraintSolver {
                            btMultiBodyConstraint** multiBodyConstraints,
                            int multiBodyConstraintCount, const btContactSolverInfo& info,
                            btIDebugDraw* debugDrawer, btDispatcher* dispatcher) override;
-  // These four, and those below, as in btDelassusConstraintSolver.
+  // These four, and the listeners below, are as in btDelassusConstraintSolver.
   void setThreads(int threads);
   void setStockRollingFriction(bool on);  ///< of rigid bodies
-  void setGeometricStiffness(bool on);    ///< the same
+  void setGeometricStiffness(bool on);    ///< of rigid bodies
   void reset() override;
   btConstraintSolverType getSolverType() const override { return BT_MULTIBODY_SOLVER; }
 
-  /// `rows` counts those of both kinds of constraints.
+  /// `rows` counts the rows of both kinds of constraints.
   const delassus::StepReport& report() const;
   void setContactListener(std::function<void(const delassus::ContactEvent&)> listener);
   void setTroubleListener(std::function<void(const delassus::ContactEvent&)> listener);

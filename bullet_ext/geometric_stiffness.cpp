@@ -18,8 +18,8 @@
 namespace delassus::bullet {
 namespace {
 
-/// Where a joint of Bullet's holds its bodies, from their centres, in world axes, m; nowhere if it
-/// is one of the user's.
+/// Where a joint of Bullet's holds its bodies, from their centres, in world axes, m; zero for the
+/// user's own joints.
 struct Arms {
   btVector3 onA = btVector3(0, 0, 0), onB = btVector3(0, 0, 0);
 };
@@ -31,8 +31,8 @@ Arms readFrames(const btTypedConstraint& any, const btTransform& (Joint::*frameA
   return joint ? Arms{(joint->*frameA)().getOrigin(), (joint->*frameB)().getOrigin()} : Arms();
 }
 
-/// In the frames of the bodies. The type saves casts that fail; of the user's own joints it may say
-/// anything.
+/// The arms in the frames of the bodies. The joint's type saves casts that would fail; the user's
+/// own joints may give any type.
 Arms localArmsOf(const btTypedConstraint& joint) {
   switch (joint.getConstraintType()) {
     case POINT2POINT_CONSTRAINT_TYPE: {
@@ -77,7 +77,7 @@ Mat3 stiffnessOf(const Vec3& impulse, const Vec3& arm, double h) {
   return 0.25 * h * size * length * (s.squaredNorm() * Mat3::Identity() - s * s.transpose());
 }
 
-/// Of A B, both symmetric and none of their eigenvalues negative.
+/// The largest eigenvalue of A B, both symmetric and without negative eigenvalues.
 double largestEigenvalue(const Mat3& A, const Mat3& B) {
   Eigen::SelfAdjointEigenSolver<Mat3> solver;
   solver.compute(B);
@@ -104,7 +104,7 @@ int GeometricStiffness::stiffen(Group& group, const btContactSolverInfo& info, d
     add(first.b, joint.lastPullOnB, arms.onB);
   }
 
-  // Of (ω h)².
+  // Bounds of (ω h)².
   const double limit = lastStep == 0 || lastStep == h ? 4 : 0.5, beyond = 1.125 * limit;
   int changed = 0;
   for (std::size_t i = 0; i < group.bodies.size(); ++i) {

@@ -17,8 +17,8 @@ namespace {
 
 constexpr int none = -1;
 
-/// Which ways the row holds its bodies, as rigid as it is: not as springs or motors do. It is a
-/// motor if it may push less than what breaks the joint.
+/// In which directions the row holds its bodies rigidly, not as springs or motors do. It is a motor
+/// if it may push less than what breaks the joint.
 struct Ways {
   bool up, down;
 };
@@ -40,7 +40,7 @@ ImpulseSpan::Impulse impulseOf(const Group& group, const Row& row) {
   return impulse;
 }
 
-/// Along the normal.
+/// The impulse along the normal.
 ImpulseSpan::Impulse impulseOf(const Group& group, const Contact& contact) {
   ImpulseSpan::Impulse impulse;
   const Vec3 n = contact.frame.col(0);
@@ -70,7 +70,7 @@ std::size_t HeldContacts::bytes() const {
   return sum;
 }
 
-/// Rows that hold, and the mechanisms that they make.
+/// Collects the rows that hold, and the mechanisms that they make.
 void HeldContacts::collect(const Group& group) {
   const auto bodies = static_cast<int>(group.bodies.size());
   links_.reset(bodies);
@@ -98,13 +98,14 @@ void HeldContacts::collect(const Group& group) {
   }
 }
 
-/// Of a body that can move; none where nothing holds it, or too much.
+/// The mechanism of a body that can move; none if nothing holds it, or too many rows do.
 int HeldContacts::mechanismOf(int body) {
   const int number = numberOf_[links_.root(body)];
   return number != none && mechanisms_[number].rows <= mostRows ? number : none;
 }
 
-/// Whether it is between parts of one mechanism, or of such as stand and what stands.
+/// Whether the contact is between parts of one mechanism, between mechanisms that are both fixed to
+/// bodies at rest, or between such a mechanism and a body at rest.
 bool HeldContacts::mayBeHeld(const Group& group, const Contact& contact) {
   if (group.isLimb(contact.a) || group.isLimb(contact.b)) return false;
   const bool movesA = group.movable(contact.a), movesB = group.movable(contact.b);
@@ -130,7 +131,7 @@ void HeldContacts::sortHolds() {
   spansUsed_ = 0;
 }
 
-/// What holds both ways.
+/// The span of the rows that hold both ways.
 ImpulseSpan& HeldContacts::spanOf(const Group& group, Mechanism& mechanism) {
   if (mechanism.span == none) {
     mechanism.span = spansUsed_++;
@@ -143,8 +144,8 @@ ImpulseSpan& HeldContacts::spanOf(const Group& group, Mechanism& mechanism) {
   return spans_[mechanism.span];
 }
 
-/// By one more row, whose coordinates are in ofRow_ then. Answers with the last of them, that along
-/// itself; 0 if nothing can follow it.
+/// Extends the span by one more row, whose coordinates are then in ofRow_. Returns the last of
+/// them, that along the row itself; 0 if nothing can follow the row.
 double HeldContacts::extend(const Group& group, const Hold& hold, const Impulse& impulse,
                             ImpulseSpan& span) {
   const double size = ImpulseSpan::product(group.bodies, impulse, impulse);
@@ -155,9 +156,9 @@ double HeldContacts::extend(const Group& group, const Hold& hold, const Impulse&
   return std::sqrt(left);
 }
 
-/// Of (push, push), what the mechanism takes up: by what holds both ways, or also by limits that
-/// the push would cross, each tried once, in their order. Adds to `apart` how fast these ask the
-/// contact to part, m/s.
+/// The part of (push, push) that the mechanism takes up: by rows that hold both ways, or also by
+/// limits that the push would cross, each tried once, in their order. Adds to `apart` the speed at
+/// which these ask the contact to part, m/s.
 double HeldContacts::takenUp(const Group& group, const Impulse& push, Mechanism& mechanism,
                              bool withLimits, double& apart) {
   ImpulseSpan& span = spanOf(group, mechanism);
@@ -193,7 +194,7 @@ HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contac
     const int number = mechanismOf(body);
     if (count == 0 || involved[0] != number) involved[count++] = number;
   }
-  // What stands may move all the same, as kinematic bodies do.
+  // Bodies that cannot be pushed may move all the same, as kinematic ones do.
   Vec3 standing = Vec3::Zero();
   double arm = 0;
   if (push.a == none)
@@ -204,7 +205,7 @@ HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contac
     standing -= velocityAt(group.bodies, contact.b, contact.armB);
   else
     arm = std::max(arm, contact.armB.norm());
-  // Joints mend their errors; normals lean.
+  // A little is harmless: joints mend their errors, and normals lean.
   const double harmless = standing.isZero(0) ? still * arm / h : std::sqrt(share) * standing.norm();
   const double size = ImpulseSpan::product(group.bodies, push, push);
   for (const bool withLimits : {false, true}) {

@@ -13,26 +13,28 @@ namespace delassus::bullet {
 struct Group;
 
 /// Contacts along which joints leave their bodies no motion: a door that grazes the floor, a
-/// machine that is bolted to the ground it overlaps, a wheel and the fender of its own car. What
-/// such a contact asks for beyond rest is asked of joints as rigid as it is: taken at its word, an
-/// overlap of a millimetre would press with 1e11 N, and friction lock the door.
+/// machine that is bolted to the ground it overlaps, a wheel and the fender of its own car.
+/// Whatever such a contact asks for beyond rest, it asks of joints that are as rigid as it is: met
+/// exactly, an overlap of a millimetre would press with 1e11 N, and friction would lock the door.
 ///
-/// A contact is held if an impulse along it moves its bodies, as their joints leave them, by no
-/// more than `share` of what it would move them without: what leans by less than half a degree, in
-/// float by little more than one, or acts on as small a part of the arm. It asks for no more than
-/// rest, and gives by `softness` of what the body answers that answers less: the joints carry all.
-/// Where only a limit holds, which lets the bodies go the other way, it gives by joinedSoftness and
-/// is not split, as contacts of bodies that a joint links.
+/// A contact is held if an impulse along it moves its jointed bodies by no more than `share` of
+/// what it would move them without joints. Such a contact leans from the blocked direction by less
+/// than half a degree (in float by little more than one), or acts on as small a part of the arm. It
+/// asks for no more than rest, and gives by `softness` of the response of the body that responds
+/// less: the joints carry all. Where only a limit holds, the bodies can go the other way; there the
+/// contact gives by joinedSoftness and is not split, as contacts of bodies that a joint links.
 ///
-/// Not where the joints themselves, or what they hang on, drive the bodies together, by more than
-/// `still` of the arm a step, or what is kinematic does: a servo does not press its arm through a
-/// table, and a weld breaks in a press.
+/// A contact is not held where something drives the bodies together by more than `still` of the arm
+/// a step: the joints themselves, or the place where they are fixed, or anything kinematic. So a
+/// servo does not press its arm through a table, and a weld breaks in a press.
 ///
-/// Joints are those of the mechanisms of the two bodies, if these stand, or are one; none of more
-/// than `mostRows` rows. Springs hold nothing, nor do motors, unless they may push without bounds.
+/// The joints that count are those of the mechanisms of the two bodies, if both mechanisms are
+/// fixed to the world or are the same one. Mechanisms of more than `mostRows` rows do not count.
+/// Springs hold nothing, nor do motors, unless they may push without bounds.
 class HeldContacts {
  public:
-  /// Call it when contacts and joints are gathered. h: the step, s. Answers with how many are held.
+  /// Call it when contacts and joints are gathered. h: the step, s. Returns the number of contacts
+  /// held.
   int soften(Group& group, double h);
 
   /// In float normals lean by more.
@@ -47,7 +49,7 @@ class HeldContacts {
   enum class Held { No, ByLimit, Always };
   /// A row that holds.
   struct Hold {
-    int row, a, b;  ///< and its bodies that can move; −1: none
+    int row, a, b;  ///< the row and its bodies that can move; −1: none
     bool up, down;  ///< whether its reaction may be as large as need be, and as negative
     int mechanism = -1;
     bool isLimit() const { return up != down; }
@@ -55,9 +57,9 @@ class HeldContacts {
   /// Bodies that such rows link.
   struct Mechanism {
     int rows = 0;
-    bool stands = false;     ///< held to what stands, too
+    bool stands = false;     ///< also held to bodies that do not move
     int begin = 0, end = 0;  ///< among holds_, limits last
-    int span = -1;           ///< among spans_: of what holds both ways; −1: not worked out
+    int span = -1;           ///< among spans_: of rows that hold both ways; −1: not computed
   };
   void collect(const Group& group);
   int mechanismOf(int body);

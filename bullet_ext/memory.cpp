@@ -37,14 +37,15 @@ int numberOf(const btCollisionObject* body) {
   return proxy ? proxy->m_uniqueId : 0;
 }
 
-/// By what a group is known when it comes again; null if it has neither contacts nor joints.
+/// The address by which a group is known when it comes again; null if it has neither contacts nor
+/// joints.
 const void* signOf(const Group& group) {
   if (!group.contactSources.empty()) return group.contactSources.front().manifold;
   if (!group.joints.empty()) return group.joints.front().constraint;
   return nullptr;
 }
 
-/// What the rows of a joint push one of its bodies with, N·s.
+/// The impulse by which the rows of a joint push one of its bodies, N·s.
 Vec3 pullOf(const Group& group, const JointSource& joint, const std::vector<double>& reactions,
             Row6 Row::*jacobian) {
   Vec3 sum = Vec3::Zero();
@@ -106,7 +107,8 @@ void Memory::nextStep() {
   groups_.clear();
 }
 
-/// Gives each point that is fresh, or that is not, the nearest point of the last step that is left.
+/// Gives each point that is fresh (or, if not `fresh`, each other one) the nearest point of the
+/// last step that is left.
 void Memory::claim(Group& group, int begin, int end, const Owner& owner, bool fresh) {
   for (int i = begin; i < end; ++i) {
     if (group.contactSources[i].fresh != fresh) continue;
@@ -150,7 +152,7 @@ void Memory::matchWrench(Group& group, int begin, int end, const Owner& owner) c
   shareWrench(points.data(), end - begin, wanted, &group.guess[begin]);
 }
 
-/// A point that is alone, as those of spheres are: it takes over the force, and its moment follows.
+/// For a lone point, as spheres have: it takes over the force, and its moment follows from that.
 void Memory::matchForce(Group& group, int contact, const Owner& owner) const {
   Vec3 impulse = Vec3::Zero();
   for (int k = owner.begin; k < owner.end; ++k) impulse += last_.points[k].impulse;
@@ -164,8 +166,8 @@ void Memory::matchForce(Group& group, int contact, const Owner& owner) const {
   group.guess[contact] = projectOnCone(reaction, c.friction);
 }
 
-/// Gives the points that stayed the digits of their reactions that Bullet's float cannot carry. A
-/// reaction that is not what was written is somebody else's, and stays.
+/// Gives the points that stayed those digits of their reactions that Bullet's float cannot carry. A
+/// reaction that differs from the one written comes from somebody else, and stays.
 void Memory::recallDigits(Group& group, int begin, int end, const Owner& owner) const {
   const auto isRoundedTo = [](const Vec3& r, const Vec3& rounded) {
     for (int k = 0; k < 3; ++k)
@@ -175,7 +177,7 @@ void Memory::recallDigits(Group& group, int begin, int end, const Owner& owner) 
   const int count = owner.end - owner.begin;
   for (int i = begin; i < end; ++i) {
     if (group.contactSources[i].fresh) continue;
-    // Its own place first: others may have the same digits in float.
+    // The point's own place comes first: others may have the same digits in float.
     for (int k = 0; k < count; ++k) {
       const Vec3& reaction = last_.points[owner.begin + (i - begin + k) % count].reaction;
       if (!isRoundedTo(reaction, group.guess[i])) continue;
@@ -201,8 +203,8 @@ void Memory::recallPoints(Group& group, int begin, int end) {
   matchWrench(group, begin, end, *owner);
 }
 
-/// Marks the contacts of those bodies. A body that is new where another one was has only fresh
-/// points.
+/// Marks the contacts of the bodies that were marked. If a body is new where another one was, all
+/// its points are fresh.
 void Memory::recallMarks(Group& group) {
   if (last_.marked.empty()) return;
   marked_.clear();

@@ -10,33 +10,33 @@ namespace delassus::bullet {
 
 struct Answer;
 
-/// Reactions of the last step, for those who cannot carry their own: rows of joints and of turning
-/// friction, points that Bullet's narrow phase has put in the place of others, and in single
-/// precision all points, which round theirs by more than the tolerance: no island would be kept.
-/// Only guesses come from here, on which the answer does not depend, and what joints pulled with,
-/// for GeometricStiffness.
+/// Reactions of the last step, for parts that cannot carry their own: rows of joints and of turning
+/// friction; points that Bullet's narrow phase has put in the place of others; and in single
+/// precision all points, since these round their reactions by more than the tolerance, and no
+/// island would be kept. The reactions serve as guesses only, on which the answer does not depend.
+/// The pulls of joints are kept, too, for GeometricStiffness.
 ///
-/// A fresh point takes over the reaction of the nearest point of its manifold that is gone; then
+/// A fresh point takes over the reaction of the nearest point of its manifold that is gone. Then
 /// all points of the manifold share the rest, so that together they push and turn as those of the
-/// last step did (a point that is alone: push). Pointers serve to recognise, in the order of the
-/// arrays; nothing is read through them. What a user deletes and makes anew may lie where the old
-/// one lay: it is recognised only if the bodies, the numbers that their world gave them, and the
-/// impulse that a joint carries, are the same too.
+/// last step did (a lone point: only push). Pointers serve to recognise objects, in the order of
+/// the arrays; nothing is read through them. An object that a user makes anew may lie where a
+/// deleted one lay. So an object is recognised only if the bodies, the numbers that their world
+/// gave them, and the impulse that a joint carries are the same, too.
 class Memory {
  public:
-  /// What was kept since the last call is what is recalled from now on. Nothing is kept before the
-  /// first call, nor once a group comes again without one: who does not announce steps (a solver
-  /// pool) would have it grow without end.
+  /// Begins a step: everything kept since the last call is recalled from now on. Nothing is kept
+  /// before the first call, nor after a group has come again without a new call: a caller that does
+  /// not announce steps (a solver pool) would let the memory grow without end.
   void nextStep();
   /// Fills the guesses, and the digits of guesses, that `group` lacks. Call once per group, before
   /// `keep`.
   void recall(Group& group);
-  /// Forces go on from step to step, and impulses are as long as these: all guesses of `group`, by
-  /// whomever, are made those of a step of h, s.
+  /// Scales all guesses of `group`, whatever their source, to a step of h, s: forces go on from
+  /// step to step, and impulses are these forces times h.
   void fitTimeStep(Group& group, double h) const;
-  /// Its length, s; 0: not known.
+  /// The length of the last step, s; 0: not known.
   double lastStep() const { return last_.length; }
-  /// h: of this step, s. `withPulls`: those of joints are kept, too, for who asks for them.
+  /// h: the length of this step, s. `withPulls`: the pulls of joints are kept, too.
   void keep(const Group& group, const Answer& answer, double h, bool withPulls = false);
 
   std::size_t bytes() const;
@@ -45,7 +45,7 @@ class Memory {
   struct Owner {
     const void *object, *bodyA, *bodyB;  ///< object: manifold or joint
     int numberOfA, numberOfB;            ///< of the bodies, in the broadphase; 0 if in none
-    double impulse = 0;                  ///< that a joint was left with, N·s
+    double impulse = 0;                  ///< that a joint had in the end, N·s
     int begin = 0, end = 0;              ///< among points or rows
     bool isSame(const Owner& other) const {
       return object == other.object && bodyA == other.bodyA && bodyB == other.bodyB &&
@@ -59,11 +59,11 @@ class Memory {
     Vec3 impulse;   ///< the same in the world, N·s
     bool taken;     ///< by a point of this step
   };
-  /// Those of one kind.
+  /// The owners of one kind.
   class Owners {
    public:
     void clear();
-    /// Makes room to find it, too, so that no later step is the first to take memory for that.
+    /// Also makes room to find it, so that no later step is the first to allocate that room.
     Owner& add(const Owner& owner) {
       indexOf_.makeRoom(list_.size() + 1);
       return list_.emplace_back(owner);
@@ -76,12 +76,12 @@ class Memory {
 
    private:
     std::vector<Owner> list_;
-    AddressTable indexOf_;  ///< of the first so many, by object: where all rests next_ answers
+    AddressTable indexOf_;  ///< of the first `indexed_`, by object; where all rests, next_ suffices
     std::size_t indexed_ = 0;
-    /// After the one that was found last: most come in the same order again.
+    /// The place after the owner that was found last: most come in the same order again.
     std::size_t next_ = 0;
   };
-  /// Of a contact that resists turning.
+  /// The reactions of a contact that resists turning.
   struct Turn {
     Vec3 arm;       ///< as above
     Vec3 reaction;  ///< spinning, then rolling about its two axes, N·m·s
@@ -100,7 +100,7 @@ class Memory {
     std::vector<Turn> turns;
     std::vector<double> rows;
     std::vector<Pulls> pulls;  ///< of each joint; or none
-    /// Of each island of which something is to be known, with a contact if it has any.
+    /// One body of each island that has marks, with a contact if the island has any.
     std::vector<MarkedBody> marked;
     void clear();
   };

@@ -45,7 +45,7 @@ void OpposedContacts::note(const Group& group, const btCollisionObject& a, int i
                            const btCollisionObject& b, int indexB, int first) {
   const auto end = static_cast<int>(group.contacts.size());
   if (first == end || !isOfAPart(pointOf(group, first))) return;
-  // Both may move: then by the one that came first, whichever of them the manifold names first.
+  // If both may move, take the body that came first, whichever the manifold names first.
   const bool movesA = group.movable(indexA), movesB = group.movable(indexB);
   if (movesA && !(movesB && indexB < indexA))
     add(indexA, b, !movesB && isOfTriangles(b), first, end);
@@ -83,7 +83,7 @@ void OpposedContacts::collect(const Group& group) {
   }
 }
 
-/// Marks what is opposed of two spans on one object, or of one with itself.
+/// Marks the opposed contacts of two spans on one object, or of one span with itself.
 void OpposedContacts::compare(const Group& group, const Span& a, const Span& b) {
   constexpr double cosOpposed = -0.5, cosContrary = -0.98;
   for (int i = a.first; i < a.end; ++i)
@@ -109,7 +109,7 @@ void OpposedContacts::compare(const Group& group, const Span& a, const Span& b) 
     }
 }
 
-/// Of bodies that a joint links, in the same triangles.
+/// Compares bodies that a joint links, in the same triangles.
 void OpposedContacts::compareLinked(const Group& group) {
   const auto isBefore = [](const Span& x, const Span& y) {
     return std::tie(x.body, x.object) < std::tie(y.body, y.object);

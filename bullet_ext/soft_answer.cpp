@@ -12,7 +12,7 @@ namespace {
 
 constexpr double roughly = 1e-2;  ///< of the demands
 
-/// The answer is this one, to another problem than the island's.
+/// Takes this solution, of an easier problem, as the answer.
 void take(const Group& group, const Island& island, const Solution& solution,
           const VelocityResidual& residual, Answer& answer, IslandResult& result) {
   for (const int body : island.bodies) answer.bodies[body] = group.bodies[body];
@@ -27,22 +27,22 @@ void take(const Group& group, const Island& island, const Solution& solution,
   result.blamed = {residual.worst};
 }
 
-/// By how much the law as it stands is missed.
+/// How far the reactions miss the law without softness.
 VelocityResidual residualOf(const Group& group, const Island& island, const VectorXd& r,
                             Bench& bench) {
   return naturalResidual(bench.assembler.assemble(group.bodies, group.contacts, group.rows, island),
                          r);
 }
 
-/// The island's problem where its contacts give by so much of what `soften` gives.
+/// The island's problem if its contacts give by this share of what `soften` gives.
 const Problem& softProblem(const Group& group, const Island& island, double share, Bench& bench) {
   bench.softContacts = group.contacts;
   island.eachContact([&](int i) { soften(group.bodies, bench.softContacts[i], share); });
   return bench.assembler.assemble(group.bodies, bench.softContacts, group.rows, island);
 }
 
-/// The island's problem where joints that hold, and contacts that are to part, ask for a share of
-/// what they do, and contacts perhaps give.
+/// The island's problem if joints that hold, and contacts that are to part, ask for this share of
+/// what they ask for now, and contacts perhaps give.
 const Problem& heldBackProblem(const Group& group, const Island& island, double share,
                                bool contactsGive, Bench& bench) {
   bench.softRows = group.rows;
@@ -59,7 +59,8 @@ const Problem& heldBackProblem(const Group& group, const Island& island, double 
   return bench.assembler.assemble(group.bodies, bench.softContacts, bench.softRows, island);
 }
 
-/// By its contacts that give, J; less what the residual of their law leaves open.
+/// The energy that contacts take up as they give, J; less what the residual of their law leaves
+/// open.
 double takenUp(const Group& group, const Island& island, const Solution& soft, const Bench& bench) {
   double sum = -soft.r.lpNorm<1>() * soft.residual / 2;
   int at = 0;
@@ -102,7 +103,7 @@ void answerHeldBack(const Group& group, const Island& island, const TargetWork& 
           workOfTargets(group, bench.softContacts, bench.softRows, island, problem, solution).done;
       return solution.residual <= roughly * problem.demand();
     };
-    // What is wedged so that this is not found soon has contacts give, too.
+    // Where bodies are so wedged that this is not found soon, contacts give, too.
     if (!solve() && !contactsGive) {
       contactsGive = true;
       solve();

@@ -43,8 +43,8 @@ Trouble troubleOf(Status status) {
   return Trouble::None;
 }
 
-/// The contact or the row whose first unknown is `unknown`; the other is −1. A contact's turning
-/// friction is the contact.
+/// The contact or the row whose first unknown is `unknown`; the other is −1. Turning friction
+/// counts as its contact.
 struct Part {
   int contact = -1, row = -1;
 };
@@ -59,15 +59,16 @@ Part partAt(const Group& group, const Island& island, int unknown) {
   return governor >= 0 ? Part{governor, -1} : Part{-1, row};
 }
 
-/// Of its contacts.
+/// The marks of the island's contacts.
 IslandMarks marksOf(const Group& group, const Island& island) {
   IslandMarks marks;
   if (!group.marks.empty()) island.eachContact([&](int i) { marks.add(group.marks[i]); });
   return marks;
 }
 
-/// Reactions that have just been found also stopped what moved, and would set it in motion the
-/// other way if they came again: before they are kept they must be those of the rest.
+/// The share of the tolerance within which reactions are kept. Reactions that have just been found
+/// also stopped what moved, and would set it in motion the other way if they came again. So they
+/// are kept only once they are the reactions of rest.
 double shareToKeep(const Group& group, const Island& island) {
   return marksOf(group, island).isRestless ? polishedShare : keptShare;
 }
@@ -88,14 +89,14 @@ bool needsNoSolving(const Group& group, const Island& island, const Economies& e
 
 void checkIsland(const Group& group, const Island& island, const Economies& economies, Bench& bench,
                  Answer& answer, IslandResult& result) {
-  // The check knows of bodies, not of trees.
+  // The check knows single bodies, not articulated trees.
   if (group.articulation.moves(island) || !needsNoSolving(group, island, economies, bench, answer))
     return;
   note(bench.solution, island, result);
   keepReactions(island, bench.solution, answer);
 }
 
-/// Better no reaction than one that spoils the world; the residual says how good that is.
+/// Takes no reactions instead of some that spoil the world; the residual says how good that is.
 void takeNoReactions(const Problem& problem, const Island& island, Answer& answer,
                      IslandResult& result) {
   island.eachContact([&](int i) { answer.contacts[i].setZero(); });
@@ -107,21 +108,22 @@ void takeNoReactions(const Problem& problem, const Island& island, Answer& answe
   result.blamed = {atRest.worst};
 }
 
-/// Whether the guess had to be left, and what was found is far nearer to the law; tolerance: m/s.
+/// Whether the answer left the guess and is far nearer to the law than the guess; tolerance: m/s.
 bool leavesGuess(const Solution& solution, double tolerance) {
   constexpr double gain = 10;
   return solution.tier == Tier::Walk && solution.startResidual > keptShare * tolerance &&
          solution.startResidual > gain * solution.residual;
 }
 
-/// Whether the search, which had time enough, came nowhere near.
+/// Whether the search came nowhere near an answer, though it had time enough.
 bool isFarOff(const Solution& solution, double demand) {
   constexpr double share = 1e-5;
   return solution.status == Status::OutOfBudget && solution.residual > share * demand;
 }
 
-/// Where whole searches have been in vain step after step, the next ones are after twice as many
-/// steps each. Between them what a short one leaves will do, if it is not much more.
+/// Whether the answer of a short search will do. If whole searches have been in vain step after
+/// step, the next whole one comes after twice as many steps each time. In between, a short search
+/// will do if it leaves not much more.
 bool willDo(const Solution& solution, const IslandMarks& last) {
   constexpr double times = 4;
   const int steps = last.lostSteps + 1;
@@ -129,7 +131,7 @@ bool willDo(const Solution& solution, const IslandMarks& last) {
   return last.lostSteps > 0 && !isTurnOfWhole && solution.residual <= times * last.lost;
 }
 
-/// The island's problem as it stands, and where its search begins: both stay on the bench.
+/// Puts on the bench the island's problem as it stands, and the guess from which its search begins.
 const Problem& putOnBench(const Group& group, const Island& island, const Answer& answer,
                           Bench& bench) {
   collectGuess(island, answer, bench.guess);
@@ -138,14 +140,14 @@ const Problem& putOnBench(const Group& group, const Island& island, const Answer
                                           : apart;
 }
 
-/// How much farther from the law than what was found an island that jams may be answered.
+/// An island that jams may be answered this many times as far from the law as what was found.
 constexpr double nearly = 2;
 
 /// How a search ended.
 enum class SearchEnd { Whole, Short, Jammed };
 
-/// Solves what is on the bench. Where something drives the island, a short search tells that it
-/// jams; and where whole ones have been in vain it comes first.
+/// Solves the problem on the bench. A short search comes first where something drives the island,
+/// to tell whether it jams, and where whole searches have been in vain.
 SearchEnd searchFor(const Group& group, const Island& island, bool mayJam, const Problem& problem,
                     Bench& bench, Answer& answer, IslandResult& result) {
   Solution& solution = bench.solution;
@@ -217,8 +219,8 @@ void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& 
     answerSoftened(group, island, bench, answer, result);
 }
 
-/// What jammed in the last step is likely to do so now, with much the same reactions. Where work is
-/// bounded there is none for this.
+/// An island that jammed in the last step is likely to jam again, with much the same reactions.
+/// Where work is bounded there is none for this.
 void solveIsland(const Group& group, const Island& island, Bench& bench, Answer& answer,
                  IslandResult& result) {
   const bool mayJam = !group.articulation.moves(island) && island.hasContacts() &&
@@ -248,7 +250,7 @@ void solveUnanswered(const Group& group, Workshop& workshop, Answer& answer) {
 }
 
 /// Takes back the answers of islands with bodies whose free velocity a constraint has changed, as
-/// if no reaction had moved them; the others keep their answers, and their bits.
+/// if no reaction had moved them. The other islands keep their answers, bit for bit.
 void takeBackChanged(const Group& group, Answer& answer) {
   const std::vector<char>& changed = answer.obsolete.changed();
   for (std::size_t body = 0; body < changed.size(); ++body)
@@ -343,7 +345,7 @@ void startAnswer(const Group& group, Answer& answer) {
 }
 
 void checkIslands(const Group& group, Workshop& workshop, Answer& answer) {
-  // Unknowns whose check takes longer than it takes to call another thread.
+  // With fewer unknowns the check is faster than a call to another thread.
   constexpr int worthwhile = 6000;
   std::vector<int>& unanswered = answer.unanswered;
   workshop.share(

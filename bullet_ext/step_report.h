@@ -8,8 +8,8 @@
 
 namespace delassus {
 
-/// What the last world step was: sums over all its groups and islands. A count that would overflow,
-/// as where nobody announces steps (a solver pool), stays at the largest number.
+/// Report of the last world step: sums over all its groups and islands. A count that would overflow
+/// stays at the largest number, as it may where nobody announces steps (a solver pool).
 struct StepReport {
   Plan plan;  ///< what the step asked for, and what it was made of
   int islands = 0;
@@ -17,46 +17,47 @@ struct StepReport {
   int rows = 0;      ///< joint rows
   /// Modes of the contacts; frictionless persisting contacts count as slide.
   int open = 0, stick = 0, slide = 0;
-  int modeChanges = 0;  ///< contacts whose mode is not what it was after the step before
+  int modeChanges = 0;  ///< contacts whose mode differs from that after the step before
   int events = 0;       ///< contact events made
-  /// Islands by what answered them: nothing approaches, the last reactions, a formula, anything
-  /// that has to be searched.
+  /// Islands by their answer: no reactions (nothing approaches), the last reactions, a formula, or
+  /// a search.
   int freeIslands = 0, keptIslands = 0, closedForms = 0, walks = 0;
-  int matrices = 0;        ///< problems whose W was built, no pushes
+  int matrices = 0;        ///< problems whose W was built, without pushes
   int regions = 0;         ///< regions visited, pushes included
   int factorisations = 0;  ///< pushes included
-  int sweeps = 0;          ///< and alternations; pushes included
+  int sweeps = 0;          ///< sweeps and alternations, pushes included
   int patches = 0;         ///< parts of islands that were solved apart on the way, pushes included
-  /// Natural residual (residual.h), m/s; of rows about an axis rad/s; without pushes.
+  /// Natural residual (residual.h), m/s; rad/s for rows about an axis; without pushes.
   double residualMax = 0;
   double residualRms = 0;  ///< m/s, over contacts and rows
   int solved = 0, outOfBudget = 0, incompatible = 0, nonFinite = 0;  ///< islands by status
-  /// Islands that jam, or whose exact answer would throw a body: solved as if contacts gave a
-  /// little, or joints asked for less (soft_answer.h), and among the incompatible.
+  /// Islands that jam, or whose exact answer would throw a body: they are solved as if contacts
+  /// gave a little, or joints asked for less (soft_answer.h), and count as incompatible, too.
   int softened = 0;
-  /// Bodies, contacts, rows and steps that were solved around: not finite or absurd.
+  /// Bodies, contacts, rows and steps with numbers that are not finite or absurd; the rest is
+  /// solved as if they were not there.
   int leftOut = 0;
   int held = 0;          ///< contacts that leave their load to joints (held_contacts.h)
   int opposed = 0;       ///< contacts that give, since they push one body both ways (gather.h)
-  int stiffened = 0;     ///< bodies that setGeometricStiffness had turn more slowly
+  int stiffened = 0;     ///< bodies that turn more slowly because of setGeometricStiffness
   int pushIslands = 0;   ///< islands of the split-impulse problem, not counted in `islands`
-  int pushUnsolved = 0;  ///< those of them that ended without status solved
-  int pushSoftened = 0;  ///< the same among those of the split-impulse problem (push.h)
+  int pushUnsolved = 0;  ///< islands of the split-impulse problem whose status is not Solved
+  int pushSoftened = 0;  ///< softened islands of the split-impulse problem (push.h)
   /// Constraints without rows that moved something in their own solveConstraintObsolete.
   int obsoleteConstraints = 0;
-  /// Reading bodies, contacts, joints and what is known of the last step.
+  /// Time to read bodies, contacts, joints and the reactions of the last step.
   double secondsGather = 0;
-  double secondsPlan = 0;   ///< plan, islands, and the check for those that need no solving
-  double secondsSolve = 0;  ///< the others, and constraints that solve themselves
+  double secondsPlan = 0;   ///< plan, islands, and the check which islands need no solving
+  double secondsSolve = 0;  ///< other islands, and constraints that solve themselves
   double secondsPush = 0;   ///< split impulse
   double secondsWriteBack = 0;
   double secondsListener = 0;      ///< inside the user's function
   std::size_t workspaceBytes = 0;  ///< kept from step to step, for all threads
-  /// Bodies, contacts, joints left out or not solved: what, where, why.
+  /// Bodies, contacts, joints that were left out or not solved: which, where, why.
   std::vector<std::string> messages;
 
-  /// Adds a message unless it is there already. The list is kept short: the last message says that
-  /// it was cut.
+  /// Adds a message unless it is there already. The list is kept short: if it was cut, the last
+  /// message says so.
   void tell(const std::string& message);
   /// Counts a part that was left out, and tells which and why.
   void leaveOut(const std::string& part, const char* why);

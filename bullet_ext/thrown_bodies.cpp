@@ -15,7 +15,7 @@
 namespace delassus::bullet {
 namespace {
 
-/// How fast the body, or its point at `arm`, is, m/s.
+/// The speed of the body, or of its point at `arm` if that is faster, m/s.
 double speedOf(const std::vector<Body>& bodies, int body, const Vec3& arm) {
   if (body == fixedWorld) return 0;
   const Vec6& v = bodies[body].velocity;
@@ -30,8 +30,8 @@ bool turns(const Row& row) {
   return row.jacobianA.head<3>().isZero(0) && row.jacobianB.head<3>().isZero(0);
 }
 
-/// How fast contacts of the island go about its bodies if these turn as joints ask, m/s: a motor of
-/// little force, whatever its speed, asks for little.
+/// How fast contacts of the island go round its bodies if these turn as joints ask, m/s. A motor of
+/// little force asks for little, whatever its speed.
 double askedByTurns(const Group& group, const Island& island) {
   double turn = 0, arm = 0;
   for (const int k : island.rows) {
@@ -48,7 +48,7 @@ double askedByTurns(const Group& group, const Island& island) {
   return turn * arm;
 }
 
-/// Of which impulse the joint of this row breaks; infinite where no joint has asked for it.
+/// The impulse at which the joint of this row breaks; infinite if no joint has asked for the row.
 double breakingImpulseOf(const Group& group, int row) {
   const auto after =
       std::upper_bound(group.joints.begin(), group.joints.end(), row,
@@ -60,17 +60,17 @@ double breakingImpulseOf(const Group& group, int row) {
              : infinity;
 }
 
-/// How much may push it up, or down.
+/// The largest impulse that may push the row up, or down.
 double boundOf(const Row& row, bool up) { return up ? row.upper : -row.lower; }
 
-/// What is done to the bodies of an island, J.
+/// The work that is done to the bodies of an island, J.
 struct Hold {
   double work = 0;   ///< r (u + u⁺)/2 of all that holds
-  double asked = 0;  ///< r·target of it
+  double asked = 0;  ///< r·target of all that holds
   double alone = 0;  ///< ½ target²/W_ii: the work, if each target were met alone
-  double drive = 0;  ///< of what drives joints, whichever way
+  double drive = 0;  ///< work of what drives joints, in either direction
 };
-/// Nothing where no joint holds, whatever contacts do.
+/// All zero where no joint holds, whatever contacts do.
 Hold holdOf(const Group& group, const std::vector<Contact>& contacts, const std::vector<Row>& rows,
             const Island& island, const Problem& problem, const Solution& solution) {
   const VectorXd &r = solution.r, &compliance = problem.W.bodySpace().compliance;
@@ -110,7 +110,7 @@ Hold holdOf(const Group& group, const std::vector<Contact>& contacts, const std:
   return sum;
 }
 
-/// Of the turns of the island's bodies, about the axes about which they may turn, J.
+/// The energy of the turns of the island's bodies, about the axes about which they may turn, J.
 double energyOfTurns(const Group& group, const Island& island) {
   double sum = 0;
   for (const int body : island.bodies) {
@@ -122,7 +122,7 @@ double energyOfTurns(const Group& group, const Island& island) {
   return sum;
 }
 
-/// Of the island's bodies, J, if each that may leave its place went at least so fast.
+/// The energy of the island's bodies, J, if each that may leave its place went at least so fast.
 double energyOf(const Group& group, const Island& island, double leastSpeed) {
   double sum = energyOfTurns(group, island);
   for (const int body : island.bodies) {
@@ -156,11 +156,11 @@ TargetWork workOfTargets(const Group& group, const std::vector<Contact>& contact
                          const Solution& solution) {
   const Hold hold = holdOf(group, contacts, rows, island, problem, solution);
   TargetWork work;
-  // It would be no more than what is asked for, but for rounding.
+  // Without rounding the work would be no more than what is asked for.
   work.done = std::min(hold.work, hold.asked);
   work.fair = hold.alone + hold.drive;
   work.allowed = timesAlone * work.fair;
-  if (work.done <= work.allowed) return work;  // as most do: what follows is dear
+  if (work.done <= work.allowed) return work;  // as most do: the energy is expensive
   const double energy = energyOf(group, island, 0);
   work.fair = std::max(work.fair, energy);
   work.allowed = std::max(work.allowed, energy);

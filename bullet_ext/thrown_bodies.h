@@ -14,57 +14,57 @@ namespace delassus::bullet {
 struct Answer;
 struct Group;
 
-// The exact answer may throw a body: what is pinched between faces that lean against each other by
-// ε leaves them at 1/ε of what pinches it, and so does what a load presses that is off its line by
-// ε, or a link of a chain that is to be shorter than the way between its ends. An island whose
-// answer does so is solved again (soft_answer.h).
+// The exact answer may throw a body. A body that is pinched between faces that lean against each
+// other by ε leaves them at 1/ε times the speed at which it is pinched. So does a body that a load
+// presses off its line by ε, or a link of a chain that is to be shorter than the way between its
+// ends. An island whose answer throws a body is solved again (soft_answer.h).
 
-/// How many times as fast as all that asks for motion, or moved before, a body may leave: out of a
-/// wedge of 11 degrees it does so exactly.
+/// How many times as fast a body may leave as anything asks to move, or moved before: out of a
+/// wedge of 11 degrees it leaves so fast exactly.
 constexpr double reach = 10;
 
-/// Whether what presses leaves more than `times` as fast as anything in the island was, or is asked
-/// to be (`demand`, m/s, and what turns joints, at the arms of the contacts).
+/// Whether a pressing contact leaves more than `times` as fast as anything in the island was, or is
+/// asked to be (`demand`, m/s, and the turns that joints ask for, at the arms of the contacts).
 bool contactsThrowOne(const Group& group, const Island& island, double demand, const Answer& answer,
                       double times = reach);
-/// What joints that hold, and contacts beside them, do to the bodies of an island for what they ask
-/// for, J. Work that is done to hold, r (u + u⁺)/2, is what targets ask for: held at rest nothing
-/// gains any.
+/// The work that joints that hold, and contacts beside them, do on the bodies of an island to meet
+/// their targets, J. The work done to hold, r (u + u⁺)/2, is what targets ask for: nothing that is
+/// held at rest gains energy.
 struct TargetWork {
   double done = 0;
-  /// The larger of ½ target²/W_ii of all targets, which is what each would take alone, with the
-  /// work of what drives joints, whichever way, and of the energy that the island has. Motors,
-  /// limits and springs drive, which have bounds and may do all that these allow (a breaking
-  /// threshold is no such bound).
+  /// The larger of the energy that the island has, and of this sum: ½ target²/W_ii over all
+  /// targets, which is what each would take alone, and the work of what drives joints, in either
+  /// direction. Motors, limits and springs drive. They have bounds and may do all that these allow
+  /// (a breaking threshold is no such bound).
   double fair = 0;
-  /// The same with timesAlone times the former: who does more throws a body. Limbs in a heap take
-  /// up to 20 times what they would take alone; those that are wedged, or a chain that is too
-  /// short, hundreds and thousands.
+  /// The same with timesAlone times the sum: an answer with more work throws a body. Limbs in a
+  /// heap take up to 20 times what they would take alone; limbs that are wedged, or a chain that is
+  /// too short, take hundreds and thousands of times as much.
   double allowed = 0;
 };
 constexpr double timesAlone = 30;
-/// Of `solution`, for the targets of these contacts and rows: those of the group, or others in the
-/// place of these.
+/// The work of `solution`, for the targets of these contacts and rows: those of the group, or
+/// others in their place.
 TargetWork workOfTargets(const Group& group, const std::vector<Contact>& contacts,
                          const std::vector<Row>& rows, const Island& island, const Problem& problem,
                          const Solution& solution);
-/// Whether what pushes the row up, or down, drives it, or brakes: with so much and no more. What
-/// breaks at so much holds until then.
+/// Whether a push of the row up, or down, drives or brakes it, with a bounded force. A bound at
+/// which the joint breaks does not count: until then the joint holds.
 bool drives(const Group& group, int row, bool up);
 
-/// The fastest of what touches the island and does not give way, m/s.
+/// The largest speed of bodies that touch the island and do not give way, m/s.
 double driveOf(const Group& group, const Island& island);
-/// What the bodies of the island would have, J, if each went at least as fast as what drives there:
-/// bodies that do not give way, targets of contacts and joints.
+/// The energy that the bodies of the island would have, J, if each went at least as fast as what
+/// drives there: bodies that do not give way, targets of contacts and joints.
 double energyAtHand(const Group& group, const Island& island);
 
-/// Has the contact give, in addition, by s' of what it answers if no axis of a body that moves is
-/// locked, s' = 1/(2 reach²). With one such contact a face, what is pinched at the speed p leaves
-/// at
+/// Makes the contact give by s' = 1/(2 reach²) of its response, in addition to what it gives
+/// already. The response is taken as if no axis of its moving bodies were locked. With one such
+/// contact a face, a body that is pinched at the speed p leaves at
 ///
 ///     p ε/(ε²/2 + s') ≤ p/√(2 s') = reach p
 ///
-/// or by a `share` of that.
+/// With `share`, the contact gives by this share of s'.
 void soften(const std::vector<Body>& bodies, Contact& contact, double share = 1);
 
 }  // namespace delassus::bullet

@@ -41,7 +41,7 @@ void addAtlasCommand(CLI::App& app, Action& chosen) {
   auto out = std::make_shared<std::string>("atlas");
   CLI::App* command = app.add_subcommand(
       "atlas", "the paper's figures, measured: region maps for two and three contacts");
-  command->add_option("--out", *out, "folder for what is made")
+  command->add_option("--out", *out, "folder for the figures")
       ->type_name("DIR")
       ->check(notEmpty)
       ->capture_default_str();

@@ -168,8 +168,9 @@ void addDumpCommand(CLI::App& app, Action& chosen) {
   auto arguments = std::make_shared<DumpArguments>();
   CLI::App* command = app.add_subcommand("dump",
                                          "writes the problems of one step, an island a file; rows "
-                                         "of joints beside contacts as contacts; no island with "
-                                         "rolling or spinning friction, which no format holds");
+                                         "of joints beside contacts are written as contacts; "
+                                         "islands with rolling or spinning friction are left out: "
+                                         "no format holds it");
   command->add_option("subject", arguments->subject, "a built-in scene or a .bullet file")
       ->required()
       ->type_name("SCENE|FILE.bullet");
@@ -180,7 +181,7 @@ void addDumpCommand(CLI::App& app, Action& chosen) {
       ->check(greaterThanZero);
   command
       ->add_option("--out", arguments->out,
-                   "file; of several islands FILE-0, FILE-1 and so on, before the suffix")
+                   "file; several islands get FILE-0, FILE-1 and so on (number before the suffix)")
       ->required()
       ->type_name("FILE")
       ->check(notEmpty);

@@ -197,7 +197,7 @@ void addRenderCommand(CLI::App& app, Action& chosen) {
       ->type_name("T,...");
   command->add_flag("--video", arguments->video,
                     "an mp4 of the run, to the last of --at if that is given");
-  command->add_option("--out", arguments->out, "folder for what is made")
+  command->add_option("--out", arguments->out, "folder for the pictures")
       ->type_name("DIR")
       ->check(notEmpty)
       ->capture_default_str();
@@ -208,9 +208,9 @@ void addRenderCommand(CLI::App& app, Action& chosen) {
         ->check(finiteNumber)
         ->type_name("X,Y,Z");
   };
-  addPoint("--camera", arguments->camera, "where the camera is, m (default: found)");
-  addPoint("--look-at", arguments->lookAt, "what it looks at, m (default: found)");
-  command->add_option("--size", arguments->size, "of the whole picture, pixels")
+  addPoint("--camera", arguments->camera, "where the camera is, m (default: chosen for the scene)");
+  addPoint("--look-at", arguments->lookAt, "the point it looks at, m (default: likewise)");
+  command->add_option("--size", arguments->size, "size of the whole picture, pixels")
       ->type_name("WxH")
       ->capture_default_str()
       ->check([](const std::string& text) {
@@ -221,7 +221,7 @@ void addRenderCommand(CLI::App& app, Action& chosen) {
       command->add_flag("--plain", arguments->plain, "without captions, contacts and reactions");
   command
       ->add_flag("--timing", arguments->timing,
-                 "milliseconds a step in the captions (then bytes do not repeat)")
+                 "milliseconds a step in the captions (bytes then differ from run to run)")
       ->excludes(plain);
   command->callback(
       [&chosen, arguments] { chosen = [arguments] { return renderSubject(*arguments); }; });

@@ -60,38 +60,40 @@ void addReportCommand(CLI::App& app, Action& chosen) {
   CLI::App* command =
       app.add_subcommand("report", "error against run time: CSV, plots, a summary in Markdown");
   CLI::Option* scenes =
-      command->add_option("--scenes", arguments->scenes, "which (default: those the report names)")
+      command
+          ->add_option("--scenes", arguments->scenes, "scene names (default: those in the report)")
           ->delimiter(',')
           ->allow_extra_args(false)
           ->type_name("NAME,...");
-  command->add_option("--solvers", arguments->solvers, "which, as in 'run'")
+  command->add_option("--solvers", arguments->solvers, "solver names, as in 'run'")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAME,...");
   command
       ->add_option(
           "--parts", arguments->parts,
-          "which of same_problem, persisting (measures same_problem too), own_trajectory, "
+          "some of same_problem, persisting (measures same_problem too), own_trajectory, "
           "time_step, scaling, ablation; with --stability: masses, units, stiffness, friction, "
           "redundancy, "
           "angles, speeds, long_runs, stack_pair, chain_pair, soft_ground_pair, wedge_pair")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAME,...");
-  command->add_option("--out", arguments->out, "folder for what is made")
+  command->add_option("--out", arguments->out, "folder for the report")
       ->type_name("DIR")
       ->check(notEmpty)
       ->capture_default_str();
   CLI::Option* stability = command->add_flag(
       "--stability", arguments->stability,
-      "instead, the map of what holds up to which hardness, in both precisions: 20 minutes");
+      "makes the stability map instead, which shows up to which hardness each solver holds, in "
+      "both precisions: 20 minutes");
   command
       ->add_flag("--one-precision", arguments->onePrecision,
-                 "of the map: only measure, and only in the precision of this executable")
+                 "for the map: only measure, and only in the precision of this executable")
       ->needs(stability);
   scenes->excludes(stability);  // whose worlds are its own
   command->add_flag("--quick", arguments->quick, "fewer scenes and settings: under three minutes");
-  command->add_flag("--resume", arguments->resume, "go on with a report that was interrupted");
+  command->add_flag("--resume", arguments->resume, "continues a report that was interrupted");
   command->callback(
       [&chosen, arguments] { chosen = [arguments] { return writeReport(*arguments); }; });
 }

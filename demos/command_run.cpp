@@ -290,24 +290,25 @@ void addRunCommand(CLI::App& app, Action& chosen) {
       ->check(greaterThanZero);
   command
       ->add_option("--threads", arguments->threads,
-                   "delassus: threads that solve islands side by side, and sweep together over one "
-                   "that is large; the motion is the same")
+                   "delassus: threads that solve islands side by side, and sweep together over a "
+                   "large one; the motion is the same for any number")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->add_flag(
       "--no-geometric-stiffness", arguments->noGeometricStiffness,
       "delassus: light bodies in taut joints may turn faster than the step can follow");
   command->add_flag("--explain", arguments->explain,
-                    "what the scene asks of delassus, what a step is made of therefore, and what "
-                    "each part costs");
+                    "tells what the scene asks of delassus, of which parts a step consists "
+                    "therefore, and what each part costs");
   command->add_flag("--json", arguments->json, "one JSON object a line, one per solver");
   command->footer(
       "Solvers:\n" + solverHelp() +
       "\n"
-      "Residuals (m/s), reaction/weight and the law's error are of the last three quarters of the\n"
-      "run, kinetic energy, open/stick/slide and through (bodies in or under what cannot move) of\n"
-      "its end, all else of the whole; times are of solveGroup alone. Stiffened are bodies that\n"
-      "geometric stiffness had turn more slowly, most of a step.");
+      "Residuals (m/s), reaction/weight and the law's error are those of the last three quarters\n"
+      "of the run. Kinetic energy, open/stick/slide and through (bodies that are in or under what\n"
+      "cannot move) are those of its end. All else is of the whole run. Times are those of\n"
+      "solveGroup alone. Stiffened is the largest number of bodies in one step that turned more\n"
+      "slowly because of geometric stiffness.");
   command->callback(
       [&chosen, arguments] { chosen = [arguments] { return runSubject(*arguments); }; });
 }

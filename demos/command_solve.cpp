@@ -112,7 +112,7 @@ void addSolveCommand(CLI::App& app, Action& chosen) {
       ->type_name("FILE.fc3d|FILE.lcp");
   command
       ->add_option("--tolerance", arguments->tolerance,
-                   "what both rel and vel have to reach; exit status 3 if not")
+                   "largest rel and vel allowed; exit status 3 if one of them is larger")
       ->check(greaterThanZero)
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "one JSON object");

@@ -59,12 +59,12 @@ SolverName parseSolverName(const std::string& name) {
 
 const std::vector<SolverForm>& solverForms() {
   static const std::vector<SolverForm> forms{
-      {{"delassus"}, "to its own tolerance,", "Delassus' regions"},
+      {{"delassus"}, "this solver, to its default tolerance,", "Delassus' regions"},
       {{"delassus", ':', "TOL"},
        "or to TOL, relative to the largest demand",
        "Delassus' regions to {}"},
       {{"delassus", '/', "N"},
-       "N sweeps an island and a region for every twenty, at least one",
+       "at most N sweeps an island, and a region for every twenty, at least one",
        "Delassus' regions, budget of {} sweeps an island"},
       {{"si", ':', "N"},
        "Bullet's sequential impulses, N sweeps",

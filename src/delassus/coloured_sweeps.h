@@ -14,31 +14,31 @@ class Hands;
 /// Block Gauss-Seidel over the contacts, then the rows, of a problem in body space, eight at a
 /// time, with Nesterov's acceleration.
 ///
-/// Contacts (rows) of one colour have no body in common: in which order they come does not matter,
-/// and eight of them are swept at once, by several hands if there are. In single precision, but
-/// only what the sweeps change (swept_groups.h): r₀ and u₀ are worked out in double precision when
-/// sweeps begin, and so are all differences of them that an answer makes small. Rounding then takes
+/// Contacts (rows) of one colour have no body in common. Their order does not matter, and eight of
+/// them are swept at once, by several hands if there are any. The sweeps are in single precision,
+/// but only for what they change (swept_groups.h): r₀ and u₀, and all differences of them that an
+/// answer makes small, are computed in double precision when sweeps begin. Rounding then costs
 /// about 1e-7 of what the sweeps change, and sweeps that begin where others have ended go on as far
 /// as double precision does.
 ///
-/// With g = g(x) swept from x, the next sweep begins from x⁺ = g + β (g − g_before), β as in
-/// Nesterov 1983, and β = 0 anew whenever ‖g(x) − x‖ has grown (O'Donoghue and Candès 2015).
+/// With g = g(x) swept from x, the next sweep begins from x⁺ = g + β (g − g_before), with β as in
+/// Nesterov 1983. β restarts at 0 whenever ‖g(x) − x‖ has grown (O'Donoghue and Candès 2015).
 class ColouredSweeps {
  public:
-  /// False, and no sweeps are to be asked for, where there are disks, articulated bodies, or
-  /// contacts that friction cannot stop in all directions. The problem must outlive the sweeps.
+  /// False where there are disks, articulated bodies, or contacts that friction cannot stop in all
+  /// directions: then no sweeps may be asked for. The problem must outlive the sweeps.
   bool setProblem(const Problem& problem, const NaturalMap& map);
 
-  /// Sweeps from r, u = W r + q, till none changes the velocity of its contact by more than `aim`,
-  /// m/s, and at most `most` times. Returns how often. The reactions end in their cones.
+  /// Sweeps from r, u = W r + q, until no contact changes its velocity by more than `aim`, m/s, and
+  /// at most `most` times. Returns the number of sweeps. The reactions end in their cones.
   int sweep(int most, double aim, const VectorXd& u, VectorXd& r);
 
-  /// As many sweeps with nothing in between.
+  /// Makes this many sweeps without acceleration.
   void sweepPlainly(int count, VectorXd& r);
 
-  /// From now on by half a group at a time, as where processors cannot do more: the same bits.
+  /// Sweeps half a group at a time from now on, as processors do that cannot do more: same bits.
   void narrow() { isNarrow_ = true; }
-  /// Who helps with large problems from now on; null: none. The same bits.
+  /// The threads that help with large problems from now on; null: none. The same bits.
   void setHands(Hands* hands) { hands_ = hands; }
 
   std::size_t bytes() const {
@@ -47,9 +47,9 @@ class ColouredSweeps {
   }
 
  private:
-  /// Where each colour's groups begin, and where the last's end.
+  /// Where the groups of each colour begin, and where those of the last colour end.
   using Colours = std::vector<int>;
-  /// Of the sweeps from one start.
+  /// The sweeps from one start.
   struct Pass;
 
   template <class Of>
@@ -77,7 +77,7 @@ class ColouredSweeps {
   std::vector<RowGroup> rows_;
   Colours contactColours_, rowColours_;
   std::vector<SweptVelocity> velocities_;
-  std::vector<std::uint64_t> coloursOf_;  ///< that the contacts of a body have, a bit each
+  std::vector<std::uint64_t> coloursOf_;  ///< colours that the contacts of a body have, a bit each
   std::vector<int> placeOf_;  ///< of a contact or row: eight times its group, and its lane
   VectorXd u_, y_;            ///< scratch
 };

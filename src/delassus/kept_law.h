@@ -11,7 +11,8 @@
 
 namespace delassus {
 
-/// The natural residuals of an island, one contact or row after the other, until one is too large.
+/// Collects the natural residuals of an island, one contact or row after the other, until one is
+/// too large.
 class Residuals {
  public:
   explicit Residuals(double tolerance) : tolerance_(tolerance) {}
@@ -33,7 +34,7 @@ class Residuals {
   int count_ = 0;
 };
 
-/// The disk that ends with the k-th row of the island, whose rows begin at this unknown.
+/// The disk that ends with the k-th row of the island; the rows begin at the unknown `rowsBegin`.
 inline Disk diskAt(const std::vector<Row>& rows, const Island& island, int k, int rowsBegin) {
   const Row& last = rows[island.rows[k]];
   const bool pair = k > 0 && rows[island.rows[k - 1]].paired;
@@ -43,15 +44,16 @@ inline Disk diskAt(const std::vector<Row>& rows, const Island& island, int k, in
 }
 
 /// The law at the reactions solution.r of one island, whose bodies have the velocities that these
-/// leave: no W is built for it. Velocities, modes and the residual go to the solution, too.
+/// reactions leave: no W is built for the check. It also writes velocities, modes and the residual
+/// to the solution.
 class KeptLaw {
  public:
-  /// `share`: of the tolerance, that may be used; `demand`: the largest, m/s.
+  /// `share`: of the tolerance that may be used; `demand`: the largest, m/s.
   KeptLaw(const std::vector<Body>& moved, const std::vector<Contact>& contacts,
           const std::vector<Row>& rows, const Island& island, const Options& options, double share,
           double demand, Solution& solution);
 
-  /// Whether it is kept. Looks no further than to the first part that misses it.
+  /// Whether the law is kept. Stops at the first part that misses it.
   bool holds();
 
  private:

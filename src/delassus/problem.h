@@ -30,22 +30,22 @@ struct Problem {
 
   int contacts() const { return static_cast<int>(friction.size()); }
   int rows() const { return static_cast<int>(lower.size()); }
-  int parts() const { return contacts() + rows(); }  ///< also those of disks
+  int parts() const { return contacts() + rows(); }  ///< rows of disks included
   int size() const { return 3 * contacts() + rows(); }
-  /// Of W those of the body space.
+  /// Of W only the storage of the body space is counted.
   std::size_t bytes() const { return W.bytes() + bytesOf(q, friction, lower, upper, disks); }
   int disksBegin() const { return disks.empty() ? size() : disks.front().first; }
   /// The largest demand, m/s: of contacts −q_n and |q_t|, of rows demandOf; 0 if there is none.
   double demand() const;
 };
 
-/// What a row can ask for, m/s: |q| at most, and no more than its own reactions can change, were it
-/// alone,
+/// The most that a row can ask for, m/s: |q|, but no more than its own reaction could change if the
+/// row were alone,
 ///
 ///     min(|q|, W_aa b),   b = upper if q < 0, else −lower
 ///
-/// A limit that is open asks for nothing; a motor of little force, whatever its speed, for little.
-/// If b or W_aa < 0 it is |q|. `ownSize()` is W_aa, of the few rows that need it.
+/// An open limit asks for nothing. A motor of little force asks for little, whatever its speed. If
+/// b or W_aa < 0 the answer is |q|. `ownSize()` returns W_aa, which only few rows need.
 template <class OwnSize>
 double demandOf(double q, double lower, double upper, const OwnSize& ownSize) {
   const double bound = q < 0 ? upper : -lower;
@@ -54,21 +54,22 @@ double demandOf(double q, double lower, double upper, const OwnSize& ownSize) {
   return change < 0 ? std::abs(q) : std::min(std::abs(q), change);
 }
 
-/// Where the reaction of one unknown may lie.
+/// The interval in which the reaction of one unknown may lie.
 struct Interval {
   double lower, upper;
 };
 
-/// That of an unknown of a contact, if it had no friction, or of a row.
+/// The interval of an unknown of a contact, as if it had no friction, or of a row.
 Interval allowedWithoutFriction(const Problem& problem, int unknown);
 
-/// First unknowns of the contacts, rows and disks that no law can be stated for: numbers in their
-/// part of q, μ, κ or W, or bounds, that are none or so large (1e100) that squares overflow, μ < 0,
-/// lower > upper, κ ≤ 0, most load ≤ 0, r_n not before the disks, rows of disks that have bounds of
-/// their own. Ascending.
+/// First unknowns of the contacts, rows and disks for which no law can be stated, ascending. These
+/// are parts
+///   - whose q, μ, κ, W or bounds are not numbers, or are so large (1e100) that squares overflow;
+///   - with μ < 0, lower > upper, κ ≤ 0, or most load ≤ 0;
+///   - disks whose r_n does not come before the disks, or whose rows have bounds of their own.
 std::vector<int> unfitParts(const Problem& problem);
 
-/// Moves reactions into the cones, bounds and disks: each to the nearest that is allowed, those of
+/// Moves reactions into the cones, bounds and disks: each to the nearest allowed value, those of
 /// disks last.
 void makeFeasible(const Problem& problem, VectorXd& r);
 

@@ -43,14 +43,14 @@ void ProximalWalk<Motion>::setWeights(double alpha) {
   enough_ = std::clamp(alpha, finest, coarsest);
 }
 
-/// The inner accuracy that answers within this tolerance need.
+/// Sets the inner accuracy that answers within this tolerance need.
 template <class Motion>
 void ProximalWalk<Motion>::setTolerance(double tolerance) {
-  // An error of the motion (in energy norm) that no contact can tell from the tolerance.
+  // An error of the motion (in energy norm) that is too small beside the tolerance for any contact.
   fine_ = 0.1 * tolerance / std::sqrt(scale_.maxCoeff());
 }
 
-/// What the bodies feel of r_ beyond the center, J̃ᵀ (r − r_k).
+/// The motion of the bodies that r_ causes beyond the center, J̃ᵀ (r − r_k).
 template <class Motion>
 const VectorXd& ProximalWalk<Motion>::felt() {
   space_.motion().impulse(change_, felt_);
@@ -68,11 +68,12 @@ double ProximalWalk<Motion>::tryStep(double share) {
   return trialError_.norm();
 }
 
-/// As much of the step as lets the energy norm `error` of the error fall; near a solution that is
-/// all of it. Elsewhere it is halved until the error falls, which it does as far as some wall of
-/// the regions, to rise behind it. Halves alone come ever nearer to that wall and never through it.
-/// So the step goes on from wall to wall as long as the error falls, and ends a hair's breadth
-/// behind the last: the next one knows the region there. False if it does not fall.
+/// Takes as much of the step as lets the energy norm `error` of the error fall. Near a solution
+/// that is the whole step. Elsewhere the step is halved until the error falls. Along the step the
+/// error falls as far as some wall of the regions, and rises behind it; halves alone come ever
+/// nearer to that wall and never through it. So the step goes on from wall to wall as long as the
+/// error falls, and ends a hair's breadth behind the last wall: the next step then knows the region
+/// there. False if the error does not fall.
 template <class Motion>
 bool ProximalWalk<Motion>::stepAlong(double& error) {
   constexpr int mostHalvings = 10, mostWalls = 4;
@@ -163,7 +164,7 @@ bool ProximalWalk<Motion>::startFromRegion(const Solution& region, int& budget, 
   return true;
 }
 
-/// From δ and the u that it makes.
+/// Solves the inner problem, from δ and the u that belongs to it.
 template <class Motion>
 typename ProximalWalk<Motion>::Inner ProximalWalk<Motion>::solveProximal(int& budget,
                                                                          WorkDone& count) {
@@ -223,7 +224,7 @@ Outcome ProximalWalk<Motion>::walkFromRegion(double tolerance, double alpha, int
   return converge(tolerance, alpha, endless, regionBudget, true, unknown, best);
 }
 
-/// r_ is the next center, and the best answer if its residual is the smallest.
+/// Makes r_ the next center, and the best answer if its residual is the smallest.
 template <class Motion>
 void ProximalWalk<Motion>::moveTo(const VelocityResidual& residual, Solution& best) {
   center_ = r_;
@@ -244,18 +245,18 @@ void ProximalWalk<Motion>::polish(double tolerance, double alpha, int regionBudg
   moveTo(measure(), best);
 }
 
-/// From the reactions center_ with the natural residual `residual`.
+/// Makes outer steps from the reactions center_, whose natural residual is `residual`.
 template <class Motion>
 Outcome ProximalWalk<Motion>::converge(double tolerance, double firstWeight, int patience,
                                        int regionBudget, bool fromRegion, double residual,
                                        Solution& best) {
   constexpr double smallest = 1e-12, largest = 10, hardly = 1e-7;
-  // Shares of the residual. A step that leaves more than `slow` asks for a smaller weight; more
-  // than `tooSlow`, and no digits come by themselves; more than `atItsEnd` with the smallest
-  // weight, and nothing more is to come; `stuck`: reactions may grow in vain.
+  // Shares of the residual that a step leaves. Above `slow` a smaller weight is needed; above
+  // `tooSlow` no more digits come by themselves; above `atItsEnd`, with the smallest weight,
+  // nothing more will come; above `stuck` reactions may grow in vain.
   constexpr double slow = 1e-2, tooSlow = 0.3, atItsEnd = 0.1, stuck = 0.5;
-  constexpr int easyRegions = 6;  // an outer step of no more came easily
-  constexpr int mostIdle = 1000;  // outer steps that take no regions, which no budget ends
+  constexpr int easyRegions = 6;  // an outer step with no more regions was an easy one
+  constexpr int mostIdle = 1000;  // outer steps without regions, which no budget ends
   setTolerance(tolerance);
   r_ = center_;
   ProximalWeight alpha(firstWeight, smallest, largest);
@@ -270,7 +271,7 @@ Outcome ProximalWalk<Motion>::converge(double tolerance, double firstWeight, int
     else
       startFromCenter();
     if (!hasStart || solveProximal(regionBudget, best) == Inner::Failed) {
-      // Where the budget ends, what is half done may be better than nothing.
+      // Where the budget ends, a half-done step may be better than none.
       if (regionBudget <= 0) moveTo(measure(), best);
       if (best.residual <= tolerance) return Outcome::Reached;
       if (fromRegion || regionBudget <= 0 || alpha.isMost()) return Outcome::Lost;
@@ -291,11 +292,11 @@ Outcome ProximalWalk<Motion>::converge(double tolerance, double firstWeight, int
       toHalve = measured.rms;
       halvedAt = regionBudget;
     }
-    // Some digits more if they come by themselves: then the next step may stand on these reactions.
+    // Take some more digits if they come by themselves: the next step may then keep these
+    // reactions.
     const double aim = now > tooSlow * residual ? tolerance : polishedShare * tolerance;
     if (now <= std::max(aim, space_.map().roundOff(center_))) return Outcome::Reached;
-    // A region that is known needs a small weight to finish; one that still changes needs a larger
-    // one.
+    // A known region needs a small weight to finish; one that still changes needs a larger weight.
     if (now > atItsEnd * residual && alpha.isLeast()) break;
     if (now > slow * residual) alpha.shrink();
     residual = now;

@@ -9,11 +9,10 @@ namespace delassus {
 /// written in increments).
 ///
 /// Around reactions r_k the law is answered by z = r_k − l (u_k + J̃ δ) with l = 1/(compliance +
-/// A), A = α W_aa, and r = P(z), P the projection of z_n on [0, ∞) and then of z_t on the disk of
-/// radius μ r_n (for rows: on the bounds; for disks, with the r_n found so, on that of radius κ
-/// r_n). Each inner Newton step solves δ = J̃ᵀ (r − r_k) in one region; each outer step takes r_k ←
-/// r. A fixed point is an exact solution of Coulomb's law for any α, and the regularisation leaves
-/// no trace in it.
+/// A), A = α W_aa, and r = P(z). P projects z_n on [0, ∞) and then z_t on the disk of radius μ r_n
+/// (rows: on their bounds; disks: on that of radius κ r_n, with the r_n found in this way). Each
+/// inner Newton step solves δ = J̃ᵀ (r − r_k) in one region; each outer step takes r_k ← r. A fixed
+/// point is an exact solution of Coulomb's law for any α: the regularisation leaves no trace in it.
 template <class Motion>
 class ProximalWalk {
  public:
@@ -28,10 +27,10 @@ class ProximalWalk {
   Outcome walk(double tolerance, double alpha, int regionBudget, Solution& best);
 
   /// The same for as long as it gains: it ends where the root mean square of the residual has not
-  /// halved for `patience` regions. Between light and heavy bodies errors go that slowly, and go.
+  /// halved for `patience` regions. Between light and heavy bodies errors vanish that slowly.
   Outcome walkOn(double tolerance, double alpha, int patience, int regionBudget, Solution& best);
 
-  /// The same from other reactions than the best: `start` gives r, u and the residual.
+  /// The same, but from `start`, which gives r, u and the residual, instead of from the best.
   Outcome walkFrom(const Solution& start, double tolerance, double alpha, int regionBudget,
                    Solution& best);
 
@@ -40,13 +39,15 @@ class ProximalWalk {
   /// guess was.
   Outcome walkFromRegion(double tolerance, double alpha, int regionBudget, Solution& best);
 
-  /// One outer step from reactions that keep the law already, which are left as they are if it does
-  /// not better them. A second one would find nothing but rounding: errors shrink by `alpha`.
+  /// Makes one outer step from reactions that already keep the law, and leaves them as they are if
+  /// the step does not better them. A second step would find nothing but rounding: errors shrink by
+  /// the factor `alpha`.
   void polish(double tolerance, double alpha, int regionBudget, Solution& best);
 
-  /// The answer if all were compliant by `alpha` W_aa: where demands are incompatible, that is a
-  /// compromise. Takes the place of `best`, u and residual being those of the problem itself. False
-  /// if it is not found within the budget. The way to it sets out from the motion of `start`.
+  /// Finds the answer as if all contacts and rows were compliant by `alpha` W_aa: where demands are
+  /// incompatible, that is a compromise. It replaces `best`, whose u and residual are then those of
+  /// the problem itself. False if it is not found within the budget. The way to it sets out from
+  /// the motion of `start`.
   bool answerCompliant(double tolerance, double alpha, const VectorXd& start, int& regionBudget,
                        Solution& best);
 
@@ -89,8 +90,8 @@ class ProximalWalk {
   VectorXd& change_;       ///< r − r_k
   VectorXd& error_;        ///< δ − J̃ᵀ (r − r_k)
   VectorXd &step_, &trialDelta_, &trialError_, &trialU_;
-  VectorXd &fromU_, &alongU_;  ///< u where a step begins, and of all of it
-  /// Share of the step that is inner error small enough: what a large weight leaves is larger
+  VectorXd &fromU_, &alongU_;  ///< u where a step begins, and its change by the whole step
+  /// Inner error that is small enough, as a share of the step: what a large weight leaves is larger
   /// anyway.
   double enough_ = 0;
   double fine_ = 0;  ///< inner error that is small enough whatever the size of the step

@@ -7,14 +7,14 @@
 
 namespace delassus {
 
-/// Incompatible demands let the reactions grow without end, by the same d each time, along which no
-/// body moves: J̃ᵀ d = 0. The motion is then the compromise, nearest to the demands in least
-/// squares, weighted by the W_aa. Contacts with friction and disks have no part in it: what is
-/// squeezed may slip out, u_n = −μ |u_t| being no demand at all.
+/// Whether reactions grow in vain. Incompatible demands let them grow without end, by the same d
+/// each time, along which no body moves: J̃ᵀ d = 0. The motion is then the compromise that is
+/// nearest to the demands in least squares, weighted by the W_aa. Contacts with friction and disks
+/// have no part in it: what is squeezed may slip out, since u_n = −μ |u_t| is no demand at all.
 ///
-/// It is proven by Farkas' bound: a motion that meets all demands has an energy norm of at least
-/// −d·u/√(d·W d), and that is beyond any that the demands could ask for. Nearly singular W with
-/// compatible demands let reactions grow long, too.
+/// Farkas' bound proves it: a motion that meets all demands has an energy norm of at least
+/// −d·u/√(d·W d), and this is beyond any norm that the demands could ask for. The proof is needed,
+/// as a nearly singular W with compatible demands lets reactions grow long, too.
 template <class Motion>
 bool ProximalWalk<Motion>::growsInVain(double tolerance, double residual) {
   // Shares of the residual.
@@ -29,22 +29,22 @@ bool ProximalWalk<Motion>::growsInVain(double tolerance, double residual) {
   if (open.cwiseAbs().maxCoeff() > nothing * residual) return false;
   space_.motion().impulse(d, felt_);
   space_.motion().relativeVelocity(felt_, moved);
-  // Neither a tolerance beside which the residual is small nor the rounding of reactions that are
-  // large proves anything.
+  // Nothing is proven by a tolerance beside which the residual is small, nor by the rounding of
+  // large reactions.
   const double still = std::min(tolerance, space_.map().roundOff(r_));
   if (moved.cwiseAbs().maxCoeff() > std::max(still, nothing * residual)) return false;
 
   constexpr double impossible = 1e3, rounding = 64 * std::numeric_limits<double>::epsilon();
   const double energy =
-      std::abs(d.dot(moved)) + rounding * d.cwiseAbs2().dot(scale_);  // that of W is known no finer
+      std::abs(d.dot(moved)) + rounding * d.cwiseAbs2().dot(scale_);  // W is known no finer
   const double asked = problem().q.cwiseAbs().cwiseQuotient(scale_.cwiseSqrt()).maxCoeff();
   return -d.dot(trialU_) > impossible * asked * std::sqrt(energy);
 }
 
-/// Takes the part along d = r − center out of the reactions, and names those whose demands it was.
+/// Removes from the reactions the part along d = r − center, and names those whose demands it was.
 template <class Motion>
 void ProximalWalk<Motion>::compromise(Solution& best) {
-  // Of a radius; and of the largest share in d, from where on one is named.
+  // A share of a radius; and a share of the largest part of d, above which a part is named.
   constexpr double boundRounding = 1e-9, named = 0.1;
   VectorXd &d = change_, &open = step_, &shares = trialError_;  // in storage that is free now
   d = r_ - center_;

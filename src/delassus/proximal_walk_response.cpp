@@ -8,8 +8,9 @@
 
 namespace delassus {
 
-/// The reaction `r` to center + step. Where the law leaves that as it is, the change is the step to
-/// all its digits, of which the difference of two large reactions keeps few.
+/// Stores the reaction `r` to center + step. Where the law leaves center + step as it is, the
+/// change is the step with all its digits; the difference of two large reactions would keep few of
+/// them.
 template <class Motion>
 void ProximalWalk<Motion>::answer(int at, double step, double r) {
   r_[at] = r;

@@ -11,10 +11,10 @@ namespace delassus {
 ///
 ///     u = W r + q,   0 ≤ r ⊥ u ≥ 0,   W symmetric positive semi-definite   (paper §6-§8, §11)
 ///
-/// The tests are written in q, not in the forced reactions f = −W⁻¹ q: no division is needed to
-/// choose the region.
+/// The tests are written in q, not in the forced reactions f = −W⁻¹ q, so that the region is chosen
+/// without any division.
 
-/// Most contacts the release recursion is used for; beyond, pivoting visits fewer regions.
+/// Most contacts for the release recursion; with more, pivoting visits fewer regions.
 constexpr int smallRegionSize = 6;
 
 using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, smallRegionSize, 1>;

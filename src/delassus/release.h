@@ -12,7 +12,7 @@ namespace delassus {
 enum class Wall : unsigned char {
   Face,    ///< one contact: behind the wall exactly this one changes (paper §11)
   Edge,    ///< several contacts: the region behind is not known in advance, it must be computed
-  Vertex,  ///< all contacts (two or more): likewise
+  Vertex,  ///< all contacts (two or more): the region behind must be computed, too
 };
 
 /// The paper's question and its answer: of n unilateral constraints that all touch, which will the
@@ -35,18 +35,18 @@ struct ReleaseAnalysis {
   VectorXd u;                    ///< opening velocities: zero where kept, m/s
   double distance = infinity;    ///< to the nearest wall, √J; infinite if there is none
   Wall wall = Wall::Face;        ///< what that wall is at its nearest point; Face if there is none
-  /// Contacts that vanish there: they may change from kept to released or back. Empty if there is
-  /// no wall.
+  /// Contacts whose reaction or opening velocity vanishes there: they may change from kept to
+  /// released or back. Empty if there is no wall.
   std::vector<int> changing;
   Status status = Status::Solved;
   std::vector<int> blamed;  ///< if incompatible, as in PivotResult
 };
 
-/// Answers for any number n of contacts. W: n × n, symmetric positive semi-definite (not looked
-/// for), 1/kg; q: size n, m/s. If status is not Solved, r and u are the best found, and no more is
-/// said of walls than of those; numbers that are not finite: NonFinite, and nothing else is to be
-/// read. Where contacts are redundant, f and r are the shares of least norm, Σ W_ii f_i², and the
-/// distances are those at which these shares lose a contact.
+/// Answers for any number n of contacts. W: n × n, symmetric positive semi-definite (not checked),
+/// 1/kg; q: size n, m/s. If status is not Solved, r and u are the best found, and the walls are
+/// those of this r and u only. If numbers are not finite, status is NonFinite and no other member
+/// is to be read. Where contacts are redundant, f and r are the shares of least norm, Σ W_ii f_i²,
+/// and the distances are those at which these shares lose a contact.
 ReleaseAnalysis analyseRelease(const MatrixXd& W, const VectorXd& q);
 
 }  // namespace delassus

@@ -18,28 +18,29 @@ struct VelocityResidual {
   int worst = -1;  ///< first unknown of the contact or row with the largest ‖F‖/ρ
 };
 
-/// Measures many reactions of one problem: what depends on W alone is found once.
+/// Measures many reactions of one problem: what depends on W alone is computed once.
 class NaturalMap {
  public:
   /// Keeps a pointer to `problem`, which must outlive the measuring.
   void setProblem(const Problem& problem);
-  /// The same for contacts alone, of which W_aa and ‖W_aa‖ are known.
+  /// The same for contacts alone, if their W_aa and ‖W_aa‖ are known.
   void setProblem(const Problem& problem, std::vector<Mat3> blocks, const VectorXd& norms);
 
   VelocityResidual residual(const VectorXd& r, const VectorXd& u) const;
-  /// The same with u = W r + q, which is worked out; `y` is room for what bodies feel.
+  /// The same, and computes u = W r + q; `y` is storage for the motion of the bodies.
   VelocityResidual measure(const VectorXd& r, VectorXd& y, VectorXd& u) const;
-  /// ‖F‖/ρ one by one, m/s: of the contacts, then of the rows (of a disk in the place of its
-  /// first).
+  /// ‖F‖/ρ one by one, m/s: first of the contacts, then of the rows (a disk stands in the place of
+  /// its first row).
   void residuals(const VectorXd& r, const VectorXd& u, VectorXd& each) const;
-  /// What round-off alone leaves in u = W r + q, m/s: a few ε of the largest W_aa r_a. A residual
-  /// cannot be read finer.
+  /// The error that round-off alone leaves in u = W r + q, m/s: a few ε of the largest W_aa r_a. No
+  /// residual can be read finer than this.
   double roundOff(const VectorXd& r) const;
   const VectorXd& diagonal() const { return diagonal_; }                    ///< of W
   const Mat3& contactBlock(int contact) const { return blocks_[contact]; }  ///< W_aa
   /// The mean of W_aa over the unknowns of each contact and disk, one number an unknown: a unit for
-  /// what answers alike in all directions. At least 1e-14 of the largest, and 1 where all W is
-  /// zero: what moves nothing (W_ii = 0) can do nothing, and any finite number is harmless.
+  /// quantities that should weigh all directions alike. It is at least 1e-14 of the largest, and 1
+  /// where all W is zero: an unknown that moves nothing (W_ii = 0) can do nothing, so any finite
+  /// number is harmless.
   void meanDiagonal(VectorXd& mean) const;
   std::size_t bytes() const { return bytesOf(sizes_, diagonal_, blocks_); }
 

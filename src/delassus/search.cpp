@@ -9,8 +9,8 @@
 namespace delassus {
 namespace {
 
-/// A bound from below for what no reactions leave, as a root mean square over contacts and rows,
-/// m/s: of an approaching contact ‖P(−v)‖ ≥ |q_n| / (1 + μ²), which is worked out at once.
+/// A lower bound for the residual of no reactions, as a root mean square over contacts and rows,
+/// m/s. An approaching contact has ‖P(−v)‖ ≥ |q_n| / (1 + μ²), which is cheap to compute.
 double leastRmsFromNothing(const Problem& problem) {
   const int n = problem.contacts();
   if (n == 0) return 0;
@@ -21,8 +21,8 @@ double leastRmsFromNothing(const Problem& problem) {
 
 constexpr double nearly = 1e-6;  ///< share of the demands that reactions leave open
 
-/// Explicit entries that are too many for a dense matrix and its factor are swept over, and no
-/// more.
+/// Whether explicit entries are too many for a dense matrix and its factor: then they are only
+/// swept over.
 bool isTooLargeToFactor(const Problem& problem) {
   constexpr int most = 10000;
   return !problem.W.inBodySpace() && problem.size() > most;
@@ -34,10 +34,10 @@ double Search::firstWeight(const Solution& from, double least) const {
   return std::clamp(std::sqrt(from.residual / problem_->demand()), least, weightUnknown);
 }
 
-/// Of 193 walks after sweeps in a wedged bin of 1000 spheres, 50 regions each, 16 of the 35 that
-/// set out within reach met an answer, and 4 of the 158 others. What is further off is moved on by
-/// a few regions as well as by many, and eight thousand sweeps cost no more than 50 regions. In a
-/// hurry it stays where sweeps have left it.
+/// In a wedged bin of 1000 spheres 193 walks of 50 regions each were made after sweeps. Of the 35
+/// that set out within reach, 16 met an answer; of the 158 others, 4. From further off, a few
+/// regions lead as far as many, and eight thousand sweeps cost no more than 50 regions. In a hurry
+/// the answer stays where the sweeps have left it.
 int Search::regionsFrom(const Solution& from, const Task& task, int most) const {
   constexpr double withinReach = 1e-4;
   constexpr int aNudge = 10;
@@ -45,15 +45,15 @@ int Search::regionsFrom(const Solution& from, const Task& task, int most) const 
   return !isFar ? most : task.isHurried ? 0 : std::min(most, aNudge);
 }
 
-/// A few regions settle a small island; where there are many contacts, and no time, they only take
-/// some.
+/// A few regions settle a small island. Where there are many contacts and little time, so few only
+/// cost time.
 bool Search::hasNoWalk(const Task& task, const Solution& best) const {
   const int least = isHeap(*problem_) || isLargeButNoHeap(*problem_) ? shortWalk : 1;
   return task.isHurried && task.regionsLeft(best) < least;
 }
 
-/// Who allows less than regions can use in a large heap has more of its sweeps alone: in spheres
-/// that wedge in a bin three hundred to a thousand of them take a fifth of the time and leave no
+/// In a large heap a budget that is too small for regions goes further with sweeps alone: where
+/// spheres wedge in a bin, three hundred to a thousand sweeps take a fifth of the time and leave no
 /// more.
 bool Search::isHurried(const Options& options) const {
   constexpr int worthRegions = 3000;
@@ -113,25 +113,27 @@ Outcome Search::pivotRows(const Task& task, Solution& best) {
   return Outcome::Incompatible;
 }
 
-/// From the likeliest way to the surest.
+/// The ways to an answer, from the likeliest to the surest.
 ///
 /// Without reactions of a last step:
 ///   - the paper's forced motion, every approaching contact held, from zero; in large piles, whose
-///     contacts share loads in many ways, with a search for forced reactions that lie inside their
-///     cones (`hold`);
-///   - where there is but one region, a walk to it; elsewhere steps in the space of reactions
-///     (`react`), on a dense matrix if few touch, and alternating directions.
+///     contacts share loads in many ways, a search for forced reactions inside the cones (`hold`);
+///   - where there is only one region, a walk to it; elsewhere steps in the space of reactions
+///     (`react`), on a dense matrix if few contacts touch, and then alternating directions.
 /// With them:
-///   - piles, and what slid nowhere: `hold`, from the last reactions;
-///   - up to some hundred contacts, but for large piles: steps in the space of reactions;
-///   - much is disturbed: accelerated sweeps as long as they gain, in heaps with patches.
-/// Where few sweeps are allowed: `hold` if nothing slid, and all sweeps. Then a walk, in large
-/// piles a long one, in large heaps short where an answer is far (`regionsFrom`). Where it loses
-/// its way, many contacts are at a wall of their region:
-///   - in large heaps plain sweeps, to outlast what hurried ones run past;
-///   - a proof that nothing can meet the demands; a second walk, but in large islands, as bold as
-///     what the first has left allows; an interior point, which comes down between the walls; a
-///     walk from there that goes on as long as it gains; and `wander`.
+///   - in piles, and where nothing slid: `hold`, from the last reactions;
+///   - with up to a few hundred contacts, except in large piles: steps in the space of reactions;
+///   - where much is disturbed: accelerated sweeps as long as they gain, in heaps with patches.
+/// Where few sweeps are allowed: `hold` if nothing slid, and all sweeps.
+///
+/// Then comes a walk: a long one in large piles, a short one in large heaps where an answer is far
+/// (`regionsFrom`). Where it loses its way, many contacts are at a wall of their region, and there
+/// follow
+///   - in large heaps plain sweeps, for the slips that accelerated ones run past (`outlast`);
+///   - a proof that nothing can meet the demands;
+///   - a second walk, except in large islands, as bold as the residual of the first one allows;
+///   - an interior point, which comes down between the walls;
+///   - a walk from there that goes on as long as it gains; and `wander`.
 template <class Motion>
 Outcome Search::walkOnce(Engines<Motion>& engines, const Task& task, Solution& best) {
   engines.space.setProblem(*problem_, map_);
@@ -139,7 +141,7 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Task& task, Solution& b
   const bool isRushed = hasNoWalk(task, best);
   Outcome outcome = startOut(engines, task, best);
   if (outcome != Outcome::Lost || isRushed) return outcome;
-  // In large piles what else finds back is dear and seldom helps.
+  // In large piles the other ways to find back are expensive and seldom help.
   const int most =
       task.guess && isLargeButNoHeap(*problem_) && !task.isHurried ? longWalk : fairWalk;
   const int regions = regionsFrom(best, task, task.regionsLeft(best, most));
@@ -148,7 +150,7 @@ Outcome Search::walkOnce(Engines<Motion>& engines, const Task& task, Solution& b
                             ? weightKnown
                             : firstWeight(best, leastWeightAtFirst);
   outcome = engines.walk.walk(task.tolerance, weight, regions, best);
-  // In small heaps regions cost no more than tens of sweeps: there that is left for the end.
+  // In small heaps regions cost no more than tens of sweeps: there sweeps by the thousand wait.
   if (outcome == Outcome::Lost && isLargeHeap(*problem_)) outcome = outlast(task, best);
   return outcome == Outcome::Lost ? findBack(engines, task, best) : outcome;
 }
@@ -162,9 +164,10 @@ void Search::polishWith(Engines<Motion>& engines, const Task& task, Solution& be
   engines.walk.polish(task.tolerance, weight, most, best);
 }
 
-/// From the last reactions, then from nothing; or from nothing, then from less friction. In large
-/// heaps the path of compliance comes between, as far as it is short: it is where what sweeps have
-/// left is small, and costs less then than to begin anew.
+/// Searches from the last reactions and then from nothing; or, without last reactions, from nothing
+/// and then from the answers for less friction. In large heaps the path of compliance comes in
+/// between, as far as it is short. It is short where the sweeps have left little, and then costs
+/// less than to begin anew.
 template <class Motion>
 Outcome Search::walkTwice(Engines<Motion>& engines, const Task& task, Solution& best) {
   if (task.isHurried) return walkOnce(engines, task, best);
@@ -188,15 +191,15 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Task& task, Solution& 
     }
   } else {
     outcome = walkOnce(engines, task, best);
-    // Not for some digits more.
+    // A few more digits are not worth that.
     if (outcome == Outcome::Lost && best.residual > nearly * problem_->demand())
       outcome = addFriction(task, best);
   }
   return outcome == Outcome::Lost ? harden(rest, best) : outcome;
 }
 
-/// A way of its own begins in apart_, from `guess`, or without one (null) from nothing, on what is
-/// left of the budget: what it takes for progress does not depend on what was found before.
+/// Begins a search apart in apart_, from `guess` or, if this is null, from nothing, on what is left
+/// of the budget. What it takes for progress thus does not depend on what was found before.
 void Search::setOutApart(const VectorXd* guess, Solution& best) {
   apart_.start(problem_->q);
   if (guess) apart_.r = *guess;
@@ -205,7 +208,7 @@ void Search::setOutApart(const VectorXd* guess, Solution& best) {
   apart_.takeWork(best);
 }
 
-/// And ends: its work is counted, and its answer is taken if it is one, or better.
+/// Ends the search apart: counts its work, and takes its answer if it is a solution, or better.
 Outcome Search::comeBack(Outcome outcome, Solution& best) const {
   best.takeWork(apart_);
   if (outcome == Outcome::Lost && !(apart_.residual < best.residual)) return outcome;
@@ -214,17 +217,17 @@ Outcome Search::comeBack(Outcome outcome, Solution& best) const {
   return outcome;
 }
 
-/// As if there were no guess.
+/// Searches as if there were no guess.
 template <class Motion>
 Outcome Search::walkCold(Engines<Motion>& engines, const Task& task, Solution& best) {
   setOutApart(nullptr, best);
   return comeBack(walkOnce(engines, task.fromNothing(), apart_), best);
 }
 
-/// What is small or simple first: explicit entries by sweeps, if these lead far enough, and by
-/// Newton's method on a dense W; few contacts that joints leave, without these (`condense`; in a
-/// hurry few without joints, too). Where there is no room for a factor, or no time for a walk,
-/// sweeps alone. All else by `walkTwice`.
+/// Tries small and simple problems first: explicit entries by sweeps, if these lead far enough, and
+/// by Newton's method on a dense W; few contacts that are left once joints are eliminated
+/// (`condense`; in a hurry also few contacts without joints). Where there is no room for a factor,
+/// or no time for a walk, makes sweeps alone. Leaves all else to `walkTwice`.
 Outcome Search::walk(const Task& asked, Solution& best) {
   Task task = asked;
   task.isHurried = isHurried(asked.options);

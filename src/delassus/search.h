@@ -31,12 +31,12 @@ struct Task {
   Options options;        ///< the budgets, of all that `best` counts
   double tolerance;       ///< natural residual to reach, m/s
   const VectorXd* guess;  ///< reactions of a last step; null: there are none
-  int reserved = 0;       ///< regions for who comes later
-  /// Exactness gives way to time: by what the user has allowed, whatever share of it this is. No
-  /// sweep is to be lost on what may gain nothing.
+  int reserved = 0;       ///< regions that are kept for later ways
+  /// Whether exactness gives way to time, by the budget that the user has given, whatever share of
+  /// it this task has. Then no sweep is spent on ways that may gain nothing.
   bool isHurried = false;
 
-  /// Of those that may gain nothing.
+  /// Regions left of those that may gain nothing (regionsInVain).
   int regionsLeft(const Solution& best, int most = std::numeric_limits<int>::max()) const {
     return std::min(most, options.regionsInVain() - reserved - best.regions);
   }
@@ -50,40 +50,41 @@ struct Task {
   }
 };
 
-/// The search for the reactions of one problem after the other: by sweeps, by patches, from region
-/// to region. What has been found so far is `best`; nothing is lost that was better. Storage is
-/// used again.
+/// Searches the reactions of one problem after the other: by sweeps, by patches, from region to
+/// region. `best` is the best answer so far; only a better one takes its place. Storage is used
+/// again.
 class Search {
  public:
   Search() = default;
 
-  /// Before all else. Keeps a pointer to `problem`, which must outlive the search for its
-  /// reactions.
+  /// Call it first. Keeps a pointer to `problem`, which must outlive the search for its reactions.
   void setProblem(const Problem& problem) {
     problem_ = &problem;
     map_.setProblem(problem);
   }
   const NaturalMap& map() const { return map_; }
-  /// Who helps from now on; null: none.
+  /// The threads that help from now on; null: none.
   void setHands(Hands* hands) { hands_ = hands; }
 
   /// Takes `r`, moved into the cones and bounds, as the best answer if its residual is smaller.
   void offer(const VectorXd& r, Solution& best);
 
-  /// Starts from no reactions at all if those in `best` are no start. They are compared as a whole:
-  /// where few contacts came or went, a guess is far wrong only there, and what was learnt of all
-  /// the others is worth more. Nor, with few sweeps, from those of contacts alone that do work on
-  /// the bodies, as what stopped a blow does when it comes again: that is not taken back so soon.
-  /// (Joints are worse off without what carried them: ragdolls had up to twice the residual.)
+  /// Drops the reactions in `best` if no reactions at all are a better start. The two are compared
+  /// as a whole: where few contacts came or went, a guess is far off only there, and what was
+  /// learnt of all the others is worth more. With few sweeps, reactions of contacts alone are also
+  /// dropped if they do work on the bodies, as those that stopped a blow do when they act again: a
+  /// few sweeps would not take that back. (With joints they are kept. Without the reactions that
+  /// carried them, ragdolls had up to twice the residual.)
   void startBetter(const Options& options, Solution& best);
 
-  /// Rows alone with an explicit W are the paper's own ground: regions of any W, symmetric or not.
+  /// For rows alone with an explicit W, the paper's own ground: regions of any W, symmetric or not.
   Outcome pivotRows(const Task& task, Solution& best);
 
-  /// By the cheapest way that leads to the tolerance, as far as the budgets go.
+  /// Searches by the cheapest way that leads to the tolerance, as far as the budgets go.
   Outcome walk(const Task& task, Solution& best);
 
-  /// Brings reactions that keep the law already towards the tolerance, or leaves them as they are.
+  /// Brings reactions that already keep the law nearer to the tolerance, or leaves them as they
+  /// are.
   void polish(const Task& task, Solution& best);
 
   std::size_t bytes() const {
@@ -119,7 +120,7 @@ class Search {
     }
   };
 
-  /// Made when they are needed first: a problem that a formula answers needs none.
+  /// Made when first needed: a problem that a formula answers needs none.
   Machines& machines() {
     if (!machines_) {
       own_.reset(new Machines);  // make_unique would set all its dense matrices to zero first
@@ -127,7 +128,7 @@ class Search {
     }
     return *machines_;
   }
-  /// For the patches of another search, or for what it varies: it takes turns with that one.
+  /// A search for patches of another one, or for its varied problems: it takes turns with that one.
   explicit Search(Machines& machines) : isInner_(true), machines_(&machines) {}
 
   // search.cpp: the order of ways.
@@ -143,8 +144,8 @@ class Search {
   bool hasNoWalk(const Task& task, const Solution& best) const;
   template <class Motion>
   void polishWith(Engines<Motion>& engines, const Task& task, Solution& best);
-  /// The machines stand at this problem again, whatever they stood at: a patch, a varied problem, a
-  /// proof, or a path, which leaves its own factor in their space.
+  /// Sets the machines to this problem again after another one: a patch, a varied problem, a proof,
+  /// or a path, which leaves its own factor in their space.
   template <class Motion>
   void takeBack(Engines<Motion>& engines) {
     engines.space.setProblem(*problem_, map_);
@@ -197,23 +198,24 @@ class Search {
 
   /// Proximal weights where regions still change, and where the region is known.
   static constexpr double weightUnknown = 1e-1, weightKnown = 1e-6;
-  /// The least of a walk that begins with the best answer of quick ways, and of one that others
-  /// have not led to an end.
+  /// Least weight of a walk that begins with the best answer of quick ways, and of one that comes
+  /// after other walks were lost.
   static constexpr double leastWeightAtFirst = 1e-2, leastWeightAfar = 1e-4;
-  /// Regions: of the steps that finish, of a try, of a walk that finds most ways there are, and of
-  /// one where nothing else is left.
+  /// Numbers of regions: of the steps that finish; of a try; of a walk that is long enough for most
+  /// cases; and of one where nothing else is left.
   static constexpr int fewRegions = 8, shortWalk = 16, fairWalk = 80, longWalk = 400;
-  /// The proximal weight of a walk's first step from here, by what is left to correct; at least
+  /// The proximal weight of a walk's first step from here, by how much is left to correct; at least
   /// `least`.
   double firstWeight(const Solution& from, double least) const;
-  /// Regions worth a walk from here: in large heaps few where too much is left to correct.
+  /// Regions worth a walk from here: few in large heaps where too much is left to correct.
   int regionsFrom(const Solution& from, const Task& task, int most) const;
 
   /// Completes u and the residuals of a candidate r.
   void measure(Solution& candidate);
   /// Measures it, and takes it as the best answer if its residual is smaller.
   void consider(Solution& candidate, Solution& best);
-  /// Puts the answer of a walk back into the cones and bounds that rounding, or a compromise, left.
+  /// Puts the answer of a walk back into cones and bounds, if rounding or a compromise has left
+  /// them.
   void allow(Solution& best);
 
   Hands* hands_ = nullptr;
@@ -224,9 +226,9 @@ class Search {
   std::unique_ptr<Machines> own_;
   Machines* machines_ = nullptr;
   Solution trial_;      ///< a candidate
-  Solution wandering_;  ///< where a way is that may lead away from the best
-  Solution apart_;      ///< the best of a way of its own
-  Solution held_;       ///< what a hold has come to, in a hurry
+  Solution wandering_;  ///< the place of a way that may lead away from the best
+  Solution apart_;      ///< the best of a search apart
+  Solution held_;       ///< the result of a hold, in a hurry
   VectorXd felt_;
   FarkasProof proof_;
 

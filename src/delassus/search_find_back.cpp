@@ -29,15 +29,15 @@ Outcome Search::findBack(Engines<Motion>& engines, const Task& task, Solution& b
   return outcome == Outcome::Lost ? wander(engines, task, best) : outcome;
 }
 
-/// Plain sweeps by the thousand from where the step began, or from nothing, and a walk from where
-/// they come to; then on from where that walk came to, if it is nearer than any before it.
+/// Makes plain sweeps by the thousand, from where the step began or from nothing, and a walk from
+/// where they lead; then goes on from the end of that walk, if it is nearer than any before.
 ///
-/// A heap of spheres has as many contacts as motions, and stresses that grow by the same little in
-/// every sweep until a contact slips; which one is next depends on all that slipped before. What
-/// hurries sweeps runs past that order and ends far from any answer, though its residual is small.
-/// Plain sweeps go through it slip after slip, as the heap does. Where those from the last
-/// reactions go round for ever, those from nothing, which squeezes nowhere, may come to an end.
-/// For body space, as plain sweeps are.
+/// A heap of spheres has as many contacts as motions. Its stresses grow by the same small amount in
+/// every sweep until a contact slips, and which contact slips next depends on all slips before.
+/// Accelerated sweeps run past that order and end far from any answer, though their residual is
+/// small. Plain sweeps go through it slip after slip, as the heap does. If sweeps from the last
+/// reactions go round for ever, those from nothing, where nothing is squeezed, may come to an end.
+/// For body space only, as plain sweeps are.
 Outcome Search::outlast(const Task& task, Solution& best) {
   constexpr int manySweeps = 2000, regions = 50;
   Engines<BodyMotion>& engines = machines().bodies;
@@ -66,8 +66,9 @@ Outcome Search::outlast(const Task& task, Solution& best) {
   return comeBack(outcome, best);
 }
 
-/// Where demands are proven incompatible, `best` is a compromise and names those that quarrel.
-/// Explicit entries tell it by reactions that grow (ProximalWalk::converge).
+/// Where demands are proven incompatible, `best` becomes a compromise and names the parts that
+/// quarrel. Explicit entries have no proof: there growing reactions tell it
+/// (ProximalWalk::converge).
 bool Search::proveIncompatible(double tolerance, int regionBudget, Solution& best) {
   constexpr double negligible = 0.1;  // share of the largest push, in the norm of its energy
   if (!problem_->W.inBodySpace()) return false;
@@ -77,24 +78,24 @@ bool Search::proveIncompatible(double tolerance, int regionBudget, Solution& bes
   takeBack(engines);
   if (!areIncompatible) return false;
   compromise(tolerance, regionBudget, best);
-  // In the mean over its directions: what moves nothing along its normal may be asked to, and is
-  // named then.
+  // In the mean over the directions of each part: a contact may be asked to move along its normal
+  // though nothing moves there, and is named then.
   map_.meanDiagonal(felt_);
   felt_ = felt_.cwiseSqrt().cwiseProduct(proof_.reactions()).cwiseAbs();
   const double least = negligible * felt_.maxCoeff();
   best.blamed.clear();
   for (int at = 0; at < problem_->size(); ++at)
     if (felt_[at] > least) best.blamed.push_back(at);
-  // Who cannot be moved at all is not felt.
+  // A part that cannot be moved at all does not show here.
   if (best.blamed.empty()) best.blamed.push_back(map_.residual(best.r, best.u).worst);
   return true;
 }
 
-/// The reactions of bodies that are a little compliant where they touch, friction included, instead
-/// of those that the search was left with, which may be of any size: so little that what they carry
-/// anyway makes them give less than the quarrel does. Where these are not found from the motion
-/// that the search was left with, nor from the free one, softer bodies lead there. Not if they are
-/// much further from the law.
+/// Takes the reactions of bodies that are a little compliant where they touch, friction included,
+/// instead of those that the search was left with, which may be of any size. The compliance is so
+/// small that the bodies give less under what they carry anyway than under the quarrel. If these
+/// reactions are found neither from the motion that the search was left with nor from the free one,
+/// softer bodies lead to them. They are not taken if they are much further from the law.
 void Search::compromise(double tolerance, int regionBudget, Solution& best) {
   constexpr double share = 0.1, least = 1e-9, most = 1e-6, softest = 1e-2;  // relative to W_aa
   constexpr double harder = 0.1, nearly = 10;
@@ -122,15 +123,15 @@ void Search::compromise(double tolerance, int regionBudget, Solution& best) {
     compliance = std::max(wanted, harder * compliance);
   }
   take();
-  // Where nothing of this is near, the search was not yet.
+  // If nothing of this is near, the search had not come near, either.
   if (best.residual > nearly * proof_.missed())
     engines.walk.walk(tolerance, firstWeight(best, leastWeightAfar), fairWalk, best);
 }
 
-/// Two ways on, in turn. Sweeps and patches mend the best answer and the walk goes on from there.
-/// And since what is near in residual may be far from any answer, sweeps set out anew from where
-/// the step began, go on whether or not they better the best answer, further each time, and a short
-/// walk is tried from wherever they are.
+/// Goes on in two ways, by turns. In one, sweeps and patches mend the best answer, and the walk
+/// goes on from there. But an answer of small residual may be far from any solution. So in the
+/// other, sweeps set out anew from where the step began and go on, further each time, whether or
+/// not they better the best answer; a short walk is tried from wherever they are.
 template <class Motion>
 Outcome Search::wander(Engines<Motion>& engines, const Task& task, Solution& best) {
   constexpr int shortest = 100, longest = 3200, tryFromAfar = 40;

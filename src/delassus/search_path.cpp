@@ -7,10 +7,10 @@
 
 namespace delassus {
 
-/// Stands on the path of compliance: at bodies that are so compliant where they touch that their
-/// answer is found. In islands of thousands that one compliance would have to turn back and forth
-/// for each of the places where something is wedged, whatever the others do; there it begins at the
-/// best answer so far.
+/// Moves onto the path of compliance, where bodies are so compliant at their contacts that their
+/// answer is found. In islands of thousands of contacts one compliance for all would have to turn
+/// back and forth for each place where something is wedged, whatever the other places do. There the
+/// path begins at the best answer so far.
 bool Search::setOutOnPath(const Task& task, int budget, Solution& best) {
   constexpr double moderate = 1e-2, soft = 1;
   Engines<BodyMotion>& engines = machines().bodies;
@@ -30,9 +30,9 @@ bool Search::setOutOnPath(const Task& task, int budget, Solution& best) {
   return path.setOut(best.r, softness, budget, best) || path.setOut(best.r, soft, budget, best);
 }
 
-/// Along the path of compliance to rigid bodies, and a walk from the answers of those that are
-/// nearly rigid. Not in large piles, where it takes ten thousands of factors and gains next to
-/// nothing.
+/// Follows the path of compliance to rigid bodies, and walks from the answers for those that are
+/// nearly rigid. Not in large piles, where the path takes tens of thousands of factors and gains
+/// next to nothing.
 Outcome Search::harden(const Task& task, Solution& best) {
   constexpr double nearlyRigid = 1e-5, rigid = 1e-8, finest = 1e-7;
   constexpr int few = 600, regions = 60;

@@ -9,8 +9,7 @@
 namespace delassus {
 namespace {
 
-/// The paper's forced motion: all that approach are held, whatever the sign of their reactions will
-/// be.
+/// The paper's forced motion: all that approach are held, whatever sign their reactions will have.
 void forceActiveSet(const Problem& problem, ActiveSet& set) {
   // Bodies that fall together touch with q_n = 0 up to round-off: they are held too.
   const double touching = 1e-6 * problem.demand();
@@ -27,7 +26,7 @@ void forceActiveSet(const Problem& problem, ActiveSet& set) {
   set.disks.assign(problem.disks.size(), Mode::Stick);
 }
 
-/// The same where reactions tell more: what pressed in the last step is held, too.
+/// The same, and contacts that pressed in the last step are held, too.
 void holdActiveSet(const Problem& problem, const VectorXd& r, ActiveSet& set) {
   forceActiveSet(problem, set);
   for (int i = 0; i < problem.contacts(); ++i)
@@ -54,8 +53,9 @@ bool hasOneRegion(const Problem& problem) {
          problem.upper.array().isInf().all();
 }
 
-/// A proximal weight. From nothing a smaller one needs fewer steps; and were it smaller still, the
-/// first would end just within the tolerance, and none would follow that takes more digits.
+/// A proximal weight for a start from nothing. A small one needs few steps. But with one smaller
+/// still, the first step would end just within the tolerance, and no other would follow that gains
+/// more digits.
 constexpr double weightForced = 1e-7;
 constexpr double disturbed = 1e-3;  ///< share of the demands that reactions leave open
 constexpr int mostHolds = 40;       ///< steps of a hold
@@ -64,7 +64,7 @@ constexpr int fewAlone = 36;
 
 }  // namespace
 
-/// What comes before the first walk. Lost: the walk finishes.
+/// All that comes before the first walk. Lost: the walk goes on from here.
 template <class Motion>
 Outcome Search::startOut(Engines<Motion>& engines, const Task& task, Solution& best) {
   const double demand = problem_->demand(), aim = keptShare * task.tolerance;
@@ -105,16 +105,16 @@ Outcome Search::startOut(Engines<Motion>& engines, const Task& task, Solution& b
   return Outcome::Lost;
 }
 
-/// Whether it is worth a region to hold all that touches. Not where the last reactions slid
-/// somewhere and regions are cheap, or few: then something will again.
+/// Whether it is worth a region to hold all that touches. It is not where the last reactions slid
+/// somewhere and regions are cheap, or few: then something will slide again.
 bool Search::mayHold(const Task& task, const Solution& best) const {
   constexpr int fewContacts = 12;
   if (isHeap(*problem_) || task.regionsLeft(best) <= 0) return false;
   // Explicit entries of this size cost more to factor than few sweeps are worth.
   if (task.isHurried && isLargeButNoHeap(*problem_) && !problem_->W.inBodySpace()) return false;
   if (!task.isHurried && isLargeButNoHeap(*problem_)) return true;
-  // Small islands without reactions of a last step hold all in their first region, if there may be
-  // others.
+  // Small islands without reactions of a last step hold all in their first region anyway, if there
+  // may be others.
   return (task.guess || task.isHurried) && problem_->contacts() > fewContacts &&
          slidesNowhere(*problem_, best.r);
 }
@@ -128,8 +128,8 @@ bool Search::hold(Engines<Motion>& engines, const Task& task, Solution& best) {
   return engines.forced.hold(task.tolerance, most, best);
 }
 
-/// The same for who has few sweeps, who pays a region for it and none of these: they are made as if
-/// it had not been tried, and what it has come to waits in held_.
+/// The same for a budget of few sweeps. It costs a region and none of the sweeps: these are made as
+/// if the hold had not been tried, and its result waits in held_.
 template <class Motion>
 bool Search::holdApart(Engines<Motion>& engines, const Task& task, Solution& best) {
   if (!mayHold(task, best)) return false;
@@ -143,8 +143,8 @@ bool Search::holdApart(Engines<Motion>& engines, const Task& task, Solution& bes
   return isHeld;
 }
 
-/// Newton's method on few contacts, as joints leave them. Who has few sweeps pays a region for it,
-/// and no sweeps, as for `hold`, and has it where there are no joints, too.
+/// Newton's method on the few contacts that are left once joints are eliminated. With a budget of
+/// few sweeps it costs a region and no sweeps, as `hold` does, and is used without joints, too.
 bool Search::condense(const Task& task, Solution& best) {
   constexpr int few = 60;  // unknowns that joints leave
   const int sweeps = best.sweeps;
@@ -160,9 +160,9 @@ bool Search::condense(const Task& task, Solution& best) {
   return isReached;
 }
 
-/// Newton's method on reactions: on a dense matrix where nothing is known and so few touch that it
-/// costs no more than the factor of their bodies; and else with such factors, where contacts are
-/// not so many that some of them are always in a wrong region.
+/// Newton's method on reactions. If nothing is known, and so few contacts touch that a dense matrix
+/// costs no more than the factor of their bodies, it uses that matrix. Otherwise it uses such
+/// factors, unless there are so many contacts that some of them are always in a wrong region.
 template <class Motion>
 bool Search::react(Engines<Motion>& engines, const Task& task, Solution& best) {
   constexpr int mostContacts = 300, fewSteps = 30, manySteps = 40;
@@ -170,7 +170,7 @@ bool Search::react(Engines<Motion>& engines, const Task& task, Solution& best) {
   CondensedNewton& condensed = machines().condensed;
   if (!task.guess && condensed.setProblem(*problem_, map_, best.r, fewAlone))
     return condensed.solve(task.tolerance, task.sweepsLeft(best), best);
-  // Where contacts share loads in many ways, joints leave fewer.
+  // Contacts of large piles share loads in many ways; joints leave fewer.
   const bool isTooLarge =
       problem_->contacts() > mostContacts || isLargeHeap(*problem_) ||
       (isLargeButNoHeap(*problem_) && (!task.guess || problem_->rows() < problem_->contacts()));
@@ -188,8 +188,8 @@ bool Search::alternate(Engines<Motion>& engines, const Task& task, Solution& bes
   return engines.alternation.alternate(keptShare * task.tolerance, most, best);
 }
 
-/// What is left after a few steps is slow to go; one in the region that has been found takes it
-/// away.
+/// The error that is left after a few steps shrinks slowly; one step in the region that has been
+/// found removes it.
 template <class Motion>
 Outcome Search::finish(Engines<Motion>& engines, const Task& task, Solution& best) {
   const int most = task.regionsLeft(best, fewRegions);

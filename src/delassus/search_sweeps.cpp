@@ -1,4 +1,4 @@
-/// The sweeps of the search, before walks and between them, and patches where they do not help.
+/// The sweeps of the search, before and between walks, and patches where sweeps do not help.
 #include <algorithm>
 #include <cmath>
 
@@ -7,9 +7,9 @@
 
 namespace delassus {
 
-/// Sweeps that remember a few steps, as long as they halve the residual soon: a factor costs as
-/// much as tens of them, where W is explicit as hundreds. With a longer memory more regions are
-/// needed after a blow. True if they reach the tolerance.
+/// Makes sweeps that remember a few steps, as long as they soon halve the residual: a factor costs
+/// as much as tens of sweeps, where W is explicit as hundreds. With a longer memory more regions
+/// are needed after a blow. True if the sweeps reach the tolerance.
 bool Search::sweepAndLearn(const Task& task, double tolerance, Solution& best) {
   constexpr int shortest = 3, longest = 10;  // from one look at the residual to the next
   constexpr int patience = 20, memory = 5;
@@ -30,14 +30,14 @@ bool Search::sweepAndLearn(const Task& task, double tolerance, Solution& best) {
   return false;
 }
 
-/// All sweeps that there are, one after the other, whether or not they gain, as sequential impulses
-/// do. Like these they begin from a little less than the reactions of the last step, if nothing has
-/// bettered them yet: where errors remain, all of them would have a pile swing for ever. Many
-/// contacts go by colour.
+/// Makes all sweeps of the budget, one after the other, whether or not they gain, as sequential
+/// impulses do. Like these, it begins from a little less than the reactions of the last step, if
+/// nothing has bettered them yet: with the full reactions, errors that remain would let a pile
+/// swing for ever. Many contacts go by colour.
 ///
-/// One sweep alone leaves reactions that the one of the next step does not mend: it begins from
-/// nothing, where that is nearer to an answer and there are no joints to hold. From two sweeps on
-/// the last reactions are worth more.
+/// A single sweep leaves reactions that the single sweep of the next step does not mend. It begins
+/// from nothing if that is nearer to an answer and there are no joints to hold. With two or more
+/// sweeps the last reactions are worth more.
 void Search::sweepAll(const Task& task, double tolerance, Solution& best) {
   constexpr int burst = 10, many = 50, worthColours = 3;
   constexpr double trusted = 0.8, spoilt = 1.5;
@@ -68,7 +68,7 @@ void Search::sweepAll(const Task& task, double tolerance, Solution& best) {
   }
 }
 
-/// By colour where that goes, whose sweeps cost a third.
+/// By colour where possible: such sweeps cost a third.
 void Search::sweepWhileItGains(const Task& task, double tolerance, Solution& best) {
   constexpr int fewSweeps = 20, manySweeps = 100;
   constexpr double gain = 0.7;
@@ -89,17 +89,17 @@ void Search::sweepWhileItGains(const Task& task, double tolerance, Solution& bes
   }
 }
 
-/// Sweeps as long as they gain, and where they do not, patches: what settles in this way needs no
-/// factor of the whole island. The residual may rise on the way, since a wall that is met lets
-/// others go. In heaps of many contacts they go by colour.
+/// Makes sweeps as long as they gain, and where they do not, solves patches: what settles in this
+/// way needs no factor of the whole island. The residual may rise on the way, since a contact that
+/// meets a wall lets others go. In heaps of many contacts the sweeps go by colour.
 void Search::settle(const Task& task, double tolerance, Solution& best) {
   constexpr int patience = 6, fewSweeps = 20, manySweeps = 100, many = 200;
   constexpr double gain = 0.7;
-  // Half as many sweeps where all is remembered; elsewhere the memory is worth more than the time.
+  // The longest memory halves the sweeps; outside heaps its storage is worth more than that time.
   const int memory = isHeap(*problem_) ? Anderson::longest : 4;
   const bool byColour = setSweeps(isHeap(*problem_) && problem_->contacts() > many);
   const int burst = byColour ? manySweeps : fewSweeps;
-  double change = tolerance;  // of a velocity, that is worth a sweep by colour
+  double change = tolerance;  // of a velocity, for which a sweep by colour is worth while
   trial_.r = best.r;
   measure(trial_);
   double lowest = infinity;
@@ -121,14 +121,14 @@ void Search::settle(const Task& task, double tolerance, Solution& best) {
     } while (gains);
     failures = trial_.residualRms < gain * lowest ? 0 : failures + 1;
     lowest = std::min(lowest, trial_.residualRms);
-    // What does not help is tried with more around it.
+    // Patches that do not help are tried with more around them.
     if (!mendPatches(task, tolerance, 3.0 / (1 + failures), trial_, best)) return;
     setSweeps(byColour);  // since patches may have been swept
     consider(trial_, best);
   }
 }
 
-/// Makes ready for sweeps by colour, if they may and can go so, or else for others; true: by
+/// Prepares sweeps by colour, if these are allowed and possible, or else other sweeps. True: by
 /// colour.
 bool Search::setSweeps(bool mayGoByColour) {
   if (mayGoByColour) {
@@ -139,8 +139,8 @@ bool Search::setSweeps(bool mayGoByColour) {
   return false;
 }
 
-/// The patches about the contacts whose residual is `outstanding` times the mean, or so many times
-/// more that no patch is as good as the island.
+/// Finds the patches about the contacts whose residual is above `outstanding` times the mean. The
+/// threshold doubles until no patch is more than a share of the island.
 void Search::findPatches(double tolerance, double outstanding, const Solution& unsettled) {
   constexpr double largestShare = 0.25;
   map_.residuals(unsettled.r, unsettled.u, residuals_);
@@ -158,14 +158,14 @@ void Search::findPatches(double tolerance, double outstanding, const Solution& u
 }
 
 /// Solves the patches, and puts their reactions in the place of those in `unsettled`. Their work is
-/// counted in `best`: a sweep by the patch's share of the island, a region by its share to the
+/// counted in `best`: a sweep by the patch's share of the island, a region by this share to the
 /// power 3/2, as a factor costs in a flat pile (George 1973). False if there were no patches, or no
-/// work is left; in islands of few parts, with explicit W, and within patches or varied problems
-/// there are none.
+/// work is left. No patches are made in islands of few parts, with explicit W, and within patches
+/// or varied problems.
 bool Search::mendPatches(const Task& task, double tolerance, double outstanding,
                          Solution& unsettled, Solution& best) {
   constexpr double accuracy = 0.1;
-  constexpr int fewParts = 20;  // whose walk costs no more than that of their patches
+  constexpr int fewParts = 20;  // their walk costs no more than that of patches
   constexpr double mostRegions = 300, mostSweeps = 1000;
   const int parts = problem_->parts();
   if (isInner_ || parts <= fewParts || !problem_->W.inBodySpace()) return false;

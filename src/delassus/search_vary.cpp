@@ -1,5 +1,5 @@
-/// Answers to problems that are easier, from which the search sets out: for bodies that are soft
-/// where they touch, and for less friction.
+/// Answers to easier problems, from which the search sets out: for bodies that are soft where they
+/// touch, and for less friction.
 #include <algorithm>
 
 #include "delassus/pile_kind.h"
@@ -7,7 +7,7 @@
 
 namespace delassus {
 
-/// varied_ is the same problem, to be varied; its W is yet to come.
+/// Makes varied_ the same problem, to be varied; its W is yet to come.
 void Search::vary() {
   varied_.q = problem_->q;
   varied_.friction = problem_->friction;
@@ -29,8 +29,8 @@ Outcome Search::answerVaried(const Task& task, Solution& best) {
   return outcome;
 }
 
-/// The answer, in variedStart_, for bodies that are as little compliant where they touch as sweeps
-/// and a short walk can find it; returns how compliant, in W_aa, or 0 if they find none.
+/// Finds the answer, in variedStart_, for bodies that are as little compliant where they touch as
+/// sweeps and a short walk can solve. Returns how compliant, in W_aa, or 0 if they find none.
 double Search::soften(const Task& task, Solution& best) {
   constexpr double softest = 1, hardest = 1e-5, finer = 0.3162, tolerance = 1e-10;
   constexpr int sweeps = 1000, regions = 60;
@@ -52,14 +52,14 @@ double Search::soften(const Task& task, Solution& best) {
   return found;
 }
 
-/// In large piles from no reactions, where a walk was lost: from the answers for less friction, in
-/// turn, as long as there are regions.
+/// For large piles without reactions of a last step, where a walk was lost: sets out from the
+/// answers for less friction, one after the other, as long as there are regions.
 ///
 /// With much friction an answer may repel what comes near it. Linearised there, an outer step of
-/// the walk multiplies errors by (1 + P' l W)⁻¹ P', l = 1/(α W_aa), which may be no contraction
-/// unless α is small; and for small α there is no way from afar. That is one reason why walks are
-/// lost, not the only one (renders/report/piles.md). Where less friction leads to is another place
-/// to come from. In body space, as on the path of compliance: explicit entries are too dear.
+/// the walk multiplies errors by (1 + P' l W)⁻¹ P', l = 1/(α W_aa). This may be no contraction
+/// unless α is small, and for small α there is no way from afar. That is one reason why walks are
+/// lost, not the only one (renders/report/piles.md). The answer for less friction is another place
+/// to come from. In body space, as on the path of compliance: explicit entries are too expensive.
 Outcome Search::addFriction(const Task& task, Solution& best) {
   constexpr double shares[] = {0.8, 0.95, 0.6};
   constexpr double few = 1000;  // contacts and rows; the regions of more cost more each

@@ -10,32 +10,33 @@
 
 namespace delassus {
 
-/// From good to grave: of the parts of a problem the gravest is that of the whole.
+/// From good to grave: the status of a problem is the gravest of its parts.
 enum class Status : unsigned char {
-  Solved,  ///< the natural residual is within the tolerance, or within what rounding leaves of it
+  Solved,        ///< the natural residual is within the tolerance, or within rounding
   OutOfBudget,   ///< best answer found within the budget; see its residual
   Incompatible,  ///< no motion meets all demands: a compromise was taken; see `blamed`
-  /// The problem holds numbers that are none, or that overflow: no reactions in what these touch.
+  /// The problem holds numbers that are not finite, or that overflow: what these touch gets no
+  /// reactions.
   NonFinite,
 };
 
 /// solved, out_of_budget, incompatible or non_finite.
 std::string toString(Status status);
 
-/// By which road the reactions were found, the cheapest first.
+/// By which way the reactions were found, the cheapest first.
 enum class Tier : unsigned char {
-  Free,        ///< there are none: nothing approaches
+  Free,        ///< there are no reactions: nothing approaches
   Kept,        ///< the guess keeps the law
   ClosedForm,  ///< one contact or one row
   Pivoting,    ///< rows alone, explicit W
   Walk,        ///< sweeps, patches, regions
 };
 
-/// What was done for an answer, that in patches by what it costs beside the island's.
+/// What was done for an answer. Work in a patch counts by what it costs beside the island's.
 struct WorkDone {
-  int regions = 0;  ///< visited by walks but those at the ends of paths of compliance
+  int regions = 0;  ///< visited by walks, without those at the ends of paths of compliance
   int factorisations = 0;
-  int sweeps = 0;   ///< over all; and alternations, and steps on few contacts
+  int sweeps = 0;   ///< over the whole island; alternations and steps on few contacts count too
   int patches = 0;  ///< parts of the island that were solved apart, on the way
 
   void takeWork(const WorkDone& other) { *this = other; }
@@ -57,11 +58,13 @@ struct Solution : WorkDone {
   double startResidual = 0;  ///< natural residual of the guess, m/s; infinite without one
   double residual = 0;       ///< natural residual, largest over contacts, rows and disks, m/s
   double residualRms = 0;    ///< its root mean square, m/s
-  /// First unknowns of the contacts and rows that keep it from being solved: those with
-  /// incompatible demands or non-finite numbers; out of budget, the one with the largest residual.
+  /// First unknowns of the contacts and rows that keep the problem from being solved: those with
+  /// incompatible demands or non-finite numbers; if out of budget, the one with the largest
+  /// residual.
   std::vector<int> blamed;
 
-  /// No reactions, u = q, of which nothing is known; no work done. Storage is kept.
+  /// Starts with no reactions and u = q; residuals are not known yet, no work is done. Storage is
+  /// kept.
   void start(const VectorXd& q) {
     r.setZero(q.size());
     u = q;
@@ -71,7 +74,7 @@ struct Solution : WorkDone {
     blamed.clear();
   }
 
-  /// Has the reactions of another one, with what these do and how good they are.
+  /// Takes the reactions of another solution, with their velocities and residuals.
   void takeReactions(const Solution& other) {
     r = other.r;
     u = other.u;
@@ -79,7 +82,7 @@ struct Solution : WorkDone {
     residualRms = other.residualRms;
   }
 
-  /// Has these reactions, and what they do, if their residual is smaller.
+  /// Takes these reactions and their velocities if their residual is smaller.
   void takeIfBetter(const VectorXd& candidate, const VectorXd& velocity,
                     const VelocityResidual& measured) {
     if (!(measured.max < residual)) return;
