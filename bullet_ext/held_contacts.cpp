@@ -11,6 +11,7 @@
 #include "bullet_ext/response.h"
 #include "bullet_ext/softness.h"
 #include "delassus/contact_motion.h"
+#include "delassus/one_contact.h"
 
 namespace delassus::bullet {
 namespace {
@@ -40,10 +41,10 @@ ImpulseSpan::Impulse impulseOf(const Group& group, const Row& row) {
   return impulse;
 }
 
-/// The impulse along the normal.
-ImpulseSpan::Impulse impulseOf(const Group& group, const Contact& contact) {
+/// The impulse along an axis of the contact's frame.
+ImpulseSpan::Impulse impulseOf(const Group& group, const Contact& contact, int axis = 0) {
   ImpulseSpan::Impulse impulse;
-  const Vec3 n = contact.frame.col(0);
+  const Vec3 n = contact.frame.col(axis);
   if (isRigid(group, contact.a)) {
     impulse.a = contact.a;
     impulse.onA << n, contact.armA.cross(n);
@@ -52,6 +53,15 @@ ImpulseSpan::Impulse impulseOf(const Group& group, const Contact& contact) {
     impulse.b = contact.b;
     impulse.onB << -n, -contact.armB.cross(n);
   }
+  return impulse;
+}
+
+/// The angular impulse about an axis of the contact's frame.
+ImpulseSpan::Impulse turnOf(const Group& group, const Contact& contact, int axis) {
+  ImpulseSpan::Impulse impulse = impulseOf(group, contact, axis);
+  const Vec3 about = contact.frame.col(axis);
+  if (impulse.a != none) impulse.onA << Vec3::Zero(), about;
+  if (impulse.b != none) impulse.onB << Vec3::Zero(), -about;
   return impulse;
 }
 
@@ -157,10 +167,10 @@ double HeldContacts::extend(const Group& group, const Hold& hold, const Impulse&
 }
 
 /// The part of (push, push) that the mechanism takes up: by rows that hold both ways, or also by
-/// limits that the push would cross, each tried once, in their order. Adds to `apart` the speed at
-/// which these ask the contact to part, m/s.
+/// limits that the push would cross and `step` of it reaches in this step, each tried once, in their
+/// order. Adds to `apart` the speed at which these ask the contact to part, m/s.
 double HeldContacts::takenUp(const Group& group, const Impulse& push, Mechanism& mechanism,
-                             bool withLimits, double& apart) {
+                             bool withLimits, double step, double& apart) {
   ImpulseSpan& span = spanOf(group, mechanism);
   span.coordinates(group.bodies, push, ofPush_);
   if (!withLimits) {
@@ -171,10 +181,14 @@ double HeldContacts::takenUp(const Group& group, const Impulse& push, Mechanism&
   for (int k = mechanism.begin; k < mechanism.end; ++k) {
     const Hold& hold = holds_[k];
     if (!hold.isLimit()) continue;
-    const Impulse impulse = impulseOf(group, group.rows[hold.row]);
+    const Row& row = group.rows[hold.row];
+    const Impulse impulse = impulseOf(group, row);
+    double along = ImpulseSpan::product(group.bodies, impulse, push);
+    // Some joints have rows for limits that are far away.
+    const double reached = relativeVelocity(group.bodies, row) + step * along;
+    if (hold.up ? reached > 0 : reached < 0) continue;
     const double itself = extend(group, hold, impulse, span);
     if (itself == 0) continue;
-    double along = ImpulseSpan::product(group.bodies, impulse, push);
     for (std::size_t j = 0; j < ofRow_.size(); ++j) along -= ofRow_[j] * ofPush_[j];
     if (hold.up ? along < 0 : along > 0)
       ofPush_.push_back(along / itself);
@@ -186,15 +200,26 @@ double HeldContacts::takenUp(const Group& group, const Impulse& push, Mechanism&
   return squaresOf(ofPush_);
 }
 
-HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contact, double h) {
-  const Impulse push = impulseOf(group, contact);
-  int involved[2], count = 0;
+/// The part of (push, push) that the joints of its bodies leave.
+double HeldContacts::leftOf(const Group& group, const Impulse& push, bool withLimits, double step,
+                            double& apart) {
+  double left = ImpulseSpan::product(group.bodies, push, push);
+  int first = none;
   for (const int body : {push.a, push.b}) {
     if (body == none) continue;
     const int number = mechanismOf(body);
-    if (count == 0 || involved[0] != number) involved[count++] = number;
+    if (number != first) left -= takenUp(group, push, mechanisms_[number], withLimits, step, apart);
+    first = number;
   }
-  // Bodies that cannot be pushed may move all the same, as kinematic ones do.
+  return left;
+}
+
+/// `asked`: the speed at which the contact is to part, m/s. Sets `apart` to that at which its joints
+/// ask it to.
+HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contact, double asked,
+                                       double h, double& apart) {
+  const Impulse push = impulseOf(group, contact);
+  // Kinematic bodies stand, but may move.
   Vec3 standing = Vec3::Zero();
   double arm = 0;
   if (push.a == none)
@@ -205,18 +230,61 @@ HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contac
     standing -= velocityAt(group.bodies, contact.b, contact.armB);
   else
     arm = std::max(arm, contact.armB.norm());
-  // A little is harmless: joints mend their errors, and normals lean.
+  // Joints mend their errors; normals lean.
   const double harmless = standing.isZero(0) ? still * arm / h : std::sqrt(share) * standing.norm();
   const double size = ImpulseSpan::product(group.bodies, push, push);
+  const double step = size > 0 ? std::max(asked, 0.0) / size : 0;
   for (const bool withLimits : {false, true}) {
-    double left = size, apart = contact.frame.col(0).dot(standing);
-    for (int k = 0; k < count; ++k)
-      left -= takenUp(group, push, mechanisms_[involved[k]], withLimits, apart);
-    if (left > share * size) continue;
+    apart = contact.frame.col(0).dot(standing);
+    if (leftOf(group, push, withLimits, step, apart) > share * size) continue;
     if (apart < -harmless) return Held::No;
-    return withLimits ? Held::ByLimit : Held::Always;
+    if (withLimits) return Held::ByLimit;
+    return isWhollyHeld(group, contact) ? Held::Wholly : Held::Along;
   }
-  return Held::No;
+  return asked > 0 && isHeldByFriction(group, contact, asked) ? Held::ByFriction : Held::No;
+}
+
+/// Whether the joints leave the two bodies no relative motion at all.
+bool HeldContacts::isWhollyHeld(const Group& group, const Contact& contact) {
+  double apart = 0;
+  const auto isHeld = [&](const Impulse& push) {
+    return leftOf(group, push, false, 0, apart) <=
+           share * ImpulseSpan::product(group.bodies, push, push);
+  };
+  for (const int axis : {1, 2})
+    if (!isHeld(impulseOf(group, contact, axis))) return false;
+  for (const int axis : {0, 1, 2})
+    if (!isHeld(turnOf(group, contact, axis))) return false;
+  return true;
+}
+
+/// Whether it takes about as hard a press to part the contact as if the joints left its bodies no
+/// motion. That is told by the exact reaction, with friction, for the part of W_aa that the joints
+/// leave and `share` of all of it.
+bool HeldContacts::isHeldByFriction(const Group& group, const Contact& contact, double asked) {
+  constexpr double about = 0.1;
+  if (!(contact.friction > 0)) return false;
+  Impulse axes[3];
+  for (int i = 0; i < 3; ++i) axes[i] = impulseOf(group, contact, i);
+  Mat3 W;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) W(i, j) = ImpulseSpan::product(group.bodies, axes[i], axes[j]);
+  const double size = W(0, 0);
+  W *= 1 + share;
+  int first = none;
+  for (const int body : {axes[0].a, axes[0].b}) {
+    if (body == none || mechanismOf(body) == first) continue;
+    first = mechanismOf(body);
+    const ImpulseSpan& span = spanOf(group, mechanisms_[first]);
+    ofAxes_.resize(span.size(), 3);
+    for (int i = 0; i < 3; ++i) {
+      span.coordinates(group.bodies, axes[i], ofPush_);
+      ofAxes_.col(i) = Eigen::Map<const Eigen::VectorXd>(ofPush_.data(), span.size());
+    }
+    W -= ofAxes_.transpose() * ofAxes_;
+  }
+  const Vec3 r = solveOneContact(W, {-asked, 0, 0}, contact.friction);
+  return r[0] * share * size >= about * asked;
 }
 
 int HeldContacts::soften(Group& group, double h) {
@@ -231,17 +299,18 @@ int HeldContacts::soften(Group& group, double h) {
   int count = 0;
   for (const int i : candidates_) {
     Contact& contact = group.contacts[i];
-    const Held held = judge(group, contact, h);
+    double &asked = contact.target[0], &push = group.pushes[i], apart = 0;
+    const Held held = judge(group, contact, std::max(asked, push), h, apart);
     if (held == Held::No) continue;
-    double& push = group.pushes[i];
-    if (held == Held::Always)
-      contact.target[0] = std::min(contact.target[0], 0.0);
-    else
-      contact.target[0] += push;
-    push = 0;
-    const double give = held == Held::Always ? softness : joinedSoftness;
-    contact.compliance = std::max(contact.compliance, give * lesserResponse(group, contact));
     ++count;
+    if (held == Held::ByLimit)
+      asked += push;
+    else
+      asked = std::min(asked, held == Held::Wholly ? apart : 0);
+    push = 0;
+    if (held == Held::ByFriction || held == Held::Wholly) continue;
+    const double give = held == Held::Along ? softness : joinedSoftness;
+    contact.compliance = std::max(contact.compliance, give * lesserResponse(group, contact));
   }
   return count;
 }

@@ -19,10 +19,17 @@ struct Group;
 ///
 /// A contact is held if an impulse along it moves its jointed bodies by no more than `share` of
 /// what it would move them without joints. Such a contact leans from the blocked direction by less
-/// than half a degree (in float by little more than one), or acts on as small a part of the arm. It
-/// asks for no more than rest, and gives by `softness` of the response of the body that responds
-/// less: the joints carry all. Where only a limit holds, the bodies can go the other way; there the
-/// contact gives by joinedSoftness and is not split, as contacts of bodies that a joint links.
+/// than half a degree (in float by little more than one), or acts on as small a part of the arm. By
+/// what else its joints block it is answered as follows:
+///
+///   - Some motion is left (a door): the contact asks for no more than rest, and gives by
+///     `softness` of the response of the body that responds less. The joints carry all.
+///   - No motion at all is left (a welded post): the contact asks for no more than the joints do,
+///     and shares the load with them.
+///   - Only a limit blocks it that the bodies reach in this step: they can go the other way. The
+///     contact gives by joinedSoftness and is not split, as contacts of bodies that a joint links.
+///   - The joints leave it free to part, but only if it slides, and friction does not let it (a
+///     ramp that lies on the floor, hinged at its edge): the contact asks for no more than rest.
 ///
 /// A contact is not held where something drives the bodies together by more than `still` of the arm
 /// a step: the joints themselves, or the place where they are fixed, or anything kinematic. So a
@@ -46,7 +53,7 @@ class HeldContacts {
 
  private:
   using Impulse = ImpulseSpan::Impulse;
-  enum class Held { No, ByLimit, Always };
+  enum class Held { No, ByFriction, ByLimit, Along, Wholly };
   /// A row that holds.
   struct Hold {
     int row, a, b;  ///< the row and its bodies that can move; −1: none
@@ -68,8 +75,12 @@ class HeldContacts {
   ImpulseSpan& spanOf(const Group& group, Mechanism& mechanism);
   double extend(const Group& group, const Hold& hold, const Impulse& impulse, ImpulseSpan& span);
   double takenUp(const Group& group, const Impulse& push, Mechanism& mechanism, bool withLimits,
-                 double& apart);
-  Held judge(const Group& group, const Contact& contact, double h);
+                 double step, double& apart);
+  double leftOf(const Group& group, const Impulse& push, bool withLimits, double step,
+                double& apart);
+  Held judge(const Group& group, const Contact& contact, double asked, double h, double& apart);
+  bool isWhollyHeld(const Group& group, const Contact& contact);
+  bool isHeldByFriction(const Group& group, const Contact& contact, double asked);
 
   DisjointSets links_;
   std::vector<Hold> holds_;
@@ -78,7 +89,8 @@ class HeldContacts {
   std::vector<int> candidates_;     ///< contacts
   std::vector<ImpulseSpan> spans_;  ///< storage is used again
   int spansUsed_ = 0;
-  std::vector<double> ofPush_, ofRow_;  ///< coordinates
+  std::vector<double> ofPush_, ofRow_;                               ///< coordinates
+  Eigen::Matrix<double, Eigen::Dynamic, 3, 0, mostRows, 3> ofAxes_;  ///< the same, of all three
 };
 
 }  // namespace delassus::bullet

@@ -1,6 +1,7 @@
 /// Contacts with what joints hold: they ask for nothing, unless something drives it there.
 
 #include <BulletDynamics/ConstraintSolver/btFixedConstraint.h>
+#include <BulletDynamics/ConstraintSolver/btGeneric6DofSpring2Constraint.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -182,6 +183,73 @@ TEST(HeldContacts, AServoDoesNotPassThroughATable) {
     in.world.advance();
   }
   EXPECT_GT(in.plank->getWorldTransform().getOrigin().y(), -0.05);
+}
+
+// A plate on the floor whose joint lets it rise and sink by 5 m, and whose motor presses it down.
+// Bullet makes rows for both limits of such an axis, however far they are.
+TEST(HeldContacts, ALimitThatIsFarAwayHoldsNothing) {
+  for (const double force : {500.0, 5e4, 1e7}) {
+    SCOPED_TRACE(testing::Message() << force << " N");
+    DelassusWorld world;
+    world.addGround();
+    btRigidBody& plate = world.addBox({1, btScalar(0.1), 1}, {0, btScalar(0.1), 0}, 5);
+    auto& joint = world.addJoint<btGeneric6DofSpring2Constraint>(plate, btTransform::getIdentity());
+    for (int axis = 0; axis < 6; ++axis) joint.setLimit(axis, 0, 0);
+    joint.setLimit(1, -5, 5);
+    joint.enableMotor(1, true);
+    joint.setTargetVelocity(1, btScalar(0.5));  // of the world against the plate
+    joint.setMaxMotorForce(1, btScalar(force));
+    for (int step = 0; step < 120; ++step) world.advance();
+    double pressed = 0;
+    for (const btManifoldPoint* point : world.points()) pressed += point->getAppliedImpulse() / h;
+    EXPECT_NEAR(plate.getWorldTransform().getOrigin().y(), 0.1, 1e-4);
+    EXPECT_NEAR(pressed, force + 5 * g, 1e-3 * force);
+  }
+}
+
+// A post on the floor that is also welded to the world rests on the floor: the weld, which would
+// break under a third of its weight, carries no more than its share.
+TEST(HeldContacts, WhatIsWeldedStillRestsOnTheFloor) {
+  for (const double load : {0.0, 100.0}) {
+    SCOPED_TRACE(testing::Message() << load << " kg");
+    DelassusWorld world;
+    world.addGround();
+    btRigidBody& post = world.addBox({btScalar(0.1), 0.5, btScalar(0.1)}, {0, 0.5, 0}, 2);
+    auto& weld =
+        world.addJoint<btFixedConstraint>(post, btTypedConstraint::getFixedBody(),
+                                          btTransform::getIdentity(), post.getWorldTransform());
+    weld.setBreakingImpulseThreshold(btScalar((2 + load) * g * h / 3));
+    if (load > 0)
+      world.addBox({btScalar(0.1), btScalar(0.1), btScalar(0.1)}, {0, btScalar(1.1), 0},
+                   btScalar(load));
+    for (int step = 0; step < 60; ++step) {
+      world.advance();
+      ASSERT_TRUE(weld.isEnabled()) << step;
+    }
+  }
+}
+
+// A ramp that lies on the floor, and a bit in it, with a hinge just behind its edge. To rise it has
+// to slide, and friction does not let it: no reaction, however large, would mend the overlap.
+TEST(HeldContacts, WhatFrictionHoldsOnTheFloorIsNotPressedOutOfIt) {
+  constexpr double mass = 1, halfHeight = 0.2, behind = 0.05;
+  for (const double overlap : {1e-5, 1e-4, 1e-3}) {
+    SCOPED_TRACE(testing::Message() << overlap << " m");
+    DelassusWorld world;
+    world.addGround();
+    btRigidBody& ramp = world.addBox({btScalar(0.25), btScalar(halfHeight), btScalar(0.2)},
+                                     {0, btScalar(halfHeight - overlap), 0}, btScalar(mass));
+    auto& hinge = world.addJoint<btHingeConstraint>(ramp, btVector3(btScalar(-0.25 - behind), 0, 0),
+                                                    btVector3(0, 0, 1));
+    hinge.setBreakingImpulseThreshold(btScalar(100 * mass * g * h));
+    for (int step = 0; step < 60; ++step) {
+      world.advance();
+      ASSERT_EQ(world.report().incompatible + world.report().outOfBudget, 0) << step;
+      for (const btManifoldPoint* point : world.points())
+        ASSERT_LT(point->getAppliedImpulse(), 10 * mass * g * h) << step;
+    }
+    EXPECT_TRUE(hinge.isEnabled());
+  }
 }
 
 // What a kinematic press drives against a weld still breaks it.
