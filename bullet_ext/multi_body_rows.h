@@ -20,8 +20,8 @@ class MultiBodyTrees;
 
 /// Rows of the constraints of articulated bodies.
 ///
-/// A btMultiBodyConstraint gives rows made for sequential impulses, with d = 1/W_ii and rhs =
-/// (wanted − relative velocity) d. Here they mean
+/// A btMultiBodyConstraint gives rows made for sequential impulses, with d = 1/W_ii and
+/// rhs = (wanted − relative velocity) d. Here they mean
 ///
 ///     J v⁺ + (cfm/d) r = J v_before + rhs/d,   lower ≤ r ≤ upper
 ///

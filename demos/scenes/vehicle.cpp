@@ -10,8 +10,8 @@ constexpr btScalar engineForce = 1000, brakeImpulse = 20;  // N and N·s a step,
 constexpr double drivesUntil = 5;                          // s
 constexpr double startX = 20;                              // m; it drives towards -x
 
-/// Bullet's vehicle with what it needs. It is an action of the world: it pushes the chassis after
-/// each step.
+/// Bullet's vehicle and the parts it needs. It is an action of the world: it pushes the chassis
+/// after each step.
 struct Vehicle {
   Vehicle(btDynamicsWorld& in, btRigidBody& chassis)
       : world(in), raycaster(&in), vehicle(tuning, &chassis, &raycaster) {

@@ -64,7 +64,7 @@ Sweep wallHit() {
   return sweep;
 }
 
-/// Boxes that were put into each other: they must come apart without being thrown.
+/// Boxes that start inside each other: they must come apart without being thrown.
 Sweep overlap() {
   Sweep sweep;
   sweep.name = "overlap";
