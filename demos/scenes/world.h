@@ -65,7 +65,7 @@ class World {
                    const Material& material);
   /// Adds a body that the caller has made; the world keeps it.
   btRigidBody& add(std::unique_ptr<btRigidBody> body);
-  /// `linked` bodies do not collide with each other.
+  /// Adds a joint. The bodies that it links collide with each other only if `linkedCollide`.
   btTypedConstraint& join(std::unique_ptr<btTypedConstraint> joint, bool linkedCollide = false);
 
   /// The function is called before every step with the time at its start: it moves machines or

@@ -78,7 +78,7 @@ std::string motionErrors(const Track& track, const std::string& step) {
   });
 }
 
-/// What was reported where a track holds no more, or last of all where it holds throughout.
+/// What was reported where a track first fails; nothing if it holds throughout.
 std::string saidPastLimit(const Track& track) {
   std::size_t at = track.verdicts.size();
   for (std::size_t i = 0; i < track.verdicts.size() && at == track.verdicts.size(); ++i)
