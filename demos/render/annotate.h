@@ -24,7 +24,7 @@ struct MarkScale {
 MarkScale markScale(const std::vector<Film>& films, const View& view, Size panel);
 
 /// Draws the contacts by their mode, the reactions of contacts and joints, and the weights of heavy
-/// things. What is hidden behind a thing is pale. `unit` is the size of a pixel in a picture of 720
+/// things. Marks hidden behind a thing are pale. `unit` is the size of a pixel in a picture of 720
 /// rows.
 void annotate(Drawing& drawing, const Film& film, const Frame& frame, const View& view,
               const Box& stage, const MarkScale& scale, double unit, Font& font);

@@ -105,7 +105,7 @@ CsvTable measureScaling(const Growing& growing, const Plan& plan, const Progress
   return table;
 }
 
-/// What one method did, by rising size.
+/// The results of one method, by rising size.
 struct Growth {
   std::vector<Place> cost;    ///< µs a contact over contacts
   std::vector<Place> memory;  ///< MB over contacts

@@ -17,7 +17,7 @@ constexpr double mostDisagreement = 1e-2;
 /// No motion is known better than to round-off.
 constexpr double roundOffFloor = 1e-13;
 
-/// What is summed for a method over the samples.
+/// Sums for a method over the samples.
 struct Sums {
   std::string family, fault;
   int samples = 0;
