@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing, with sudo when not root. Usage: setup.sh [tests] [checks] [fuzz] [peers]
-# Always those that build the libraries and the command; `tests`, `checks`, `fuzz` (libFuzzer) and `peers` (the benchmark
-# against the solvers of others) add theirs.
+# Installs missing Debian packages, with sudo when not root.
+# Usage: setup.sh [tests] [checks] [fuzz] [peers]
+# The packages that build the libraries and the command are always included; `tests`, `checks`,
+# `fuzz` (libFuzzer) and `peers` (the benchmark against other solvers) add their own.
 set -euo pipefail
 
 packages=(g++ cmake ninja-build pkg-config libeigen3-dev libbullet-dev libbullet-extras-dev libcli11-dev

@@ -6,11 +6,11 @@
 
 namespace delassus::bullet {
 
-/// The index that each object (a body of a group, a manifold, a joint) has been given, for look-up
-/// only: nothing follows the order of addresses.
+/// Look-up of the index that each object (a body of a group, a manifold, a joint) was given.
+/// Nothing depends on the order of addresses.
 ///
-/// A table of its own, since the scratch number that Bullet keeps in an object is shared by threads
-/// where the object is a kinematic body. Open addressing; allocates only when it grows.
+/// Bullet keeps a scratch number in each object, but threads share that of a kinematic body, so it
+/// cannot hold the index. Open addressing; allocates only when it grows.
 class AddressTable {
  public:
   /// Forgets all objects.
@@ -26,7 +26,7 @@ class AddressTable {
     return slot.generation == generation_ ? &slot.index : nullptr;
   }
 
-  /// Gives an index to an object, in the place of the one that it may have.
+  /// Gives an index to an object, and replaces the one that it may have.
   void insert(const void* object, int index) {
     makeRoom(count_ + 1);
     Slot& slot = slots_[place(object)];
@@ -34,7 +34,7 @@ class AddressTable {
     slot = {object, generation_, index};
   }
 
-  /// Takes the memory that so many objects need.
+  /// Takes the memory that this many objects need.
   void makeRoom(std::size_t objects) {
     while (2 * objects > slots_.size()) grow();
   }
@@ -44,11 +44,11 @@ class AddressTable {
  private:
   struct Slot {
     const void* object = nullptr;
-    std::uint64_t generation = 0;  ///< taken if it is that of the table
+    std::uint64_t generation = 0;  ///< the slot is taken if this is the table's own
     int index = 0;
   };
 
-  /// Where the object is, or the free slot where it would be. At least half of the slots are free.
+  /// The object's slot, or the free slot where it would be. At least half of the slots are free.
   std::size_t place(const void* object) const {
     const std::size_t mask = slots_.size() - 1;
     // Fibonacci hashing: the golden ratio spreads addresses that differ by multiples of a size.
@@ -65,7 +65,7 @@ class AddressTable {
       if (slot.generation == generation_) slots_[place(slot.object)] = slot;
   }
 
-  std::vector<Slot> slots_;  ///< a power of two
+  std::vector<Slot> slots_;  ///< their number is a power of two
   std::size_t count_ = 0;
   std::uint64_t generation_ = 1;
 };

@@ -72,7 +72,7 @@ void countTier(Tier tier, StepReport& report) {
         1);
 }
 
-/// What messages say after the name of a contact or joint that is blamed.
+/// The reason that messages give after the name of a blamed contact or joint.
 const char* reasonOf(const IslandResult& result) {
   if (result.isSoftened)
     return ": rigid bodies have no answer here, or one that would throw a body; the one taken is "
@@ -90,8 +90,8 @@ const char* reasonOf(const IslandResult& result) {
   return "";
 }
 
-/// Worlds step on from their reactions: what comes to a solver with a guess has been found wanting
-/// by the island check.
+/// In a world each step starts from the last reactions. The island check has already rejected these
+/// as an answer when the solver gets them as a guess.
 Options forWorlds(Options options) {
   options.guessShare = std::min(options.guessShare, polishedShare);
   return options;
@@ -112,7 +112,7 @@ struct btDelassusConstraintSolver::Workspace {
   double residualSquares = 0;  ///< of the whole step, (m/s)²
   long residualParts = 0;
 
-  /// Lets go of all storage that no later step depends on.
+  /// Frees all storage that no later step depends on.
   void release();
   std::size_t bytes() const {
     return group.bytes() + memory.bytes() + stiffness.bytes() + answer.bytes() + pushes.bytes() +

@@ -40,7 +40,7 @@ void btDelassusMultiBodyConstraintSolver::solveMultiBodyGroup(
     btTypedConstraint** constraints, int constraintCount,
     btMultiBodyConstraint** multiBodyConstraints, int multiBodyConstraintCount,
     const btContactSolverInfo& info, btIDebugDraw*, btDispatcher* dispatcher) {
-  // Of an unsplit group Bullet passes as many as there are joints, of an array that may be none.
+  // For an unsplit group Bullet passes the number of joints here, and the array may be null.
   const int articulatedCount = multiBodyConstraints ? multiBodyConstraintCount : 0;
   const auto work = parts_->rigid.solve(
       {bodies, bodyCount, manifolds, manifoldCount, constraints, constraintCount, &info, dispatcher,

@@ -19,8 +19,7 @@ Mat3 stretchOf(const btCollisionObject& object, int flag) {
   return R * toCore(object.getAnisotropicFriction()).asDiagonal() * R.transpose();
 }
 
-/// The first direction of btPlaneSpace1, which asks for the greatest part of n in its own
-/// precision.
+/// The first direction of btPlaneSpace1, which picks the greatest part of n in its own precision.
 Vec3 planeSpace(const btVector3& normal, const Vec3& n) {
   if (btFabs(normal.z()) > SIMDSQRT12) {
     const double k = 1 / std::sqrt(n[1] * n[1] + n[2] * n[2]);

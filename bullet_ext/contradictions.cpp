@@ -14,7 +14,8 @@
 namespace delassus::bullet {
 namespace {
 
-/// Of the bodies of a row, before the reactions or after: what rests may be struck, m/s and rad/s.
+/// The largest speed of a row's bodies, before the reactions or after them, since a resting body
+/// may be struck; m/s and rad/s.
 double speedOf(const Group& group, const Answer& answer, const Row& row) {
   double largest = 0;
   for (const int body : {row.a, row.b})
@@ -24,7 +25,7 @@ double speedOf(const Group& group, const Answer& answer, const Row& row) {
   return largest;
 }
 
-/// What its rows ask for beside that, m/s and rad/s.
+/// The largest change of relative velocity that the joint's rows ask for, m/s and rad/s.
 double askedBy(const Group& group, const JointSource& joint) {
   double largest = 0;
   for (int i = joint.firstRow; i < joint.firstRow + joint.rowCount; ++i)
@@ -32,8 +33,8 @@ double askedBy(const Group& group, const JointSource& joint) {
   return largest;
 }
 
-/// What the rounding of poses may ask for where bodies are at most so far from the origin, m/s; of
-/// turned ones, rad/s, however near.
+/// The velocity that the rounding of poses may ask for, m/s, of bodies no further than `places`
+/// from the origin. For rotations it is in rad/s and does not fall below that at 1 m.
 double askedByRounding(double places, double h) {
   constexpr double roundings = 4;
   return roundings * SIMD_EPSILON * std::max(places, 1.0) / h;
@@ -56,14 +57,14 @@ double placesOf(const Group& group, const Island& island) {
   return places;
 }
 
-/// Makes the island with this row incompatible, by its place among the unknowns there.
+/// Makes the island of this row incompatible, and blames the row by its place among the unknowns.
 void blame(int row, double missed, Answer& answer) {
   for (int i = 0; i < answer.islands.count(); ++i) {
     const Island& island = answer.islands[i];
     const auto found = std::find(island.rows.begin(), island.rows.end(), row);
     if (found == island.rows.end()) continue;
     IslandResult& result = answer.results[i];
-    if (result.status != Status::Solved) return;  // it is blamed for more
+    if (result.status != Status::Solved) return;  // the island is already blamed for more
     result.status = Status::Incompatible;
     result.residualMax = std::max(result.residualMax, missed);
     result.blamed = {static_cast<int>(3 * island.frictional.size() + island.frictionless.size() +
@@ -72,7 +73,7 @@ void blame(int row, double missed, Answer& answer) {
   }
 }
 
-/// Has islands solved that miss no more than the rounding of poses asks for.
+/// Sets islands to solved if they miss no more than the rounding of poses asks for.
 void forgiveRounding(const Group& group, double h, Answer& answer) {
   for (int i = 0; i < answer.islands.count(); ++i) {
     IslandResult& result = answer.results[i];
@@ -86,7 +87,7 @@ void forgiveRounding(const Group& group, double h, Answer& answer) {
   }
 }
 
-/// Blames the row of the joint that gives most if that is much.
+/// Blames the joint's row that gives most, if it gives much.
 void judgeJoint(const Group& group, const JointSource& joint, double h, Answer& answer) {
   constexpr double share = 0.1;
   const auto missedBy = [&](int row) {

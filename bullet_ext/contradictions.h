@@ -5,16 +5,16 @@ namespace delassus::bullet {
 struct Answer;
 struct Group;
 
-/// Judges what contradicts itself by how poses are rounded; h: the step, s.
+/// Judges contradictions against the rounding of poses; h: the step, s.
 ///
-/// Joints that contradict each other are answered as what softness.h has them give, c |r| of a row,
-/// and the law of rows that give is kept. But no motion meets what they ask: where a row gives by
-/// more than a tenth of what its joint asks for, or its bodies move at, its island is incompatible,
-/// with c |r| for its residual, and the row is blamed. (Not joints that bring a softness of their
-/// own.)
+/// Joints that contradict each other are solved with the softness of softness.h: each row gives by
+/// c |r|, and the law of rows that give is kept. But no motion meets what the joints ask. So if a
+/// row gives by more than a tenth of what its joint asks for and of the speed of its bodies, its
+/// island is incompatible with the residual c |r|, and the row is blamed. (Joints with a softness
+/// of their own are not judged.)
 ///
-/// What the rounding of poses alone has them ask for, ε |x|/h, is no contradiction, and
-/// incompatible islands that miss no more are solved.
+/// Velocities that the rounding of poses alone asks for, ε |x|/h, are no contradiction:
+/// incompatible islands that miss no more than that count as solved.
 void judgeContradictions(const Group& group, double h, Answer& answer);
 
 }  // namespace delassus::bullet

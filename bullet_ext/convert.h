@@ -1,5 +1,5 @@
 #pragma once
-/// Every conversion between Bullet's types, in the library's precision, and the core's, in double.
+/// All conversions between Bullet's types, in the library's precision, and the core's, in double.
 
 #include "BulletCollision/NarrowPhaseCollision/btManifoldPoint.h"
 #include "LinearMath/btMatrix3x3.h"
@@ -29,8 +29,8 @@ btVector3 toBullet(const Eigen::MatrixBase<Derived>& v) {
   return {static_cast<btScalar>(v[0]), static_cast<btScalar>(v[1]), static_cast<btScalar>(v[2])};
 }
 
-/// A bound on an impulse. "As much as it takes" is written as the build's largest number, or as one
-/// that is large enough.
+/// A bound on an impulse. Bullet's users write "no bound" as the build's largest number, or as any
+/// number that is large enough.
 inline double toCoreBound(btScalar bound) {
   if (bound >= BT_LARGE_FLOAT) return infinity;
   if (bound <= -BT_LARGE_FLOAT) return -infinity;
@@ -39,9 +39,9 @@ inline double toCoreBound(btScalar bound) {
 
 /// The mode a contact point had after the last solve.
 ///
-/// It lives in the point's m_prevRHS: Bullet carries that number along with the impulses when it
-/// replaces, moves or saves a point, clears it in a new one, and reads it in the articulated solver
-/// only.
+/// It is kept in the point's m_prevRHS. Bullet carries that number along with the impulses when it
+/// replaces, moves or saves a point, and clears it in a new point; only the articulated solver
+/// reads it.
 inline Mode rememberedMode(const btManifoldPoint& point) {
   if (point.m_prevRHS == static_cast<btScalar>(Mode::Stick)) return Mode::Stick;
   if (point.m_prevRHS == static_cast<btScalar>(Mode::Slide)) return Mode::Slide;

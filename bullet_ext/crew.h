@@ -12,12 +12,12 @@
 
 namespace delassus::bullet {
 
-/// Threads that go through a list of items together with the caller's, or work all at one. Between
-/// calls they are parked: they cost nothing.
+/// Threads that go through a list of items together with the caller's thread, or all work on one
+/// job. Between calls they are parked and cost nothing.
 ///
-/// Each hand begins with a part of the list of its own, the same in every call with the same
-/// weights, so that it finds in its storage what it left there; who has ended helps the others.
-/// Which hand an item falls to is not determined.
+/// Each hand begins with its own part of the list. With the same weights that part is the same in
+/// every call, so that a hand finds in its storage what it left there. A hand that has finished
+/// helps the others. Which hand takes an item is not determined.
 class Crew final : public Hands {
  public:
   Crew();
@@ -25,14 +25,14 @@ class Crew final : public Hands {
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
 
-  /// One hand is the caller's; each further one is a thread. Throws std::system_error where none is
-  /// to be had: then the caller is alone.
+  /// Sets the number of hands: one is the caller's, each further one is a thread. Throws
+  /// std::system_error where no thread is to be had: then the caller is alone.
   void setHands(int hands);
   int count() const override { return static_cast<int>(threads_.size()) + 1; }
 
-  /// Calls work(hand, item) once for every item below `items`, 0 ≤ hand < count(), no hand twice at
-  /// a time. Items with large weight(item) ≥ 0 count for several. Throws what `work` threw, when
-  /// all hands have ended.
+  /// Calls work(hand, item) once for every item below `items`, 0 ≤ hand < count(), and no hand
+  /// twice at a time. An item with a large weight(item) ≥ 0 counts for several. If `work` throws,
+  /// throws the same once all hands have ended.
   template <class Weight, class Work>
   void share(int items, const Weight& weight, const Work& work) {
     double total = 0;
@@ -61,9 +61,9 @@ class Crew final : public Hands {
   struct Job {
     const void* context = nullptr;
     void (*onItem)(const void* context, int hand, int item) = nullptr;
-    void (*together)(const void* context, int hand) = nullptr;  ///< instead of items, once a hand
+    void (*together)(const void* context, int hand) = nullptr;  ///< in place of items, once a hand
   };
-  /// A line of the cache each.
+  /// Each on a cache line of its own.
   struct alignas(64) Part {
     std::atomic<int> next{0};
     int end = 0;
@@ -80,10 +80,10 @@ class Crew final : public Hands {
   Job job_;
 
   std::vector<std::thread> threads_;
-  std::mutex mutex_;  ///< of what follows
+  std::mutex mutex_;  ///< guards the members below
   std::condition_variable called_, ended_;
   unsigned calls_ = 0;  ///< jobs so far
-  int busy_ = 0;        ///< threads that have not ended with the last of them
+  int busy_ = 0;        ///< threads that have not yet ended the last job
   bool dismissed_ = false;
 };
 

@@ -4,9 +4,9 @@
 
 namespace delassus::bullet {
 
-/// Makes room for `count()` items in lists that have none, those of a first step: its memory is all
-/// to be found yet, and lists that grow would go through twice as much of it. Later steps rarely
-/// need more than the last did, and do not count.
+/// Makes room for `count()` items in lists that have none, as in a first step. Lists that grew bit
+/// by bit would use twice as much memory on the way. Later steps rarely need more room than the
+/// last step did, so for them nothing is counted.
 template <class Count, class List, class... Lists>
 void makeFirstRoom(const Count& count, List& list, Lists&... lists) {
   if (list.capacity() > 0) return;

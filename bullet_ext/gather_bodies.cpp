@@ -18,15 +18,15 @@ bool hasPlace(const btCollisionObject& object) {
          largestNumber;
 }
 
-/// A body of infinite mass given as dynamic. With an inverse mass of zero Bullet finds no finite
-/// weight for it. (Users take the static flag off a body without mass; that one weighs nothing.)
+/// Whether a dynamic body has infinite mass. If its inverse mass is zero, its weight in Bullet is
+/// not finite. (A body without mass whose static flag the user has cleared weighs nothing instead.)
 bool hasInfiniteMass(const btRigidBody& rigid) {
   if (rigid.isStaticOrKinematicObject()) return false;
   return rigid.getInvMass() == 0 ? !toCore(rigid.getTotalForce()).allFinite()
                                  : std::abs(rigid.getInvMass()) * largestNumber < 1;
 }
 
-/// What is wrong with a body, or null.
+/// The fault of a body, or null.
 const char* faultOfBody(const btRigidBody& rigid) {
   const btTransform& pose = rigid.getWorldTransform();
   if (!toCore(pose.getOrigin()).allFinite() || !toCore(pose.getBasis()).allFinite())
@@ -47,8 +47,8 @@ const char* faultOfBody(const btRigidBody& rigid) {
   return nullptr;
 }
 
-/// The gain of angular velocity from the inertia of rotation over one step, in each mode the body
-/// asks for.
+/// The change of angular velocity that the rotating inertia causes in one step, by the gyroscopic
+/// mode that the body asks for.
 Vec3 gyroscopicGain(const btRigidBody& rigid, const btContactSolverInfo& info) {
   Vec3 gain = Vec3::Zero();
   const btVector3& inertia = rigid.getInvInertiaDiagLocal();
@@ -67,7 +67,7 @@ Vec3 gyroscopicGain(const btRigidBody& rigid, const btContactSolverInfo& info) {
   return gain;
 }
 
-/// Adds the inverse mass of a dynamic body and what forces do to its velocity over the step.
+/// Adds the inverse mass of a dynamic body, and the effect of forces on its velocity over the step.
 void addForces(const btRigidBody& rigid, const btContactSolverInfo& info, Body& body) {
   const double h = info.m_timeStep;
   const double inverseMass = rigid.getInvMass();
@@ -88,11 +88,11 @@ void addForces(const btRigidBody& rigid, const btContactSolverInfo& info, Body& 
         angularFactor.asDiagonal() * body.inverseInertia * angularFactor.asDiagonal();
 }
 
-/// Fills a record whose numbers may be no numbers: the caller looks.
+/// Fills a record; its numbers may be NaN, which the caller checks.
 void fillBody(const btRigidBody& rigid, const btContactSolverInfo& info, Body& body,
               BodySource& source) {
   source.before = toCore(rigid.getLinearVelocity(), rigid.getAngularVelocity());
-  // A kinematic body has a velocity and no inverse mass, whatever mass is left in it.
+  // A kinematic body has a velocity and no inverse mass, even if it was given a mass.
   body.velocity = source.before;
   if (!rigid.isKinematicObject()) addForces(rigid, info, body);
 }
@@ -115,7 +115,7 @@ int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo
     const int* limb = group.indexOf.find(&object);
     return limb ? *limb : fixedWorld;
   }
-  // A body out of simulation keeps its place whatever its velocity says, and so does a static one.
+  // A body out of simulation and a static one keep their places, whatever their velocities are.
   const bool fixed = rigid->isStaticObject() || rigid->getInvMass() == 0 ||
                      rigid->getActivationState() == DISABLE_SIMULATION;
   if (fixed && !rigid->isKinematicObject() && hasPlace(*rigid) && !hasInfiniteMass(*rigid))

@@ -20,11 +20,11 @@
 namespace delassus::bullet {
 namespace {
 
-// Users write "infinite". In this cone only what leaves by less than a thousandth of a radian
-// slides; wider ones cost digits.
+// Users write "infinite" friction. In this cone a contact slides only if it leaves within a
+// thousandth of a radian of the surface; wider cones cost digits.
 constexpr double largestFriction = 1e3;
 
-/// How hard a contact is: the coefficients that stand for it in Bullet's two descriptions.
+/// How hard a contact is: the coefficients that both of Bullet's descriptions come down to.
 struct Softness {
   double erp, cfm;
   bool own;  ///< the point brings a compliance of its own
@@ -48,19 +48,20 @@ Softness softnessOf(const btManifoldPoint& point, const btContactSolverInfo& inf
   return soft;
 }
 
-/// One manifold, its bodies found.
+/// One manifold and its bodies.
 struct Pair {
   btPersistentManifold& manifold;
   int a, b;
   Vec3 centreA, centreB;
   Vec6 beforeA, beforeB;  ///< velocities before forces; with links: after
   bool stands;            ///< these are zero
-  double rounding;        ///< what a distance of its points may be and mean nothing, m
-  bool joined;            ///< by a joint
+  double rounding;        ///< a distance of its points below this means nothing, m
+  bool joined;            ///< a joint holds the two bodies together
   ContactFrames frames;
 };
 
-/// Of a distance of points that are where this one is, m; 0 if it is nowhere.
+/// The rounding of a distance between points that lie where this one does, m; 0 if its place is not
+/// finite or absurd.
 double roundingAt(const btManifoldPoint& point) {
   constexpr double roundings = 4;
   const double places = toCore(point.getPositionWorldOnA()).cwiseAbs().maxCoeff() +
@@ -71,8 +72,8 @@ double roundingAt(const btManifoldPoint& point) {
 Pair pairOf(const Group& group, btPersistentManifold& manifold, int a, int b,
             const btContactSolverInfo& info) {
   const btCollisionObject &objectA = *manifold.getBody0(), &objectB = *manifold.getBody1();
-  // Bullet has put forces into the velocities of links already: beside these it takes those of
-  // rigid bodies with forces, too.
+  // Bullet has added forces to the velocities of links already; beside these it takes rigid bodies
+  // with forces, too.
   const bool withForces = group.isLimb(a) || group.isLimb(b);
   const auto before = [&](int body) -> Vec6 {
     if (body < 0) return Vec6::Zero();
@@ -92,13 +93,14 @@ Pair pairOf(const Group& group, btPersistentManifold& manifold, int a, int b,
           ContactFrames(anisotropyOf(objectA, objectB), info)};
 }
 
-/// The velocity of the first body's point relative to the second's, as those of the pair.
+/// The velocity of the first body's point relative to the second's, from the velocities of the
+/// pair.
 Vec3 slipBefore(const Pair& pair, const Contact& c) {
   return pair.beforeA.head<3>() + pair.beforeA.tail<3>().cross(c.armA) - pair.beforeB.head<3>() -
          pair.beforeB.tail<3>().cross(c.armB);
 }
 
-/// The velocity with which the bodies leave each other.
+/// The velocity at which the bodies leave each other after a bounce.
 double bounceOf(const Pair& pair, const btManifoldPoint& point, const btContactSolverInfo& info,
                 const Contact& c) {
   if (point.m_combinedRestitution == 0) return 0;
@@ -112,8 +114,8 @@ double tangentialResponse(const Group& group, const Contact& c, int column) {
   return responseOf(group, c.a, c.armA, t) + responseOf(group, c.b, c.armB, t);
 }
 
-/// How far the bodies are apart, m: not at all where the rounding of their places tells as much,
-/// and no more moves in a step.
+/// The distance of the bodies, m. It is 0 if it is within the rounding of their places, and if they
+/// slip by no more than that in a step.
 double distanceOf(const Pair& pair, const btManifoldPoint& point, const btContactSolverInfo& info,
                   const Contact& c) {
   const double d = static_cast<double>(point.getDistance()) + info.m_linearSlop;
@@ -124,7 +126,7 @@ double distanceOf(const Pair& pair, const btManifoldPoint& point, const btContac
   return touches ? 0 : d;
 }
 
-/// Fills the contact, whose numbers may be no numbers, and answers with its push velocity.
+/// Fills the contact and returns its push velocity; the contact's numbers may be NaN.
 double fillContact(const Group& group, Pair& pair, const btManifoldPoint& point,
                    const btContactSolverInfo& info, Contact& c) {
   const ContactFrame& frame = pair.frames.of(point);
@@ -138,16 +140,16 @@ double fillContact(const Group& group, Pair& pair, const btManifoldPoint& point,
   const double h = info.m_timeStep;
   const double d = distanceOf(pair, point, info, c);
   const Softness soft = softnessOf(point, info);
-  // The push moves rigid bodies only.
+  // The push moves only rigid bodies.
   const bool split = info.m_splitImpulse && d <= info.m_splitImpulsePenetrationThreshold &&
                      !soft.own && !pair.joined && !group.isLimb(c.a) && !group.isLimb(c.b);
   const double recovery = d < 0 ? -d * soft.erp / h : 0;
   c.target = {bounceOf(pair, point, info, c) - std::max(d, 0.0) / h + (split ? 0 : recovery),
               frame.motion1, frame.motion2};
   c.compliance = soft.cfm < 0 ? 0 : soft.cfm / h;
-  // By the lesser answer: a heavy body does not sink into a light one.
+  // By the lesser response: a heavy body does not sink into a light one.
   if (pair.joined) c.compliance += joinedSoftness * lesserResponse(group, c);
-  if (group.isLimb(c.a) || group.isLimb(c.b))  // rigid bodies have that of their point alone
+  if (group.isLimb(c.a) || group.isLimb(c.b))  // rigid bodies use the point's own
     c.slipCompliance = std::max<double>(info.m_frictionCFM, 0) / h;
   if (frame.softness > 0)
     c.slipCompliance +=
@@ -158,8 +160,8 @@ double fillContact(const Group& group, Pair& pair, const btManifoldPoint& point,
 // Float normals are unit to 1e-6; beyond this a normal is a mistake, not rounding.
 constexpr double unitTolerance = 1e-3;
 
-/// Bullet has positions and distance agree: (x_A − x_B)·n = d. Exactly opposite, n points from a to
-/// b.
+/// Bullet keeps positions and distance consistent: (x_A − x_B)·n = d. If the signs are opposite, n
+/// points from a to b.
 bool isInverted(const btManifoldPoint& point) {
   const Vec3 a = toCore(point.getPositionWorldOnA()), b = toCore(point.getPositionWorldOnB());
   const double gap = (a - b).dot(toCore(point.m_normalWorldOnB)), d = point.getDistance();
@@ -167,7 +169,7 @@ bool isInverted(const btManifoldPoint& point) {
   return std::abs(d) > noise && std::abs(gap + d) < unitTolerance * std::abs(d);
 }
 
-/// What is wrong with a contact point that is not sound.
+/// The fault of a contact point that is not sound.
 const char* faultOfPoint(const btManifoldPoint& point, const Contact& c, double push) {
   const Vec3 normal = toCore(point.m_normalWorldOnB);
   if (!normal.allFinite()) return "its normal is not finite";
@@ -201,16 +203,16 @@ Vec3 guessOf(const btManifoldPoint& point, const btContactSolverInfo& info) {
   return std::isfinite(last.sum()) ? last : Vec3::Zero();
 }
 
-/// The dispatcher's word, as in groups that the world has split itself; an unsplit group comes
+/// Asks the dispatcher, as a world does when it splits groups itself; an unsplit group comes
 /// unfiltered.
 bool responds(btDispatcher* dispatcher, const btCollisionObject& a, const btCollisionObject& b) {
   return dispatcher ? dispatcher->needsResponse(&a, &b)
                     : a.hasContactResponse() && b.hasContactResponse();
 }
 
-/// Points of bodies that have been told not to collide while they touched, as a joint does with
-/// disableCollisionsBetweenLinkedBodies, are neither moved on nor taken out by Bullet: they lie
-/// where they lay then.
+/// Bodies may be told not to collide while they touch, as a joint does with
+/// disableCollisionsBetweenLinkedBodies. Bullet then neither moves nor removes their points, which
+/// stay where they were.
 bool mayCollide(const btCollisionObject& a, const btCollisionObject& b) {
   return a.checkCollideWith(&b) && b.checkCollideWith(&a);
 }
@@ -221,8 +223,8 @@ bool isLocked(const Group& group, int body) {
          group.bodies[body].inverseMass.minCoeff() == 0;
 }
 
-/// Whether it moves neither body: in a plane world what lies behind each other, or a link beside
-/// its rail.
+/// Whether the contact's push moves neither body: in a plane world the contact of two bodies one
+/// behind the other, or that of a link beside its rail.
 bool pushesNothing(const Group& group, const Contact& c) {
   const Vec3 n = c.frame.col(0);
   const auto isDeaf = [&](int index, const Vec3& arm) {
@@ -241,7 +243,7 @@ bool pushesNothing(const Group& group, const Contact& c) {
   return isDeaf(c.a, c.armA) && isDeaf(c.b, c.armB);
 }
 
-/// What may turn, but keeps its place, collides with nothing that stands, as in Bullet.
+/// A body that may turn but keeps its place does not collide with standing bodies, as in Bullet.
 bool canBePushed(const Group& group, int body) {
   return group.movable(body) && (group.isLimb(body) || group.bodies[body].inverseMass.any());
 }
@@ -283,7 +285,7 @@ void gatherManifold(Group& group, Pair pair, const btContactSolverInfo& info, St
   }
 }
 
-/// What comes after the points of a manifold: its bodies, and how many points there are.
+/// Prefetches the end of a manifold, where its bodies and the number of its points are.
 void prefetchEnd(const btPersistentManifold& manifold) {
   constexpr std::ptrdiff_t bytes = 64;
   const auto* end = reinterpret_cast<const char*>(&manifold + 1);
@@ -308,8 +310,8 @@ bool warmStarts(const btContactSolverInfo& info) {
 }
 
 void gatherContacts(Group& group, const GroupInput& input, StepReport& report) {
-  // Of most manifolds only the first of their points is there to be read: asked for once their
-  // number is.
+  // Most manifolds use only the first of their points: these are prefetched once their number has
+  // come.
   constexpr int ahead = 6, farAhead = 16;
   const btContactSolverInfo& info = *input.info;
   const int count = input.manifoldCount;
@@ -320,7 +322,7 @@ void gatherContacts(Group& group, const GroupInput& input, StepReport& report) {
     if (i + farAhead < count) prefetchEnd(*input.manifolds[i + farAhead]);
     if (i + ahead < count) prefetchPoints(*input.manifolds[i + ahead]);
     if (manifold.getNumContacts() == 0) continue;
-    // Manifolds carry their bodies as const; the solver's are not, as in every Bullet solver.
+    // Manifolds hold their bodies as const; as in all of Bullet's solvers, this is cast away.
     auto& a = const_cast<btCollisionObject&>(*manifold.getBody0());
     auto& b = const_cast<btCollisionObject&>(*manifold.getBody1());
     if (!responds(input.dispatcher, a, b)) continue;

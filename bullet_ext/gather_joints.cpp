@@ -12,8 +12,8 @@
 namespace delassus::bullet {
 namespace {
 
-/// Asks the joint for its rows, everything set beforehand as Bullet's solvers set it. Returns the
-/// joint's damping.
+/// Asks the joint for its rows. Everything is set beforehand as Bullet's solvers set it. Returns
+/// the joint's damping.
 double askRows(btTypedConstraint& joint, int count, const btContactSolverInfo& info,
                std::vector<InfoRow>& rows) {
   InfoRow blank{};
@@ -21,7 +21,7 @@ double askRows(btTypedConstraint& joint, int count, const btContactSolverInfo& i
   blank.upper = SIMD_INFINITY;
   rows.assign(count, blank);
   InfoRow& first = rows.front();
-  first.cfm = info.m_globalCfm;  // in the first row only: Bullet's joints inherit it there
+  first.cfm = info.m_globalCfm;  // in the first row only, where Bullet's joints inherit it
 
   btTypedConstraint::btConstraintInfo2 ask;
   ask.fps = 1 / info.m_timeStep;
@@ -38,7 +38,7 @@ double askRows(btTypedConstraint& joint, int count, const btContactSolverInfo& i
   ask.m_numIterations = info.m_numIterations;  // spring joints divide by it
   ask.m_damping = info.m_damping;
   joint.getInfo2(&ask);
-  return ask.m_damping;  // a joint may put its own in
+  return ask.m_damping;  // the joint may have set its own
 }
 
 Row6 jacobian(const btScalar* linear, const btScalar* angular) {
@@ -56,7 +56,7 @@ double responseOf(const Group& group, int body, const Row6& J) {
          angular.dot(moved.inverseInertia * angular);
 }
 
-/// The same, its linear and angular factors left out.
+/// The same without linear and angular factors.
 double unfactoredResponse(const Group& group, int body, const Row6& J) {
   if (!group.movable(body)) return 0;
   const btRigidBody& rigid = *group.bodySources[body].rigid;
@@ -70,8 +70,8 @@ double unfactoredResponse(const Group& group, const Row& row) {
          unfactoredResponse(group, row.b, row.jacobianB);
 }
 
-/// Whether an impulse along the row moves nothing: what its bodies are locked along, or have no
-/// inertia about, it cannot ask for.
+/// Whether an impulse along the row moves nothing: its bodies are locked along it, or have no
+/// inertia about it.
 bool movesNothing(const Group& group, const Row& row) {
   const auto isDeaf = [&](int body, const Row6& J) {
     return responseOf(group, body, J) <= inVain * unfactoredResponse(group, body, J);
@@ -92,7 +92,7 @@ Row toRow(const Group& group, int a, int b, const InfoRow& info, double damping,
   row.upper = toCoreBound(info.upper >= breakingImpulse ? breakingImpulse : info.upper);
   row.compliance = complianceOf(info.cfm, unfactoredResponse(group, row));
 
-  // An infinite error means "as hard as you may" (six-dof spring 2): the row stays at its bound.
+  // An infinite error (six-dof spring 2) means "as hard as allowed": the row stays at its bound.
   if (std::abs(info.error) >= SIMD_INFINITY) {
     row.lower = row.upper = info.error > 0 ? row.upper : row.lower;
     row.target = 0;
@@ -125,7 +125,7 @@ void gatherRows(Group& group, btTypedConstraint& joint, double lastImpulse, doub
       report.leaveOut("row " + std::to_string(i) + " of " + nameOf(joint), fault);
       continue;
     }
-    // A motor or spring that may not push, or whatever pushes in vain.
+    // Skips a motor or spring that may not push, and rows that push in vain.
     if ((row.lower == 0 && row.upper == 0) || movesNothing(group, row)) continue;
     source.lastRow = static_cast<int>(group.rows.size());
     group.rows.push_back(row);
@@ -138,7 +138,7 @@ void gatherRows(Group& group, btTypedConstraint& joint, double lastImpulse, doub
   group.joints.push_back(source);
 }
 
-/// Has the joints of mechanisms with loops give by loopSoftness at least.
+/// Gives the joints of mechanisms with loops a softness of at least loopSoftness.
 void softenLoops(Group& group) {
   if (group.joints.size() < 2) return;
   const auto bodyOf = [&](int body) { return group.movable(body) ? body : JointLoops::standing; };
@@ -155,7 +155,7 @@ void softenLoops(Group& group) {
       row.compliance = std::max(row.compliance, loopSoftness * unfactoredResponse(group, row));
 }
 
-/// Whether the joint says where its bodies are relative to each other, in some direction at least.
+/// Whether the joint fixes the relative place of its bodies in at least one direction.
 bool holds(const btTypedConstraint& joint) {
   switch (joint.getConstraintType()) {
     case POINT2POINT_CONSTRAINT_TYPE:
@@ -193,13 +193,13 @@ void gatherJoints(Group& group, const GroupInput& input, StepReport& report) {
     clearResult(joint);
     if (!joint.isEnabled()) continue;
 
-    btTypedConstraint::btConstraintInfo1 size{};  // btContactConstraint leaves it as it is
+    btTypedConstraint::btConstraintInfo1 size{};  // btContactConstraint does not fill it
     joint.getInfo1(&size);
     if (size.m_numConstraintRows > 0) {
       const double damping = askRows(joint, size.m_numConstraintRows, info, group.asked);
       gatherRows(group, joint, lastImpulse, damping, info, report);
     } else {
-      // It is shown its bodies, be they kinematic ones that nothing touches.
+      // The constraint is shown its bodies, even kinematic ones that nothing touches.
       bodyIndex(group, joint.getRigidBodyA(), info, report);
       bodyIndex(group, joint.getRigidBodyB(), info, report);
       group.obsolete.push_back(&joint);

@@ -8,21 +8,21 @@
 namespace delassus::bullet {
 namespace {
 
-// Users write "infinite".
+// Users write "infinite" coefficients.
 constexpr double largestCoefficient = 1e3;
 
-// As in Bullet: a body that resists this little about an axis does not resist.
+// Below this a body does not resist turning about an axis, as in Bullet.
 constexpr double leastLength = 1e-3;
 
-// Of each point's load, N·s, that counts in Bullet's own solver: |τ| ≤ κ min(r_n, 1 N·s), by the
-// step and not by the second.
+// The load of each point, N·s, up to which Bullet's own solver counts it: |τ| ≤ κ min(r_n, 1 N·s).
+// It is a bound per step, not per second.
 constexpr double stockMostLoad = 1;
 
 double coefficient(btScalar value) {
   return value > 0 ? std::min<double>(value, largestCoefficient) : 0;
 }
 
-/// Whether there is a rotation to resist.
+/// Whether the body can turn at all.
 bool turns(const Group& group, int body) {
   return group.movable(body) && group.bodies[body].inverseInertia.any();
 }

@@ -18,8 +18,8 @@
 namespace delassus::bullet {
 namespace {
 
-/// Where a joint of Bullet's holds its bodies, from their centres, in world axes, m; zero for the
-/// user's own joints.
+/// Where one of Bullet's joints holds its bodies, from their centres, in world axes, m; zero for
+/// joints of the user's own classes.
 struct Arms {
   btVector3 onA = btVector3(0, 0, 0), onB = btVector3(0, 0, 0);
 };
@@ -31,8 +31,8 @@ Arms readFrames(const btTypedConstraint& any, const btTransform& (Joint::*frameA
   return joint ? Arms{(joint->*frameA)().getOrigin(), (joint->*frameB)().getOrigin()} : Arms();
 }
 
-/// The arms in the frames of the bodies. The joint's type saves casts that would fail; the user's
-/// own joints may give any type.
+/// The arms in the frames of the bodies. The joint's type avoids casts that would fail; joints of
+/// the user's own classes may report any type.
 Arms localArmsOf(const btTypedConstraint& joint) {
   switch (joint.getConstraintType()) {
     case POINT2POINT_CONSTRAINT_TYPE: {
@@ -115,7 +115,7 @@ int GeometricStiffness::stiffen(Group& group, const btContactSolverInfo& info, d
     const double share = std::min((fastest - limit) / (beyond - limit), 1.0);
     if (!(share > 0)) continue;
     const Mat3 slowed = (Mat3::Identity() + share * ratio).inverse();
-    if (!slowed.allFinite()) continue;  // forces beyond all numbers
+    if (!slowed.allFinite()) continue;  // the forces are too large to compute with
     const Mat3 inverse = slowed * body.inverseInertia;
     body.inverseInertia = 0.5 * (inverse + inverse.transpose());
     body.velocity.tail<3>() = (slowed * body.velocity.tail<3>()).eval();

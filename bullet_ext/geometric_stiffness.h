@@ -25,8 +25,9 @@ struct Group;
 ///
 ///     (I + h² K) ω' = I ω + h T + moments of the reactions,
 ///
-/// K growing to its full size as (ω h)² grows by an eighth. Where the last step had another length
-/// the bound is 0.7 instead of 2, since such steps can follow less. Other bodies stay as they are.
+/// where K reaches its full size once (ω h)² is an eighth above its bound. If the last step had
+/// another length, ω h is bounded by 0.7 instead of 2, since such steps can follow less. Other
+/// bodies stay as they are.
 class GeometricStiffness {
  public:
   /// Changes the inertia and the free velocity of such bodies; call it when all is gathered and

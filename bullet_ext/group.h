@@ -24,24 +24,24 @@ class btTypedConstraint;
 
 namespace delassus::bullet {
 
-/// Stands where a body index is expected for a body that is not fit to take part.
+/// Takes the place of the index of a body that is left out.
 constexpr int leftOut = -2;
 
-/// Numbers beyond this (kg, 1/kg, m, s, N) are mistakes: squares of their products, or the answers
-/// in Bullet's precision, would overflow. A mass beyond is Bullet's "infinity".
+/// Numbers beyond this (kg, 1/kg, m, s, N) are taken for mistakes: squares of their products, or
+/// the answers in Bullet's precision, would overflow. A mass beyond it is Bullet's "infinity".
 constexpr double largestNumber = sizeof(btScalar) == sizeof(double) ? 1e40 : 1e30;
 
-/// What the gathered parts were in Bullet. Pointers are good until the end of the group.
+/// Where the gathered parts come from in Bullet. Pointers are good until the end of the group.
 struct BodySource {
   btRigidBody* rigid;  ///< null for a limb of an articulated body
-  Vec6 before;         ///< velocity at the start of the step, before forces; of a limb, after them
+  Vec6 before;         ///< velocity at the step's start, before forces; of a limb, after them
 };
 struct PointSource {
   btPersistentManifold* manifold;
   int point;
   Trouble trouble = Trouble::None;  ///< of a point that takes no part
-  bool fresh = false;               ///< the manifold has just got it
-  /// The bodies of the manifold: read again when all has been solved, it would come from far away.
+  bool fresh = false;               ///< the point is new in the manifold
+  /// The bodies of the manifold, copied here: after the solve the manifold is far from the cache.
   const btCollisionObject *bodyA = nullptr, *bodyB = nullptr;
 };
 struct JointSource {
@@ -49,18 +49,19 @@ struct JointSource {
   int firstRow, rowCount;  ///< among Group::rows
   int lastRow;             ///< the joint's own last row, or -1 if that row takes no part
   double lastImpulse;      ///< that the last step left in the joint, N·s
-  bool isSoft = false;     ///< asks for a compliance of its own
-  /// What its rows pushed its bodies with in the last step, in world axes, N·s; for
-  /// GeometricStiffness alone. Last reactions do not tell: Bullet turns the rows of a hinge about.
+  bool isSoft = false;     ///< the joint asks for a compliance of its own
+  /// The impulses with which its rows pushed its bodies in the last step, in world axes, N·s; only
+  /// for GeometricStiffness. The last reactions do not tell them, since Bullet turns the rows of a
+  /// hinge.
   Vec3 lastPullOnA = Vec3::Zero(), lastPullOnB = Vec3::Zero();
 };
 
-/// What one step leaves to the next to know of an island.
+/// What one step tells the next about an island.
 struct IslandMarks {
   bool isRestless = false;  ///< its reactions changed the motion
   bool isJammed = false;    ///< soft_answer.h
-  int lostSteps = 0;        ///< in a row, that ended out of budget
-  double lost = 0;          ///< residual, m/s, that the last whole search of these was left with
+  int lostSteps = 0;        ///< steps in a row that ended out of budget
+  double lost = 0;          ///< residual, m/s, that the last whole search of these steps left
   bool any() const { return isRestless || isJammed || lostSteps > 0; }
   void add(const IslandMarks& other) {
     isRestless |= other.isRestless;
@@ -82,20 +83,20 @@ struct MultiBodyRowSource {
   int row;  ///< among Group::rows
   btMultiBodyConstraint* constraint;
   int asked;     ///< among the rows that the constraints made
-  int dof;       ///< the constraint's own number of it; noDof if it keeps no impulse of it
+  int dof;       ///< the constraint's number of the row's impulse; noDof if it keeps none
   double guess;  ///< the impulse that the last step left there
 };
 
-/// What a joint writes for one row. Four scalars an axis and this alignment, because some joints
-/// write whole btVector3.
+/// A joint's answer for one row. An axis has four scalars, and the row this alignment, because some
+/// joints write whole btVector3.
 struct alignas(16) InfoRow {
   btScalar linearA[4], angularA[4], linearB[4], angularB[4];
   btScalar error, cfm, lower, upper;
 };
 
-/// One solveGroup call in the core's words. Order follows Bullet's arrays, never addresses.
+/// One solveGroup call in the core's terms. The order follows Bullet's arrays, never addresses.
 struct Group {
-  std::vector<Body> bodies;  ///< dynamic and kinematic ones; everything else is the fixed world
+  std::vector<Body> bodies;  ///< dynamic and kinematic bodies; all others are the fixed world
   std::vector<BodySource> bodySources;
 
   std::vector<Contact> contacts;
@@ -103,21 +104,21 @@ struct Group {
   std::vector<double> pushes;  ///< wanted normal push velocity of each contact, m/s (split impulse)
   std::vector<Vec3> guess;     ///< reaction of each contact to start from, N·s
   std::vector<PointSource> idle;  ///< points that were passed but take no part
-  /// What is known of the island in which the bodies of each contact were in the last step, if the
-  /// contact is one by which it is known again; empty if nothing is.
+  /// For each contact, the marks that the last step left on the island of its bodies; none if no
+  /// body of it carries marks. Empty if no body carries any.
   std::vector<IslandMarks> marks;
   int bouncing = 0;  ///< contacts with restitution
   int turning = 0;   ///< contacts with rolling or spinning friction
 
   std::vector<Row> rows;                     ///< of joints, then of turning friction
-  int turningRows = 0;                       ///< the last of them
-  int softRows = 0;                          ///< those whose joint asks for a compliance
+  int turningRows = 0;                       ///< how many of the last rows are turning friction
+  int softRows = 0;                          ///< rows whose joint asks for a compliance
   std::vector<double> rowGuess;              ///< reaction of each row to start from, N·s
   std::vector<JointSource> joints;           ///< enabled joints that have rows
   std::vector<btTypedConstraint*> obsolete;  ///< enabled constraints without rows in getInfo1
 
-  Articulation articulation;                      ///< what an Extension has added
-  std::vector<MultiBodyRowSource> multiBodyRows;  ///< the same, in the order of the rows
+  Articulation articulation;                      ///< parts that an Extension has added
+  std::vector<MultiBodyRowSource> multiBodyRows;  ///< the rows that an Extension has added
 
   AddressTable indexOf;
   JoinedBodies joined;

@@ -9,7 +9,7 @@ struct btContactSolverInfo;
 
 namespace delassus::bullet {
 
-/// What Bullet passes to solveGroup or solveMultiBodyGroup, good until that returns.
+/// The arguments of solveGroup or solveMultiBodyGroup, good until the call returns.
 struct GroupInput {
   btCollisionObject** bodies;
   int bodyCount;
@@ -18,7 +18,7 @@ struct GroupInput {
   btTypedConstraint** constraints;
   int constraintCount;
   const btContactSolverInfo* info;
-  btDispatcher* dispatcher;  ///< null: bodies say themselves whether they respond
+  btDispatcher* dispatcher;  ///< null: ask the bodies whether they respond to contacts
   btMultiBodyConstraint** multiBodyConstraints = nullptr;
   int multiBodyConstraintCount = 0;
 };

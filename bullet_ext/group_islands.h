@@ -10,10 +10,10 @@ namespace delassus::bullet {
 
 struct Group;
 
-/// The islands of a group, each to be answered alone.
+/// The islands of a group; each is solved alone.
 class GroupIslands {
  public:
-  /// Those of this group; good until the next call.
+  /// Finds the islands of this group; they are good until the next call.
   void find(const Group& group, const Economies& economies);
 
   int count() const {
@@ -26,8 +26,8 @@ class GroupIslands {
   std::size_t bytes() const { return assembler_.bytes() + joiner_.bytes(); }
 
  private:
-  Assembler assembler_;     ///< splits, and knows nothing of trees
-  IslandJoiner joiner_;     ///< of what these link
+  Assembler assembler_;     ///< splits without regard to trees
+  IslandJoiner joiner_;     ///< joins islands that trees link
   bool areJoined_ = false;  ///< there are trees
 };
 

@@ -8,7 +8,7 @@ class btCollisionObject;
 
 namespace delassus::bullet {
 
-/// Which bodies a joint holds to each other; addresses serve to recognise them.
+/// Knows which bodies a joint holds to each other; bodies are recognised by address.
 class JoinedBodies {
  public:
   void clear() {
@@ -27,7 +27,7 @@ class JoinedBodies {
     return false;
   }
   bool empty() const { return partners_.empty(); }
-  /// Calls `visit(a, b)` for every two that are joined, in the order of the joints.
+  /// Calls `visit(a, b)` for each pair of joined bodies, in the order of the joints.
   template <class Visit>
   void eachPair(const Visit& visit) const {
     for (std::size_t i = 0; i < partners_.size(); i += 2)
@@ -37,7 +37,7 @@ class JoinedBodies {
 
  private:
   static constexpr int none = -1;
-  /// One of a body's, and which comes after it.
+  /// One partner of a body, and the index of the body's next one.
   struct Partner {
     const btCollisionObject* body;
     int next;
@@ -48,7 +48,7 @@ class JoinedBodies {
     first_.insert(&of, static_cast<int>(partners_.size()) - 1);
   }
 
-  AddressTable first_;  ///< partner of each body
+  AddressTable first_;  ///< index of each body's first partner
   std::vector<Partner> partners_;
 };
 

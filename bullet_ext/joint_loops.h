@@ -8,20 +8,21 @@
 
 namespace delassus::bullet {
 
-/// Finds the mechanisms, bodies that joints link to each other, in which joints close a loop: over
-/// bodies that move, or over what stands, which is one body here. Those hold some things twice.
+/// A mechanism is a set of bodies that joints link. Finds mechanisms whose joints close a loop,
+/// over moving bodies or over standing ones, which count as one body. The joints of a loop hold
+/// some directions twice.
 class JointLoops {
  public:
   static constexpr int standing = -1;
 
-  /// No joints yet, between so many bodies.
+  /// Starts with this many bodies and no joints.
   void reset(int bodies) {
     ways_.reset(bodies + 1);
     mechanisms_.reset(bodies);
     closed_.assign(bodies, 0);
     closing_.clear();
   }
-  /// A joint between two bodies, of which one may be standing.
+  /// Adds a joint between two bodies, of which one may be standing.
   void add(int a, int b) {
     const int ground = static_cast<int>(closed_.size()), moving = a == standing ? b : a;
     const int from = a == standing ? ground : a, to = b == standing ? ground : b;
@@ -31,12 +32,12 @@ class JointLoops {
       ways_.join(from, to);
     if (a != standing && b != standing) mechanisms_.join(a, b);
   }
-  /// After all of them.
+  /// Call it after the last joint.
   void close() {
     for (const int body : closing_) closed_[mechanisms_.root(body)] = 1;
   }
   bool hasLoops() const { return !closing_.empty(); }
-  /// Whether there is a loop in the mechanism of a body that moves.
+  /// Whether the mechanism of a moving body has a loop.
   bool isLooped(int body) { return closed_[mechanisms_.root(body)] != 0; }
 
   std::size_t bytes() const {
@@ -44,7 +45,7 @@ class JointLoops {
   }
 
  private:
-  DisjointSets ways_, mechanisms_;  ///< with what stands, and without
+  DisjointSets ways_, mechanisms_;  ///< with standing bodies, and without
   std::vector<char> closed_;        ///< of the root of a mechanism
   std::vector<int> closing_;        ///< a body of each joint that closes a loop
 };

@@ -37,7 +37,7 @@ int numberOf(const btCollisionObject* body) {
   return proxy ? proxy->m_uniqueId : 0;
 }
 
-/// The address by which a group is known when it comes again; null if it has neither contacts nor
+/// The address that identifies a group if it comes again; null if it has neither contacts nor
 /// joints.
 const void* signOf(const Group& group) {
   if (!group.contactSources.empty()) return group.contactSources.front().manifold;
@@ -54,7 +54,7 @@ Vec3 pullOf(const Group& group, const JointSource& joint, const std::vector<doub
   return sum;
 }
 
-/// Where the reaction of a row of turning friction stands in a Turn.
+/// The place in a Turn of the reaction of a turning-friction row.
 int placeOf(const std::vector<Row>& rows, std::size_t row) {
   if (rows[row].paired) return 1;
   return row > 0 && rows[row - 1].paired ? 2 : 0;
@@ -103,12 +103,12 @@ void Memory::nextStep() {
   announced_ = true;
   std::swap(last_, now_);
   now_.clear();
-  now_.length = last_.length;  // if all sleep in this step
+  now_.length = last_.length;  // stands if all bodies sleep in this step
   groups_.clear();
 }
 
-/// Gives each point that is fresh (or, if not `fresh`, each other one) the nearest point of the
-/// last step that is left.
+/// Gives each fresh point (or each other point, if not `fresh`) the nearest point of the last step
+/// that is not taken yet.
 void Memory::claim(Group& group, int begin, int end, const Owner& owner, bool fresh) {
   for (int i = begin; i < end; ++i) {
     if (group.contactSources[i].fresh != fresh) continue;
@@ -152,22 +152,22 @@ void Memory::matchWrench(Group& group, int begin, int end, const Owner& owner) c
   shareWrench(points.data(), end - begin, wanted, &group.guess[begin]);
 }
 
-/// For a lone point, as spheres have: it takes over the force, and its moment follows from that.
+/// Gives the force of the last step to a lone point, as spheres have; its moment follows from that.
 void Memory::matchForce(Group& group, int contact, const Owner& owner) const {
   Vec3 impulse = Vec3::Zero();
   for (int k = owner.begin; k < owner.end; ++k) impulse += last_.points[k].impulse;
   const Contact& c = group.contacts[contact];
   Vec3 reaction = Vec3::Zero();
   for (int k = 0; k < 3; ++k) {
-    // Tangents are as long as friction is strong along them.
+    // The length of a tangent tells how strong friction is along it.
     const double squares = c.frame.col(k).squaredNorm();
     if (squares > 0) reaction[k] = c.frame.col(k).dot(impulse) / squares;
   }
   group.guess[contact] = projectOnCone(reaction, c.friction);
 }
 
-/// Gives the points that stayed those digits of their reactions that Bullet's float cannot carry. A
-/// reaction that differs from the one written comes from somebody else, and stays.
+/// Gives points that stayed the digits of their reactions that Bullet's float cannot hold. A
+/// reaction that differs from the one written was set by somebody else, and stays.
 void Memory::recallDigits(Group& group, int begin, int end, const Owner& owner) const {
   const auto isRoundedTo = [](const Vec3& r, const Vec3& rounded) {
     for (int k = 0; k < 3; ++k)
@@ -177,7 +177,7 @@ void Memory::recallDigits(Group& group, int begin, int end, const Owner& owner) 
   const int count = owner.end - owner.begin;
   for (int i = begin; i < end; ++i) {
     if (group.contactSources[i].fresh) continue;
-    // The point's own place comes first: others may have the same digits in float.
+    // The point's own place is tried first: other points may have the same digits in float.
     for (int k = 0; k < count; ++k) {
       const Vec3& reaction = last_.points[owner.begin + (i - begin + k) % count].reaction;
       if (!isRoundedTo(reaction, group.guess[i])) continue;
@@ -197,14 +197,14 @@ void Memory::recallPoints(Group& group, int begin, int end) {
   if (losesDigits) recallDigits(group, begin, end, *owner);
   if (fresh == 0) return;
   if (end - begin == 1) return matchForce(group, begin, *owner);
-  // Points that stayed claim their own past; what is left goes to the fresh ones.
+  // Points that stayed claim their own past reactions; the rest goes to the fresh points.
   claim(group, begin, end, *owner, false);
   claim(group, begin, end, *owner, true);
   matchWrench(group, begin, end, *owner);
 }
 
-/// Marks the contacts of the bodies that were marked. If a body is new where another one was, all
-/// its points are fresh.
+/// Marks the contacts of the bodies that were marked. If a body is new at the address of an earlier
+/// one, all its points are fresh.
 void Memory::recallMarks(Group& group) {
   if (last_.marked.empty()) return;
   marked_.clear();
@@ -241,7 +241,7 @@ void Memory::recallJoints(Group& group) {
       joint.lastPullOnA = last_.pulls[index].onA;
       joint.lastPullOnB = last_.pulls[index].onB;
     }
-    // A limit or motor that came or went shifts the rows: then they start from zero.
+    // A limit or motor that came or went shifts the rows: then all rows start from zero.
     if (owner->end - owner->begin != joint.rowCount) continue;
     for (int i = 0; i < joint.rowCount; ++i)
       group.rowGuess[joint.firstRow + i] = last_.rows[owner->begin + i];
@@ -266,7 +266,8 @@ const Memory::Turn* Memory::nearestTurn(const Owner& owner, const Vec3& arm) con
       [&](const Turn& a, const Turn& b) { return distance(a) < distance(b); });
 }
 
-/// Each contact that resists turning starts as the nearest one of its manifold ended.
+/// Starts each contact that resists turning from the reaction of the nearest such contact of its
+/// manifold.
 void Memory::recallTurns(Group& group) {
   const btPersistentManifold* manifold = nullptr;
   const Owner* owner = nullptr;
@@ -338,7 +339,7 @@ void Memory::keepPoints(const Group& group, const Answer& answer) {
 }
 
 void Memory::keepMarks(const Group& group, const Answer& answer) {
-  // Room for all, though few are, for the same reason as in Owners::add.
+  // Room for all islands, though few have marks, for the same reason as in Owners::add.
   now_.marked.reserve(now_.marked.size() + answer.results.size());
   for (const IslandResult& island : answer.results)
     if (island.marks.any() && group.bodySources[island.markedBody].rigid)

@@ -45,7 +45,7 @@ class Memory {
   struct Owner {
     const void *object, *bodyA, *bodyB;  ///< object: manifold or joint
     int numberOfA, numberOfB;            ///< of the bodies, in the broadphase; 0 if in none
-    double impulse = 0;                  ///< that a joint had in the end, N·s
+    double impulse = 0;                  ///< the impulse of the joint at the end of the step, N·s
     int begin = 0, end = 0;              ///< among points or rows
     bool isSame(const Owner& other) const {
       return object == other.object && bodyA == other.bodyA && bodyB == other.bodyB &&
@@ -57,28 +57,29 @@ class Memory {
     Vec3 arm;       ///< from the centre of the body that moves, m
     Vec3 reaction;  ///< in the frame of the contact, N·s
     Vec3 impulse;   ///< the same in the world, N·s
-    bool taken;     ///< by a point of this step
+    bool taken;     ///< a point of this step has claimed it
   };
   /// The owners of one kind.
   class Owners {
    public:
     void clear();
-    /// Also makes room to find it, so that no later step is the first to allocate that room.
+    /// Adds the owner, and makes room in the index, so that no later step is the first to allocate
+    /// it.
     Owner& add(const Owner& owner) {
       indexOf_.makeRoom(list_.size() + 1);
       return list_.emplace_back(owner);
     }
     Owner& last() { return list_.back(); }
-    /// The one that is the same as `wanted`, or null.
+    /// The owner that is the same as `wanted`, or null.
     const Owner* find(const Owner& wanted);
     std::size_t indexOf(const Owner& found) const { return &found - list_.data(); }
     std::size_t bytes() const { return list_.capacity() * sizeof(Owner) + indexOf_.bytes(); }
 
    private:
     std::vector<Owner> list_;
-    AddressTable indexOf_;  ///< of the first `indexed_`, by object; where all rests, next_ suffices
+    AddressTable indexOf_;  ///< of the first `indexed_`, by object; at rest next_ suffices
     std::size_t indexed_ = 0;
-    /// The place after the owner that was found last: most come in the same order again.
+    /// The place after the owner found last: most owners come in the same order again.
     std::size_t next_ = 0;
   };
   /// The reactions of a contact that resists turning.
@@ -99,7 +100,7 @@ class Memory {
     std::vector<Point> points;
     std::vector<Turn> turns;
     std::vector<double> rows;
-    std::vector<Pulls> pulls;  ///< of each joint; or none
+    std::vector<Pulls> pulls;  ///< of each joint; empty without pulls
     /// One body of each island that has marks, with a contact if the island has any.
     std::vector<MarkedBody> marked;
     void clear();

@@ -9,7 +9,8 @@
 
 namespace delassus::bullet {
 
-/// What solveMultiBodyGroup brings beside rigid bodies: articulated bodies and their constraints.
+/// The parts that solveMultiBodyGroup has beside rigid bodies: articulated bodies and their
+/// constraints.
 class MultiBodyParts : public Extension {
  public:
   MultiBodyParts() = default;
@@ -19,7 +20,7 @@ class MultiBodyParts : public Extension {
   void gatherBodies(Group& group, const GroupInput& input, StepReport& report) override;
   void gatherRows(Group& group, const GroupInput& input, StepReport& report) override;
   void recall(Group& group) const override;
-  /// Velocities, forces on links for joint feedback, and the impulses of constraints.
+  /// Writes velocities, forces on links for joint feedback, and the impulses of constraints.
   void writeBack(const Group& group, const Answer& answer,
                  const btContactSolverInfo& info) override;
   void release() override;

@@ -19,19 +19,21 @@
 namespace delassus::bullet {
 namespace {
 
-/// Bodies that are not passed, static ones and kinematic ones that touch nothing, carry the numbers
-/// −1 and −2, and constraints look them up as they are.
+/// The number of solver bodies before number 0. Bodies that are not passed (static ones, and
+/// kinematic ones that touch nothing) carry the numbers −1 and −2, and constraints look these up
+/// unchecked.
 constexpr int unlent = 2;
 
-/// The number of what is left out, which follows that of the fixed world.
+/// The number that stands for all bodies left out; it follows that of the fixed world.
 int absentId(int fixedId) { return fixedId + 1; }
 
-/// The numbers by which constraints find their rigid partners among the solver bodies, and note
-/// where in the data their trees are. Taken back at the end of its life.
+/// Lends bodies the numbers by which constraints find their rigid partners among the solver bodies,
+/// and note where in the data their trees are. Takes the numbers back at the end of its life.
 class LentCompanionIds {
  public:
-  /// The bodies of the group get their index; others that were passed count as fixed, or as absent
-  /// if they are left out. `rows`: where the constraints put what they make meanwhile.
+  /// Bodies of the group get their index; other bodies that were passed count as fixed, or as
+  /// absent if they are left out. `rows`: the list to which the constraints add their rows
+  /// meanwhile.
   LentCompanionIds(const Group& group, const GroupInput& input, int fixedId,
                    const btMultiBodyConstraintArray& rows)
       : group_(group), input_(input), rows_(rows) {
@@ -64,7 +66,7 @@ class LentCompanionIds {
   const btMultiBodyConstraintArray& rows_;
 };
 
-/// Everything that a constraint may leave unset.
+/// A row with a value for everything that a constraint may leave unset.
 btMultiBodySolverConstraint blankRow() {
   btMultiBodySolverConstraint row;
   row.m_relpos1CrossNormal.setZero();
@@ -83,8 +85,8 @@ btMultiBodySolverConstraint blankRow() {
   return row;
 }
 
-/// How many impulses a constraint keeps: those of users may keep fewer than they have rows, and
-/// Bullet writes none but where a row names its constraint.
+/// Counts the impulses that a constraint has room for. A user's constraint may have room for fewer
+/// than it has rows, and Bullet writes an impulse only if its row names the constraint.
 class KeptImpulses : public btMultiBodyConstraint {
  public:
   static int countOf(const btMultiBodyConstraint& constraint) {
@@ -94,8 +96,7 @@ class KeptImpulses : public btMultiBodyConstraint {
 
 constexpr const char* brokenBody = "one of its bodies is left out";
 
-/// What is wrong with a row as it was put together, whose joint rows are those after the first so
-/// many; or null.
+/// The fault of an assembled row, or null. Its joint rows are those from `jointRowsBefore` on.
 const char* faultOfOutput(const Group& group, const Row& row, std::size_t jointRowsBefore) {
   if (row.a == leftOut || row.b == leftOut) return brokenBody;
   if (const char* fault = faultOfRow(row)) return fault;
@@ -107,12 +108,12 @@ const char* faultOfOutput(const Group& group, const Row& row, std::size_t jointR
 
 }  // namespace
 
-/// One side of a row as its constraint made it.
+/// One side of a row as its constraint has made it.
 struct MultiBodyRows::Side {
   btMultiBody* body;                  ///< null for a rigid partner or the world
-  int jacobian;                       ///< of the articulated body: where it begins in the data
+  int jacobian;                       ///< index in the data of the articulated body's Jacobian
   int solverBody;                     ///< the rigid partner's number
-  const btVector3 &linear, &angular;  ///< its Jacobian
+  const btVector3 &linear, &angular;  ///< the rigid partner's Jacobian
 };
 
 void MultiBodyRows::gather(Group& group, const GroupInput& input, StepReport& report) {
@@ -151,12 +152,13 @@ void MultiBodyRows::gatherConstraint(Group& group, btMultiBodyConstraint& constr
     const int dof = named >= 0 ? named : k - begin;
     addRow(group, constraint, k, dof < kept ? dof : noDof, report);
   }
-  // A limit that is not reached has no row; its impulse is none.
+  // A limit that is not reached has no row; its impulse is zero.
   for (int dof = 0; dof < kept; ++dof) constraint.internalSetAppliedImpulse(dof, 0);
 }
 
 void MultiBodyRows::askRows(btMultiBodyConstraint& constraint, const btContactSolverInfo& info) {
-  // Bullet's arrays hand out what was there before. Who makes more rows than was said makes few.
+  // Bullet's arrays hand out old contents, so blank rows are laid out first, and some more: a
+  // constraint that makes more rows than it announced makes few more.
   constexpr int more = 6;
   const int begin = asked_.size();
   asked_.resize(begin + constraint.getNumRows() + more, blankRow());
@@ -172,7 +174,8 @@ void MultiBodyRows::addRow(Group& group, btMultiBodyConstraint& constraint, int 
     report.leaveOut(name + " of " + nameOf(constraint), fault);
   };
   if (!(from.m_jacDiagABInv > 0)) {
-    // Bullet switches off, by d = 0, what it cannot divide by: also what is no number.
+    // With d = 0 Bullet switches off a row whose response it cannot divide by. If the cause is a
+    // number that is not finite, the row is reported.
     if (const char* fault = faultOfInput(group, from)) leaveOut(fault);
     return;
   }
@@ -193,7 +196,7 @@ void MultiBodyRows::addRow(Group& group, btMultiBodyConstraint& constraint, int 
       {rowIndex, &constraint, asked, dof, dof == noDof ? 0 : constraint.getAppliedImpulse(dof)});
 }
 
-/// What is wrong with a row as Bullet made it, or null.
+/// The fault of a row as Bullet made it, or null.
 const char* MultiBodyRows::faultOfInput(Group& group, const btMultiBodySolverConstraint& row) {
   double sum = std::abs(row.m_rhs) + std::abs(row.m_rhsPenetration);
   for (const btVector3& axis : {row.m_contactNormal1, row.m_relpos1CrossNormal,
@@ -212,7 +215,7 @@ const char* MultiBodyRows::faultOfInput(Group& group, const btMultiBodySolverCon
   return std::isfinite(sum) ? nullptr : "its axis or its target velocity is not finite";
 }
 
-/// The row that will be the group's next, and its joint rows.
+/// Assembles the group's next row and its joint rows.
 Row MultiBodyRows::toRow(Group& group, const btMultiBodySolverConstraint& asked) {
   const double response = 1 / static_cast<double>(asked.m_jacDiagABInv);
   Row row;
@@ -231,8 +234,8 @@ Row MultiBodyRows::toRow(Group& group, const btMultiBodySolverConstraint& asked)
   return row;
 }
 
-/// The body that the row acts on there, fixedWorld, or leftOut. A rigid partner adds its part of
-/// J v_before to the target.
+/// Returns the body on which this side of the row acts, fixedWorld, or leftOut. A rigid partner
+/// adds its part of J v_before to the target.
 int MultiBodyRows::addSide(Group& group, const Side& side, Row6& jacobian, double& target) {
   if (side.body) return addJointRow(group, *side.body, side.jacobian);
   const int fixed = data_.m_fixedBodyId;
@@ -243,8 +246,8 @@ int MultiBodyRows::addSide(Group& group, const Side& side, Row6& jacobian, doubl
   return side.solverBody;
 }
 
-/// The stem of the body's tree, on whose joints the row acts by the Jacobian that begins there in
-/// the data; or leftOut.
+/// Adds the joint row whose Jacobian begins at `jacobian` in the data. Returns the stem of the
+/// body's tree, or leftOut.
 int MultiBodyRows::addJointRow(Group& group, btMultiBody& body, int jacobian) {
   const MultiBodyTrees::TreeSource& source = trees_.treeOf(group, body);
   if (source.tree == leftOut) return leftOut;

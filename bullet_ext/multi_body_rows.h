@@ -20,26 +20,27 @@ class MultiBodyTrees;
 
 /// Rows of the constraints of articulated bodies.
 ///
-/// A btMultiBodyConstraint answers with rows made for sequential impulses, d = 1/W_ii and
+/// A btMultiBodyConstraint gives rows made for sequential impulses, with d = 1/W_ii and
 /// rhs = (wanted − relative velocity) d. Here they mean
 ///
 ///     J v⁺ + (cfm/d) r = J v_before + rhs/d,   lower ≤ r ≤ upper
 ///
-/// with the velocity of rigid partners before forces, as these constraints see it. Positional parts
-/// that Bullet would split are taken as velocities, since an articulated body cannot be pushed. A
-/// row that its constraint has switched off (d = 0) has no part.
+/// where rigid partners have their velocity before forces, as these constraints see it. Positional
+/// parts that Bullet would split are taken as velocities, since articulated bodies cannot be
+/// pushed. A row that its constraint has switched off (d = 0) takes no part.
 class MultiBodyRows {
  public:
   /// Rows act on `trees`; constraints write their Jacobians into `data`. Both outlive this.
   MultiBodyRows(MultiBodyTrees& trees, btMultiBodyJacobianData& data)
       : trees_(trees), data_(data) {}
 
-  /// Asks the constraints for their rows and adds these. Their impulses become the guesses of the
-  /// rows, and are cleared. What is not finite is left out, and the report names it.
+  /// Asks the constraints for their rows and adds these to the group. The impulses of the
+  /// constraints become guesses, and are cleared. Rows that are not finite are left out, and the
+  /// report names them.
   void gather(Group& group, const GroupInput& input, StepReport& report);
   /// Fills the guesses.
   static void recall(Group& group);
-  /// Impulses of the constraints, and forces on their links for joint feedback.
+  /// Writes the impulses of the constraints, and the forces on their links for joint feedback.
   void writeBack(const Group& group, const Answer& answer, const btContactSolverInfo& info) const;
 
   void release();
@@ -61,10 +62,11 @@ class MultiBodyRows {
 
   MultiBodyTrees& trees_;
   btMultiBodyJacobianData& data_;
-  btMultiBodyConstraintArray asked_;  ///< all that the constraints made
-  /// Two fixed ones, those of the group, a fixed one, the one that is left out.
+  btMultiBodyConstraintArray asked_;  ///< all rows that the constraints made
+  /// Numbers −2 and −1: fixed; then the bodies of the group, the fixed world, the one for bodies
+  /// left out.
   btAlignedObjectArray<btSolverBody> solverBodies_;
-  /// The same without the first two; owns nothing.
+  /// A view of the same from number 0 on; owns nothing.
   btAlignedObjectArray<btSolverBody> solverBodyPool_;
 };
 

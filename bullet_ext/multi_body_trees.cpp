@@ -53,7 +53,7 @@ void MultiBodyTrees::gather(Group& group, const GroupInput& input, StepReport& r
 }
 
 const MultiBodyTrees::TreeSource& MultiBodyTrees::treeOf(Group& group, btMultiBody& body) {
-  // From the end, since the links of a tree follow each other.
+  // Backwards: the links of a tree follow each other, so their tree is likely the last one.
   for (std::size_t i = trees_.size(); i-- > 0;)
     if (trees_[i].body == &body) return trees_[i];
   TreeSource& added = trees_.add();
@@ -83,15 +83,15 @@ int MultiBodyTrees::addTree(Group& group, TreeSource& source) {
   return static_cast<int>(group.articulation.trees.size()) - 1;
 }
 
-/// As Bullet answers: symmetric up to rounding, and finite if the body is.
+/// M⁻¹ as Bullet computes it: symmetric up to rounding, and finite if the body is.
 void MultiBodyTrees::findInverseMass(const btMultiBody& body, MatrixXd& inverseMass) {
   const int n = freedomsOf(body);
   inverseMass.setZero(n, n);
   unit_.resize(n);
   for (int i = 0; i < n; ++i) unit_[i] = 0;
   for (int i = body.hasFixedBase() ? 6 : 0; i < n; ++i) {
-    // Bullet passes over links that are kinematic down to the base: neither their entries here nor
-    // their accelerations, which the next links start from, are written.
+    // Bullet skips links that are kinematic together with all links down to the base. It writes
+    // neither their entries here nor their accelerations, from which the next links start.
     response_.resizeNoInitialize(0);
     response_.resize(n, 0);
     data_.scratch_v.resizeNoInitialize(0);
@@ -103,7 +103,7 @@ void MultiBodyTrees::findInverseMass(const btMultiBody& body, MatrixXd& inverseM
   }
 }
 
-/// Index of the new body, that of `source` or (if that has none) a stem.
+/// Index of the new body, which stands for `source` or (if that has no body) is a stem.
 int MultiBodyTrees::addLimb(Group& group, int tree, const LimbSource& source) {
   const auto index = static_cast<int>(group.bodies.size());
   Articulation::Limb& limb = group.articulation.limbs.add();
@@ -156,7 +156,7 @@ void MultiBodyTrees::findMotion(const btMultiBodyLinkCollider& collider, Matrix6
                                         data_.scratch_v, data_.scratch_m);
     for (int j = 0; j < n; ++j) L(i, j) = unit_[j];
   }
-  // Bullet leaves out of the angular rows how planar joints turn.
+  // Bullet leaves the turning of planar joints out of the angular rows.
   for (int link = collider.m_link; link >= 0; link = body.getLink(link).m_parent) {
     const btMultibodyLink& joint = body.getLink(link);
     if (joint.m_jointType == btMultibodyLink::ePlanar)
@@ -205,7 +205,7 @@ void MultiBodyTrees::release() {
 }
 
 std::size_t MultiBodyTrees::bytes() const {
-  // What finds the root keeps two matrices of that size.
+  // RootFinder keeps two matrices of that size.
   return trees_.bytes([](const TreeSource& tree) { return 3 * bytesOf(tree.inverseMass); }) +
          limbs_.bytes([](const LimbSource& limb) { return sizeof(double) * limb.L.size(); }) +
          (unit_.capacity() + response_.capacity()) * sizeof(btScalar);

@@ -21,32 +21,32 @@ struct GroupInput;
 
 /// The articulated bodies of a group.
 ///
-/// A btMultiBody is a tree whose velocities are those of its base (angular, linear) and of its
-/// joints, the forces of the step included. M⁻¹ is read from its articulated-body algorithm, one
-/// unit force at a time; links that touch something are its limbs.
+/// A btMultiBody is a tree. Its velocities are those of its base (angular, linear) and of its
+/// joints, with the forces of the step included. M⁻¹ is read from Bullet's articulated-body
+/// algorithm, one unit force at a time. Links that touch something are the tree's limbs.
 class MultiBodyTrees {
  public:
   struct TreeSource {
     btMultiBody* body;
     int tree;  ///< in the articulation, or leftOut
-    int stem;  ///< body that stands for the tree
+    int stem;  ///< the body that stands for the tree
     MatrixXd inverseMass;
     RootFinder root;
   };
 
-  /// Bullet computes in the scratch space of `data`, which outlives this.
+  /// Bullet uses the scratch space of `data`, which outlives this.
   explicit MultiBodyTrees(btMultiBodyJacobianData& data) : data_(data) {}
 
-  /// Adds the links that touch something. Those of a tree that is not finite are left out, and the
-  /// report names them.
+  /// Adds the links that touch something. The links of a tree that is not finite are left out, and
+  /// the report names them.
   void gather(Group& group, const GroupInput& input, StepReport& report);
-  /// That of the body, which joins the group if it is new; good until the next call.
+  /// The source of the body's tree, which joins the group if it is new; good until the next call.
   const TreeSource& treeOf(Group& group, btMultiBody& body);
 
-  /// Tells the links what contacts and turning friction did to them in a time step, s, for joint
+  /// Adds to the links the forces of contacts and turning friction over a time step, s, for joint
   /// feedback.
   void writeForces(const Group& group, const Answer& answer, double timeStep) const;
-  /// Changes the velocities of the bodies by what reactions did to them.
+  /// Adds the velocity changes that the reactions caused.
   void writeGains(const TreeGains& gains);
 
   void release();
@@ -67,15 +67,15 @@ class MultiBodyTrees {
 
   btMultiBodyJacobianData& data_;
   KeptList<TreeSource> trees_;
-  KeptList<LimbSource> limbs_;  ///< as in the articulation; stems have no body
+  KeptList<LimbSource> limbs_;  ///< in the articulation's order; stems have no body
   btAlignedObjectArray<btScalar> unit_, response_;
 };
 
-/// The object as a link of an articulated body; null if it is none, or has lost its body and is
-/// ground.
+/// The object as a link of an articulated body. Null if it is none, or if its body is gone; then it
+/// is ground.
 const btMultiBodyLinkCollider* linkOf(const btCollisionObject* object);
 
-/// Tells a link (−1: the base) what acts on it, N and N·m in world axes, for joint feedback.
+/// Adds a force and a torque on a link (−1: the base), N and N·m in world axes, for joint feedback.
 void addForce(btMultiBody& body, int link, const btVector3& force, const btVector3& torque);
 
 }  // namespace delassus::bullet

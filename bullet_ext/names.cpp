@@ -46,7 +46,7 @@ std::string nameOf(const PointSource& source) {
 }
 
 std::string nameOf(const btTypedConstraint& joint) {
-  // Bullet's partner of those that hold a body to the world, which is in no world.
+  // The partner that Bullet gives to joints between a body and the world; it belongs to no world.
   const btRigidBody& world = btTypedConstraint::getFixedBody();
   const auto partner = [&](const btRigidBody& body) {
     return &body == &world ? std::string("the world") : nameOf(body);

@@ -10,9 +10,9 @@ namespace delassus::bullet {
 
 struct PointSource;
 
-/// How messages call an object: by its place in the world. Contacts and joints: by their bodies. A
-/// link: by its number and its multibody too, which is called by the name of its base, or by the
-/// place of its first collider.
+/// Names of objects in messages: an object's is its place in the world; contacts and joints are
+/// named by their bodies, a link also by its number and its multibody. A multibody has the name of
+/// its base, or else the place of its first collider.
 std::string nameOf(const btCollisionObject& object);
 std::string nameOf(const PointSource& source);
 std::string nameOf(const btTypedConstraint& joint);

@@ -15,18 +15,18 @@ namespace delassus::bullet {
 
 struct Group;
 
-/// A rigid body of the group as constraints that are written for Bullet's sequential impulse solver
-/// expect it: the velocity of the start of the step, and the gain from forces apart. Anything else
-/// is immovable.
+/// A rigid body of the group as constraints for Bullet's sequential impulse solver expect it: the
+/// velocity at the start of the step, and separately its gain from forces. Anything else is
+/// immovable.
 btSolverBody solverBody(const Group& group, int index);
 
 /// The constraints of a group that have no rows and move bodies themselves, in
 /// solveConstraintObsolete.
 ///
-/// They are given solverBody(), and in its delta velocities what reactions have done.
+/// They get solverBody(), with the effect of the reactions as its delta velocities.
 class ObsoleteConstraints {
  public:
-  /// Before the sweeps of a group, whose bodies nothing has moved yet.
+  /// Call it before the first sweep of a group, when nothing has moved its bodies yet.
   void start(const Group& group);
 
   /// Calls each constraint once with the motion that the reactions left, `moved`. What the
@@ -47,8 +47,8 @@ class ObsoleteConstraints {
 
   std::vector<Vec6> free_;             ///< free velocities before any of the constraints acted
   std::vector<btSolverBody> bodies_;   ///< one a body, and the fixed world at the end
-  std::vector<char> changed_;          ///< by body
-  std::vector<char> acted_, leftOut_;  ///< by constraint
+  std::vector<char> changed_;          ///< of each body
+  std::vector<char> acted_, leftOut_;  ///< of each constraint
 };
 
 }  // namespace delassus::bullet

@@ -19,8 +19,8 @@ const btManifoldPoint& pointOf(const Group& group, int contact) {
   return source.manifold->getContactPoint(source.point);
 }
 
-/// Whether one of the objects is a compound or made of triangles: Bullet numbers their parts, and
-/// the number is at hand where the shape is not.
+/// Whether one of the objects is a compound or made of triangles. Bullet numbers their parts in the
+/// point, which is at hand; the shape is not.
 bool isOfAPart(const btManifoldPoint& point) { return point.m_index0 >= 0 || point.m_index1 >= 0; }
 
 bool isOfTriangles(const btCollisionObject& object) {
@@ -45,7 +45,7 @@ void OpposedContacts::note(const Group& group, const btCollisionObject& a, int i
                            const btCollisionObject& b, int indexB, int first) {
   const auto end = static_cast<int>(group.contacts.size());
   if (first == end || !isOfAPart(pointOf(group, first))) return;
-  // If both may move, take the body that came first, whichever the manifold names first.
+  // If both may move, takes the body that came first, in whichever order the manifold names them.
   const bool movesA = group.movable(indexA), movesB = group.movable(indexB);
   if (movesA && !(movesB && indexB < indexA))
     add(indexA, b, !movesB && isOfTriangles(b), first, end);
@@ -53,7 +53,7 @@ void OpposedContacts::note(const Group& group, const btCollisionObject& a, int i
     add(indexB, a, !movesA && isOfTriangles(a), first, end);
 }
 
-/// Spans, in the order of bodies and objects.
+/// Collects the spans, in the order of bodies and objects.
 void OpposedContacts::collect(const Group& group) {
   std::sort(touches_.begin(), touches_.end(), [](const Touch& x, const Touch& y) {
     return std::tie(x.body, x.object, x.first) < std::tie(y.body, y.object, y.first);
@@ -109,7 +109,7 @@ void OpposedContacts::compare(const Group& group, const Span& a, const Span& b) 
     }
 }
 
-/// Compares bodies that a joint links, in the same triangles.
+/// Compares the spans of bodies that a joint links, if they are in the same triangles.
 void OpposedContacts::compareLinked(const Group& group) {
   const auto isBefore = [](const Span& x, const Span& y) {
     return std::tie(x.body, x.object) < std::tie(y.body, y.object);

@@ -48,7 +48,7 @@ class OpposedContacts {
  private:
   struct Touch {
     int body;    ///< the body that can move
-    int object;  ///< the other object: number of the touch in which it came first
+    int object;  ///< the other object: the number of the touch in which it first appeared
     int first, end;
     bool isInTriangles;
   };
@@ -58,8 +58,8 @@ class OpposedContacts {
     Vec3 push;     ///< direction in which it pushes the body
     Vec3 place;    ///< on the other object
     double depth;  ///< m
-    /// Sums over the bodies that are opposed here, with this body counted every time: of the
-    /// masses, kg, and of their moments about the centre of this body, kg m.
+    /// Sums over the bodies that are opposed here, this body counted every time: masses, kg, and
+    /// their moments about the centre of this body, kg m.
     double mass = 0;
     Vec3 moment = Vec3::Zero();
     bool isOpposed = false;

@@ -9,10 +9,10 @@ struct Group;
 class GroupIslands;
 }  // namespace bullet
 
-/// What a step asks for, counted in what was gathered before anything is solved, and what it is
-/// made of therefore. Nothing else exists in the step: no unknowns, no pass, no events.
+/// What a step asks for, counted from the gathered parts before anything is solved, and what the
+/// solver makes for it. The step contains nothing else: no other unknowns, passes or events.
 struct Plan {
-  // What there is.
+  // What the step asks for.
   int frictional = 0;    ///< contacts with friction
   int frictionless = 0;  ///< contacts without
   int bouncing = 0;      ///< contacts with restitution
@@ -26,7 +26,7 @@ struct Plan {
   int softRows = 0;      ///< rows whose joint asks for a compliance
   int obsolete = 0;      ///< constraints that solve themselves, in turns with the rest
   int islands = 0;
-  int largestIsland = 0;  ///< its unknowns
+  int largestIsland = 0;  ///< unknowns of the largest island
   bool heard = false;     ///< somebody listens to contact events
 
   // What is made for it.

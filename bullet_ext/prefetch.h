@@ -4,9 +4,9 @@
 
 namespace delassus::bullet {
 
-/// Asks for memory that is read soon, from `begin` up to `end`. Bullet's pools put manifolds and
-/// bodies where no processor expects them, and where there are thousands it waits for each. Changes
-/// no result.
+/// Prefetches the memory from `begin` up to `end`, which is read soon. Bullet's pools scatter
+/// manifolds and bodies so that no processor predicts their places, and among thousands it would
+/// wait for each. Changes no result.
 inline void prefetch([[maybe_unused]] const void* begin, [[maybe_unused]] const void* end) {
 #if defined(__GNUC__)
   constexpr std::size_t line = 64;  // bytes

@@ -27,7 +27,7 @@ void findContacts(const Group& group, std::vector<Contact>& found) {
   }
 }
 
-/// Whether bodies of the island slip past each other faster than pushes may have them.
+/// Whether bodies of the island slip past each other faster than pushes may move them.
 bool throwsOne(const Pushes& pushes, const Island& island) {
   double largest = 0, fastest = 0;
   for (const int k : island.frictionless) {

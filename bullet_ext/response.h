@@ -8,7 +8,7 @@
 
 namespace delassus::bullet {
 
-/// What one body adds to W_ii of a contact along `axis`. The linear factor is left out, as in
+/// The share of one body in W_ii of a contact along `axis`. The linear factor is left out, as in
 /// Bullet's solvers.
 inline double responseOf(const Group& group, int body, const Vec3& arm, const Vec3& axis) {
   if (!group.movable(body)) return 0;
@@ -21,8 +21,8 @@ inline double responseOf(const Group& group, int body, const Vec3& arm, const Ve
          turn.dot(group.bodies[body].inverseInertia * turn);
 }
 
-/// Along the normal of a contact, of that of its bodies which answers less; one that does not move
-/// is none.
+/// The response along the contact's normal of the body that responds less. A body that does not
+/// move does not count.
 inline double lesserResponse(const Group& group, const Contact& c) {
   const Vec3 n = c.frame.col(0);
   const double a = responseOf(group, c.a, c.armA, n), b = responseOf(group, c.b, c.armB, n);

@@ -4,27 +4,28 @@
 
 namespace delassus::bullet {
 
-/// How much rows of joints give at least, as a share of their W_ii. Poses are rounded, and axes are
-/// often given in few digits, so that joints which share a freedom (two hinges of a door)
-/// contradict each other a little; taken at their word they would lock it. A contradiction δ (rad,
-/// or relative) slows the freedom by δ²/softness of itself a step, and a joint that carries M times
-/// the mass of its lighter body slips by M times this of what it stops. ODE softens all of its
-/// joints alike (its default CFM).
+/// The least softness of joint rows, as a share of their W_ii. Poses are rounded, and axes are
+/// often given in few digits. So joints that share a freedom (two hinges of a door) contradict each
+/// other a little, and if they were rigid they would lock it. With the softness, a contradiction δ
+/// (rad, or relative) slows the freedom by the share δ²/softness a step. A joint that carries M
+/// times the mass of its lighter body slips by M times the softness of the velocity that it stops.
+/// ODE softens all of its joints alike (its default CFM).
 constexpr double leastSoftness = sizeof(btScalar) == sizeof(double) ? 1e-10 : 1e-8;
 /// The same where joints close a loop (joint_loops.h): as the mechanism drifts, they contradict
-/// each other by far more than poses are rounded. What meets that is in inverse proportion to this,
-/// and acts where the pivots have drifted to: with 1e-8 two boxes on two joints, at rest on the
-/// ground, were thrown up at 20 m/s. In float the rounding of poses alone, 1e-7 of where they are,
-/// asks for 1e-6 m/s in every step: of 1e-8 that would be a hundred newton seconds a kilogram.
+/// each other by far more than the rounding of poses. The reactions to that are inversely
+/// proportional to this softness, and act at the drifted pivots: with 1e-8, two boxes on two
+/// joints, at rest on the ground, were thrown up at 20 m/s. In float the rounding of poses alone,
+/// 1e-7 of their coordinates, asks for 1e-6 m/s in every step: with 1e-8 that would take a hundred
+/// newton seconds a kilogram.
 constexpr double loopSoftness = 1e-5;
 
-/// The compliance of a row with Bullet's `cfm` (a fault of which stays one) and this W_ii.
+/// The compliance of a row with Bullet's `cfm` and this W_ii; a faulty `cfm` is passed on.
 inline double complianceOf(double cfm, double response) {
   return (cfm >= 0 && cfm < leastSoftness ? leastSoftness : cfm) * response;
 }
 
-/// How much contacts of bodies give that a joint holds to each other, as a share of what the one of
-/// them adds to W_nn that adds less.
+/// The softness of contacts between bodies that a joint holds to each other, as a share of the
+/// lesser of the two bodies' parts of W_nn.
 constexpr double joinedSoftness = 1e-2;
 
 }  // namespace delassus::bullet

@@ -7,7 +7,7 @@
 namespace delassus {
 
 void StepReport::tell(const std::string& message) {
-  // A world that is broken everywhere has as many faults as parts; the first ones say enough.
+  // A world that is broken everywhere has as many faults as parts; the first ones are enough.
   constexpr std::size_t longest = 64;
   if (messages.size() > longest) return;
   if (std::find(messages.begin(), messages.end(), message) != messages.end()) return;

@@ -11,7 +11,7 @@ namespace delassus {
 /// Report of the last world step: sums over all its groups and islands. A count that would overflow
 /// stays at the largest number, as it may where nobody announces steps (a solver pool).
 struct StepReport {
-  Plan plan;  ///< what the step asked for, and what it was made of
+  Plan plan;  ///< what the step asked for, and what was made for it
   int islands = 0;
   int contacts = 0;  ///< contact points that took part
   int rows = 0;      ///< joint rows

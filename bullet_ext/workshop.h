@@ -17,8 +17,8 @@
 
 namespace delassus::bullet {
 
-/// All that one thread needs to answer one island after the other. Nothing that is left on it from
-/// the last island shows in the next one's answer.
+/// All that one thread needs to solve one island after the other. Nothing that the last island left
+/// here affects the answer of the next one.
 struct Bench {
   explicit Bench(const Options& options) : solver(options), check(options) {}
 
@@ -36,7 +36,7 @@ struct Bench {
            solution.bytes() + bytesOf(guess, softContacts, softRows);
   }
 
-  /// What was done here since the last Workshop::takeCounts().
+  /// The work done here since the last Workshop::takeCounts().
   struct Counts : WorkDone {
     int unsolved = 0;
     void add(const Solution& solved) {
@@ -50,7 +50,7 @@ struct Bench {
   } counts;
 };
 
-/// Has a solver search for a shorter while than it may, as long as this lives.
+/// Shortens a solver's budgets for its lifetime.
 class ShortSearch {
  public:
   explicit ShortSearch(Solver& solver) : solver_(solver), usual_(solver.options()) {
@@ -63,8 +63,9 @@ class ShortSearch {
   ShortSearch(const ShortSearch&) = delete;
   ShortSearch& operator=(const ShortSearch&) = delete;
 
-  /// And for less: for bodies that are taken softer than they are, nobody knows by how much. What
-  /// tells a jam from what is none leaves room for an error of 1e-4 (answerJam), not of 1e-3.
+  /// Loosens the tolerance and shortens the sweeps, too, for bodies that are taken softer than they
+  /// are by an amount that nobody knows. The test for a jam (answerJam) has room for an error of
+  /// 1e-4, not of 1e-3.
   void takeAnyNear() {
     Options options = solver_.options();
     options.tolerance = std::max(options.tolerance, 1e-4);
@@ -77,9 +78,9 @@ class ShortSearch {
   Options usual_;
 };
 
-/// Where islands are answered: by the caller alone, or by a crew side by side. They share no body
-/// that moves, no contact and no row, so that each has the same answer, bit for bit, whoever else
-/// is at work.
+/// Where islands are solved: by the caller alone, or side by side by a crew. Islands share no body
+/// that moves, no contact and no row. So each has the same answer, bit for bit, whoever else is at
+/// work.
 class Workshop {
  public:
   explicit Workshop(const Options& options) : options_(options) { clear(); }
@@ -91,14 +92,14 @@ class Workshop {
   int threads() const { return crew_.count(); }
   const Options& options() const { return options_; }
 
-  /// Empty benches.
+  /// Makes new benches.
   void clear() {
     benches_.clear();
     for (int i = 0; i < crew_.count(); ++i) benches_.push_back(std::make_unique<Bench>(options_));
   }
 
-  /// Calls work(bench, i) for all i < count. Others than the caller take part if there is enough
-  /// for them to do: by the sum of weight(i), in unknowns, not by the clock.
+  /// Calls work(bench, i) for all i < count. Other threads than the caller's take part if there is
+  /// enough to do, by the sum of weight(i), in unknowns, not by the clock.
   template <class Weight, class Work>
   void share(int count, int worthwhile, const Weight& weight, const Work& work) {
     int total = 0;
@@ -111,11 +112,12 @@ class Workshop {
     }
   }
 
-  /// The same where a bench's solver is at work. What weighs three times as much as all else would
-  /// keep one hand busy while the others wait: it comes first, with all of them.
+  /// The same where the benches' solvers work. An item of at least three times the weight of all
+  /// others would keep one hand busy while the others wait: it comes first, and all hands work on
+  /// it.
   template <class Weight, class Work>
   void shareSolving(int count, const Weight& weight, const Work& work) {
-    // Unknowns whose solution takes longer than it takes to call another thread.
+    // Above this many unknowns a solution takes longer than calling another thread.
     constexpr int worthwhile = 100;
     const int heaviest = crew_.count() > 1 ? predominant(count, weight) : -1;
     if (heaviest >= 0) {
@@ -135,7 +137,7 @@ class Workshop {
     return sum;
   }
 
-  /// What was done on all benches since the last call.
+  /// The work done on all benches since the last call.
   Bench::Counts takeCounts() {
     Bench::Counts sum;
     for (const auto& bench : benches_) sum.add(std::exchange(bench->counts, {}));
@@ -143,7 +145,7 @@ class Workshop {
   }
 
  private:
-  /// Hands that a solver has for a while.
+  /// Lends hands to a solver for its lifetime.
   struct Lent {
     Lent(Solver& to, Hands& hands) : solver(to) { solver.setHands(&hands); }
     ~Lent() { solver.setHands(nullptr); }

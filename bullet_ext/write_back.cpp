@@ -20,7 +20,7 @@ void count(Mode mode, StepReport& report) {
   addTo(mode == Mode::Open ? report.open : mode == Mode::Stick ? report.stick : report.slide, 1);
 }
 
-/// Notes the mode of a point and answers with the one before; a change is counted.
+/// Notes the mode of a point and returns the one before; a change is counted.
 Mode changeMode(btManifoldPoint& point, Mode to, StepReport& report) {
   const Mode from = rememberedMode(point);
   if (from != to) {
@@ -35,7 +35,7 @@ void prefetchReaction(const PointSource& source) {
   prefetch(&point.m_appliedImpulse, &point + 1);
 }
 
-/// The moments of contacts that are asked for in their order.
+/// The moments of contacts; call `of` in the order of the contacts.
 class Moments {
  public:
   Moments(const Group& group, const Answer& answer)
@@ -123,9 +123,9 @@ btScalar writtenImpulse(const JointSource& joint, const Answer& answer) {
 void writeJoints(const Group& group, const Answer& answer, const btContactSolverInfo& info) {
   for (const JointSource& source : group.joints) {
     btTypedConstraint& joint = *source.constraint;
-    // Read before anything is disabled: a joint breaks as a whole, after its last feedback.
+    // Read before anything is disabled: the joint breaks as a whole, after its last feedback.
     const double breakingImpulse = joint.getBreakingImpulseThreshold();
-    bool breaks = breakingImpulse <= 0;  // then none of its rows was asked
+    bool breaks = breakingImpulse <= 0;  // then none of its rows takes part
     Vec6 onA = Vec6::Zero(), onB = Vec6::Zero();
     for (int row = source.firstRow; row < source.firstRow + source.rowCount; ++row) {
       const double r = answer.rows[row];

@@ -18,26 +18,25 @@ struct Group;
 struct JointSource;
 struct Pushes;
 
-/// Velocities of the movable bodies.
+/// Writes the velocities of the movable bodies.
 void writeVelocities(const Group& group, const Answer& answer);
 
-/// Poses of the bodies that are pushed: x + h p, and a turn scaled by the turn factor of the info.
+/// Moves the bodies that are pushed: x + h p, and a turn scaled by the turn factor of `info`.
 void writePushes(const Group& group, const Pushes& pushes, const btContactSolverInfo& info);
 
-/// Impulses, the directions they refer to and modes of all points, idle ones included (zero, open).
-/// Counts modes in `report`. Where `events` is given it receives the contacts that changed their
-/// mode or are in trouble, with `turning` those too that a moment acts in, in the order of the
-/// group.
+/// Writes impulses, their directions and the modes of all points, idle ones included (zero, open).
+/// Counts modes in `report`. If `events` is given, it receives the contacts that changed mode or
+/// are in trouble and, with `turning`, those in which a moment acts, in the order of the group.
 void writeContacts(const Group& group, const Answer& answer, StepReport& report,
                    std::vector<ContactEvent>* events, bool turning);
 
-/// What a joint is left with: the impulse of its last row, for Bullet's joints answer with that
-/// alone (the feedback is the whole record). A zero is negative: by that it differs from the one in
-/// a joint that was never solved.
+/// The impulse that is written into a joint: that of its last row, the only one that Bullet's
+/// joints report (the feedback holds all). A zero is written as −0, to differ from the zero in a
+/// joint that was never solved.
 btScalar writtenImpulse(const JointSource& joint, const Answer& answer);
 
-/// Impulses and feedback of the joints. A joint with a reaction at its breaking impulse is
-/// disabled.
+/// Writes impulses and feedback of the joints. Disables a joint whose reaction reaches its breaking
+/// impulse.
 void writeJoints(const Group& group, const Answer& answer, const btContactSolverInfo& info);
 
 }  // namespace delassus::bullet

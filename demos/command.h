@@ -1,6 +1,6 @@
 #pragma once
-/// The sub-commands of `delassus`. Each has a file of its own, which adds its flags and says what
-/// it does when chosen.
+/// The sub-commands of `delassus`. Each has a file of its own, which adds its flags and does its
+/// work.
 
 #include <functional>
 #include <stdexcept>
@@ -11,21 +11,21 @@ class App;
 
 namespace demos {
 
-/// What the exit status says.
+/// Exit statuses.
 constexpr int exitDone = 0;
 constexpr int exitFailed = 1;          ///< file, scene, display
 constexpr int exitBadUsage = 2;        ///< unknown flags, values out of range
 constexpr int exitAboveTolerance = 3;  ///< `solve` only
 
-/// What the command line asks for cannot be meant: exitBadUsage, which only shows when the files
-/// are looked at.
+/// The command line asks for something that makes no sense, which shows only once the files are
+/// looked at: exitBadUsage.
 class BadUsage : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// What the parsed command line asks for; returns the exit status, throws std::exception when it
-/// fails.
+/// The work that the parsed command line asks for. Returns the exit status; throws std::exception
+/// if the work fails.
 using Action = std::function<int()>;
 
 void addScenesCommand(CLI::App& app, Action& chosen);

@@ -32,7 +32,7 @@ struct DumpArguments {
   std::string out;
 };
 
-/// Keeps the problems of the groups that pass through while it is told to.
+/// Keeps the problems of the groups that pass through while it is switched on.
 class ProblemCatcher : public SolverDecorator {
  public:
   using SolverDecorator::SolverDecorator;
@@ -63,7 +63,7 @@ std::string fileOf(const std::string& out, std::size_t island, std::size_t islan
   return (path.parent_path() / name).string();
 }
 
-/// Formats hold contacts or rows: where there are both, the rows are written as contacts.
+/// A format holds contacts or rows; if a problem has both, its rows are written as contacts.
 void writeIsland(const std::string& file, const Problem& problem) {
   const auto write = [&file](const Problem& written) {
     writeTo(file, [&written](auto& out) { writeProblem(out, written); });
@@ -83,8 +83,8 @@ void writeIsland(const std::string& file, const Problem& problem) {
                file.c_str(), contacts, bounds, rows - bounds);
 }
 
-/// The name of the problems of `subject`, to which more words are added: a file's without its
-/// folder and suffix, one word of the format whatever is in it.
+/// The beginning of the names of the problems of `subject`: a file's name without folder and
+/// suffix. It is one word of the format, whatever characters the name has.
 std::string problemName(const std::string& subject) {
   std::string name = std::filesystem::path(subject).stem().string();
   std::replace_if(
@@ -92,9 +92,9 @@ std::string problemName(const std::string& subject) {
   return name;
 }
 
-/// A world is not what a problem is meant to replace, least of all the one that is dumped.
+/// A problem must not replace a world, least of all the one that is dumped.
 void refuseToReplaceAWorld(const std::string& file) {
-  // A pipe has nothing to replace, and to read from it is to wait.
+  // A pipe has nothing to replace, and reading it would wait.
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) return;
   constexpr std::size_t length = 6;
@@ -104,7 +104,7 @@ void refuseToReplaceAWorld(const std::string& file) {
     throw BadUsage("--out would replace the Bullet world " + file);
 }
 
-/// A pipe, a device or standard output has no number in its name.
+/// A pipe, a device or standard output cannot have a number in its name.
 void refuseToShare(const std::string& file, std::size_t islands) {
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(file, ignored);

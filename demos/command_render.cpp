@@ -49,7 +49,7 @@ std::optional<Eigen::Vector3d> pointFrom(const std::vector<double>& numbers) {
   return Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
 }
 
-/// What the catalogue knows of the subject, if it is a scene: from where to look, and what to say.
+/// Takes the camera and the texts of a scene from the catalogue.
 void describe(const Subject& subject, render::Wish& wish, render::Look& look) {
   look.title = std::filesystem::path(subject.name).filename().string();
   look.summary = std::to_string(subject.world->movableBodies().size()) + " bodies, " +
@@ -65,7 +65,7 @@ void describe(const Subject& subject, render::Wish& wish, render::Look& look) {
   }
 }
 
-/// One film a solver, all at the same times. Worlds go when their film is made.
+/// Makes one film for each solver, all at the same times. A world is freed once its film is made.
 std::vector<render::Film> recordAll(const RenderArguments& arguments,
                                     std::vector<NamedSolver>& solvers,
                                     const std::vector<double>& times) {
@@ -82,7 +82,7 @@ std::vector<render::Film> recordAll(const RenderArguments& arguments,
 
 constexpr double framesPerSecond = 30;  // of a video
 
-/// When frames are taken, s, rising. Throws std::runtime_error where that has no end.
+/// The times of the frames, s, rising. Throws std::runtime_error if there would be no end of them.
 std::vector<double> timesOf(const RenderArguments& arguments, const Subject& subject) {
   std::vector<double> times = arguments.at;
   if (times.empty()) times = {subject.seconds};
@@ -95,7 +95,7 @@ std::vector<double> timesOf(const RenderArguments& arguments, const Subject& sub
   return times;
 }
 
-/// What no picture of its size can be made for is told with what to do about it.
+/// Throws if no picture of this size can be made; the message says what to do.
 void checkSize(const render::Look& look, int films, int columns) {
   try {
     render::Studio::check(look, films, columns);
@@ -135,7 +135,7 @@ void makeVideo(const RenderArguments& arguments, std::vector<NamedSolver>& solve
 }
 
 int renderSubject(const RenderArguments& arguments) {
-  // What can be wrong is found before the first solver has run for minutes.
+  // Everything that can be wrong is checked before the first solver, which may run for minutes.
   std::vector<NamedSolver> solvers;
   for (const std::string& name : splitNames(arguments.solvers)) solvers.emplace_back(name);
   if (!arguments.camera.empty() && arguments.camera == arguments.lookAt)

@@ -13,7 +13,7 @@ namespace demos {
 
 namespace {
 
-/// Tells which of the options change nothing, since no part that was asked for looks at them.
+/// Tells which options change nothing, since no chosen part uses them.
 void tellWhatIsIdle(const report::ReportArguments& arguments) {
   const auto isAskedFor = [&](std::initializer_list<const char*> parts) {
     return arguments.parts.empty() ||
@@ -35,7 +35,7 @@ void tellWhatIsIdle(const report::ReportArguments& arguments) {
 }
 
 int writeReport(report::ReportArguments arguments) {
-  // Each part once, in the order in which they were named first.
+  // Each part once, in the order in which they were first named.
   std::vector<std::string> parts;
   for (const std::string& part : arguments.parts)
     if (std::find(parts.begin(), parts.end(), part) == parts.end()) parts.push_back(part);
@@ -91,7 +91,7 @@ void addReportCommand(CLI::App& app, Action& chosen) {
       ->add_flag("--one-precision", arguments->onePrecision,
                  "for the map: only measure, and only in the precision of this executable")
       ->needs(stability);
-  scenes->excludes(stability);  // whose worlds are its own
+  scenes->excludes(stability);  // which has its own worlds
   command->add_flag("--quick", arguments->quick, "fewer scenes and settings: under three minutes");
   command->add_flag("--resume", arguments->resume, "continues a report that was interrupted");
   command->callback(

@@ -45,7 +45,7 @@ nlohmann::ordered_json toJson(const std::string& scene, const RunSummary& run) {
   json["residual_rms"] = run.residualRms;
   json["residual_max"] = run.residualMax;
   json["steps_above_1e-6"] = run.stepsAbove;
-  // What is not a number is null in JSON.
+  // JSON has null for values that are not numbers.
   json["finite"] = run.stepsLost == 0;
   json["steps_lost"] = run.stepsLost;
   json["penetration_max_m"] = run.penetrationMax;
@@ -89,7 +89,7 @@ void printMessages(std::FILE* out, const std::vector<RunSummary::Message>& messa
     std::fprintf(out, "  and %zu more; --json has them\n", messages.size() - most);
 }
 
-/// The same words as `explain`, by key; regions and factorisations are keys of the run.
+/// The same words as in `explain`, by key; regions and factorisations are keys of the run.
 nlohmann::ordered_json explanation(const StepTotals& totals) {
   nlohmann::ordered_json json;
   for (const Need& need : needsOf(totals)) json["asked_for"][need.key] = need.aStep;
@@ -162,7 +162,7 @@ void printLawErrors(std::FILE* out, const Law& law, const std::vector<RunSummary
   std::fprintf(out, "\n");
 }
 
-/// All that is said of the solvers that are done.
+/// Prints everything about the solvers that are done.
 void printRuns(std::FILE* out, const RunArguments& arguments, const std::optional<Law>& law,
                const std::vector<RunSummary>& runs) {
   if (runs.empty()) return;
@@ -177,7 +177,7 @@ void printRuns(std::FILE* out, const RunArguments& arguments, const std::optiona
                    explain(run.regions->totals).c_str());
 }
 
-/// The same, for when the next solver crashes.
+/// The same as text, in case the next solver crashes.
 std::string textOfRuns(const RunArguments& arguments, const std::optional<Law>& law,
                        const std::vector<RunSummary>& runs) {
   char* text = nullptr;
@@ -191,7 +191,7 @@ std::string textOfRuns(const RunArguments& arguments, const std::optional<Law>& 
   return copy;
 }
 
-/// Tells which of the options change nothing, since none of the solvers is ours.
+/// Tells which options change nothing, since none of the solvers is ours.
 void tellWhatIsIdle(const RunArguments& arguments, const std::vector<NamedSolver>& solvers) {
   if (std::any_of(solvers.begin(), solvers.end(),
                   [](const NamedSolver& solver) { return solver.delassus() != nullptr; }))
@@ -207,7 +207,7 @@ void tellWhatIsIdle(const RunArguments& arguments, const std::vector<NamedSolver
 }
 
 int runSubject(const RunArguments& arguments) {
-  // A wrong name is told before the first solver has run for minutes.
+  // A wrong name is reported before the first solver, which may run for minutes.
   std::vector<NamedSolver> solvers;
   for (const std::string& name : splitNames(arguments.solvers)) solvers.emplace_back(name);
   tellWhatIsIdle(arguments, solvers);

@@ -31,11 +31,11 @@ struct SolveArguments {
 struct Answer {
   Solution solution;
   FclibMeasures measures;
-  bool within;  ///< the tolerance, in both published measures
+  bool within;  ///< it is within the tolerance in both published measures
 };
 
-/// The solver's own measure is another than those of the file format: where it is satisfied too
-/// early, it is asked for more.
+/// The solver measures its error in another way than the file format does. If it stops too early by
+/// the format's measures, it is asked for a smaller tolerance.
 Answer solveWithin(const Problem& problem, double tolerance) {
   constexpr int most = 2;  // decades
   Options options;
@@ -53,7 +53,7 @@ Answer solveWithin(const Problem& problem, double tolerance) {
 }
 
 int solveFile(const SolveArguments& arguments) {
-  std::error_code ignored;  // where one of them is not there
+  std::error_code ignored;  // set if one of the files does not exist
   if (std::filesystem::equivalent(arguments.file, arguments.solutionFile, ignored))
     throw BadUsage("--solution " + arguments.solutionFile + " is the problem itself");
   ProblemFormat format{};
@@ -63,7 +63,7 @@ int solveFile(const SolveArguments& arguments) {
   const double ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 
-  // Solved is what both published measures call so, neither more nor less.
+  // The status is Solved exactly if both published measures say so.
   if (within)
     solution.status = Status::Solved;
   else if (solution.status == Status::Solved)

@@ -13,20 +13,20 @@ namespace demos {
 namespace {
 
 constexpr std::size_t longest = 4096, stackSize = 1 << 16;
-// Where a signal handler can read them: the line, and what goes to standard output before it.
+// The line, and the text for standard output before it, where a signal handler can read them.
 char line[longest];
 std::size_t length = 0, finishedLength = 0;
 const char* finishedText = nullptr;
-char stack[stackSize];  // of the handler: the usual one may be what overflowed
+char stack[stackSize];  // for the handler: the usual stack may have overflowed
 
-/// Memory may be broken: nothing of the process runs any more but a few system calls.
+/// Memory may be broken: uses nothing of the process but a few system calls.
 void tellAndLeave(int) {
   [[maybe_unused]] ssize_t written = write(STDOUT_FILENO, finishedText, finishedLength);
   written = write(STDERR_FILENO, line, length);
   _exit(exitFailed);
 }
 
-/// Of all signals that a crash may be.
+/// Sets the handler of all signals that a crash may raise.
 void handleBy(void (*handler)(int)) {
   struct sigaction action {};
   action.sa_handler = handler;
@@ -35,7 +35,7 @@ void handleBy(void (*handler)(int)) {
     sigaction(signal, &action, nullptr);
 }
 
-/// Nothing to say is what it is at first: the crash is left to the system.
+/// Sets the line that a crash prints. Without a text, as at first, crashes are left to the system.
 void sayAtCrash(const std::string& text) {
   length = std::min(text.size(), longest);
   std::memcpy(line, text.data(), length);
@@ -47,7 +47,7 @@ void sayAtCrash(const std::string& text) {
   handleBy(text.empty() ? SIG_DFL : tellAndLeave);
 }
 
-/// The line of its own that it is, also where a progress bar stands.
+/// `text` as a line of its own, even over a progress bar.
 std::string asLine(const std::string& text) {
   return (isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "") + ("delassus: " + text) + "\n";
 }
@@ -61,7 +61,7 @@ void blameCrashesOn(const std::string& file) {
 
 CrashBlame::CrashBlame(const std::string& line, std::string finished)
     : before_(demos::line, length), finished_(std::move(finished)) {
-  std::fflush(stdout);  // a crash would take with it what waits to be written
+  std::fflush(stdout);  // a crash would lose output that is not written yet
   finishedText = finished_.data();
   finishedLength = finished_.size();
   sayAtCrash(asLine(line));

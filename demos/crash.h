@@ -4,13 +4,13 @@
 
 namespace demos {
 
-/// From now on a crash of this process is one line on standard error, which names `file`, and exit
-/// status 1: a damaged file may have led Bullet's importer to write into any memory, and what that
-/// breaks may break later.
+/// From now on a crash of this process prints one line on standard error, which names `file`, and
+/// ends with exit status 1. A damaged file may have made Bullet's importer write into any memory,
+/// and the damage may break something only later.
 void blameCrashesOn(const std::string& file);
 
-/// While one lives, a crash of this process is `line` on standard error, after `finished` on
-/// standard output, and exit status 1; afterwards what it was before.
+/// While one lives, a crash of this process prints `finished` on standard output and `line` on
+/// standard error, and ends with exit status 1. Afterwards crashes are handled as before.
 class CrashBlame {
  public:
   explicit CrashBlame(const std::string& line, std::string finished = "");

@@ -7,8 +7,7 @@
 
 namespace demos {
 
-/// Something that scenes may ask for, how often this one does in a step, and what exists for it
-/// therefore.
+/// Something that a scene may ask for, how often this one does in a step, and what is made for it.
 struct Need {
   std::string key, name;
   double aStep;
@@ -16,7 +15,7 @@ struct Need {
 };
 std::vector<Need> needsOf(const StepTotals& totals);
 
-/// A part of a step, what it cost and what was done in that time.
+/// A part of a step, its cost, and the work done in that time.
 struct Cost {
   std::string key, name;
   double microseconds;
@@ -24,7 +23,7 @@ struct Cost {
 };
 std::vector<Cost> costsOf(const StepTotals& totals);
 
-/// Both as a person reads them.
+/// Needs and costs as text for a person.
 std::string explain(const StepTotals& totals);
 
 }  // namespace demos

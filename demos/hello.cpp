@@ -1,4 +1,4 @@
-// The door in forty lines: a world as Bullet's own hello world makes it, with another solver.
+// The library in forty lines: a world as in Bullet's own hello world, with another solver.
 #include <btBulletDynamicsCommon.h>
 
 #include <cstdio>

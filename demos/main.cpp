@@ -11,15 +11,15 @@
 namespace demos {
 namespace {
 
-/// What is lost on its way to a full disk is no success.
+/// Returns `status`, or failure if output was lost, as on a full disk.
 int afterOutput(int status) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
   std::fprintf(stderr, "delassus: the output cannot be written\n");
   return exitFailed;
 }
 
-/// What is wrong with the first word; nothing if it is a sub-command, or an option. CLI11 would
-/// only say that one is required.
+/// The fault of the first word; empty if it is a sub-command or an option. CLI11 would only say
+/// that a sub-command is required.
 std::string commandFault(const CLI::App& app, int argc, char** argv) {
   if (argc >= 2 && app.get_option_no_throw(argv[1]) != nullptr) return "";
   std::string existing;
@@ -33,8 +33,8 @@ std::string commandFault(const CLI::App& app, int argc, char** argv) {
          "; there are " + existing;
 }
 
-/// What is wrong with an option of a sub-command; nothing if all that were given exist. CLI11 would
-/// only say what is missing, or which word it did not expect.
+/// The fault of an option of a sub-command; empty if all given options exist. CLI11 would only say
+/// what is missing, or which word it did not expect.
 std::string optionFault(const CLI::App& app) {
   for (const CLI::App* command : app.get_subcommands())
     for (const std::string& word : command->remaining()) {

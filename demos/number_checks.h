@@ -6,15 +6,14 @@
 
 namespace demos {
 
-/// The number that all of `text` is; NaN if it is none.
+/// The number that the whole of `text` spells; NaN if it spells none.
 inline double numberIn(const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
   return !text.empty() && *end == '\0' ? value : std::nan("");
 }
 
-/// Checks of what stands on the command line, for CLI11: an empty answer says that the text is
-/// good.
+/// Checks of values on the command line, for CLI11: an empty answer means that the text is good.
 inline std::string finiteNumber(const std::string& text) {
   return std::isfinite(numberIn(text)) ? "" : "'" + text + "' is not a finite number";
 }
@@ -28,7 +27,7 @@ inline std::string finiteFrom(const std::string& text, bool zeroToo) {
 inline std::string greaterThanZero(const std::string& text) { return finiteFrom(text, false); }
 inline std::string atLeastZero(const std::string& text) { return finiteFrom(text, true); }
 
-/// And of names of files and folders.
+/// The same for names of files and folders.
 inline std::string notEmpty(const std::string& text) { return text.empty() ? "it is empty" : ""; }
 
 }  // namespace demos

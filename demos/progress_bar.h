@@ -10,18 +10,18 @@
 
 namespace demos {
 
-/// "what [####      ]  40 %", in less than `columns`: a line that is too long would not be written
-/// over but run on.
+/// "what [####      ]  40 %", in less than `columns`: a longer line would wrap, and could not be
+/// written over.
 inline std::string progressLine(std::string what, double fraction, std::size_t columns) {
   constexpr std::size_t around = 10, widest = 40, least = 8;  // of the bar
   const std::size_t room = std::max(columns, std::size_t(1)) - 1;
   const std::size_t beside = what.size() + around;
   std::size_t width = room > beside + least ? std::min(widest, room - beside) : least;
-  if (room < around + least) width = 0;  // the name alone
+  if (room < around + least) width = 0;  // no bar, just the name
   const std::size_t forName = width > 0 ? room - width - around : room;
   if (what.size() > forName) {
     std::size_t end = forName;
-    while (end > 0 && (what[end] & 0xc0) == 0x80) --end;  // not within a letter
+    while (end > 0 && (what[end] & 0xc0) == 0x80) --end;  // do not cut a letter
     what.resize(end);
   }
   if (width == 0) return what;
@@ -51,14 +51,14 @@ class ProgressBar {
     std::fprintf(stderr, "\r%s", progressLine(what_, fraction, columns()).c_str());
   }
 
-  /// Takes the line away: to be called before anything is printed while the bar lives.
+  /// Removes the line; call it before anything is printed while the bar lives.
   void clear() {
     if (shown_) std::fprintf(stderr, "\r\033[K");
     shown_ = false;
   }
 
  private:
-  /// Of the terminal, which may change while the job runs.
+  /// The width of the terminal, which may change while the job runs.
   static std::size_t columns() {
     constexpr std::size_t usual = 80;
     winsize size{};

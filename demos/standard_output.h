@@ -9,8 +9,8 @@
 
 namespace demos {
 
-/// Whether `file` is what standard output goes to, by whatever name (/dev/stdout). Opened once more
-/// it would be written from its beginning, over what has been printed or under what will be.
+/// Whether standard output goes to `file`, by whatever name (/dev/stdout). If the file were opened
+/// again, it would be written from its beginning, over earlier output or under later output.
 inline bool isStandardOutput(const std::string& file) {
   struct stat named {
   }, standard{};
@@ -18,7 +18,7 @@ inline bool isStandardOutput(const std::string& file) {
          named.st_dev == standard.st_dev && named.st_ino == standard.st_ino;
 }
 
-/// Where to print what there is to say about `file`: not into it.
+/// The stream for messages about `file`: never the file itself.
 inline std::FILE* wordsAbout(const std::string& file) {
   return isStandardOutput(file) ? stderr : stdout;
 }

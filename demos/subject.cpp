@@ -19,20 +19,20 @@ bool isFile(const std::string& name) {
           name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0);
 }
 
-/// Bullet's importer follows what a file says into any memory. Loading and the first steps are
-/// tried in a process apart, so that a damaged file is told, and nothing worse. What lies in that
-/// memory may differ here: see blameCrashesOn.
+/// A damaged file can lead Bullet's importer into any memory. So loading and the first steps are
+/// tried in a process apart, and a crash there becomes a message. The contents of that memory may
+/// differ here: see blameCrashesOn.
 void rehearse(const std::string& file) {
   constexpr double patience = 60;  // seconds
-  // A damaged count asks for any memory; the pages that it gets cost seconds, and other processes
-  // theirs.
+  // A damaged count asks for any amount of memory; its pages cost seconds, and take memory from
+  // other processes.
   std::error_code ignored;
   const double size = double(std::filesystem::file_size(file, ignored));
   const double bytes = 5e8 + 100 * (ignored ? 0 : size);
   const auto work = [&file] {
     try {
       const LoadedFile loaded = loadBulletFile(file);
-      delassus::Options few;  // how long exact steps take is not the file's fault
+      delassus::Options few;  // slow exact steps are not the file's fault
       few.sweepBudget = few.newtonBudget = 10;
       btDelassusConstraintSolver solver(few);
       loaded.world->setSolver(solver);
@@ -54,7 +54,7 @@ void rehearse(const std::string& file) {
 }  // namespace
 
 Subject loadSubject(const std::string& name) {
-  std::error_code ignored;  // of what cannot be looked at: who opens it will say why
+  std::error_code ignored;  // of a file that cannot be looked at: opening it will say why
   if (!isFile(name)) {
     try {
       const SceneDescription& scene = findScene(name);

@@ -11,13 +11,13 @@
 
 namespace demos {
 
-/// What a command is about: a built-in scene or a .bullet file, freshly built.
+/// The subject of a command: a built-in scene or a .bullet file, freshly built.
 struct Subject {
   std::string name;
   std::unique_ptr<World> world;
   double seconds;                  ///< how long it is simulated unless the user says otherwise
   double hz;                       ///< and at how many steps a second
-  std::vector<std::string> notes;  ///< what there is to say about a file
+  std::vector<std::string> notes;  ///< remarks about a file
   std::optional<Law> law;          ///< of a scene that has one
 };
 
@@ -25,12 +25,12 @@ struct Subject {
 /// Throws UnknownScene or BulletFileError.
 Subject loadSubject(const std::string& name);
 
-/// The same for a command: from here on, a crash is blamed on the file, if it is one.
+/// The same for a command: from here on, a crash is blamed on the file, if there is one.
 Subject openSubject(const std::string& name);
 
 /// While it lives, a crash is blamed on the solver that runs on `subject`, if it is Bullet's: some
-/// of them overflow the stack where there are many contacts. Null if it is ours. A crash prints
-/// `finished` first.
+/// of Bullet's solvers overflow the stack with many contacts. Null if the solver is ours. A crash
+/// prints `finished` first.
 std::unique_ptr<CrashBlame> blameBullet(const std::string& subject, const NamedSolver& solver,
                                         const std::string& finished = "");
 

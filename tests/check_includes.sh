@@ -1,10 +1,14 @@
 #!/usr/bin/env bash
-# Who may include whom. An arrow points at what is included; every include that no arrow allows is printed.
+# Who may include whom. An arrow points at the included folder; every include without an arrow is
+# printed.
 #
-#   Eigen <-- src/delassus <-- bullet_ext <-- demos/scenes <-- demos/{hello, main, render, atlas, report}
+#   Eigen <-- src/delassus <-- bullet_ext <-- demos/scenes
+#   demos/scenes <-- demos/{hello, main, render, atlas, report}
 #   (src/delassus also sets the processor's control word: xmmintrin.h)
-#   demos/process <-- demos/{main, report}; it knows the system alone
-#   demos/whole_file <-- {atlas, report}, which do not know each other, nor render; tests may include everything, nothing includes tests.
+#   demos/process <-- demos/{main, report}; it knows only the system
+#   demos/whole_file <-- {atlas, report}, which do not include each other, nor render
+#
+# Tests may include everything; nothing includes tests.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -19,7 +23,7 @@ processes="$standard|<sys/[a-z]+\.h>|<(unistd|fcntl|poll|signal)\.h>|\"demos/pro
 programs="$scenes|$processes|<(CLI|nlohmann)/[A-Za-z_]+\.(hpp|h)>|<malloc\.h>"
 
 broken=0
-# check FILES... -- ALLOWED: the includes of FILES that do not match ALLOWED are broken promises.
+# check FILES... -- ALLOWED: prints the includes of FILES that do not match ALLOWED.
 check() {
   local allowed="${*: -1}" found
   set -- "${@:1:$#-2}"

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# What is left out of the build asks for nothing: each option is configured on its own, where the dependencies that go with
-# it cannot be found. The argument is the source tree.
+# Parts that are left out of the build need no dependencies. Each option is configured on its own,
+# in an environment that lacks the dependencies of the part that it leaves out. The argument is the
+# source tree.
 set -euo pipefail
 source=$(realpath "$1")
 export CMAKE_GENERATOR=Ninja  # a bare Debian has no make
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# pkg-config knows the modules named and no others.
+# Limits pkg-config to the named modules.
 only_modules() {
   rm -rf "$work/modules"
   mkdir "$work/modules"
@@ -17,7 +18,7 @@ only_modules() {
   export PKG_CONFIG_LIBDIR=$work/modules
 }
 
-# configures NAME, with these packages out of reach: -DOPTION=...
+# configures NAME PACKAGES -DOPTION=...: fails unless the build configures without these packages.
 configures() {
   local name=$1 hidden=() package
   for package in $2; do hidden+=("-DCMAKE_DISABLE_FIND_PACKAGE_$package=TRUE"); done
@@ -42,13 +43,14 @@ only_modules
 configures core "PkgConfig GTest CLI11 nlohmann_json" -DDELASSUS_BULLET=OFF -DDELASSUS_MULTIBODY=OFF \
   -DDELASSUS_DEMOS=OFF -DDELASSUS_RENDER=OFF -DDELASSUS_TESTS=OFF
 
-# Without the solver for articulated bodies only the tests named after it are left out: no other may need it.
+# Without the solver for articulated bodies only the tests named after it are left out: no other
+# test may need it.
 if grep -lE 'support/multibody_|btDelassusMultiBody' "$source"/tests/bullet_ext/*.cpp | grep -v /multibody_; then
   echo "the tests above need the solver for articulated bodies, and are built without it" >&2
   exit 1
 fi
 
-# It can tell: what is asked for and cannot be found is an error.
+# The check can fail: a part that is asked for but cannot be found is an error.
 if (configures lacking "GTest" -DDELASSUS_DEMOS=OFF) 2>/dev/null; then
   echo "tests were configured without GoogleTest" >&2
   exit 1

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds Release in build/, runs every test that is not labelled slow, in both precisions.
-# Further arguments go to ctest, e.g. `bash tests/run.sh -R residual`.
+# Installs missing packages, builds Release in build/, runs every test that is not labelled slow, in
+# both precisions. Further arguments go to ctest, e.g. `bash tests/run.sh -R residual`.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

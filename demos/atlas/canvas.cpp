@@ -56,7 +56,8 @@ void Canvas::circle(const Point& centre, double radius, const Stroke& stroke) {
 }
 
 void Canvas::disc(const Point& centre, double radius, Color color) {
-  // The round cap of a line of no length: short in SVG, where figures have hundreds of them.
+  // Draws the round cap of a line of no length: it is short in SVG, where figures have hundreds of
+  // dots.
   trace({centre, centre}, false);
   set({color, 2 * radius});
   cairo_set_line_cap(context_, CAIRO_LINE_CAP_ROUND);

@@ -31,7 +31,7 @@ struct TextStyle {
   bool halo = false;  ///< a white rim, for text on top of lines
 };
 
-/// What the figures are drawn with. Does not own the cairo context.
+/// The drawing tools of the figures. Does not own the cairo context.
 class Canvas {
  public:
   explicit Canvas(cairo_t* context);
@@ -44,9 +44,9 @@ class Canvas {
   void dot(const Point& centre, double radius, Color color);
   /// A diamond with a dark rim.
   void diamond(const Point& centre, double radius, Color color);
-  /// Its head ends at `to`.
+  /// The head ends at `to`.
   void arrow(const Point& from, const Point& to, const Stroke& stroke);
-  /// What `draw` draws is cut off outside `outline`.
+  /// Draws what `draw` draws, cut off outside `outline`.
   void clipped(const Path& outline, const std::function<void()>& draw);
 
   /// One line of text, its baseline at `at`; "_{...}" is a subscript.

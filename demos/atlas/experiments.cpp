@@ -48,7 +48,7 @@ class StepCatcher : public SolverDecorator {
   std::vector<double> normalReactions_;
 };
 
-/// A world on our solver, looked at step by step.
+/// A world on our solver, observed step by step.
 struct WatchedWorld {
   btDelassusConstraintSolver solver;
   StepCatcher catcher{solver};

@@ -8,19 +8,19 @@
 #include "delassus/types.h"
 #include "demos/scenes/world.h"
 
-/// What is simulated for the figures. Every dot of the atlas is a Bullet world that was stepped.
+/// The simulations behind the figures. Every dot of the atlas is a Bullet world that was stepped.
 namespace demos::atlas {
 
 constexpr double timeStep = 1.0 / 60;  ///< s
 
-/// What became of a contact in one step, by the velocity that the solver left it with.
+/// The fate of a contact in one step, by the velocity that the solver left it with.
 enum class Fate : unsigned char { Kept, Released, Sunk };
 
 /// Opening velocities below this part of the velocity that the force alone gives in the step count
-/// as none.
+/// as zero.
 constexpr double keptTolerance = 0.003;
 
-/// By its opening velocity, as a part of that velocity.
+/// The fate for an opening velocity, given as a part of that velocity.
 Fate fateOf(double opening);
 std::vector<Fate> fatesOf(const delassus::VectorXd& openings);
 
@@ -29,10 +29,11 @@ std::vector<Fate> fatesOf(const delassus::VectorXd& openings);
 delassus::VectorXd stepBead(const std::vector<btVector3>& normals, const btVector3& force,
                             const std::string& solver);
 
-/// Where the bead of such a world is (x, y; m) at the start and after each step on our solver.
+/// The places of the bead of such a world (x, y; m), at the start and after each step on our
+/// solver.
 std::vector<Eigen::Vector2d> trackBead(std::unique_ptr<World> world, double seconds);
 
-/// A rod leaning on rough ground with its lower end, the paper's single contact with friction
+/// A rod that leans on rough ground with its lower end: the paper's single contact with friction
 /// added. It leans in the plane of x and y (up); its centre of mass is up and to the right of the
 /// contact.
 struct LeaningRod {
@@ -40,8 +41,8 @@ struct LeaningRod {
   double friction;  ///< Coulomb's μ
 };
 
-/// What Bullet's world says about the contact of the leaning rod before a step, and what the step
-/// left: normal (y) first, then x, z.
+/// The contact of the leaning rod as Bullet's world describes it before a step, and as the step
+/// leaves it: normal (y) first, then x, z.
 struct RodStep {
   delassus::Mat3 W;
   delassus::Vec3 q, u;
@@ -64,12 +65,12 @@ struct SupportStep {
 };
 SupportStep stepRodOnSupports(double a, const Load& load);
 
-/// Where the rod is: middle and inclination, m and radians.
+/// The place of the rod: middle and inclination, m and radians.
 struct RodPose {
   double x, y, angle;
 };
 
-/// Its pose after `seconds` under a load that moves.
+/// The rod's pose after `seconds` under a moving load.
 RodPose runRodOnSupports(double a, const std::function<Load(double time)>& load, double seconds);
 
 }  // namespace demos::atlas

@@ -19,8 +19,8 @@ constexpr std::array<double, 4> times = {0, 0.2, 0.4, 0.6};  // s
 constexpr double metre = 56;                                 // pixels
 constexpr Color wrong{0.70, 0.20, 0.16};
 
-/// One of the paper's two surprises (§10) as it happens, and as the common rule has it: "contacts
-/// with a negative reaction are lost, the others are kept".
+/// One of the paper's two surprises (§10) as it happens, and as the common rule expects it:
+/// "contacts with a negative reaction are lost, the others are kept".
 struct Surprise {
   std::array<Vector2d, 2> normals;
   Vector2d force;                                          ///< N, on 1 kg
@@ -37,7 +37,7 @@ Surprise simulate(double cosine, double forceAngle) {
   N << surprise.normals[0].transpose(), surprise.normals[1].transpose();
   surprise.forced = delassus::analyseRelease(N * N.transpose(), N * surprise.force).forced;
 
-  // The common rule: what is left of the force when the contacts with positive reaction are held
+  // The common rule: the rest of the force when the contacts with a positive reaction are held
   // (here at most one).
   Vector2d acceleration = surprise.force;
   for (std::size_t i = 0; i < 2; ++i)

@@ -21,9 +21,9 @@ namespace {
 constexpr double weight = 9.81;   ///< of the rod, N
 constexpr double halfLength = 2;  ///< of the rod, m
 constexpr double duration = 1;    ///< of a load's way, s
-constexpr int places = 24;  ///< of the load on its way; even: none of them is that of a crossing
+constexpr int places = 24;        ///< of the load on its way; even, so that none lies at a crossing
 
-/// A load on its way over a rod on supports at ±a.
+/// A load that moves over a rod on supports at ±a.
 struct Case {
   double a;  ///< m
   std::function<Load(double time)> load;
@@ -39,9 +39,9 @@ Case walking() {
           1.12};
 }
 
-/// A hook that pulls up ever harder while it moves from right to left, so that both forced
-/// reactions vanish at the same time: it carries the whole rod just when it passes the middle. It
-/// asks for f = s (0.18, 1), with s falling from 5 N to −5 N:
+/// A hook that pulls up ever harder while it moves from right to left. Both forced reactions vanish
+/// at the same time: the hook carries the whole rod just when it passes the middle. It asks for
+/// f = s (0.18, 1), with s falling from 5 N to −5 N:
 ///
 ///     f1 + f2 = weight − up,   (f1 − f2) a = −up x
 Case lifting() {
@@ -55,8 +55,8 @@ Case lifting() {
           0.95};
 }
 
-/// The forced reactions at each place of the load while the rod rests, what the solver kept, and
-/// where M_Λ₁Λ₂ is left.
+/// The forced reactions at each place of the load while the rod rests, the contacts that the solver
+/// kept, and the point where M_Λ₁Λ₂ is left.
 struct Trajectory {
   std::vector<SupportStep> steps;
   std::vector<Vector2d> forced;  ///< N
@@ -67,8 +67,8 @@ struct Trajectory {
   int agree = 0;
 };
 
-/// Where the straight way between two places leaves M_Λ₁Λ₂, as a share of the way. Reactions that
-/// vanish there together are both zero.
+/// Where the straight way between two places leaves M_Λ₁Λ₂, as a share of the way. If the reactions
+/// vanish there together, both are zero.
 std::pair<double, Vector2d> crossingOf(const Vector2d& before, const Vector2d& after) {
   constexpr double together = 1e-3;  // of the way: float's round-off is below it
   Vector2d share;

@@ -21,7 +21,7 @@ Color colorOf(const std::vector<bool>& persisting) {
   const auto kept = std::count(persisting.begin(), persisting.end(), true);
   if (kept == long(persisting.size())) return keptAll;
   if (kept == 0) return keptNone;
-  // Of two contacts, which one; of three, how many.
+  // For two contacts: by which one persists; for three: by how many.
   if (persisting.size() == 2) return persisting[0] ? keptFirst : keptSecond;
   return kept == 1 ? keptFirst : keptSecond;
 }

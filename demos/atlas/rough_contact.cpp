@@ -32,7 +32,7 @@ struct Measured {
   Mat3 W;
   std::vector<Direction> directions;
   int agree = 0;
-  double scale = 0;  ///< velocity that counts as 1 when it is asked whether a contact moves, m/s
+  double scale = 0;  ///< velocity scale of the test whether a contact moves, m/s
 };
 
 /// W of normal and tangent, with the tangent first as in the figure.
@@ -75,7 +75,7 @@ std::array<Vector2d, 4> boundariesOf(const Measured& measured) {
   return {Vector2d(rod.friction, 1), Vector2d(-rod.friction, 1), -release, release};
 }
 
-/// What lies between them, by the exact solver of one contact. Released is half a plane, in two
+/// The regions between them, by the exact solver of one contact. Released is half a plane, in two
 /// parts that meet on the axis.
 std::vector<Sector> regionsOf(const Measured& measured) {
   const auto [right, left, releaseLeft, releaseRight] = boundariesOf(measured);
@@ -108,7 +108,7 @@ void drawMap(Canvas& canvas, const Measured& measured, const Point& origin) {
   canvas.text(map.at({-92, 32}), "slides right", name);
   canvas.text(map.at({72, -95}), "released", name);
 
-  // Where the sign of f_n alone says the opposite.
+  // Where the sign of f_n alone says the opposite of the theory.
   const Vector2d release = boundariesOf(measured).back();
   const TextStyle surprise{16, ink, Align::Left, true};
   const Path lost = map.arc({1, 0}, release, ring + 16);

@@ -27,7 +27,7 @@ std::array<Eigen::Vector2d, 2> uprightAngle(double opening);
 
 void drawPlanes(Canvas& canvas, const AngleSketch& sketch);
 void drawBead(Canvas& canvas, const Point& centre, double radius);
-/// Where the bead would be in a motion that does not happen.
+/// Draws where the bead would be in a motion that does not happen.
 void drawGhostBead(Canvas& canvas, const Point& centre, double radius, Color color);
 
 /// `angle` from the horizontal, counter-clockwise.

@@ -38,8 +38,8 @@ struct Corner {
   int agree = 0;
 };
 
-/// Held contacts press the force out through their normals, lost ones leave along the edge of the
-/// other two: with 1 kg and F = −Nᵀ f the edges e_i and −W⁻¹e_j of the paper (§11) are −n_i and
+/// Held contacts press the force out through their normals; lost ones leave along the edge of the
+/// other two. With 1 kg and F = −Nᵀ f, the edges e_i and −W⁻¹e_j of the paper (§11) are −n_i and
 /// N⁻¹e_j.
 std::vector<Trihedron> regionsOf(const Matrix3d& N) {
   const Matrix3d opening = N.inverse();
@@ -114,8 +114,8 @@ void appendArc(std::vector<Vector3d>& arc, const Vector3d& from, const Vector3d&
         std::sin(angle));
 }
 
-/// The part of the spherical triangle that the eye sees: its cone cut by the plane of the sphere's
-/// rim, edge by edge.
+/// The part of the spherical triangle that the eye sees: the plane of the sphere's rim cuts its
+/// cone, edge by edge.
 std::vector<Vector3d> visiblePart(const View& view, const std::vector<Vector3d>& edges) {
   std::vector<Vector3d> corners;
   for (std::size_t i = 0; i < edges.size(); ++i) {

@@ -63,7 +63,8 @@ Angle measure(double opening) {
   return angle;
 }
 
-/// One colour a set of kept contacts; ink for what theory does not know: a contact that sinks in.
+/// One colour for each set of kept contacts; ink for a case unknown to the theory: a contact that
+/// sinks in.
 Color colorOf(const Vector2d& openings) {
   std::vector<bool> persisting;
   for (const Fate fate : fatesOf(openings)) {
@@ -73,11 +74,11 @@ Color colorOf(const Vector2d& openings) {
   return atlas::colorOf(persisting);
 }
 
-/// What is said about one of the two angles. Places in pixels from the origin of its map, y up.
+/// The words about one of the two angles. Places in pixels from the origin of its map, y up.
 struct Labels {
   std::string heading, subheading;
   Vector2d both, first, second, none;
-  Vector2d noneLeader{0, 0};  ///< where a line points from the label of M_l, if that lies outside
+  Vector2d noneLeader{0, 0};  ///< end of a line from the label of M_l, if that lies outside
   Vector2d surpriseFrom, surpriseTo, surpriseAt, surpriseLeader;
   std::string surprise;
   std::string stock;
@@ -109,7 +110,7 @@ void drawMap(Canvas& canvas, const Angle& angle, const Labels& labels, const Poi
   if (labels.noneLeader.norm() > 0)
     canvas.stroke({map.at(labels.none - Vector2d(-10, 32)), map.at(labels.noneLeader)}, {ink, 1.4});
 
-  // What contradicts the common rule (§10).
+  // The part that contradicts the common rule (§10).
   const Path surprise = map.arc(labels.surpriseFrom, labels.surpriseTo, outerRing - 4);
   canvas.stroke(surprise, {ink, 4});
   canvas.stroke({surprise[surprise.size() / 2], map.at(labels.surpriseLeader)}, {ink, 1.4});

@@ -43,7 +43,7 @@ void limitMemory([[maybe_unused]] double bytes) {
 #endif
 }
 
-/// The life of the copy. Nothing of this process may run at its end: no destructors, no flushing of
+/// Runs in the copy. At its end no code of this process may run: no destructors, no flushing of
 /// streams.
 [[noreturn]] void workAndLeave(const std::function<std::vector<double>()>& work, double bytes,
                                int out) {

@@ -6,7 +6,7 @@
 
 namespace demos {
 
-/// What a piece of work may use, in a process of its own.
+/// Limits of a piece of work in a process of its own.
 struct Limits {
   double seconds;
   double bytes = 6e9;  ///< of address space beyond that of this process
@@ -27,9 +27,9 @@ struct ApartResult {
 
 /// Runs `work` in a copy of this process and brings back the numbers it returns.
 ///
-/// Work that takes too long is ended, and work that crashes takes nothing with it: Bullet's
-/// pivoting solvers can do both. Whatever it changes in the world is changed in the copy alone.
-/// Throws Interrupted when the user asks to stop.
+/// Work that takes too long is ended, and a crash harms only the copy: Bullet's pivoting solvers
+/// can do both. Changes to the world stay in the copy. Throws Interrupted when the user asks to
+/// stop.
 ApartResult runApart(const std::function<std::vector<double>()>& work, const Limits& limits);
 
 }  // namespace demos

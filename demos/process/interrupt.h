@@ -10,8 +10,8 @@ class Interrupted : public std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// While one lives, Ctrl-C and a polite kill end the work at the next call of `throwIfAsked`
-/// instead of the process.
+/// While one lives, Ctrl-C or a polite kill does not end the process: it ends the work, at the next
+/// call of `throwIfAsked`.
 class InterruptWatch {
  public:
   InterruptWatch();

@@ -13,7 +13,7 @@ struct CommandResult {
 /// the user asks to stop.
 CommandResult callCommand(const std::vector<std::string>& command);
 
-/// A command that runs beside this process; both its outputs are thrown away.
+/// A command that runs beside this process; its outputs are thrown away.
 class CommandBeside {
  public:
   explicit CommandBeside(const std::vector<std::string>& command);

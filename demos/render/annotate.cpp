@@ -33,7 +33,7 @@ std::vector<Mark> marksOf(const Frame& frame) {
   return marks;
 }
 
-/// Each with a pale rim, so that it stands off from whatever is behind.
+/// Glyphs have a pale rim, so that they stand out from any background.
 void drawGlyph(Canvas& canvas, Mark::Shape shape, Point at, double radius, double alpha) {
   const double rim = std::min(1.2, 0.3 * radius);
   const Paint white{{255, 255, 255}, alpha};
@@ -65,19 +65,19 @@ void drawArrow(Canvas& canvas, Point from, Point to, double width, bool cut, dou
   if (cut) canvas.arrow(from, to - back, width, head, {palette::reaction, alpha});
 }
 
-/// Distance from the camera that belongs to a value of the depth buffer, m.
+/// The distance from the camera for a value of the depth buffer, m.
 double distanceOf(double depth, const View& view) {
   return view.near * view.far / (view.far - depth * (view.far - view.near));
 }
 
-/// Metres by which something stands in front of the point that `seen` is the projection of.
+/// By how many metres something stands in front of the point whose projection is `seen`.
 double hiddenBy(const Drawing& drawing, const Vector3d& seen, const View& view) {
   const int x = int(seen.x()), y = int(seen.y());
   if (x < 0 || y < 0 || x >= drawing.image.size.width || y >= drawing.image.size.height) return 0;
   return distanceOf(seen.z(), view) - distanceOf(double(drawing.depth(x, y)), view);
 }
 
-/// Smaller where there are many, so that they do not run together.
+/// Smaller where there are many marks, so that they do not run together.
 double glyphRadius(std::size_t marks, double unit) {
   return unit *
          std::clamp(4.2 * std::sqrt(90.0 / double(std::max<std::size_t>(marks, 1))), 1.4, 4.2);
@@ -129,7 +129,7 @@ MarkScale markScale(const std::vector<Film>& films, const View& view, Size panel
   const auto place = forces.begin() + std::ptrdiff_t(0.98 * double(forces.size() - 1));
   std::nth_element(forces.begin(), place, forces.end());
   const double usual = *place;
-  // Of the panel's height: the more arrows, the shorter.
+  // As a share of the panel's height: the more arrows, the shorter they are.
   const double share = std::clamp(0.4 / std::sqrt(double(most)), 0.05, 0.16);
   constexpr double stretch = 1.8;
   return {most, share * panel.height / view.pixelsPerMetre(panel) / usual, stretch * usual};
@@ -140,7 +140,7 @@ void annotate(Drawing& drawing, const Film& film, const Frame& frame, const View
   const std::vector<Mark> marks = marksOf(frame);
   const double radius = glyphRadius(scale.most, unit);
   const double width = std::max(1.0, 0.5 * radius);
-  // Hidden marks help while one can tell them apart.
+  // Hidden marks help only as long as they can be told apart.
   constexpr std::size_t tooMany = 250;
   const double tolerance = 0.02 * stage.radius();
   Canvas canvas(drawing.image);

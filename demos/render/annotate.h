@@ -10,12 +10,12 @@
 
 namespace demos::render {
 
-/// How marks are drawn: as many as one frame has decide how small they are and whether hidden ones
-/// help, and arrows have one scale. Common to all panels of a picture and all frames of a video, so
-/// that what looks different is different.
+/// How marks are drawn. The number of marks in a frame decides how small they are, and whether
+/// hidden ones are drawn; all arrows have one scale. This is the same in all panels of a picture
+/// and all frames of a video, so that what looks different is different.
 struct MarkScale {
   std::size_t most = 0;        ///< marks in one frame
-  double metresPerNewton = 0;  ///< 0: nothing carries
+  double metresPerNewton = 0;  ///< 0: no contact or joint carries
   double longest = 0;  ///< N; larger reactions are drawn as long as this, with a double head
 };
 
@@ -24,13 +24,13 @@ struct MarkScale {
 MarkScale markScale(const std::vector<Film>& films, const View& view, Size panel);
 
 /// Draws the contacts by their mode, the reactions of contacts and joints, and the weights of heavy
-/// things. What is hidden behind a thing is pale. `unit` is the size of a pixel in a picture of 720
+/// things. Marks hidden behind a thing are pale. `unit` is the size of a pixel in a picture of 720
 /// rows.
 void annotate(Drawing& drawing, const Film& film, const Frame& frame, const View& view,
               const Box& stage, const MarkScale& scale, double unit, Font& font);
 
-/// What the marks mean: one line that starts at `place`, for the kinds of marks that `films` have.
-/// `right` is where the grid's spacing and the arrow's scale end.
+/// Explains the marks in one line that starts at `place`, for the kinds of marks in `films`. The
+/// grid's spacing and the arrow's scale end at `right`.
 void drawLegend(Image& image, Point place, double right, double unit,
                 const std::vector<Film>& films, const View& view, Size panel,
                 const MarkScale& scale, Font& font);

@@ -27,7 +27,7 @@ void Canvas::blend(int x, int y, Paint paint) {
 
 void Canvas::fill(Point low, Point high, const std::function<double(Point)>& distance,
                   Paint paint) {
-  // Far outside there is nothing to fill, and coordinates may not fit an int.
+  // There is nothing to fill far outside, where coordinates may not fit an int.
   low = low.cwiseMax(-1).cwiseMin(Point(image_.size.width, image_.size.height));
   high = high.cwiseMax(-1).cwiseMin(Point(image_.size.width, image_.size.height));
   for (int y = int(low.y()) - 1; y <= int(high.y()) + 1; ++y)

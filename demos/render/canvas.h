@@ -35,7 +35,7 @@ class Canvas {
   void blend(int x, int y, Paint paint);
 
  private:
-  /// Fills where `distance` (pixels, negative inside) says so, within the box.
+  /// Fills the figure within the box; `distance` is that from its edge, pixels, negative inside.
   void fill(Point low, Point high, const std::function<double(Point)>& distance, Paint paint);
 
   Image& image_;
@@ -53,7 +53,7 @@ class Font {
 
   /// Width of a UTF-8 text at `height` pixels an em.
   double width(const std::string& text, double height);
-  /// Draws it on the base line at `place`; returns where it ends.
+  /// Draws it on the base line at `place`; returns the x where it ends.
   double draw(Image& image, const std::string& text, Point place, double height, Paint paint,
               Align align = Align::Left);
 

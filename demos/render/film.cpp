@@ -17,7 +17,7 @@ namespace demos::render {
 
 namespace {
 
-/// Of a body or of an articulated one's link, kg; 0 if it cannot move.
+/// The mass of a body or of an articulated body's link, kg; 0 if it cannot move.
 double massOf(const btCollisionObject& object) {
   if (const btRigidBody* body = btRigidBody::upcast(&object))
     return body->getInvMass() > 0 ? 1 / double(body->getInvMass()) : 0;
@@ -72,7 +72,7 @@ std::vector<Frame::Pose> poses(World& world, Cast& cast) {
   const btCollisionObjectArray& objects = world.dynamics().getCollisionObjectArray();
   for (int i = 0; i < objects.size(); ++i) {
     const btCollisionObject& object = *objects[i];
-    if (!toMatrix(object.getWorldTransform()).allFinite()) continue;  // it is nowhere
+    if (!toMatrix(object.getWorldTransform()).allFinite()) continue;  // its place is not finite
     btVector3 low, high;
     object.getCollisionShape()->getAabb(object.getWorldTransform(), low, high);
     all.push_back({cast.thingOf(object), toMatrix(object.getWorldTransform()), toDouble(low),
@@ -81,7 +81,7 @@ std::vector<Frame::Pose> poses(World& world, Cast& cast) {
   return all;
 }
 
-/// Drops the marks that are nowhere, with the bodies of a lost world.
+/// Drops marks whose place is not finite, as bodies of a lost world have them.
 template <class Mark>
 std::vector<Mark> thatAreSomewhere(std::vector<Mark> marks) {
   const auto nowhere = [](const Mark& mark) {

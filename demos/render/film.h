@@ -26,23 +26,22 @@ struct Thing {
     Eigen::Matrix4f place;
   };
   std::vector<Part> parts;
-  std::optional<Plane> plane;  ///< then it has no parts
+  std::optional<Plane> plane;  ///< if set, it has no parts
   double mass = 0;             ///< kg; 0 if it cannot move
 };
 
 struct ContactMark {
   Eigen::Vector3d place;
-  /// N, in the sense that carries: on the body that moves, or against gravity.
+  /// N, as it acts on the body that moves, or else against gravity.
   Eigen::Vector3d force;
-  delassus::Mode mode;  ///< under the reaction that the solver wrote; open: released
+  delassus::Mode mode;  ///< by the reaction that the solver wrote; open: released
 };
 struct JointMark {
   Eigen::Vector3d place;
   Eigen::Vector3d force;  ///< N, likewise
 };
 
-/// What ties a body to a point outside it, where a joint holds it: a string or an arm without a
-/// shape.
+/// A string or an arm without a shape: ties a body to a point outside it, where a joint holds it.
 struct Rope {
   Eigen::Vector3d body, end;
 };
@@ -62,10 +61,10 @@ struct Frame {
   /// Natural residual of the last step, largest, m/s; none if nothing was solved.
   std::optional<double> residual;
   double milliseconds = 0;  ///< solveGroup, median of the steps so far; NaN before the first
-  bool lost = false;  ///< a body is nowhere, its pose or velocity not a number: it is not shown
+  bool lost = false;        ///< a body is not shown, since its pose or velocity is not a number
 };
 
-/// What pictures of one run are made from: values only, good without the world.
+/// The material for pictures of one run: values only, still good when the world is gone.
 struct Film {
   std::string solver;
   Eigen::Vector3d up{0, 1, 0};  ///< against gravity
@@ -75,7 +74,7 @@ struct Film {
 };
 
 /// Steps `world` with `named` at `hz` and keeps a frame at each of `times` (rising, s), rounded to
-/// whole steps. Throws std::runtime_error where they are too many (stepsIn). `progress` is told the
+/// whole steps. Throws std::runtime_error if these are too many (stepsIn). Tells `progress` the
 /// fraction done after each step.
 Film record(World& world, NamedSolver& named, double hz, const std::vector<double>& times,
             const std::function<void(double)>& progress);

@@ -1,5 +1,5 @@
 #pragma once
-/// OpenGL 3.3 core off screen, by OSMesa: the library that exports the entry points too, so that no
+/// OpenGL 3.3 core off screen, by OSMesa. That library exports the entry points, too, so that no
 /// loader is needed.
 
 #ifndef GL_GLEXT_PROTOTYPES
@@ -15,19 +15,19 @@
 
 namespace demos::render {
 
-/// No context, or an error that OpenGL reported; the message says where.
+/// No context, or an error from OpenGL; the message says where.
 class GlError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// OpenGL has no memory for what it was asked for.
+/// OpenGL lacks the memory for the request.
 class GlMemoryError : public GlError {
  public:
   using GlError::GlError;
 };
 
-/// Throws GlError, or GlMemoryError, if OpenGL has an error to tell since the last call; `where` is
+/// Throws GlError, or GlMemoryError, if OpenGL has met an error since the last call; `where` is
 /// part of the message.
 void checkGl(const char* where);
 

@@ -36,8 +36,8 @@ HalfSpace inWorld(const Plane& plane, const Eigen::Matrix4f& pose) {
   return {normal, plane.offset + normal.dot(matrix.topRightCorner<3, 1>())};
 }
 
-/// Turns e_y to a unit vector. (Eigen's FromTwoVectors has a singular value decomposition for the
-/// one that looks straight down, which takes long to compile.)
+/// Turns e_y to a unit vector. (For one that looks straight down Eigen's FromTwoVectors uses a
+/// singular value decomposition, which takes long to compile.)
 Eigen::Quaterniond turnUpTo(const Vector3d& n) {
   const double s = std::sqrt(2 * std::max(0.0, 1 + n.y()));
   if (s < 1e-6) return {0, 1, 0, 0};
@@ -45,7 +45,7 @@ Eigen::Quaterniond turnUpTo(const Vector3d& n) {
   return {s / 2, axis.x(), axis.y(), axis.z()};
 }
 
-/// The prism of `thickness` below a polygon that looks up, both in a frame whose e_y is the normal.
+/// The prism of `thickness` below a polygon that faces up, both in a frame whose e_y is the normal.
 Mesh slab(const std::vector<Eigen::Vector3f>& top, float thickness) {
   Mesh mesh;
   mesh.addPolygon(top);
@@ -70,8 +70,8 @@ std::vector<HalfSpace> wallsOf(const Box& box) {
 
 void layPlanes(Film& film, const Box& stage) {
   const double extent = (stage.high - stage.low).maxCoeff();
-  // A slab goes on beyond what stands on it: a little, and at least about as far as a small thing
-  // is large.
+  // A slab extends beyond the things on it: a little, and at least by about the size of a small
+  // one.
   const Vector3d pad = Vector3d::Constant(std::max(0.15 * extent, std::min(0.6, 0.6 * extent)));
   const std::vector<HalfSpace> room = wallsOf({stage.low - pad, stage.high + pad});
 
@@ -95,8 +95,8 @@ void layPlanes(Film& film, const Box& stage) {
     for (const auto& [other, otherSpace] : planes)
       if (other != thing) polygon = clip(polygon, otherSpace);
 
-    // Metres count from the world's origin, so that grids of level ground agree with its
-    // coordinates.
+    // Coordinates count from the world's origin, so that grids of level ground agree with the
+    // world's.
     std::vector<Eigen::Vector3f> top;
     for (const Vector3d& corner : polygon) top.push_back((turn.inverse() * corner).cast<float>());
     Eigen::Matrix4f place = Eigen::Matrix4f::Identity();

@@ -5,8 +5,8 @@
 
 namespace demos::render {
 
-/// Gives the endless planes of `film` a finite slab each: as far as the other planes and the
-/// surroundings of `stage` let them go, or, for a level plane alone, so far that its end is out of
+/// Gives each endless plane of `film` a finite slab. It extends as far as the other planes and the
+/// surroundings of `stage` allow; a level plane that is alone extends until its end is out of
 /// sight.
 void layPlanes(Film& film, const Box& stage);
 

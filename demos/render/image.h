@@ -27,8 +27,8 @@ struct Image {
   const std::uint8_t* pixel(int x, int y) const {
     return &rgb[3 * (std::size_t(y) * size.width + x)];
   }
-  /// Copies `source` so that its upper left corner is at (x, y); what would lie outside is left
-  /// out.
+  /// Copies `source` so that its upper left corner is at (x, y); parts that would lie outside are
+  /// left out.
   void paste(const Image& source, int x, int y);
 };
 
@@ -38,16 +38,16 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Makes `folder` where it is missing and makes sure that files can be written there. Throws
-/// OutputError.
+/// Makes `folder` if it is missing, and checks that files can be written there. Throws OutputError.
 void prepareFolder(const std::string& folder);
 
-/// The name under which a file is written before it is whole: beside it, hidden.
+/// The hidden name, beside `file`, under which the file is written until it is whole.
 std::string partOf(const std::string& file);
-/// Gives the whole part its name. Throws OutputError.
+/// Gives the whole part its final name. Throws OutputError.
 void finishPart(const std::string& file);
 
-/// Writes `image` at once or not at all. The same image gives the same bytes. Throws OutputError.
+/// Writes `image` completely or not at all. The same image gives the same bytes. Throws
+/// OutputError.
 void savePng(const std::string& file, const Image& image);
 
 }  // namespace demos::render

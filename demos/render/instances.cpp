@@ -45,7 +45,7 @@ Matrix4f stretched(const Rope& rope, double radius) {
 Colour colourOf(const Thing& thing, int number, bool terrain, double heavy) {
   if (thing.mass == 0) return terrain ? palette::terrain : palette::fixed;
   if (thing.mass >= heavy) return palette::heavy;
-  // A tone is skipped every seventh time: else things in rows of twenty would make columns.
+  // Skips a tone every seventh time: otherwise things in rows of twenty would make columns.
   return palette::bodies[std::size_t(number + number / 7) % std::size(palette::bodies)];
 }
 
@@ -80,7 +80,7 @@ Batches batchesOf(const Film& film, const Frame& frame, const View& view, const 
       (seeThrough ? glass : solid)[std::size_t(part.mesh)].push_back(instance);
     }
   }
-  // Ropes have no number: nothing of the world is there.
+  // Ropes have no number, since no thing of the world is there.
   const Vector3f dark = linear(palette::ink);
   for (const Rope& rope : frame.ropes) {
     const Matrix4f matrix = stretched(rope, 0.004 * stage.radius());

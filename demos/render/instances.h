@@ -25,11 +25,12 @@ struct Batches {
   std::vector<Instance> instances;
 };
 
-/// What is drawn of a frame, sorted by mesh. Colours say what a thing is: movable ones take turns
-/// in four calm tones, heavy ones are dark, fixed ones grey. A plane seen from behind is glass.
+/// The instances of a frame, sorted by mesh. Colours tell the kinds of things: movable ones take
+/// turns in four calm tones, heavy ones are dark, fixed ones grey. A plane seen from behind is
+/// glass.
 Batches batchesOf(const Film& film, const Frame& frame, const View& view, const Box& stage);
 
-/// From what mass on a thing counts as heavy, kg: ten times the median of those that move,
+/// The mass from which on a thing counts as heavy, kg: ten times the median of the movable things,
 /// and not much less than the heaviest.
 double heavyFrom(const Film& film);
 

@@ -27,10 +27,10 @@ double slidingSpeed(const btPersistentManifold& manifold, const btManifoldPoint&
   return double((u - point.m_normalWorldOnB * u.dot(point.m_normalWorldOnB)).length());
 }
 
-/// Sliding takes both: a reaction on the border of its cone, and speed. What rests with all its
-/// friction used still sticks.
+/// A contact slides if its reaction is on the border of its cone and it has speed. A contact at
+/// rest that uses all its friction still sticks.
 Mode carryingMode(const btPersistentManifold& manifold, const btManifoldPoint& point) {
-  // Stock solvers bound friction by a normal impulse that is still on its way.
+  // Stock solvers bound friction by a normal impulse that is not final yet.
   constexpr double nearly = 0.999;
   constexpr double atRest = 1e-3;  // m/s
   const double bound = double(point.m_combinedFriction) * double(point.m_appliedImpulse);
@@ -41,8 +41,8 @@ Mode carryingMode(const btPersistentManifold& manifold, const btManifoldPoint& p
   return slides ? Mode::Slide : Mode::Stick;
 }
 
-/// The reaction as it carries: on the one body that moves, else in the sense against gravity.
-/// `force` is that on body 0.
+/// The reaction on the one body that moves, or else in the direction against gravity. `force` is
+/// the reaction on body 0.
 Vector3d carrying(const Vector3d& force, const btCollisionObject& body0,
                   const btCollisionObject& body1, const Vector3d& gravity) {
   const bool fixed0 = body0.isStaticOrKinematicObject(), fixed1 = body1.isStaticOrKinematicObject();
@@ -61,7 +61,7 @@ std::optional<btVector3> anchor(const btTypedConstraint& joint) {
     case CONETWIST_CONSTRAINT_TYPE:
       return a * static_cast<const btConeTwistConstraint&>(joint).getAFrame().getOrigin();
     case SLIDER_CONSTRAINT_TYPE:
-      // Body b rides along the slide; the frame on it is where the force acts.
+      // Body b travels along the slide, and the force acts at the joint's frame on it.
       return joint.getRigidBodyB().getWorldTransform() *
              static_cast<const btSliderConstraint&>(joint).getFrameOffsetB().getOrigin();
     case D6_CONSTRAINT_TYPE:
@@ -101,7 +101,7 @@ std::vector<ContactMark> contactMarks(const World& world, const PersistenceWatch
       const btManifoldPoint& point = manifold.getContactPoint(j);
       const bool carries = point.m_appliedImpulse > 0;
       if (!carries && !watch.persisted(manifold, j)) continue;
-      // The bodies have moved on since the point was found: it goes along.
+      // The bodies have moved since the point was found, and the point moves with them.
       const btVector3 place = (body0.getWorldTransform() * point.m_localPointA +
                                body1.getWorldTransform() * point.m_localPointB) /
                               2;

@@ -11,14 +11,13 @@
 
 namespace demos::render {
 
-/// Looks on while another solver works and remembers which contacts persisted before the step:
-/// those whose point still bears the last reaction, and in a world's first step all that are in
-/// touch.
+/// Observes another solver and remembers which contacts persisted before the step: those whose
+/// point still holds the last reaction, and in a world's first step all that touch.
 class PersistenceWatch : public SolverDecorator {
  public:
   explicit PersistenceWatch(btConstraintSolver& inner) : SolverDecorator(inner) {}
 
-  /// To be called before each step.
+  /// Call it before each step.
   void startStep(bool first) {
     first_ = first;
     persisted_.clear();
@@ -38,7 +37,7 @@ class PersistenceWatch : public SolverDecorator {
 /// The contacts of the last step (of `h` seconds) that carry, and those that it released.
 std::vector<ContactMark> contactMarks(const World& world, const PersistenceWatch& watch, double h);
 
-/// Gives a place for its reaction to every joint of a world that has none, as long as it lives.
+/// While it lives, every joint of a world has a place for its reaction, also those that had none.
 class JointFeedbacks {
  public:
   explicit JointFeedbacks(World& world);

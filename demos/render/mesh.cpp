@@ -51,7 +51,7 @@ Mesh boxMesh(const Vector3f& half) {
         position[k] = side(corner, k) * (half[k] - (k == axis ? 0 : bevel));
       mesh.vertices.push_back({position, side(corner, axis) * Vector3f::Unit(axis)});
     }
-  // Whatever order the corners come in, the triangle is turned to face outwards.
+  // Turns the triangle to face outwards, in whatever order its corners come.
   const auto addTriangle = [&mesh](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const Vector3f &pa = mesh.vertices[a].position, &pb = mesh.vertices[b].position,
                    &pc = mesh.vertices[c].position;

@@ -50,7 +50,7 @@ void bind(int unit, GLuint texture) {
   glBindTexture(GL_TEXTURE_2D, texture);
 }
 
-/// An orthographic look along the sun's rays at all that stands on the stage.
+/// An orthographic view of everything on the stage, along the sun's rays.
 struct SunView {
   Matrix4d worldToClip;
   double texel;  ///< m
@@ -64,7 +64,7 @@ SunView sunView(const Vector3d& sun, const Box& stage) {
   view.up = sun.unitOrthogonal();
   Matrix4d scale = Matrix4d::Identity();
   scale(0, 0) = scale(1, 1) = 1 / radius;
-  // Deeper than wide: what is far up the rays casts its shadow too.
+  // Deeper than wide: things far up the rays cast shadows, too.
   scale(2, 2) = -1 / (4 * radius);
   return {scale * view.toEye(), 2 * radius / shadowSize};
 }
@@ -226,7 +226,7 @@ void Painter::Gl::paint(const Batches& batches, const Film& film, const View& vi
   set(thingProgram, "skyHigh", skyHigh);
   drawBatches(batches.solid);
 
-  // Glass lets the number and the depth of what is behind it stand.
+  // Glass keeps the number and the depth of the things behind it.
   glEnablei(GL_BLEND, 0);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -343,7 +343,7 @@ Drawing Painter::draw(int loaded, const Film& film, const Frame& frame, const Vi
 }
 
 double gridSpacing(const View& view, Size size) {
-  // Lines closer than this would be a grey veil, pixels.
+  // In pixels: lines closer than this would look like a grey veil.
   constexpr double closest = 14;
   return std::pow(10, std::ceil(std::log10(closest / view.pixelsPerMetre(size))));
 }

@@ -10,7 +10,7 @@
 
 namespace demos::render {
 
-/// What the camera saw.
+/// A drawn frame as the camera saw it.
 struct Drawing {
   Image image;
   std::vector<float> depths;           ///< of each pixel, 0 near to 1 far, rows from the top
@@ -37,7 +37,8 @@ class Painter {
   Painter(const Painter&) = delete;
   Painter& operator=(const Painter&) = delete;
 
-  /// Uploads the meshes of a film; the answer stands for it in `draw`. Planes must have been laid.
+  /// Uploads the meshes of a film. The returned number stands for it in `draw`. Planes must have
+  /// been laid.
   int load(const Film& film);
   /// Throws GlError if OpenGL reports an error.
   Drawing draw(int loaded, const Film& film, const Frame& frame, const View& view,

@@ -124,7 +124,7 @@ void Studio::drawCaption(Image& picture, const Film& film, const Frame& frame, P
                                     fitted(bold_, film.solver, 17 * unit, room), {palette::ink});
   const std::string words = solverInWords(film.solver);
   const double left = place.x() + width - margin - nameEnd - 10 * unit;
-  // In a narrow panel the name has to do.
+  // A narrow panel has room only for the name.
   if (regular_.width(words, 11 * unit) <= left)
     regular_.draw(picture, words, Point(nameEnd + 10 * unit, line.y()),
                   fitted(regular_, words, 14 * unit, left), {palette::paleInk});

@@ -11,17 +11,17 @@
 
 namespace demos::render {
 
-/// What a picture says beside what it shows.
+/// The size of a picture and its words.
 struct Look {
   Size size;             ///< of the whole picture
-  bool plain = false;    ///< the drawings alone
+  bool plain = false;    ///< only the drawings
   bool timing = false;   ///< milliseconds a step in the captions
   std::string title;     ///< name of the scene
   std::string summary;   ///< what it is
   std::string expected;  ///< what it should do
 };
 
-/// The panels of a picture have no room in its size.
+/// The picture's size leaves no room for its panels.
 class TooSmall : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -38,11 +38,12 @@ class Studio {
  public:
   /// `columns`: how many frames of a film one picture shows. Throws what `check` throws.
   Studio(std::vector<Film> films, const Wish& wish, const Look& look, int columns);
-  /// Throws where so many films could not be shown, to be asked before they are recorded: TooSmall,
-  /// TooLarge, GlError where there is no OpenGL, std::runtime_error where the font is missing.
+  /// Call it before films are recorded. Throws TooSmall or TooLarge if this many cannot be shown,
+  /// GlError where there is no OpenGL, std::runtime_error where the font is missing.
   static void check(const Look& look, int films, int columns);
 
-  /// A row of panels, one a film, if there is one frame, else a row a film with a panel a frame.
+  /// For one frame: a row of panels, one for each film. Otherwise: a row for each film, with a
+  /// panel for each frame.
   Image picture(const std::vector<int>& frames);
 
  private:
@@ -66,8 +67,7 @@ class Studio {
   Font regular_, bold_;
 };
 
-/// Time and residual of a frame, as its caption has them; with `timing` also the milliseconds of a
-/// step.
+/// Time and residual of a frame, as in its caption; with `timing` also the milliseconds of a step.
 std::string factsInWords(const Frame& frame, bool timing);
 
 }  // namespace demos::render

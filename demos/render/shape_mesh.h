@@ -15,10 +15,10 @@ struct ShapePart {
   Eigen::Matrix4f place;
 };
 
-/// What Bullet collides with, as triangles: boxes, spheres, capsules, cylinders, cones and hulls
-/// exactly (but for the hulls' margin), other convex shapes by the hull of their support points,
-/// concave ones triangle by triangle, compounds part by part. `segments` is how many a full circle
-/// gets.
+/// The shape that Bullet collides with, as triangles. Boxes, spheres, capsules, cylinders, cones
+/// and hulls are exact (but for the hulls' margin). Other convex shapes become the hull of their
+/// support points. Concave shapes come triangle by triangle, compounds part by part. `segments` is
+/// the number of segments of a full circle.
 ///
 /// Static planes have no end and are not here: see ground.h.
 std::vector<ShapePart> shapeParts(const btCollisionShape& shape, int segments);

@@ -8,7 +8,7 @@ namespace demos::render {
 
 namespace {
 
-/// A word of a shell command, whatever is in it.
+/// Quotes a word for a shell command, whatever characters it has.
 std::string quoted(const std::string& word) {
   std::string text = "'";
   for (const char letter : word)
@@ -30,7 +30,7 @@ Video::Video(const std::string& file, Size size, double framesPerSecond) : file_
   char input[128];
   std::snprintf(input, sizeof input, "-f rawvideo -pix_fmt rgb24 -s %dx%d -r %g -i -", size.width,
                 size.height, framesPerSecond);
-  // No dates and no version in the file: the same pictures give the same bytes.
+  // Leaves dates and version out of the file: the same pictures give the same bytes.
   const std::string command = std::string("ffmpeg -loglevel error -y ") + input +
                               " -c:v libx264 -crf 22 -preset medium -pix_fmt yuv420p" +
                               " -fflags +bitexact -flags:v +bitexact -movflags +faststart " +

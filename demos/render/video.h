@@ -7,8 +7,8 @@
 
 namespace demos::render {
 
-/// An mp4 (H.264) that ffmpeg makes of the pictures it is given. The file appears when `finish` has
-/// returned, or not at all.
+/// An mp4 (H.264) that ffmpeg makes from pictures. The file appears when `finish` returns, or not
+/// at all.
 class Video {
  public:
   /// Throws OutputError where there is no ffmpeg. Width and height must be even.

@@ -37,8 +37,8 @@ void forEachMoving(const Film& film, const Visit& visit) {
       if (film.things[std::size_t(pose.thing)].mass > 0) visit(pose);
 }
 
-/// The middle half of `values`, widened on either side by three times its width: what lies outside
-/// has left the scene.
+/// The middle half of `values`, widened on either side by three times its width. Values outside
+/// count as out of the scene.
 std::pair<double, double> usualRange(std::vector<double> values, double least) {
   std::sort(values.begin(), values.end());
   const double low = values[values.size() / 4], high = values[3 * values.size() / 4];
@@ -46,7 +46,7 @@ std::pair<double, double> usualRange(std::vector<double> values, double least) {
   return {low - margin, high + margin};
 }
 
-/// The boxes of what moves in `film`, but for the few things far from all others.
+/// The box of everything that moves in `film`, except the few things far from all others.
 Box movingBox(const Film& film) {
   std::vector<double> places[3];
   double largest = 0;
@@ -131,12 +131,12 @@ Box stage(const std::vector<Film>& films) {
       box = moving;
       continue;
     }
-    // Others may leave the first one's place, but not shrink it to a dot.
+    // Other films may extend the box of the first one, but not so far that it shrinks to a dot.
     const Vector3d room = Vector3d::Constant(0.35 * extent(box.low, box.high));
     extend(box, moving.low.cwiseMax(box.low - room), moving.high.cwiseMin(box.high + room));
   }
   if (isEmpty(box)) box = {Vector3d::Constant(-1), Vector3d::Constant(1)};
-  // Fixed things that belong to the scene: those near it and not much larger.
+  // Adds the fixed things that belong to the scene: those near it and not much larger.
   const Box moving = box;
   const double size = extent(moving.low, moving.high);
   const Vector3d around = Vector3d::Constant(2 * size);
@@ -158,7 +158,7 @@ Box stage(const std::vector<Film>& films) {
 bool isTerrain(const Thing& thing, const Frame::Pose& pose, const Box& stage) {
   if (thing.mass > 0) return false;
   if (thing.plane || extent(pose.low, pose.high) > 3 * extent(stage.low, stage.high)) return true;
-  // What lies under everything is ground, even if it is hardly larger.
+  // A thing that lies under everything is ground, even if it is hardly larger.
   int covered = 0;
   for (int k = 0; k < 3; ++k)
     covered += pose.low[k] < stage.low[k] && pose.high[k] > stage.high[k] ? 1 : 0;

@@ -17,7 +17,7 @@ struct Box {
   double radius() const { return (high - low).norm() / 2; }
 };
 
-/// A camera: what it sees is independent of the size of the picture but for its ratio.
+/// A camera. Its view depends on the ratio of the picture's sides, not on their size.
 struct View {
   Eigen::Vector3d eye{0, 3, 12}, target{0, 1, 0}, up{0, 1, 0};
   double fov = 40;  ///< vertical, degrees
@@ -32,15 +32,15 @@ struct View {
   double pixelsPerMetre(Size size) const;
 };
 
-/// What the user says about the camera; the rest is found.
+/// The user's wishes about the camera; the rest is computed.
 struct Wish {
   Eigen::Vector3d direction{0.5, 0.35, 1};  ///< from the things towards the camera, any length
   double fov = 30;
   std::optional<Eigen::Vector3d> eye, lookAt;
 };
 
-/// Where the action is: the boxes of all that moves in the first film, of what the others show near
-/// it, and of small fixed things. Things that have fallen out of the scene do not count.
+/// The box of the action: everything that moves in the first film, everything near it in the
+/// others, and small fixed things. Things that have fallen out of the scene do not count.
 Box stage(const std::vector<Film>& films);
 
 /// True for fixed things that are much larger than the stage: the ground.

@@ -25,7 +25,7 @@ constexpr const char* folderName = "ablation";
 struct Economy {
   const char* name;
   bool Economies::*member;
-  const char* without;  ///< what is done where it is off
+  const char* without;  ///< what is done if it is off
 };
 
 const std::vector<Economy> economies{
@@ -41,15 +41,15 @@ const std::vector<Economy> economies{
     {"events", &Economies::events, "contact events though nobody listens"},
     {"storage", &Economies::storage, "memory is let go after each step"}};
 
-/// Our solver without one economy, or with all of them, and what it took.
+/// Our solver without one economy, or with all of them, and the times it took.
 class Variant {
  public:
   explicit Variant(const Economy* without)
       : solver_(without ? without->name : "all", optionsWithout(without)),
         timed_(solver_.solver()) {}
 
-  /// Solves the step as it stands, timed. Joints are given the impulses that this solver left in
-  /// them, by which it knows them again.
+  /// Solves the step as it is, timed. Joints get back the impulses that this solver left in them,
+  /// by which it recognises them.
   void solve(const CapturedStep& step) {
     forEachJoint(step, [this](btTypedConstraint& joint) {
       const auto left = impulses_.find(&joint);
@@ -90,8 +90,8 @@ class Variant {
   StepTotals totals_;
 };
 
-/// The trajectory is that of the solver with all economies. Each of its steps is given to all
-/// variants in turn, from the same stored impulses; in each step another one begins.
+/// The trajectory is that of the solver with all economies. All variants solve each of its steps in
+/// turn, from the same stored impulses; the order begins with another variant in each step.
 class Race {
  public:
   explicit Race(double cfm) : cfm_(cfm) {
@@ -104,7 +104,7 @@ class Race {
     const StepProblem problem(step, cfm_);
     const SavedState start(step);
     if (busy_.empty()) {
-      // The first to run would pay for what the machine has not met yet.
+      // The first solver to run would pay for everything the machine has not met yet.
       Variant(nullptr).solve(step);
       start.restore();
     }
@@ -159,7 +159,7 @@ class Race {
 
   double cfm_;
   std::vector<std::unique_ptr<Variant>> variants_;  ///< the first has all economies
-  std::vector<bool> busy_;                          ///< of each step: whether that one built any W
+  std::vector<bool> busy_;                          ///< of each step: whether the first built any W
 };
 
 CsvTable measureScene(const SceneDescription& scene, const Plan& plan, const Progress& progress) {
@@ -188,7 +188,7 @@ std::vector<std::string> headingOf(const char* first) {
   return heading;
 }
 
-/// "1.4", and bold where it is more than what two runs of the same differ by.
+/// "1.4", and bold if it is beyond the difference between two runs of the same solver.
 std::string ratioCell(double ratio) {
   constexpr double noise = 1.05;
   if (!std::isfinite(ratio)) return "";
@@ -208,7 +208,7 @@ std::vector<std::string> lineOf(const std::string& scene, const CsvTable& table,
 
 Words writeAblation(const Plan& plan, const std::filesystem::path& report) {
   const std::filesystem::path folder = report / folderName;
-  constexpr int fewest = 5;  // steps whose median says something
+  constexpr int fewest = 5;  // fewest steps whose median means something
   MarkdownTable calm(headingOf("ms a calm step")), busy(headingOf("ms a busy step"));
   double difference = -1;
   std::string where;

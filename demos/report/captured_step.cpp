@@ -17,7 +17,7 @@ void forEachPoint(const CapturedStep& step, const Visit& visit) {
 
 delassus::bullet::GroupInput CapturedStep::Group::input(const btContactSolverInfo& info,
                                                         btDispatcher* dispatcher) const {
-  // Bullet's arrays are not const, and solvers leave them as they are.
+  // Bullet's arrays are not const, though solvers do not change them.
   auto& open = const_cast<Group&>(*this);
   return {open.bodies.data(),
           int(bodies.size()),
@@ -114,8 +114,8 @@ void writeMemory(const CapturedStep& step, const StepMemory& memory) {
   });
 }
 
-// The number lives in the point's user data, which Bullet carries along when it moves or updates a
-// point, and clears in a new one. None of our scenes uses it.
+// The number is kept in the point's user data, which Bullet carries along when it moves or updates
+// a point, and clears in a new one. None of our scenes uses that.
 void numberPoints(const CapturedStep& step) {
   std::intptr_t next = 0;
   forEachPoint(step, [&next](btManifoldPoint& point) {

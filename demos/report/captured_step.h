@@ -10,7 +10,7 @@
 
 namespace demos::report {
 
-/// The very arguments of all solveGroup calls of one world step. Good until the step goes on.
+/// The arguments of all solveGroup calls of one world step. Good until the step goes on.
 struct CapturedStep {
   struct Group {
     std::vector<btCollisionObject*> bodies;
@@ -28,9 +28,8 @@ struct CapturedStep {
   void solve(btConstraintSolver& solver, const btContactSolverInfo& settings) const;
 };
 
-/// Holds the groups of a step back until all are known, shows them to a watcher, then has them
-/// solved by `inner`. Groups share no movable body, so that the order of events makes no difference
-/// to the world.
+/// Holds back the groups of a step until all are known, shows them to a watcher, then has `inner`
+/// solve them. Groups share no movable body, so this order makes no difference to the world.
 class StepCapture : public btConstraintSolver {
  public:
   explicit StepCapture(btConstraintSolver& inner) : inner_(inner) {}
@@ -79,12 +78,12 @@ class SavedState {
   std::vector<PointState> points_;
 };
 
-/// What a solver remembers of one contact point from step to step.
+/// The memory that a solver has of one contact point from step to step.
 struct PointMemory {
   btScalar normal = 0, lateral1 = 0, lateral2 = 0, mode = 0;
   btVector3 direction1{0, 0, 0}, direction2{0, 0, 0};
 };
-/// That of all points of a step, in the order of its groups.
+/// The memories of all points of a step, in the order of its groups.
 using StepMemory = std::vector<PointMemory>;
 
 StepMemory readMemory(const CapturedStep& step);

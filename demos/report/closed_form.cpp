@@ -36,7 +36,7 @@ double follow(Turn& turn, double time, const Acceleration& acceleration, const L
   for (int i = 0; i < substeps; ++i) {
     const Turn next = rungeKutta(turn, h, acceleration);
     if (left(next.angle) < 0) {
-      // The event lies within this step; bisection finds its share of it.
+      // The event lies within this step; bisection finds its place in it.
       double share = 0;
       for (double width = 0.5; width > 1e-16; width /= 2)
         if (left(rungeKutta(turn, (share + width) * h, acceleration).angle) >= 0) share += width;

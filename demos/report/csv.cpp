@@ -31,7 +31,7 @@ std::vector<std::string> split(const std::string& line) {
   bool inQuotes = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i] == '"') {
-      // Two quotes within quotes are one that is meant.
+      // Two quotes within quotes stand for one.
       if (inQuotes && i + 1 < line.size() && line[i + 1] == '"')
         words.back() += line[++i];
       else

@@ -6,7 +6,7 @@
 
 namespace demos::report {
 
-/// Rows of words and numbers under a heading: what one CSV file holds.
+/// Rows of words and numbers under a heading: the contents of one CSV file.
 class CsvTable {
  public:
   explicit CsvTable(std::vector<std::string> columns) : columns_(std::move(columns)) {}
@@ -27,8 +27,8 @@ class CsvTable {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// A number as CSV files keep it: nine digits tell a double's first half, which is more than any
-/// measure here knows.
+/// A number as CSV files keep it, with nine digits: half of a double's, and more than any measure
+/// here is good for.
 std::string csvNumber(double value);
 
 }  // namespace demos::report

@@ -27,8 +27,8 @@ std::string number(double value) {
   return word;
 }
 
-/// What has run away further leaves no room on an axis for the others (and no time: gnuplot counts
-/// the tics of 1e128).
+/// A curve that runs beyond this would leave the others no room on the axis (and cost time: gnuplot
+/// counts the tics of 1e128).
 constexpr double farthest = 1e12;
 
 bool drawable(double value, bool log) { return std::abs(value) < farthest && (!log || value > 0); }
@@ -55,7 +55,7 @@ double lineHeight(const Figure& figure) {
   return 1.35 * fontSize / (figure.panelHeight - topRoom - bottomRoom);
 }
 
-/// Calls `visit(place, name)` with all that is drawn; most have no name.
+/// Calls `visit(place, name)` for everything that is drawn; most of it has no name.
 template <class Visit>
 void forEachPlace(const Panel& panel, const Visit& visit) {
   const auto offer = [&](const Place& place, const std::string& name) {
@@ -83,7 +83,7 @@ Range verticalRange(const Panel& panel) {
   return {y.least - 0.06 * span, y.most + 0.1 * span};
 }
 
-/// As wide as the data, and then so wide that the names at the right fit in.
+/// As wide as the data and the names to their right need.
 Range horizontalRange(const Panel& panel, double letter) {
   Range x;
   const auto scaled = [&](double value) { return panel.logX ? std::log10(value) : value; };
@@ -107,7 +107,7 @@ Axes axesOf(const Figure& figure, const Panel& panel) {
   return {horizontalRange(panel, letterWidth(figure)), verticalRange(panel)};
 }
 
-/// Where a value lies in its range, from 0 to 1.
+/// The place of a value in its range, from 0 to 1.
 double fraction(double value, const Range& range, bool log) {
   const double share = log ? std::log(value / range.least) / std::log(range.most / range.least)
                            : (value - range.least) / (range.most - range.least);
@@ -119,7 +119,7 @@ void writeData(std::ostream& script, const std::string& name, const std::vector<
   script << "$" << name << " << EOD\n";
   for (const Place& place : places) {
     if (!drawable(place.x, panel.logX) || !drawable(place.y, panel.logY)) continue;
-    // What lies beyond the axis is drawn on its border.
+    // A value beyond the axis is drawn on its border.
     const double y = std::clamp(place.y, axes.y.least, axes.y.most);
     const bool spread = place.xHigh > 0;
     script << number(place.x) << ' ' << number(y) << ' ' << number(spread ? place.xLow : place.x)
@@ -217,7 +217,7 @@ void writePanel(std::ostream& script, const Figure& figure, std::size_t index) {
     script << "set label " << literal(label.text) << " at graph " << number(label.textX)
            << ", graph " << number(label.textY) << " left front noenhanced textcolor rgb '"
            << label.colour << "'\n";
-    // A name that had to go away is tied to its point.
+    // A name that had to move away is tied to its point.
     const double end = label.textX + letterWidth(figure) * double(label.text.size());
     if (std::abs(label.textY - label.y) > 0.8 * lineHeight(figure))
       script << "set arrow from graph " << number(label.x) << ", graph " << number(label.y)
@@ -316,7 +316,7 @@ std::string draw(const Figure& figure, const std::filesystem::path& folder,
 
 std::string drawScript(const std::string& script, const std::filesystem::path& folder,
                        const std::string& name) {
-  // Neither an older picture nor half a one may pass for this one.
+  // Removes pictures, so that neither an older one nor half of one passes for this one.
   const auto removePictures = [&] {
     for (const char* kind : {".svg", ".png"}) std::filesystem::remove(folder / (name + kind));
   };

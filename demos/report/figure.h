@@ -36,12 +36,12 @@ struct Figure {
   std::vector<Panel> panels;
 };
 
-/// What is said where gnuplot cannot be found.
+/// The message if gnuplot cannot be found.
 constexpr const char* noGnuplot =
     "gnuplot is missing: no pictures, only data (apt-get install gnuplot-nox)";
 
-/// Writes `name`.gp into the folder and has gnuplot draw `name`.svg and `name`.png from it. What is
-/// wrong, if anything, is returned as one line; the report is then one without this picture.
+/// Writes `name`.gp into the folder and has gnuplot draw `name`.svg and `name`.png from it. A fault
+/// is returned as one line; the report then lacks this picture.
 std::string draw(const Figure& figure, const std::filesystem::path& folder,
                  const std::string& name);
 
@@ -49,21 +49,21 @@ std::string draw(const Figure& figure, const std::filesystem::path& folder,
 std::string drawScript(const std::string& script, const std::filesystem::path& folder,
                        const std::string& name);
 
-/// Adds what `draw` returned to `faults`, each a paragraph, and each once.
+/// Adds a fault from `draw` to `faults`, each as a paragraph and only once.
 void addFault(std::string& faults, const std::string& fault);
 
 /// Columns for that many small panels: about square, at most four.
 int panelColumns(std::size_t panels);
 
-/// `text` in gnuplot's double quotes, letter by letter: what stands between backticks would be run
-/// as a command of the shell.
+/// `text` in gnuplot's double quotes, with every letter taken as it is: otherwise text between
+/// backticks would run as a shell command.
 std::string literal(const std::string& text);
 
 /// The script alone.
 std::string gnuplotScript(const Figure& figure, const std::string& name);
 
-/// Okabe and Ito's colours, told apart by all; ours is the strong blue, everybody keeps one colour
-/// in all pictures.
+/// Okabe and Ito's colours, which all eyes can tell apart. Ours is the strong blue; each family has
+/// the same colour in all pictures.
 std::string familyColour(const std::string& family);
 
 }  // namespace demos::report

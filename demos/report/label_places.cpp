@@ -41,7 +41,7 @@ std::vector<Label> placeLabels(std::vector<Label> labels, const std::vector<Dot>
     };
     const double wanted = std::clamp(label->y, line / 2, 1 - line / 2);
     bool placed = false;
-    // The nearest free place; over a curve rather than far away.
+    // Takes the nearest free place, and one over a curve rather than one far away.
     for (const bool overDots : {false, true}) {
       const double furthest = overDots ? 1 : 6 * line;
       for (double away = 0; !placed && away < furthest; away += line / 4)

@@ -13,13 +13,13 @@ struct Label {
   double textX = 0, textY = 0;
 };
 
-/// Something drawn, that names should not cover.
+/// Something drawn that names should not cover.
 struct Dot {
   double x, y;
 };
 
-/// Puts every name beside its point, to the right if it can be, and higher or lower where something
-/// stands already. `letter` and `line` are the width of a letter and the height of a line.
+/// Puts every name beside its point: to the right if possible, and higher or lower if that place is
+/// taken. `letter` and `line` are the width of a letter and the height of a line.
 std::vector<Label> placeLabels(std::vector<Label> labels, const std::vector<Dot>& dots,
                                double letter, double line);
 

@@ -35,7 +35,7 @@ std::string system() {
   return std::string(name.sysname) + " " + name.release + " " + name.machine;
 }
 
-/// What the compiler tells of its flags.
+/// The kind of build, as far as the compiler reveals its flags.
 std::string buildKind() {
   std::string kind;
 #ifdef __OPTIMIZE__

@@ -4,8 +4,8 @@
 
 namespace demos::report {
 
-/// Processor, memory, system; compiler and how this was built; versions of what it stands on; one
-/// item a line of Markdown.
+/// Processor, memory, system; compiler and kind of build; versions of the libraries; one item a
+/// line of Markdown.
 std::string describeMachine();
 
 }  // namespace demos::report

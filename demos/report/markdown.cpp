@@ -27,7 +27,7 @@ std::string code(const std::string& name) { return "`" + name + "`"; }
 
 std::string shortMs(double milliseconds) {
   if (!(milliseconds > 0)) return "0";
-  // Digits behind the point so that two of them count.
+  // So many digits after the point that two digits count.
   const int digits = std::clamp(1 - int(std::floor(std::log10(milliseconds))), 0, 5);
   char word[32];
   std::snprintf(word, sizeof word, "%.*f", digits, milliseconds);

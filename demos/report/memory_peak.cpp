@@ -27,7 +27,7 @@ double statusBytes(const std::string& key) {
 }  // namespace
 
 void MemoryPeak::beforeGroup(const GroupInput&) {
-  // Memory that was used before and is free now would be taken again unseen.
+  // Returns free memory to the system: otherwise its reuse would not be seen.
   malloc_trim(0);
   std::ofstream("/proc/self/clear_refs") << "5";  // sets the high-water mark back to now
   before_ = statusBytes("VmRSS");

@@ -4,13 +4,13 @@
 
 namespace demos::report {
 
-/// The resident memory that another solver comes to need while it solves a group: its highest, not
-/// its last.
+/// The most resident memory that another solver adds at any time while it solves a group.
 class MemoryPeak : public SolverDecorator {
  public:
   using SolverDecorator::SolverDecorator;
 
-  /// Of the hungriest group so far; NaN where the system does not tell. A few pages are its grain.
+  /// That of the hungriest group so far; NaN where the system does not tell. It is exact to a few
+  /// pages.
   double bytes() const { return peak_; }
 
  protected:

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t pointLength = 10;
 
-/// The numbers of a run before its motion and memory, in the order in which they come from the
-/// process apart.
+/// Visits the numbers of a run before its motion and memory, in the order in which they come from
+/// the process apart.
 template <class Run, class Visit>
 void visitNumbers(Run& run, const Visit& visit) {
   visit(run.seconds);
@@ -71,7 +71,7 @@ MethodRun unpacked(const std::vector<double>& numbers, std::size_t bodies) {
   return run;
 }
 
-/// Work of the process apart.
+/// Runs in the process apart.
 MethodRun solveRepeatedly(const Method& method, const CapturedStep& step,
                           const StepProblem& problem, const StepMemory& memory,
                           const Timing& timing) {
@@ -94,9 +94,9 @@ MethodRun solveRepeatedly(const Method& method, const CapturedStep& step,
   run.memory = readMemory(step);
   run.fallbacks = named.fallbacks();
 
-  // Steps are not announced to the solver (prepareSolve): so ours keeps nothing beside the points,
-  // or a repeat would begin from the answer of the run before. The first run warms caches and
-  // workspaces; it counts only where there is no time for another.
+  // Steps are not announced to the solver (prepareSolve). So ours keeps nothing beside the points;
+  // otherwise a repeat would begin from the answer of the run before. The first run warms caches
+  // and workspaces; it counts only if there is no time for another.
   std::vector<double> seconds;
   double spent = firstSeconds;
   const auto another = [&] {
@@ -144,7 +144,7 @@ std::vector<Method> methodsNamed(const std::vector<std::string>& names) {
 
 MethodRun runMethod(const Method& method, const CapturedStep& step, const StepProblem& problem,
                     const StepMemory& memory, const Timing& timing) {
-  // The judge takes its time too, outside the method's own.
+  // The judge takes time beside the method's own.
   const Limits limits{2 * timing.secondsLimit + 1};
   const ApartResult apart = runApart(
       [&] { return packed(solveRepeatedly(method, step, problem, memory, timing)); }, limits);

@@ -9,8 +9,8 @@
 
 namespace demos::report {
 
-/// One way to solve a step: a solver with its settings. Those of one family differ in how much work
-/// they do.
+/// One way to solve a step: a solver with its settings. The methods of one family differ in how
+/// much work they do.
 struct Method {
   std::string name;    ///< as in `run`
   std::string family;  ///< that of its name
@@ -19,7 +19,7 @@ struct Method {
 Method methodNamed(const std::string& name);
 std::vector<Method> methodsNamed(const std::vector<std::string>& names);
 
-/// What one method did with one step.
+/// The results of one method on one step.
 struct MethodRun {
   Ending ending = Ending::Crashed;
   double seconds = 0;                      ///< of all groups, median over the repeats
@@ -36,15 +36,15 @@ struct MethodRun {
 
 /// How often a method is timed.
 struct Timing {
-  double secondsLimit;  ///< for the first run; a method beyond it is given up
+  double secondsLimit;  ///< for the first run; a slower method is given up
   int leastRepeats, mostRepeats;
   double seconds;  ///< repeats end early when they have taken that long altogether
 };
 
-/// Gives the step to the method, with `memory` as the impulses stored in its contact points, in a
-/// process of its own: the world stays as it is. The first run is judged, the repeats are timed,
-/// each from the same start as the first. What a solver remembers beside the points is not there:
-/// with us, joints and fresh points begin from nothing.
+/// Gives the step to the method in a process of its own, with `memory` as the impulses stored in
+/// its contact points; the world stays as it is. The first run is judged, the repeats are timed,
+/// each from the same start as the first. A solver's memories beside the points are missing: in
+/// ours, joints and fresh points begin from nothing.
 MethodRun runMethod(const Method& method, const CapturedStep& step, const StepProblem& problem,
                     const StepMemory& memory, const Timing& timing);
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* folderName = "own_trajectory";
 
-/// Where a scene that should stand counts as fallen, m.
+/// A scene that should stand counts as fallen beyond this, m.
 constexpr double fallen = 0.1;
 
 bool shouldStand(const SceneDescription& scene) {
@@ -36,7 +36,7 @@ double meanOf(const std::vector<double>& values) {
   return values.empty() ? 0 : sum / double(values.size());
 }
 
-/// Root mean square of the changes from step to step: what is shaken, not what swings.
+/// Root mean square of the changes from step to step: it shows shaking, not swinging.
 double noiseOf(const std::vector<double>& values) {
   double squares = 0;
   for (std::size_t i = 1; i < values.size(); ++i)
@@ -44,7 +44,7 @@ double noiseOf(const std::vector<double>& values) {
   return values.size() > 1 ? std::sqrt(squares / double(values.size() - 1)) : 0;
 }
 
-/// The method alone with the scene; numbers in the order of `measured`.
+/// Runs the method alone with the scene; returns numbers in the order of `measured`.
 std::vector<double> live(const SceneDescription& scene, const Method& method, int steps,
                          double secondsLimit) {
   using Clock = std::chrono::steady_clock;
@@ -64,9 +64,9 @@ std::vector<double> live(const SceneDescription& scene, const Method& method, in
     overlap = largerOf(overlap, deepestPenetration(world->dynamics()));
     joints = largerOf(joints, largestJointError(world->dynamics()));
     gain = largerOf(gain, totalEnergy(*world) - energy);
-    // What is left of a lost world says nothing.
+    // Measures of a lost world mean nothing.
     if (!isFinite(*world)) drifted = overlap = joints = gain = std::nan("");
-    // The second half: the first may be an impact.
+    // Only the second half, since the first may have an impact.
     if (2 * i >= steps) reactions.push_back(reactionOverWeight(*world, 1 / scene.hz));
     if (std::chrono::duration<double>(Clock::now() - start).count() > secondsLimit) break;
   }
@@ -89,7 +89,7 @@ CsvTable measureScene(const SceneDescription& scene, const Plan& plan, const Pro
   const int steps = std::max(1, int(std::min(scene.seconds, plan.trajectorySeconds) * scene.hz));
   for (std::size_t i = 0; i < plan.trajectoryMethods.size(); ++i) {
     const Method& method = plan.trajectoryMethods[i];
-    // A run ends itself at its limit; only one step that never ends is ended from outside.
+    // A run ends itself at its limit; only a step that never ends is ended from outside.
     ApartResult run = runApart([&] { return live(scene, method, steps, plan.trajectoryLimit); },
                                Limits{2 * plan.trajectoryLimit + 1});
     run.numbers.resize(measured.size(), std::nan(""));
@@ -102,7 +102,7 @@ CsvTable measureScene(const SceneDescription& scene, const Plan& plan, const Pro
   return table;
 }
 
-/// Whether the time limit ended the run: its worst may have been yet to come.
+/// Whether the time limit ended the run: the worst may have been still to come.
 bool isCut(const CsvTable& table, int row) {
   return table.number(row, "steps") < table.number(row, "steps_wanted");
 }

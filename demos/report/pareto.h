@@ -5,15 +5,14 @@
 
 namespace demos::report {
 
-/// What one method reaches in which time. Which unit the cost is in, and what the error is of, its
-/// owner knows.
+/// One method's cost and error. Its owner knows the unit of the cost and the meaning of the error.
 struct Effort {
   std::string method, family;
   double cost, costLow, costHigh;
   double error;
 };
 
-/// Those that no other beats in both cost and error, by rising cost.
+/// The efforts that no other beats in both cost and error, by rising cost.
 std::vector<Effort> front(std::vector<Effort> efforts);
 
 std::vector<Effort> ofFamily(const std::vector<Effort>& efforts, const std::string& family);
@@ -27,12 +26,12 @@ const Effort* cheapest(const std::vector<Effort>& efforts, double error);
 /// A place where another method is cheaper than all of `family`.
 struct Defeat {
   Effort rival;
-  const Effort* own;  ///< the cheapest of the family that is as good, or null if none is
+  const Effort* own;  ///< the cheapest of the family that is as good, or null
 };
 
-/// Where the curve of `family` is not on or below the others', for errors below `error`. Every
-/// corner of the others' front is looked at; between them nothing changes for the worse. Costs
-/// whose spreads overlap are equal.
+/// Where the curve of `family` is above those of the others, for errors below `error`. Looks at
+/// every corner of the others' front; between corners it gets no worse. Costs whose spreads overlap
+/// are equal.
 std::vector<Defeat> defeats(const std::vector<Effort>& efforts, const std::string& family,
                             double error);
 

@@ -49,7 +49,7 @@ void stamp(const fs::path& folder, const std::string& command, bool resume,
   makeFolder(folder);
   const fs::path file = folder / "command.txt";
   const std::string text = command + "\nin " + precisionName() + " precision\n";
-  std::error_code ignored;  // of a folder that gives nothing away: it takes nothing either
+  std::error_code ignored;  // of a folder that cannot be read: nor can it be written
   const std::string made = fs::exists(file, ignored) ? readFile(file) : "";
   if (!made.empty() && made.rfind("delassus report", 0) != 0)
     throw std::runtime_error("'" + file.string() +

@@ -45,7 +45,7 @@ std::string percent(const SceneView& view, const std::string& method) {
 }
 
 Words writePersisting(const Plan& plan, const std::filesystem::path& report) {
-  // The measures are those of the same problems, read another way.
+  // Reads the measures on the same problems in another way.
   const std::vector<SceneView> views = readSceneViews(report / "same_problem", plan.scenes, "warm");
   if (views.empty()) return {};
 

@@ -56,7 +56,7 @@ Quad3 projectOnCone(const Quad3& x, double mu, LongMat3& derivative) {
   return projected;
 }
 
-/// A row of J: what one unknown does to the two bodies that it acts between.
+/// A row of J: the effect of one unknown on the two bodies between which it acts.
 struct Direction {
   struct Share {
     int body = -1;                      ///< place in the island, or none
@@ -140,7 +140,7 @@ void QuadProblem::addRow(const Row& row) {
   directions_.push_back(direction);
 }
 
-/// Adds the body's velocity along the row to `q`: that of an immovable one counts too.
+/// Adds the body's velocity along the row to `q`, also that of an immovable body.
 Direction::Share QuadProblem::shareOf(int body, const Quad3& linear, const Quad3& angular,
                                       Quad& q) const {
   Direction::Share share;
@@ -178,7 +178,7 @@ void QuadProblem::findMatrix() {
   scale_.resize(size());
   for (Part& part : parts_) {
     const Long norm = W_.block(part.first, part.first, part.unknowns, part.unknowns).norm();
-    if (norm > 0) part.size = norm;  // what no reaction moves has no scale of its own
+    if (norm > 0) part.size = norm;  // a part that no reaction moves has no scale
     scale_.segment(part.first, part.unknowns).setConstant(1 / std::sqrt(part.size));
   }
 }
@@ -261,7 +261,7 @@ RefinedAnswer QuadProblem::refine(const VectorXd& start) const {
   LongMatrix derivative;
   for (int step = 0, idle = 0; step < mostSteps && idle < mostIdle && !answer.certified(); ++step) {
     const LongVector F = naturalMap(r, derivative);
-    // Scaled so that masses do not show in the condition: with D = 1/√|W_aa|, D⁻¹ F' D.
+    // Scaled so that masses do not affect the condition: with D = 1/√|W_aa|, D⁻¹ F' D.
     derivative = scale_.cwiseInverse().asDiagonal() * derivative * scale_.asDiagonal();
     const LongVector way = -scale_.cwiseProduct(
         derivative.completeOrthogonalDecomposition().solve(scale_.cwiseInverse().cwiseProduct(F)));

@@ -21,7 +21,7 @@ std::vector<Part> partsOf(const Plan& plan, const std::vector<std::string>& name
   const auto isChosen = [&names](const char* name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  // It reads the measures of the other one.
+  // The part reads the measures of the other one.
   if (isChosen("persisting") && !isChosen("same_problem")) chosen.push_back(all.front());
   for (const std::string& name : names) {
     const auto found = std::find_if(all.begin(), all.end(),

@@ -17,13 +17,13 @@ namespace {
 /// Steps of a scene by the name of what happens in them.
 using Samples = std::map<int, std::string>;
 
-/// One step as the scout saw it.
+/// One step of the scouting run.
 struct Seen {
-  double change;  ///< |v_f − v|_M: how much the reactions did
+  double change;  ///< |v_f − v|_M: the effect of the reactions
   int modeChanges;
 };
 
-/// A scene on our solver, as every sample is taken from it, with somebody looking on.
+/// A scene on our solver with an observer. Every sample is taken from such a run.
 class ReferenceRun {
  public:
   explicit ReferenceRun(const SceneDescription& scene)
@@ -73,9 +73,9 @@ std::vector<Seen> scout(const SceneDescription& scene, const Plan& plan, const P
   return seen;
 }
 
-/// Cold: the first step with reactions. Impact: the one in which they do most, and settling: the
-/// one after it in which most contacts change their mode, or halfway to the end if none does.
-/// Resting: the last.
+/// Cold: the first step with reactions. Impact: the later one in which reactions do most. Settling:
+/// the step after the impact in which most contacts change their mode, or halfway to the end if
+/// none does. Resting: the last one.
 Samples chooseSamples(const std::vector<Seen>& seen) {
   Samples samples;
   const int steps = int(seen.size());
@@ -85,7 +85,7 @@ Samples chooseSamples(const std::vector<Seen>& seen) {
 
   const auto byChange = [](const Seen& a, const Seen& b) { return a.change < b.change; };
   const auto byModes = [](const Seen& a, const Seen& b) { return a.modeChanges < b.modeChanges; };
-  // The first sample that has a step keeps it.
+  // If two samples fall on one step, the first keeps it.
   samples.emplace(cold, "cold");
   const int last = steps - 1;
   if (last > cold) {
@@ -120,7 +120,7 @@ class Comparison {
   }
 
  private:
-  /// Own warm starts are made in the steps before a sample.
+  /// The methods make warm starts of their own in the steps before a sample.
   bool remembersIn(int step) const {
     const auto next = samples_.lower_bound(step);
     return next != samples_.end() && next->first - step <= plan_.memorySteps;
@@ -215,7 +215,7 @@ class Comparison {
   const Plan& plan_;
   Samples samples_;
   std::vector<StepMemory> memories_;
-  /// Methods that took too long or crashed, not asked again.
+  /// Methods that took too long or crashed; they are not asked again.
   std::map<std::size_t, Ending> givenUp_;
   CsvTable table_ = sameProblemTable();
   int step_ = 0, done_ = 0;

@@ -20,7 +20,7 @@ std::string viewName(const std::string& view) {
   return view == "cold" ? "cold: no stored impulses" : "each with its own warm start";
 }
 
-/// "**delassus:1e-4** 0.12", or with the time of ours behind it where another one is faster.
+/// "**delassus:1e-4** 0.12", and the time of ours after it if another method is faster.
 std::string fastestCell(const SceneView& view, double error) {
   if (error < view.floor) return "?";
   const Effort* best = cheapest(view.motion, error);
@@ -32,7 +32,7 @@ std::string fastestCell(const SceneView& view, double error) {
          (own != nullptr ? " (delassus " + shortMs(own->cost) + ")" : " (delassus: not reached)");
 }
 
-/// Its name, and how many of its samples count where not all do.
+/// The scene's name, and the number of samples that count, if not all do.
 std::string sceneCell(const SceneView& view) {
   if (view.uncertain == 0) return view.scene;
   return view.scene + " (" + std::to_string(view.samples) + " of " +
@@ -58,7 +58,7 @@ double errorOf(const SceneView& view, const std::string& method) {
   return INFINITY;
 }
 
-/// What our solver spent its time on.
+/// The work on which our solver spent its time.
 std::string workOf(const SceneView& view, const std::string& method) {
   for (const SceneView::Work& work : view.work)
     if (work.method == method)
@@ -68,8 +68,8 @@ std::string workOf(const SceneView& view, const std::string& method) {
   return "";
 }
 
-/// Every place where our curve is not on or below the others. An error counts as below that of ten
-/// sweeps if a tenth of it is gone; elsewhere the two are the same.
+/// Every place where our curve is above the others. An error counts as below that of ten sweeps if
+/// it is a tenth less; otherwise the two count as the same.
 std::string defeatTable(const std::vector<SceneView>& views) {
   constexpr double below = 0.9;
   MarkdownTable table({"scene", "start", "error", "faster", "ms", "ours", "ms", "times as long",
@@ -130,7 +130,7 @@ Figure sceneFigure(const SceneView& cold, const SceneView& warm) {
   return figure;
 }
 
-/// All scenes at a glance: ours, and the best that the others have together.
+/// All scenes at a glance: ours, and the best of all others together.
 Figure overviewFigure(const std::vector<SceneView>& views) {
   Figure figure;
   figure.title =

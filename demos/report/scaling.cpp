@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* folderName = "scaling";
 
-/// A scene of any size, made for about that many contacts.
+/// A scene of any size, made for about a given number of contacts.
 struct Growing {
   std::string name, what;
   std::function<std::unique_ptr<World>(double contacts)> build;
@@ -43,7 +43,7 @@ std::vector<Growing> growingScenes() {
            60}};
 }
 
-/// The step after the world has started, given to all methods that are still in the race.
+/// The step after the start of a world, solved by all methods still in the race.
 class SizeRun {
  public:
   SizeRun(const Plan& plan, std::set<std::string>& outOfRace, CsvTable& table)
@@ -75,7 +75,7 @@ class SizeRun {
       const Method& method = plan_.scalingMethods[i];
       if (outOfRace_.count(method.name) == 0) {
         const MethodRun run = runMethod(method, step, problem, nothing, plan_.scalingTiming);
-        // Larger problems take longer.
+        // Larger problems would take even longer.
         if (run.ending != Ending::Done) outOfRace_.insert(method.name);
         table_.add(
             {std::to_string(problem.contacts()), std::to_string(problem.bodies()), method.name,
@@ -105,7 +105,7 @@ CsvTable measureScaling(const Growing& growing, const Plan& plan, const Progress
   return table;
 }
 
-/// What one method did, by rising size.
+/// The results of one method, by rising size.
 struct Growth {
   std::vector<Place> cost;    ///< µs a contact over contacts
   std::vector<Place> memory;  ///< MB over contacts
@@ -129,7 +129,7 @@ Growth growthOf(const CsvTable& table, const std::string& method) {
     };
     growth.cost.push_back({contacts, perContact("seconds"), contacts, contacts});
     const double bytes = table.number(row, "peak_bytes");
-    // The first run of any code brings its own pages, and tables that Bullet makes once.
+    // The first run of any code adds its own pages, and tables that Bullet makes once.
     constexpr double megabyte = 1e6, leastTold = 2 * megabyte;
     if (bytes > leastTold) growth.memory.push_back({contacts, bytes / megabyte});
     growth.lastContacts = contacts;

@@ -12,12 +12,12 @@ namespace demos::report {
 
 namespace {
 
-/// v* is not known where two solves differ by more than this, relative to |v_f − v*|_M.
+/// v* is not known if two solves differ by more than this, relative to |v_f − v*|_M.
 constexpr double mostDisagreement = 1e-2;
-/// Nothing is known better than round-off lets it be.
+/// No motion is known better than to round-off.
 constexpr double roundOffFloor = 1e-13;
 
-/// What is summed for a method over the samples.
+/// Sums for a method over the samples.
 struct Sums {
   std::string family, fault;
   int samples = 0;
@@ -33,7 +33,7 @@ void add(Sums& sums, const CsvTable& table, int row, double floor) {
   sums.costLow += ms * table.number(row, "seconds_low");
   sums.costHigh += ms * table.number(row, "seconds_high");
   const double error = table.number(row, "error");
-  // A motion that is no number is as wrong as can be.
+  // A motion that is not a number has the largest error.
   sums.error = std::isfinite(error) ? std::max({sums.error, error, floor}) : INFINITY;
   sums.residual = largerOf(sums.residual, table.number(row, "residual_max"));
   sums.wrong += table.number(row, "wrong_modes");

@@ -8,12 +8,12 @@
 
 namespace demos::report {
 
-/// One scene in one view, over its samples: what the file of the scene says in short.
+/// One scene in one view, over its samples: a summary of the scene's file.
 struct SceneView {
   std::string scene, view;  ///< view: cold or warm
   int samples = 0, contacts = 0, rows = 0;
   double residual = 0;  ///< of v*, the worst sample's, m/s
-  double floor = 0;     ///< errors below it are not told apart: what is known of v*
+  double floor = 0;     ///< errors below it count as equal: the precision of v*
   int uncertain = 0;    ///< samples left out since v* is not known well enough
   /// Error of the motion: the worst of the samples; cost: mean of the samples, ms.
   std::vector<Effort> motion;
@@ -21,7 +21,7 @@ struct SceneView {
   std::vector<Effort> residuals;  ///< error: the worst natural residual, m/s
   std::vector<std::pair<std::string, std::string>> excluded;  ///< method and why
 
-  /// What our solver did, for its name: shares of its time and counts, a step.
+  /// The work of our solver, by its name: shares of its time, and counts a step.
   struct Work {
     std::string method;
     double aroundShare, regions, factorisations;

@@ -9,7 +9,7 @@
 
 namespace demos::report {
 
-/// What the user asked for.
+/// The user's wishes.
 struct ReportArguments {
   std::vector<std::string> scenes, solvers, parts;  ///< empty: the report's own choice
   std::string out = "report";
@@ -18,8 +18,8 @@ struct ReportArguments {
   bool stability = false;     ///< the stability map in place of the report
   bool onePrecision = false;  ///< of the map: without the other executable
 
-  /// The command that makes the same report where this one was called, with the executable as it
-  /// was called.
+  /// The command that makes the same report when called from the same folder, with the executable
+  /// as it was called.
   std::string command() const;
   /// The same, whatever the executable and the folder.
   std::string commandAnywhere() const;
@@ -29,7 +29,7 @@ struct ReportArguments {
   std::string words() const;
 };
 
-/// What the report does about it. Full takes under 40 minutes on two slow cores, quick under 3.
+/// The plan of the report. Full takes under 40 minutes on two slow cores, quick under 3.
 struct Plan {
   bool quick = false;
   std::vector<std::string> scenes;  ///< of same problem and own trajectory
@@ -53,7 +53,7 @@ struct Plan {
 /// Throws UnknownSolver or UnknownScene.
 Plan makePlan(const ReportArguments& arguments);
 
-/// Told the fraction done.
+/// A function that is told the fraction done.
 using Progress = std::function<void(double)>;
 
 }  // namespace demos::report

@@ -45,8 +45,8 @@ Mode modeOf(const Contact& contact, const Motion& motion) {
   return slides ? Mode::Slide : Mode::Stick;
 }
 
-/// Puts the refined motion of an island in the place of what `reactions` make of it. False if there
-/// is none.
+/// Replaces the motion that `reactions` cause in an island by the refined one. Returns false if
+/// there is none.
 bool moveRefined(std::vector<Body>& bodies, const bullet::Group& group, const Island& island,
                  const VectorXd& reactions, int mostRefined) {
   const auto turns = [&](int row) { return group.rows[std::size_t(row)].governor >= 0; };
@@ -60,7 +60,7 @@ bool moveRefined(std::vector<Body>& bodies, const bullet::Group& group, const Is
   return true;
 }
 
-/// What one solve of all groups comes to.
+/// The result of one solve of all groups.
 struct TightAnswer {
   double residual = 0, unsolved = 0, unrefined = 0;  ///< the last two: islands
   Motion motion;

@@ -12,7 +12,7 @@ namespace demos::report {
 /// The velocities of the bodies of all groups of a step, in the order in which they were gathered.
 using Motion = std::vector<delassus::Vec6>;
 
-/// All groups of one step as the problem that the law is about.
+/// All groups of one step as a problem in the terms of the law.
 class StepProblem {
  public:
   /// `cfm` is the global CFM of the scene.
@@ -23,10 +23,10 @@ class StepProblem {
   int bodies() const { return int(freeMotion_.size()); }
   double cfm() const { return cfm_; }
 
-  /// v_f: where forces alone would take the bodies.
+  /// v_f: the motion under forces alone.
   const Motion& freeMotion() const { return freeMotion_; }
   Motion atRest() const { return Motion(freeMotion_.size(), delassus::Vec6::Zero()); }
-  /// What the bodies do now.
+  /// The present motion of the bodies.
   Motion currentMotion() const;
   /// |v − w|_M = √( (v − w)ᵀ M (v − w) ), √kg m/s; locked axes do not count.
   double distance(const Motion& v, const Motion& w) const;
@@ -46,7 +46,7 @@ class StepProblem {
   int contacts_ = 0, rows_ = 0;
 };
 
-/// v*, the motion that takes place, and how well that is known.
+/// v*, the motion that takes place, and how well it is known.
 struct Certified {
   Ending ending = Ending::Crashed;
   Motion motion;
@@ -60,7 +60,7 @@ struct Certified {
 };
 
 /// Solves to tolerance 1e-12 twice, from rest and from the stored impulses, and refines the answers
-/// of islands of up to `mostRefined` unknowns. v* is the refined one of both answers, or the one
+/// of islands of up to `mostRefined` unknowns. v* is the refined one of the two answers, or the one
 /// with the smaller residual.
 Certified certify(const StepProblem& problem, double secondsLimit, int mostRefined = 0);
 

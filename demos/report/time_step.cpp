@@ -105,7 +105,8 @@ CsvTable measureScene(const KnownMotion& known, const Plan& plan, const Progress
   return table;
 }
 
-/// Slope of log error over log h by least squares: error ∝ h^order. Empty if it is not all numbers.
+/// Slope of log error over log h by least squares: error ∝ h^order. Empty unless all values are
+/// numbers.
 std::optional<double> orderOf(const std::vector<Place>& places) {
   const double n = double(places.size());
   if (n < 2) return {};
@@ -151,7 +152,7 @@ Panel panelOf(const KnownMotion& known, const CsvTable& table, const Plan& plan)
   panel.title = known.scene + ": " + known.what;
   panel.xLabel = "time step, ms";
   panel.yLabel = "error, " + known.unit;
-  panel.yMost = 10;  // what explodes is drawn on the border
+  panel.yMost = 10;  // curves that explode are drawn on the border
   const std::vector<Place> ours = placesOf(table, "delassus");
   int alike = 0;
   for (const Method& method : plan.stepMethods) {
@@ -163,7 +164,7 @@ Panel panelOf(const KnownMotion& known, const CsvTable& table, const Plan& plan)
     }
     if (!own) panel.curves.push_back(curveOf(method.name, method.family, places));
   }
-  // Ours last, on top, and for all that it would cover.
+  // Ours last, on top, and in the name of all curves that it would cover.
   if (!ours.empty()) {
     const std::string others = " and " + std::to_string(alike) + " others";
     panel.curves.push_back(curveOf(alike > 0 ? "delassus" + others : "delassus", "delassus", ours));

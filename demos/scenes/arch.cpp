@@ -6,8 +6,8 @@ namespace demos {
 
 namespace {
 
-/// A prism over the quadrilateral `outline` (x, y; about its centre of mass), as a hull that meets
-/// others face to face.
+/// A prism over the quadrilateral `outline` (x, y; about its centre of mass), as a hull that
+/// touches others face to face.
 btConvexHullShape& addPrism(World& world, const std::array<btVector3, 4>& outline,
                             btScalar halfDepth) {
   auto hull = std::make_unique<btConvexHullShape>();
@@ -20,7 +20,8 @@ btConvexHullShape& addPrism(World& world, const std::array<btVector3, 4>& outlin
   return world.own(std::move(hull));
 }
 
-/// Centre of area of a symmetric trapezium standing on `low`, over `height`, narrowing to `high`.
+/// Centre of area, above the base, of a symmetric trapezium of `height` that narrows from `low` to
+/// `high`.
 double trapeziumCentre(double low, double high, double height) {
   return height / 3 * (low + 2 * high) / (low + high);
 }
@@ -30,8 +31,8 @@ double trapeziumCentre(double low, double high, double height) {
 std::unique_ptr<World> buildArch(int voussoirs, double thickness) {
   constexpr double radius = 5, mu = 0.7;
   constexpr btScalar halfDepth = btScalar(0.5);
-  // Pressed together by this much, so that Bullet sees all corners of every joint from the first
-  // step on, m.
+  // Blocks are pressed together by this, m, so that Bullet sees all corners of every joint from the
+  // first step on.
   constexpr double bite = 1e-5;
   auto world = std::make_unique<World>();
   world->dynamics().getDispatchInfo().m_enableSatConvex = true;

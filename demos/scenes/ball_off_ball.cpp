@@ -7,9 +7,9 @@ namespace demos {
 std::unique_ptr<World> buildBallOffBall(double startAngle) {
   constexpr btScalar fixedRadius = btScalar(0.75), radius = btScalar(0.25);
   auto world = std::make_unique<World>();
-  // A capsule of no length is a ball. Bullet finds its contact with a sphere in closed form and,
-  // unlike that of two spheres, also while they are a hair apart, which the steps along the tangent
-  // make them.
+  // A capsule of no length is a ball. Bullet finds its contact with a sphere in closed form, and
+  // does so (unlike for two spheres) even while they are a hair apart, as steps along the tangent
+  // leave them.
   btCapsuleShape& fixedBall =
       world->own(std::make_unique<btCapsuleShape>(fixedRadius, btScalar(0)));
   world->add(0, fixedBall, at(0, 0, 0), {});

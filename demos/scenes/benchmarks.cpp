@@ -11,7 +11,7 @@ namespace demos {
 
 namespace {
 
-/// Two surfaces of Bullet's default 0.5.
+/// The friction of two surfaces with Bullet's default of 0.5.
 constexpr double stockPairFriction = 0.25;
 
 /// An empty world with the benchmark's ground.

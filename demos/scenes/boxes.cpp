@@ -9,7 +9,7 @@ namespace {
 
 const btVector3 unitBox = vec3(unitHalf, unitHalf, unitHalf);
 
-/// Ground beyond both ends of what is `length` long and stands in the middle.
+/// Ground that extends beyond both ends of something `length` long in the middle.
 void addGroundUnder(World& world, double length) {
   addGround(world, usualFriction, std::max(usualGround, length));
 }
@@ -64,7 +64,7 @@ std::unique_ptr<World> buildPyramid(int base) {
 }
 
 std::unique_ptr<World> buildWall(int columns, int rows) {
-  // A quarter brick of shift keeps the centre of every end brick over the brick below it.
+  // The shift of a quarter brick keeps the centre of every end brick over the brick below it.
   constexpr double length = 2, headJoint = 0.02, shift = length / 4;
   auto world = std::make_unique<World>();
   addGroundUnder(*world, columns * (length + headJoint));

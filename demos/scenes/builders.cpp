@@ -3,7 +3,7 @@
 namespace demos {
 
 double Jitter::operator()() {
-  // Spelled out, because the standard does not fix what its distributions return.
+  // Spelled out, because the standard does not fix the values of its distributions.
   return size_ * (2 * double(random_() >> 11) / double(1ULL << 53) - 1);
 }
 

@@ -9,14 +9,14 @@
 
 namespace demos {
 
-/// Coulomb's coefficient between any two bodies of a scene that does not say otherwise.
+/// Coulomb's coefficient between any two bodies, unless a scene says otherwise.
 constexpr double usualFriction = 0.5;
 
 /// The default of all scenes: half size 0.5 m, 1 kg.
 constexpr double unitHalf = 0.5;
 
-/// Numbers of at most `size`, by which bodies are put out of line, so that a pile has no preferred
-/// direction: the same in every run, on every machine.
+/// Numbers of at most `size` that displace bodies, so that a pile has no preferred direction. They
+/// are the same in every run, on every machine.
 class Jitter {
  public:
   explicit Jitter(double size) : size_(size) {}
@@ -44,7 +44,7 @@ btRigidBody& addBox(World& world, const btVector3& halfSize, btScalar mass, cons
 /// The weight that the forces on a 1 kg bead have in these scenes, N.
 constexpr double beadForce = 9.81;
 
-/// A frictionless bead of 1 kg and radius 0.5 m at the origin, touching one plane for each unit
+/// A frictionless bead of 1 kg and radius 0.5 m at the origin. It touches one plane for each unit
 /// normal (pointing from the plane to the bead), under the constant force `force` and no other.
 std::unique_ptr<World> buildBead(const std::vector<btVector3>& normals, const btVector3& force);
 
@@ -57,9 +57,9 @@ std::unique_ptr<World> buildBeadInAngle(double cosine, double forceAngle);
 std::array<btVector3, 3> trihedronNormals(double height);
 std::unique_ptr<World> buildBeadInTrihedron(double height, const btVector3& direction);
 
-/// A frictionless rod of 1 kg and 4 m on two supports at x = ±a, its end x = +2 m pulled up by
-/// `pull` N. Supports wider apart than the radius of gyration feel each other with B < 0, closer
-/// ones with B > 0.
+/// A frictionless rod of 1 kg and 4 m on two supports at x = ±a; `pull` N pull its end at x = +2 m
+/// up. Supports further apart than the radius of gyration feel each other with B < 0, closer ones
+/// with B > 0.
 std::unique_ptr<World> buildRodOnSupports(double a, double pull);
 
 /// A frictionless ball of radius 0.25 m at rest on a fixed one of radius 0.75 m, its centre line at
@@ -103,7 +103,7 @@ constexpr double rollingRadius = 0.5;
 
 /// `side` x `side` unit boxes on the ground, `spacing` apart.
 std::unique_ptr<World> buildGridOfBoxes(int side, double spacing);
-/// `count` unit boxes one on the other; all weigh 1 kg but the top one.
+/// `count` unit boxes one on the other; all weigh 1 kg except the top one.
 std::unique_ptr<World> buildStack(int count, double topMass);
 /// A wall-like pyramid: `base` unit boxes in the lowest row, 1.05 m apart, one less in each row
 /// above.
@@ -111,8 +111,8 @@ std::unique_ptr<World> buildPyramid(int base);
 std::unique_ptr<World> buildWall(int columns, int rows);
 std::unique_ptr<World> buildDominoRun(int count);
 std::unique_ptr<World> buildCardHouse(int storeys);
-/// A bin of 4 x 3 m with boxes of 1 kg and half a metre in it; after two seconds one of its walls
-/// closes at 0.5 m/s, whatever is in its way, until 2.2 x 3 m are left.
+/// A bin of 4 x 3 m that contains boxes of 1 kg and half a metre. After two seconds one of its
+/// walls closes at 0.5 m/s, whatever is in its way, until 2.2 x 3 m are left.
 std::unique_ptr<World> buildCompactor(int boxes);
 
 // --- Round and hung things

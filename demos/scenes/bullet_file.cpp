@@ -55,8 +55,8 @@ void checkChunks(const std::string& path, const std::string& bytes) {
                         " bytes, without a whole 'DNA1' chunk at its end)");
 }
 
-/// Bullet asks a hull for its farthest point, and reads nowhere where it has none, but only once
-/// something comes near.
+/// Bullet asks a hull for its farthest point. If the hull has no points it reads invalid memory,
+/// but only once something comes near.
 bool hasPoints(const btCollisionShape& shape) {
   if (shape.isCompound()) {
     const auto& compound = static_cast<const btCompoundShape&>(shape);
@@ -102,7 +102,7 @@ LoadedFile loadBulletFile(const std::string& path) {
   btDiscreteDynamicsWorld& dynamics = loaded.world->dynamics();
   const btContactSolverInfo usual = dynamics.getSolverInfo();
 
-  // The importer allocates all it makes and frees it again only when told to.
+  // The importer allocates everything it makes, and frees it only when told to.
   const auto release = [](btBulletWorldImporter* importer) {
     importer->deleteAllData();
     delete importer;

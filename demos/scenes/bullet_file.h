@@ -17,7 +17,7 @@ class BulletFileError : public std::runtime_error {
 
 struct LoadedFile {
   std::unique_ptr<World> world;
-  /// What was read and which of the file's settings are kept, a line each.
+  /// What was read, and which of the file's settings are kept, one line each.
   std::vector<std::string> notes;
 };
 

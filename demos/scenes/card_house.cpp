@@ -11,8 +11,8 @@ constexpr double halfLength = 1, halfThickness = 0.02, halfWidth = 0.7, mass = 0
 // From the vertical. A leg passes its load on along itself if tan(lean) < μ = 0.5.
 constexpr double lean = 15 * M_PI / 180;
 constexpr double cardGap = 0.01;
-// Cards are pressed together by this much: Bullet reports boxes only when they touch, and rounding
-// would part some, m.
+// Cards are pressed together by this, m: Bullet reports boxes only when they touch, and rounding
+// would part some.
 constexpr double bite = 1e-5;
 
 struct Leg {

@@ -15,9 +15,9 @@ namespace {
 
 constexpr double degree = M_PI / 180;
 
-/// Steps that treat a tension T explicitly are stable while h ω < 2. For links of mass m and length
-/// L that zigzag, ω² = 12 T/(m L): at T = 1.6 · 981 N, 0.1 kg and 0.5 m, that asks for 306 Hz of
-/// any solver.
+/// Steps with an explicit tension T are stable while h ω < 2. For links of mass m and length L that
+/// zigzag, ω² = 12 T/(m L). With T = 1.6 · 981 N, 0.1 kg and 0.5 m that asks for 306 Hz with any
+/// solver.
 constexpr double chainRate = 480;
 
 Camera seenFrom(double x, double y, double z, double targetY = 1, double fov = 40) {
@@ -169,7 +169,7 @@ void addRoundAndHungScenes(std::vector<SceneDescription>& scenes) {
                     [] { return buildGripper(); }});
 }
 
-/// What Bullet's own benchmark shows, and its vehicle.
+/// The scenes of Bullet's own benchmark, and its vehicle.
 void addBenchmarkScenes(std::vector<SceneDescription>& scenes) {
   scenes.push_back({"benchmark_boxes", "3008 boxes falling in 47 layers (Bullet's benchmark 1)", 20,
                     seenFrom(60, 90, 200, 50), "none falls through; no energy is gained",

@@ -6,7 +6,7 @@ namespace demos {
 
 namespace {
 
-// The room of the bin at first, from its middle, and where the wall that closes stops, m.
+// The size of the bin at first, from its middle, and the place where the closing wall stops, m.
 constexpr double binHalfLength = 2, binHalfWidth = 1.5, shutAt = 0.2;
 constexpr double wallHalfHeight = 2.5, wallHalf = 0.5;  // half their thickness, m
 constexpr double settled = 2;                           // s
@@ -25,7 +25,7 @@ std::unique_ptr<World> buildCompactor(int boxes) {
   };
   const btVector3 along = vec3(binHalfLength + 2 * wallHalf, wallHalfHeight, wallHalf);
   addWall(along, 0, -binHalfWidth - wallHalf);
-  // Towards the camera: pictures show walls that are planes as glass.
+  // Towards the camera: in pictures a wall that is a plane looks like glass.
   world->add(0, world->plane(btVector3(0, 0, -1), btScalar(-binHalfWidth)), at(0, 0, 0),
              {surfaceFriction(rubbing), 0});
   const btVector3 across = vec3(wallHalf, wallHalfHeight, binHalfWidth);

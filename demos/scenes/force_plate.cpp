@@ -10,12 +10,12 @@ namespace demos {
 
 namespace {
 
-// Lengths in m, sums of powers of two: what touches does so without rounding.
+// Lengths in m, sums of powers of two, so that parts touch without rounding.
 constexpr double legX = 0.75, legZ = 0.5, footRadius = 0.0625, halfTop = 0.0625, height = 0.75;
 constexpr double halfLoad = 0.125, loadZ = 0.125;
 constexpr btScalar tableMass = 20, loadMass = 100;  // kg
-// What touches is sunk in by Bullet's linear slop: a foot a rounding above the ground would have no
-// contact.
+// Touching parts are sunk in by Bullet's linear slop: a foot one rounding above the ground would
+// have no contact.
 constexpr double slop = 1. / 8192;
 constexpr double speed = 0.2, reach = 0.5;  // m/s, m: from −reach to +reach in 5 s
 
@@ -36,7 +36,7 @@ btCompoundShape& makeTable(World& world) {
   return world.own(std::move(table));
 }
 
-/// Where the centre of `body` was when the last step began.
+/// The centre of `body` at the beginning of the last step.
 Place placeBefore(const btRigidBody& body, double timeStep) {
   const btVector3 centre =
       body.getWorldTransform().getOrigin() - btScalar(timeStep) * body.getLinearVelocity();

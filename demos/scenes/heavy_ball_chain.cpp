@@ -35,7 +35,7 @@ std::unique_ptr<World> buildHeavyBallChain(int links, double ballMass) {
   world->join(
       std::make_unique<btPoint2PointConstraint>(*above, ball, end, btVector3(-ballRadius, 0, 0)));
 
-  // The wall that it meets at the bottom of its swing: 3 x 4 bricks of 1 x 1 x 2 m, standing across
+  // The wall that the ball meets at the bottom of its swing: 3 x 4 bricks of 1 x 1 x 2 m, across
   // its way.
   const btScalar wallX = -ballRadius - btScalar(unitHalf);
   for (int row = 0; row < 4; ++row)

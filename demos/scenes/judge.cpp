@@ -19,7 +19,7 @@ using delassus::bullet::toCore;
 
 namespace {
 
-/// What the solver wrote at a contact point, in the contact's frame, N·s.
+/// The reaction that the solver wrote at a contact point, in the contact's frame, N·s.
 Vec3 inFrame(const Contact& contact, const btManifoldPoint& point) {
   Vec3 r = contact.frame.transpose() * toCore(writtenReaction(point));
   r[0] = point.m_appliedImpulse;
@@ -73,9 +73,9 @@ void JudgedSolver::afterGroup(const GroupInput& arguments) {
   }
 }
 
-/// The reactions of the disks that bring the rotations from what the reactions `r` of the others
-/// leave to what the bodies have now. Where several disks share them, each takes part in proportion
-/// to its radius κ r_n, as far as that goes: Σ (‖r_d‖ / κ r_n)² is least.
+/// Adds the reactions of the disks: they bring the rotations from what the other reactions `r`
+/// leave to what the bodies have now. Where several disks share the work, each takes part in
+/// proportion to its radius κ r_n, as far as possible: Σ (‖r_d‖ / κ r_n)² is least.
 void JudgedSolver::addTurning(const Island& island, const Problem& problem, VectorXd& r) const {
   std::vector<Body> after = group_.bodies;
   for (const int i : island.bodies) {
@@ -89,7 +89,7 @@ void JudgedSolver::addTurning(const Island& island, const Problem& problem, Vect
   VectorXd radius(count);
   for (const Disk& disk : problem.disks)
     radius.segment(disk.first - begin, disk.unknowns).setConstant(disk.radiusAt(r));
-  // What presses on nothing may turn as well, in a solver that does not know better: then it shows
+  // A solver that does not know better may let an unloaded contact turn bodies, too: then it shows
   // as an error.
   constexpr double unloaded = 1e-6;
   const double largest = radius.maxCoeff();

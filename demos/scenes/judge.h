@@ -20,18 +20,17 @@ struct StepResidual {
 /// Judges any Bullet solver by the law that ours is judged by.
 ///
 /// Before a group is solved, the problem (W, q, friction, bounds) is gathered from the same
-/// arguments that the solver gets; after it, the reactions that the solver wrote into Bullet's
-/// contact points and joint feedback are put into that problem. A joint's feedback is all rows
-/// together; they are told apart by least squares, exact where the rows are independent. What
-/// rolling and spinning friction did is written nowhere: it is what the others leave unexplained of
-/// the rotations.
+/// arguments that the solver gets. Afterwards the reactions that the solver wrote into Bullet's
+/// contact points and joint feedback are put into that problem. A joint's feedback is the sum of
+/// its rows; least squares tell the rows apart, exactly if they are independent. The reactions of
+/// rolling and spinning friction are written nowhere: they are found from the rotations that the
+/// others leave unexplained.
 class JudgedSolver : public SolverDecorator {
  public:
-  /// `cfm` is the global CFM of the scene: what a solver adds to it for its own sake counts as its
-  /// error.
+  /// `cfm` is the global CFM of the scene; anything that a solver adds to it counts as its error.
   JudgedSolver(btConstraintSolver& inner, btScalar cfm) : SolverDecorator(inner), cfm_(cfm) {}
 
-  /// That of all groups since the last call.
+  /// The residual of all groups since the last call.
   StepResidual takeResidual();
 
  protected:
@@ -48,7 +47,7 @@ class JudgedSolver : public SolverDecorator {
   btScalar cfm_;
   StepResidual residual_;
   delassus::bullet::Group group_;
-  std::vector<btJointFeedback> lent_;  ///< for joints whose user asked for none
+  std::vector<btJointFeedback> lent_;  ///< for joints without feedback of their own
   std::vector<btTypedConstraint*> borrowers_;
 };
 

@@ -21,7 +21,7 @@ void forEachPoint(const btDiscreteDynamicsWorld& world, const Visit& visit) {
   }
 }
 
-/// Where the joint's frames are in the world.
+/// The joint's frames in the world.
 struct JointFrames {
   btTransform a, b;
 };
@@ -52,7 +52,7 @@ double sixDofError(const Joint& constJoint) {
   return outside.length();
 }
 
-/// In a box or behind a plane; no other shape has an inside here.
+/// Whether the point is in a box or behind a plane; no other shape has an inside here.
 bool isInside(const btCollisionObject& object, const btVector3& point) {
   const btCollisionShape& shape = *object.getCollisionShape();
   const btVector3 local = object.getWorldTransform().invXform(point);
@@ -180,7 +180,7 @@ double reactionOverWeight(const World& world, double timeStep) {
 }
 
 ModeCounts writtenModes(const btDiscreteDynamicsWorld& world) {
-  // On the border of the cone up to the rounding of the build.
+  // On the border of the cone, up to the rounding of the build.
   constexpr double nearly = 1 - 1e-5;
   ModeCounts counts;
   forEachPoint(world, [&](const btPersistentManifold&, const btManifoldPoint& point) {

@@ -17,7 +17,7 @@ std::unique_ptr<World> buildNewtonCradle(int balls) {
     const btVector3 hook = vec3(x, height, 0);
     const btVector3 centre = hook + quatRotate(turn, vec3(0, -length, 0));
     btRigidBody& ball = world->add(1, shape, btTransform(turn, centre), {0, 1});
-    // Two strings keep it in the plane: five independent rows out of six.
+    // Two strings hold it in the plane: five independent rows out of six.
     for (const btScalar z : {-halfWidth, halfWidth})
       world->join(std::make_unique<btPoint2PointConstraint>(ball, vec3(0, length, z)));
   }

@@ -17,7 +17,7 @@ std::unique_ptr<World> buildPlankBridge(int planks, double loadMass) {
   };
   btRigidBody &first = addPost(-end - halfPost), &other = addPost(end + halfPost);
 
-  // A little shorter than from hinge to hinge, so that planks that fold do not touch.
+  // A little shorter than the distance of the hinges, so that folding planks do not touch.
   btBoxShape& shape = world->box(vec3(0.475 * length, halfThickness, halfWidth));
   const auto hinge = [&](btRigidBody& a, btRigidBody& b, double x) {
     const btVector3 place = vec3(x, height, 0), axis = vec3(0, 0, 1);

@@ -6,7 +6,7 @@ namespace demos {
 
 namespace {
 
-/// Axes of a doll that stands upright and holds its arms out: what its joints turn about.
+/// Axes for the joints of a doll that stands upright with its arms out.
 const btQuaternion xToUp = aboutZ(M_PI / 2), xToTheLeft = aboutZ(M_PI);
 const btQuaternion zToTheSide(btVector3(0, 1, 0), btScalar(M_PI / 2));
 const btQuaternion zToUp(btVector3(1, 0, 0), btScalar(-M_PI / 2));
@@ -42,9 +42,9 @@ class Doll {
     world_.join(std::move(made));
   }
 
-  /// A cone at `joint` around the x axis of `axes`, which is that of the limb: about any other axis
-  /// a limb that spins would run far past its twist, and come back with the speed that the joint's
-  /// law asks for.
+  /// A cone at `joint` around the x axis of `axes`, which is that of the limb. About any other axis
+  /// a spinning limb would run far past its twist limit, and come back with the speed that the
+  /// joint's law asks for.
   void coneTwist(btRigidBody& a, btRigidBody& b, const btVector3& joint, const btQuaternion& axes,
                  btScalar swing, btScalar twist) {
     const btTransform frame = place_ * btTransform(axes, scale_ * joint);
@@ -100,7 +100,7 @@ std::unique_ptr<World> buildRagdolls(int count) {
   for (int i = 0; i < count; ++i) {
     const int row = i / columns, column = i % columns;
     const btVector3 feet = vec3(2.2 * (column - 2), 0.5 + 0.25 * row, 1.5 * row);
-    // Every doll leans its own way, so that they do not all fall alike.
+    // Every doll leans differently, so that they do not all fall alike.
     const btQuaternion lean(btVector3(1, 0, 0), btScalar(0.1 * (column - 2) + 0.05 * row));
     addDoll(*world, btTransform(lean, feet));
   }

@@ -12,7 +12,7 @@ std::unique_ptr<World> buildRodOnSupports(double a, double pull) {
     world->add(0, support, at(x, 1 - halfWidth - supportRadius, 0), {});
   btBoxShape& shape = world->box(btVector3(halfLength, halfWidth, halfWidth));
   btRigidBody& rod = world->add(1, shape, at(0, 1, 0), {});
-  // A plane problem: round supports would let the rod tip over sideways.
+  // Keeps the problem plane: on round supports the rod would tip over sideways.
   rod.setLinearFactor(btVector3(1, 1, 0));
   rod.setAngularFactor(btVector3(0, 0, 1));
 

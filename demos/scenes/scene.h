@@ -9,16 +9,14 @@
 
 namespace demos {
 
-/// Where a picture of a scene is taken from. Metres; `fov` is the vertical angle of view in
-/// degrees.
+/// The camera for pictures of a scene. Metres; `fov` is the vertical angle of view in degrees.
 struct Camera {
   btVector3 eye{0, 3, 12};
   btVector3 target{0, 1, 0};
   double fov = 40;
 };
 
-/// How far the last step, of `timeStep` s, is from what a scene's expectation says, where one
-/// number can say it.
+/// How far the last step, of `timeStep` s, is from a scene's expectation, if one number can say it.
 struct Law {
   std::string name;  ///< of the number, with its unit
   std::function<double(const World&, double timeStep)> error;

@@ -16,7 +16,7 @@ namespace demos {
 namespace {
 
 void collect(const std::vector<std::string>& told, std::vector<RunSummary::Message>& all) {
-  // As in the report of one step: the first ones say enough.
+  // The first messages are enough, as in the report of one step.
   constexpr std::size_t longest = 64;
   for (const std::string& text : told) {
     const auto known = std::find_if(all.begin(), all.end(),
@@ -75,8 +75,8 @@ RunSummary simulate(World& world, NamedSolver& named, const RunSettings& setting
     milliseconds.push_back(1e3 * solving.timed().takeSeconds());
     StepResidual now = judge.takeResidual();
     if (!isFinite(world)) {
-      // Lost bodies are left out of contacts and of the problem that is judged: what is left may
-      // look sound.
+      // Lost bodies are left out of the contacts and of the judged problem: the rest may look
+      // sound.
       ++summary.stepsLost;
       now.max = now.sumOfSquares = std::nan("");
       now.count = std::max(now.count, 1L);

@@ -18,16 +18,16 @@ struct RunSettings {
   std::optional<Law> law = std::nullopt;
 };
 
-/// seconds · hz as a whole number. Throws std::runtime_error above a billion: nobody would see the
-/// end of it.
+/// seconds · hz as a whole number. Throws std::runtime_error above a billion, since such a run
+/// would take too long.
 int stepsIn(double seconds, double hz);
 
 /// One solver on one world: what moved, how well the law was kept, what it cost. The keys of `run
 /// --json`.
 ///
-/// Residuals and the error of the law are over the last three quarters of the run, residuals in
-/// m/s. Times are of solveGroup alone, per step. Where a world is lost, the residual, the drift and
-/// whatever else is measured on lost bodies are NaN.
+/// Residuals and the error of the law are over the last three quarters of the run; residuals are in
+/// m/s. Times are of solveGroup alone, per step. In a lost world the residual, the drift and all
+/// other measures of lost bodies are NaN.
 struct RunSummary {
   static constexpr double strict = 1e-6;  ///< m/s
 
@@ -39,8 +39,8 @@ struct RunSummary {
   double msFirst = 0;  ///< of the first step, from nothing
   double msMean = 0, msMedian = 0, msP95 = 0;
   double residualRms = 0, residualMax = 0;
-  int stepsAbove = 0;              ///< of all, those with a residual above `strict`, or lost
-  int stepsLost = 0;               ///< of all, those that ended with a body that is nowhere
+  int stepsAbove = 0;              ///< steps, of all, with a residual above `strict`, or lost
+  int stepsLost = 0;               ///< steps, of all, that ended with a body that is nowhere
   double penetrationMax = 0;       ///< m, over the run
   int tunnelled = 0;               ///< bodies in or under what cannot move, at the end (measures.h)
   double kineticEnergy = 0;        ///< J, at the end
@@ -56,19 +56,19 @@ struct RunSummary {
     std::string text;
     int steps = 0;
   };
-  /// What only our solver can tell.
+  /// Numbers that only our solver can tell.
   struct Regions {
     double perStep = 0, factorisationsPerStep = 0;
     long solved = 0, outOfBudget = 0, incompatible = 0, nonFinite = 0;  ///< islands, all steps
     long leftOut = 0;   ///< bodies, contacts and rows solved around, all steps
-    int stiffened = 0;  ///< bodies that geometric stiffness had turn more slowly, most of a step
+    int stiffened = 0;  ///< largest number of bodies in a step that geometric stiffness slowed
     std::vector<Message> messages;
     StepTotals totals;
   };
   std::optional<Regions> regions;
 };
 
-/// Steps `world` with `named`. `progress` is told the fraction done after each step.
+/// Steps `world` with `named`. Tells `progress` the fraction done after each step.
 RunSummary simulate(World& world, NamedSolver& named, const RunSettings& settings,
                     const std::function<void(double)>& progress);
 

@@ -5,8 +5,8 @@
 namespace demos {
 
 std::unique_ptr<World> buildSlidingLadder(double startAngle) {
-  // A capsule's ends are balls: their centres are held `radius` away from wall and floor, so that
-  // the line between them slides on the planes x = 0 and y = 0, whatever its angle.
+  // A capsule's ends are balls. Their centres stay `radius` away from wall and floor, so that the
+  // line between them slides on the planes x = 0 and y = 0, whatever its angle.
   constexpr btScalar radius = btScalar(0.05), halfLength = 1;
   auto world = std::make_unique<World>();
   world->add(0, world->plane(btVector3(0, 1, 0), -radius), at(0, 0, 0), {});

@@ -8,7 +8,7 @@ namespace demos {
 
 using delassus::bullet::GroupInput;
 
-/// A solver that hands everything on to another one. Those derived from it look on.
+/// A solver that hands everything on to another one. Classes derived from it observe.
 class SolverDecorator : public btConstraintSolver {
  public:
   explicit SolverDecorator(btConstraintSolver& inner) : inner_(inner) {}

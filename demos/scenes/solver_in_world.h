@@ -6,9 +6,9 @@
 
 namespace demos {
 
-/// Has `named` solve the steps of `world`, timed and with the settings that its name stands for, as
-/// long as this lives. Then, be it by an exception, the world has its own solver and settings back:
-/// nothing that looked on is left in it. Both must outlive this.
+/// While it lives, `named` solves the steps of `world`, timed and with the settings of its name.
+/// Afterwards, even after an exception, the world has its own solver and settings back, and no
+/// observer is left in it. Both must outlive this.
 class SolverInWorld {
  public:
   SolverInWorld(World& world, NamedSolver& named)
@@ -26,7 +26,7 @@ class SolverInWorld {
   SolverInWorld(const SolverInWorld&) = delete;
   SolverInWorld& operator=(const SolverInWorld&) = delete;
 
-  /// What the world solves with, unless it is given something else that looks on at it.
+  /// The solver of the world, unless the world is given an observer of it.
   TimedSolver& timed() { return timed_; }
   /// The global CFM of the scene; `named` may add to it.
   btScalar sceneCfm() const { return ownSettings_.m_globalCfm; }

@@ -17,7 +17,7 @@ namespace demos {
 
 namespace {
 
-/// Null if there is none.
+/// Null if there is no such form.
 const SolverForm* formOf(const SolverName& name) {
   for (const SolverForm& form : solverForms())
     if (form.name.family == name.family && form.name.mark == name.mark) return &form;
@@ -30,7 +30,7 @@ const SolverForm* formOf(const SolverName& name) {
       "; there are " + listOfSolverForms(" and "));
 }
 
-/// The name's part after the mark, as a count of at least one.
+/// The name's part after the mark, as a count of at least 1.
 int countIn(const std::string& name, const std::string& argument) {
   int count = 0;
   const char* end = argument.data() + argument.size();

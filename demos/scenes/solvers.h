@@ -15,7 +15,7 @@ class btMLCPSolverInterface;
 
 namespace demos {
 
-/// A solver name that is not one; the message says what exists.
+/// A solver name that does not exist; the message lists those that do.
 class UnknownSolver : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -31,17 +31,17 @@ struct SolverName {
 };
 SolverName parseSolverName(const std::string& name);
 
-/// One way to name a solver, and what there is to say of it.
+/// One way to name a solver, with its help and its caption.
 struct SolverForm {
   SolverName name;      ///< with a word for the argument: N, TOL or CFM
-  std::string help;     ///< goes on in that of the next form where it ends in a comma or semicolon
+  std::string help;     ///< goes on in the next form's help if it ends in a comma or semicolon
   std::string caption;  ///< with {} for the argument
 };
-/// All there are: what is not of one of these forms is no solver.
+/// All forms: a name that has none of them is no solver.
 const std::vector<SolverForm>& solverForms();
-/// "delassus, delassus:TOL, ..."; `last` stands before the last one.
+/// "delassus, delassus:TOL, ..."; the word `last` stands before the last one.
 std::string listOfSolverForms(const std::string& last);
-/// What a picture calls the solver; nothing if there is none of this name.
+/// The solver's name in pictures; empty if there is no such solver.
 std::string solverInWords(const std::string& name);
 
 /// The constraint solver that a name stands for (solverForms), and the settings of the world that
@@ -50,7 +50,7 @@ class NamedSolver {
  public:
   /// Throws UnknownSolver.
   explicit NamedSolver(const std::string& name);
-  /// Ours with other options than a name can tell.
+  /// Our solver with options that a name cannot express.
   NamedSolver(const std::string& name, const delassus::Options& options);
   ~NamedSolver();
   NamedSolver(NamedSolver&&) noexcept;
@@ -58,17 +58,17 @@ class NamedSolver {
 
   const std::string& name() const { return name_; }
   btConstraintSolver& solver() { return *solver_; }
-  /// Makes `info` ask for the sweeps, the friction directions and the CFM that the name stands for.
+  /// Sets the sweeps, the friction directions and the CFM of the name in `info`.
   void configure(btContactSolverInfo& info) const;
 
-  /// Has our solver use so many threads; Bullet's have one.
+  /// Lets our solver use this many threads; Bullet's solvers have one.
   void setThreads(int threads);
-  /// Has our solver slow what turns too fast for the step; Bullet's cannot.
+  /// Lets our solver slow bodies that turn too fast for the step; Bullet's solvers cannot.
   void setGeometricStiffness(bool on);
 
   /// The solver itself if it is ours, else null.
   const btDelassusConstraintSolver* delassus() const { return delassus_; }
-  /// Groups that an MLCP solver gave up and left to sequential impulses.
+  /// Groups that an MLCP solver gave up, and that sequential impulses solved instead.
   int fallbacks() const;
 
  private:

@@ -4,7 +4,7 @@ namespace demos {
 
 std::unique_ptr<World> buildSpheresBin(int side) {
   constexpr btScalar radius = btScalar(0.45);
-  // Out of line by up to this much, so that the pile has no preferred direction, m.
+  // Spheres are displaced by up to this, m, so that the pile has no preferred direction.
   constexpr double disorder = 0.04;
   auto world = std::make_unique<World>();
   const Material material{surfaceFriction(usualFriction), 0};

@@ -4,10 +4,10 @@
 
 namespace demos {
 
-/// The value that lies `share` of the way from the least to the largest by rank, the nearest that
-/// is there. NaN of none.
+/// The value that lies `share` of the way from the least to the largest by rank, rounded to the
+/// nearest existing one. NaN if there are none.
 double quantile(std::vector<double> values, double share);
-/// Of an even number of values, the upper one of the two in the middle.
+/// For an even number of values, the upper one of the two in the middle.
 double median(std::vector<double> values);
 
 /// The larger one; NaN if either is. std::max would keep whichever of the two comes first.

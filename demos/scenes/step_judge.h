@@ -5,20 +5,21 @@
 
 namespace demos {
 
-/// The residual of a world's steps, by our solver's own report or by the judge of the others.
+/// The residual of a world's steps: from our solver's own report, or from the judge of other
+/// solvers.
 class StepJudge {
  public:
-  /// `inner` is the solver of `named`, or looks on at it. Both must outlive the judge. `cfm` is the
-  /// global CFM of the scene.
+  /// `inner` is the solver of `named`, or an observer of it. Both must outlive the judge. `cfm` is
+  /// the global CFM of the scene.
   StepJudge(btConstraintSolver& inner, const NamedSolver& named, btScalar cfm)
       : inner_(inner), named_(named), judged_(inner, cfm) {}
 
-  /// What the world is to solve its next step with. Judging costs about a solve; a step that is not
-  /// judged leaves no residual but our own.
+  /// The solver for the world's next step. Judging costs about as much as a solve; a step that is
+  /// not judged has a residual only if the solver is ours.
   btConstraintSolver& solver(bool isJudged = true);
 
-  /// That of the last step, to be called after each that is judged. Its count is 0 if nothing was
-  /// solved: all sleep, or nothing touches.
+  /// The residual of the last step; call it after each judged step. Its count is 0 if nothing was
+  /// solved: all bodies sleep, or nothing touches.
   StepResidual takeResidual();
 
  private:

@@ -4,7 +4,7 @@
 
 namespace demos {
 
-/// What the steps of a run asked for, what was done for it and what that took, summed.
+/// Sums over the steps of a run: what they asked for, what was done for it, and how long that took.
 struct StepTotals {
   int steps = 0;
   delassus::StepReport sum;  ///< the plan, counts of work and seconds; nothing else is summed

@@ -12,7 +12,7 @@ class TimedSolver : public SolverDecorator {
  public:
   using SolverDecorator::SolverDecorator;
 
-  /// Seconds since the last call of this function: those of one step, if it is called after each.
+  /// Seconds since the last call; those of one step, if it is called after each step.
   double takeSeconds() { return std::exchange(seconds_, 0); }
 
  protected:

@@ -6,12 +6,12 @@ namespace demos {
 namespace {
 
 constexpr btScalar chassisMass = 800, plankMass = 100;     // kg
-constexpr btScalar engineForce = 1000, brakeImpulse = 20;  // N and N·s a step, of each driven wheel
+constexpr btScalar engineForce = 1000, brakeImpulse = 20;  // N of a driven wheel, N·s a step of any
 constexpr double drivesUntil = 5;                          // s
 constexpr double startX = 20;                              // m; it drives towards -x
 
-/// Bullet's vehicle with what it needs. It is an action of the world: it pushes the chassis after
-/// each step.
+/// Bullet's vehicle and the parts it needs. It is an action of the world: it pushes the chassis
+/// after each step.
 struct Vehicle {
   Vehicle(btDynamicsWorld& in, btRigidBody& chassis)
       : world(in), raycaster(&in), vehicle(tuning, &chassis, &raycaster) {

@@ -38,7 +38,7 @@ class Polyhedron {
       }
   }
 
-  /// Takes away what is outside of `kept`.
+  /// Cuts off everything outside `kept`.
   void clip(const HalfSpace& kept) {
     std::vector<std::vector<Vector3d>> faces;
     std::vector<Vector3d> rim;
@@ -75,7 +75,7 @@ class Polyhedron {
     double volume = 0;
     Vector3d centre = Vector3d::Zero();
   };
-  /// By the tetrahedra between the faces and the origin.
+  /// Computed from the tetrahedra between the faces and the origin.
   Bulk bulk() const {
     Bulk sum;
     for (const auto& face : faces_)
@@ -115,7 +115,7 @@ double halton(int index, int base) {
   return value;
 }
 
-/// What is nearer to `sites[cell]` than to any other, shrunk by `margin` on all sides.
+/// The points nearer to `sites[cell]` than to any other, shrunk by `margin` on all sides.
 Polyhedron voronoiCell(const std::vector<Vector3d>& sites, std::size_t cell, double half,
                        double margin) {
   Polyhedron piece(half - margin);

@@ -11,7 +11,7 @@ struct Throw {
   double radius = 0.8;        ///< m
   double mass = 50;           ///< kg
   double distance = 4;        ///< from the ball's centre to the middle plane of the wall, m
-  double height = 2.6;        ///< where its centre would pass that plane if no wall stood there, m
+  double height = 2.6;        ///< where its centre would cross that plane without the wall, m
   double timeOfFlight = 0.4;  ///< until then, s
 };
 

@@ -6,9 +6,9 @@
 
 namespace demos {
 
-/// What joints were left with in the last step, by which our solver knows them again: to gather
-/// their rows clears it. Put back at the end of its life, so that who only looks on changes
-/// nothing.
+/// Saves the impulses that the last step left in joints, by which our solver recognises them:
+/// gathering the rows of joints clears them. Puts them back at the end of its life, so that an
+/// observer changes nothing.
 class WatchedJoints {
  public:
   WatchedJoints(btTypedConstraint* const* joints, int count) : joints_(joints, joints + count) {

@@ -15,7 +15,7 @@ World::World()
 }
 
 World::~World() {
-  // First those who take their own bodies out of the world.
+  // First the things that take their own bodies out of the world.
   kept_.clear();
   for (int i = dynamics_->getNumConstraints() - 1; i >= 0; --i)
     dynamics_->removeConstraint(dynamics_->getConstraint(i));

@@ -24,22 +24,20 @@ inline btQuaternion aboutZ(double angle) {
   return btQuaternion(btVector3(0, 0, 1), btScalar(angle));
 }
 
-/// What a surface is made of. Bullet multiplies the frictions of the two surfaces in touch; see
-/// `surfaceFriction`.
+/// A surface. Bullet multiplies the frictions of the two surfaces in touch; see `surfaceFriction`.
 struct Material {
   btScalar friction = 0;
   btScalar restitution = 0;
 };
 
-/// The coefficient of a surface such that two of its kind rub with Coulomb's `mu`: √mu.
+/// The coefficient that a surface needs for Coulomb's `mu` against its like: √mu.
 btScalar surfaceFriction(double mu);
 
-/// A Bullet world that owns all it is made of, so that scenes, tests and pictures can pass it
-/// around.
+/// A Bullet world that owns all its parts, so that scenes, tests and pictures can pass it around.
 ///
 /// Gravity is 9.81 m/s² along −y, nothing sleeps, and pairs are ordered: the same calls give the
-/// same bits. The solver is Bullet's own until `setSolver` names another; it is not owned and must
-/// outlive the world.
+/// same bits. The solver is Bullet's own until `setSolver` names another; that one is not owned and
+/// must outlive the world.
 class World {
  public:
   World();
@@ -62,20 +60,20 @@ class World {
   btSphereShape& sphere(btScalar radius);
   btStaticPlaneShape& plane(const btVector3& normal, btScalar offset);
 
-  /// A body of `mass` kg with its centre of mass at `pose`; mass 0 is immovable.
+  /// Adds a body of `mass` kg with its centre of mass at `pose`; mass 0 is immovable.
   btRigidBody& add(btScalar mass, btCollisionShape& shape, const btTransform& pose,
                    const Material& material);
-  /// The body made of `body` by its caller (kept by the world).
+  /// Adds a body that the caller has made; the world keeps it.
   btRigidBody& add(std::unique_ptr<btRigidBody> body);
-  /// `linked` bodies do not collide with each other.
+  /// Adds a joint. The bodies that it links collide with each other only if `linkedCollide`.
   btTypedConstraint& join(std::unique_ptr<btTypedConstraint> joint, bool linkedCollide = false);
 
-  /// Called before every step with the time at its start: what a machine or a hand does in the
-  /// scene.
+  /// The function is called before every step with the time at its start: it moves machines or
+  /// hands in the scene.
   void setScript(std::function<void(double time)> script) { script_ = std::move(script); }
 
-  /// Makes every step of as many substeps, each with collision detection and a solve of its own.
-  /// Powers of two are exact.
+  /// Divides every step into this many substeps, each with collision detection and a solve of its
+  /// own. Powers of two are exact.
   void setSubsteps(int count) { substeps_ = count; }
 
   /// One step of `dt` seconds, without interpolation.
@@ -87,8 +85,8 @@ class World {
   std::vector<btRigidBody*> movableBodies() const;
   int contactCount() const;
 
-  /// A thing that owns bodies of this world (a loaded file) and takes them out of it when it goes:
-  /// first of all.
+  /// Keeps a thing that owns bodies of this world (a loaded file). When the world goes, the thing
+  /// goes first and takes its bodies out.
   void keep(std::shared_ptr<void> thing) { kept_.push_back(std::move(thing)); }
 
  private:

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Installs the build given as argument into a temporary prefix and builds the project beside this script against it,
-# outside the tree: with find_package(delassus), with pkg-config, and once with the precisions mixed, which must not link.
+# Installs the build given as argument into a temporary prefix. Builds the project beside this
+# script against it, outside the tree: with find_package(delassus), with pkg-config, and once with
+# the precisions mixed, which must not link.
 set -euo pipefail
 build=$(realpath "$1")
 export CMAKE_GENERATOR=Ninja  # a bare Debian has no make
@@ -20,7 +21,7 @@ for program in consumer_core consumer_float consumer_float64; do
   "build/$program" || { echo "find_package: $program failed" >&2; exit 1; }
 done
 
-# Every header that is installed finds all that it includes.
+# Every installed header finds all that it includes.
 (cd prefix/include && find delassus bullet_ext -name '*.h' | sort) | sed 's/.*/#include "&"/' >consumer/box_with_all.cpp
 cat consumer/box.cpp >>consumer/box_with_all.cpp
 
@@ -32,7 +33,7 @@ for module in delassus-bullet delassus-bullet-float64; do
   "./$module" || { echo "pkg-config: $module failed" >&2; exit 1; }
 done
 
-# The door in one precision, Bullet in the other.
+# The library in one precision, Bullet in the other.
 # shellcheck disable=SC2046
 if g++ -std=c++17 consumer/box.cpp -Iprefix/include $(pkg-config --cflags bullet eigen3) \
     $(pkg-config --libs delassus-bullet-float64) -o mixed 2>mixed.log; then

@@ -20,7 +20,7 @@ Trial between(const btVector3& normal1, const btVector3& normal2, const btVector
   return drifting(std::move(world), 120);
 }
 
-/// The ball between two planes that close to a shaft, pressed down.
+/// The ball between two planes that close to a shaft; it is pressed down.
 Trial wedge(double angle, double press, double mu) {
   const double c = std::cos(angle), s = std::sin(angle);
   return between(vec3(c, s, 0), vec3(-c, s, 0), vec3(0, -press, 0), mu);

@@ -7,9 +7,9 @@ namespace demos::report::stability {
 
 namespace {
 
-/// Room between the tightest bounds of G = H y that the joints of the half arch set for the thrust
-/// H. With k voussoirs of unit weight above a joint at φ from the vertical, their centre at x, the
-/// thrust passes at radius ρ of the joint where
+/// For a thrust H, the joints of the half arch bound G = H y; returns the room between the tightest
+/// bounds. With k voussoirs of unit weight above a joint at φ from the vertical, their centre at x,
+/// the thrust passes at radius ρ of the joint where
 ///
 ///     k (ρ sin φ − x) + H ρ cos φ = G
 double room(int voussoirs, double inner, double outer, double thrust) {
@@ -29,7 +29,7 @@ double room(int voussoirs, double inner, double outer, double thrust) {
 
 bool stands(int voussoirs, double radius, double thickness) {
   const double inner = radius - thickness / 2, outer = radius + thickness / 2;
-  // The room is concave in the thrust: thirds of an interval that holds its top.
+  // The room is concave in the thrust: takes thirds of an interval that contains its maximum.
   double from = 0, to = voussoirs;
   for (int i = 0; i < 200; ++i) {
     const double third = (to - from) / 3;

@@ -6,8 +6,8 @@ namespace demos::report::stability {
 constexpr double archRadius = 5;
 
 /// Least thickness at which a semicircular arch of an even number of equal voussoirs stands, m,
-/// sliding left out (Heyman's safe theorem): horizontal thrust H at height y of the crown's joint,
-/// and in every joint the thrust within its ends.
+/// without regard to sliding. By Heyman's safe theorem it stands if a horizontal thrust H at height
+/// y of the crown's joint leaves the thrust within the ends of every joint.
 double leastArchThickness(int voussoirs, double radius);
 
 }  // namespace demos::report::stability

@@ -9,10 +9,10 @@ namespace demos::report::stability {
 
 namespace {
 
-/// Pressed into the ground by this much: Bullet reports boxes only when they touch, m.
+/// The body is pressed into the ground by this much, m: Bullet reports boxes only when they touch.
 constexpr double bite = 1e-6;
 
-/// Where a body lies that slid from 0 at `speed`: steps lose μ g h each until it stands.
+/// The way of a body that slides from 0 at `speed`: it loses μ g h a step until it stands.
 double slidingWay(double speed, double mu, double time, double timeStep) {
   double way = 0;
   const long steps = std::lround(time / timeStep);
@@ -71,8 +71,8 @@ Sweep incline() {
   return sweep;
 }
 
-/// Painlevé's: a rod pushed along, its tip ahead of it. With tan(tilt) = 2 and μ > 4/3 the tip's
-/// pushing back turns it deeper into the ground: no finite force is right.
+/// Painlevé's paradox: a rod is pushed along with its tip ahead. With tan(tilt) = 2 and μ > 4/3 the
+/// ground's push on the tip turns it deeper into the ground: no finite force is right.
 Sweep painleve() {
   Sweep sweep;
   sweep.name = "painleve";
@@ -88,7 +88,7 @@ Sweep painleve() {
     world->add(0, world->plane(vec3(0, 1, 0), 0), at(0, 0, 0), {surfaceFriction(mu), 0});
     auto& capsule =
         world->own(std::make_unique<btCapsuleShapeX>(btScalar(radius), btScalar(2 * halfLength)));
-    // The tip is at the right, below, and goes to the right.
+    // The tip is at the lower right, and moves to the right.
     btRigidBody& rod = world->add(
         1, capsule, btTransform(aboutZ(-tilt), vec3(0, radius + halfLength * std::sin(tilt), 0)),
         {surfaceFriction(mu), 0});

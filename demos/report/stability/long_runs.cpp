@@ -24,15 +24,15 @@ Sweep lasting(const std::string& name, const std::string& title, double allowed,
   return sweep;
 }
 
-/// A kinematic slab whose surface runs at 1 m/s while it stays where it is, and a box that a stop
-/// keeps from going with it.
+/// A kinematic slab whose surface runs at 1 m/s while the slab stays in place, and a box that a
+/// stop holds back.
 std::unique_ptr<World> buildConveyor() {
   auto world = std::make_unique<World>();
   btRigidBody& belt = addGround(*world);
   belt.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
   addBox(*world, unitBox, 1, at(0, unitHalf, 0));
   world->add(0, world->box(vec3(0.5, 2, 2)), at(1, 2, 0), {});
-  // Bullet derives the velocity of a kinematic body from its pose when a step begins; the tick
+  // Bullet derives the velocity of a kinematic body from its pose at the start of a step; the tick
   // comes after that.
   const auto run = [](btDynamicsWorld* dynamics, btScalar) {
     static_cast<btRigidBody*>(dynamics->getWorldUserInfo())->setLinearVelocity(vec3(1, 0, 0));
@@ -41,7 +41,7 @@ std::unique_ptr<World> buildConveyor() {
   return world;
 }
 
-/// Depths of contacts are left as they are.
+/// Penetrations are left as they are.
 std::unique_ptr<World> archWithoutRecovery() {
   auto world = buildArch(21, 1);
   world->dynamics().getSolverInfo().m_erp2 = 0;

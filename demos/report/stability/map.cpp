@@ -33,7 +33,7 @@ MapPlan planOf(const ReportArguments& arguments) {
   return plan;
 }
 
-/// In the order of the page.
+/// All sweeps, in the order of the page.
 std::vector<SweepGroup> allSweeps() {
   return {massSweeps(),       unitSweeps(),  stiffnessSweeps(), frictionSweeps(),
           redundancySweeps(), angleSweeps(), speedSweeps(),     longRunSweeps(),
@@ -71,8 +71,8 @@ std::vector<Part> partsOf(const std::vector<SweepGroup>& groups, const MapPlan& 
   return parts;
 }
 
-/// The executable on Bullet's other precision, which lies beside this one; empty, and told, if it
-/// does not.
+/// The executable for Bullet's other precision, beside this one. If it is not there, says so and
+/// returns nothing.
 fs::path otherPrecision() {
   const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
   const fs::path other =
@@ -102,7 +102,7 @@ std::vector<std::string> commandOf(const fs::path& executable, const ReportArgum
   return words;
 }
 
-/// Sweeps whose measures are not there in a precision whose folder is.
+/// The number of sweeps without measures, in each precision that has a folder.
 int missingIn(const fs::path& folder, const std::vector<SweepGroup>& groups) {
   int missing = 0;
   for (const char* precision : precisions)
@@ -121,7 +121,8 @@ bool makeMap(const ReportArguments& arguments) {
   const std::vector<Part> parts = partsOf(groups, plan);
   const fs::path folder = fs::path(arguments.out) / "stability", own = folder / precisionName();
   stamp(own, arguments.commandAnywhere(), arguments.resume, parts);
-  // Where the other executable is missing, nothing takes the place of what it measured once.
+  // Removes the measures of both precisions. If the other executable is missing, nothing replaces
+  // its measures.
   if (!arguments.onePrecision && !arguments.resume)
     for (const char* precision : precisions) removeMeasures(folder / precision, parts);
   std::optional<CommandBeside> other;
@@ -134,7 +135,7 @@ bool makeMap(const ReportArguments& arguments) {
     other->wait();
   }
   other.reset();
-  if (arguments.onePrecision) return !stopped;  // the page is the business of the other one
+  if (arguments.onePrecision) return !stopped;  // the other executable writes the page
 
   const int missing = missingIn(folder, groups);
   writeMapPage(arguments.out, arguments.command(), groups, plan, missing);

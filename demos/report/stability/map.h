@@ -4,9 +4,9 @@
 
 namespace demos::report::stability {
 
-/// Measures the stability map in both precisions, the other one by the executable beside this one
-/// at the same time, and writes stability.md. `parts` of the arguments are groups of sweeps.
-/// Returns false if it was interrupted.
+/// Measures the stability map in both precisions and writes stability.md. The executable beside
+/// this one measures the other precision at the same time. `parts` of the arguments are groups of
+/// sweeps. Returns false if it was interrupted.
 bool makeMap(const ReportArguments& arguments);
 
 }  // namespace demos::report::stability

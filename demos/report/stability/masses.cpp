@@ -24,7 +24,7 @@ Sweep heavyTop(int boxes, int steps) {
   return sweep;
 }
 
-/// The remedy for points that come and go: they stay pressed in.
+/// The remedy for points that come and go: keep them pressed in.
 Sweep heavyTopWithSlop() {
   Sweep sweep = heavyTop(10, 300);
   sweep.name = "stack_10_slop";
@@ -135,7 +135,7 @@ Sweep press() {
   return sweep;
 }
 
-/// Spun about the vertical on the ground, with moments of inertia that no box has.
+/// A body spun about the vertical on the ground, with moments of inertia that no box has.
 Sweep anisotropy() {
   Sweep sweep;
   sweep.name = "inertia";

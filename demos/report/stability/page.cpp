@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What one solver in one precision did in a sweep.
+/// The results of one solver in one precision in a sweep.
 struct Track {
   std::string method, precision;
   std::vector<double> values;
@@ -53,8 +53,7 @@ std::vector<Track> readTracks(const fs::path& out, const SweepGroup& group, cons
   return tracks;
 }
 
-/// "a → b" of what `word` makes of the first and the last value, or one of them where they read the
-/// same.
+/// "a → b" from `word` of the first and the last value, or a single word if both are the same.
 std::string fromTo(const Track& track,
                    const std::function<std::string(const std::map<std::string, double>&)>& word) {
   const std::string first = word(track.numbers.front()), last = word(track.numbers.back());
@@ -68,7 +67,8 @@ std::string fromTo(const Track& track, const std::string& column) {
   });
 }
 
-/// The error of the motion of the "first" or "last" step, and what it was compared with.
+/// The error of the motion of the "first" or "last" step; in brackets unless it was compared with a
+/// certified motion.
 std::string motionErrors(const Track& track, const std::string& step) {
   return fromTo(track, [&step](const auto& numbers) -> std::string {
     const double error = numbers.at(step + "_error");
@@ -78,7 +78,7 @@ std::string motionErrors(const Track& track, const std::string& step) {
   });
 }
 
-/// What was reported where a track holds no more, or last of all where it holds throughout.
+/// What was reported where a track first fails; nothing if it holds throughout.
 std::string saidPastLimit(const Track& track) {
   std::size_t at = track.verdicts.size();
   for (std::size_t i = 0; i < track.verdicts.size() && at == track.verdicts.size(); ++i)
@@ -123,7 +123,7 @@ StripPanel panelOf(const Sweep& sweep, const std::vector<Track>& tracks) {
   return panel;
 }
 
-/// What is there of one sweep.
+/// The measures of one sweep.
 struct Reading {
   const Sweep* sweep;
   std::vector<Track> tracks;
@@ -145,7 +145,8 @@ std::vector<Reading> readGroup(const fs::path& out, const SweepGroup& group, con
   return readings;
 }
 
-/// One panel for each solver and precision: its tracks of all sweeps of a pair under each other.
+/// One panel for each solver and precision: its tracks of all sweeps of a pair, one below the
+/// other.
 std::vector<StripPanel> pairPanels(const std::vector<Reading>& readings) {
   std::vector<StripPanel> panels;
   for (const Track& track : readings.front().tracks) {
@@ -197,7 +198,7 @@ std::string lawOf(const Sweep& sweep) {
   return "Law: " + sweep.law + "." + (sweep.remark.empty() ? "" : " " + sweep.remark) + "\n\n";
 }
 
-/// One sweep after the other, each a row of the overview.
+/// One sweep after the other; each is a row of the overview.
 Section sweepSection(const std::vector<Reading>& readings, Overview& overview) {
   Section section;
   for (const Reading& reading : readings) {

@@ -30,7 +30,7 @@ Sweep manyFeet() {
         const double x = -0.45 + 0.9 * i / (side - 1), z = -0.45 + 0.9 * k / (side - 1);
         body.addChildShape(at(x, -halfHeight - radius, z), &foot);
       }
-    // Pressed together: rounding would part some, m.
+    // The bodies are pressed together by this, m: rounding would part some.
     constexpr double bite = 1e-5;
     const double height = 2 * radius + halfHeight - bite;
     world->add(1, body, at(0, height, 0), {surfaceFriction(usualFriction), 0});

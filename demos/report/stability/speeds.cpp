@@ -18,7 +18,7 @@ double fastest(const World& world) {
   return most;
 }
 
-/// Three balls in a row that touch; the first runs into the others, which take over its momentum.
+/// Three balls in a row that touch; the first runs into the others, and all share its momentum.
 Sweep collision() {
   Sweep sweep;
   sweep.name = "collision";
@@ -64,7 +64,7 @@ Sweep wallHit() {
   return sweep;
 }
 
-/// Boxes that were put into each other: they must come apart without being thrown.
+/// Boxes that start inside each other: they must come apart without being thrown.
 Sweep overlap() {
   Sweep sweep;
   sweep.name = "overlap";

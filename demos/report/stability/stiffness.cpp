@@ -106,7 +106,7 @@ Sweep spring() {
   return sweep;
 }
 
-/// The servo that drives a box along a rail to 1 m, against friction-free air.
+/// A motor that drives a box along a rail at 2 m/s, without gravity or friction.
 Sweep motor() {
   Sweep sweep;
   sweep.name = "motor";

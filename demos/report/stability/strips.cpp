@@ -15,7 +15,7 @@ constexpr int columns = 2, panelWidth = 640, stripHeight = 20, fontSize = 12;
 // Room around the cells of a panel, and for the title and the legend of the figure, pixels.
 constexpr int leftRoom = 170, rightRoom = 16, topRoom = 30, bottomRoom = 46, headRoom = 70;
 
-/// Okabe and Ito's colours, and a sign for those who see none.
+/// Okabe and Ito's colours, and a sign for readers who see no colours.
 struct Look {
   Verdict verdict;
   const char *colour, *sign, *signColour;
@@ -99,7 +99,7 @@ void addPanel(Script& script, const StripPanel& panel, double left, double top) 
     }
   }
   const double bottom = first + stripHeight * double(panel.strips.size());
-  const std::size_t every = panel.values.size() > 13 ? 2 : 1;  // as many as find room
+  const std::size_t every = panel.values.size() > 13 ? 2 : 1;  // as many as there is room for
   for (std::size_t i = 0; i < panel.values.size(); i += every)
     script.label(from + (double(i) + 0.5) * cell, bottom + 10, tic(panel.values[i]), "center",
                  "#333333", 10);
@@ -119,7 +119,7 @@ std::string tic(double value) {
     return word;
   }
   std::snprintf(word, sizeof word, "%.2g", value);
-  // 1e-06 and 1e+06: the zeros and the plus say nothing.
+  // 1e-06 and 1e+06: the zeros and the plus carry no information.
   std::string text = word;
   const std::size_t at = text.find('e');
   if (at == std::string::npos) return text;

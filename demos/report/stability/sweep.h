@@ -14,8 +14,8 @@ struct Trial {
   std::unique_ptr<World> world;
   int steps = 300;
   double timeStep = 1.0 / 60;  ///< s
-  /// How wrong the world is now, in the unit of the law of its sweep; asked after each step, with
-  /// the time since the start.
+  /// The error of the world now, in the unit of its sweep's law; asked after each step, with the
+  /// time since the start.
   std::function<double(double time)> error;
   bool geometricStiffness = false;  ///< of delassus; the others have none
 };
@@ -29,10 +29,10 @@ struct Sweep {
   double allowed;     ///< the error up to which it holds
   std::vector<double> values;
   std::function<Trial(double value)> build;
-  /// Where the time stepping itself ends, whatever the solver; 0: nowhere.
+  /// Where the time stepping itself fails, with any solver; 0: nowhere.
   double limit = 0;
   std::string remark;  ///< for the page, may be empty
-  /// No more steps are taken than in so many times the usual seconds of a trial.
+  /// A trial takes no more steps than fit in this many times its usual seconds.
   double patience = 1;
   /// Each value takes longer than the one before: a solver that was too slow for one is not asked
   /// for the next.
@@ -43,9 +43,9 @@ struct Sweep {
 struct SweepGroup {
   std::string name, title;
   std::vector<Sweep> sweeps;
-  /// Not empty: the sweeps are one and the same of a second thing that is made harder too, this
-  /// one. Their titles are its values, their values are the same, and their law and remark are
-  /// those of the first.
+  /// If not empty, names a second thing that is made harder, too. All sweeps are then one and the
+  /// same, at the values of that thing: their titles are its values. Their own values are the same,
+  /// and so are their law and remark: those of the first sweep.
   std::string second = {};
 };
 
@@ -74,20 +74,20 @@ const btVector3 unitBox = vec3(0.5, 0.5, 0.5);  // half of its sides
 // -------------------------------------------------------------------------------------------------
 // Each may be asked as long as the world lives.
 
-/// Largest distance of a body from where it is now, m, over `unit`.
+/// Largest distance of a body from its present place, m, over `unit`.
 std::function<double(double)> driftFrom(const World& world, double unit = 1);
 /// Energy gained since now, J, over `unit`.
 std::function<double(double)> energyGainedFrom(const World& world, double unit);
-/// Largest way of a movable body up from its place or aside of it, m; sinking does not count.
+/// Largest motion of a movable body up or sideways from its place, m; sinking does not count.
 std::function<double(double)> strayFrom(const World& world, std::vector<btVector3> places);
-/// How far joints are pulled apart, m, over `unit`.
+/// How far joints come apart, m, over `unit`.
 std::function<double(double)> jointsOf(const World& world, double unit = 1);
 /// The larger one of two errors.
 std::function<double(double)> worseOf(std::function<double(double)> a,
                                       std::function<double(double)> b);
 
-/// Trials of a world whose law is that bodies stay where they are, m over `unit`, or that it gains
-/// no energy over what it has.
+/// Trials of a world whose law is that bodies stay in place, m over `unit`, or that it gains no
+/// energy beyond what it has.
 Trial drifting(std::unique_ptr<World> world, int steps, double timeStep = 1.0 / 60,
                double unit = 1);
 Trial gaining(std::unique_ptr<World> world, int steps, double timeStep = 1.0 / 60);

@@ -21,10 +21,10 @@ namespace demos::report::stability {
 
 namespace {
 
-/// Of this process: a busy machine must not make a trial shorter.
+/// Of this process alone: a busy machine must not shorten a trial.
 double processorSeconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
-/// What a trial tells, in the order of its numbers.
+/// The names of a trial's numbers, in their order.
 const std::vector<std::string> measured{
     "steps",         "worst_error",    "residual_max", "first_error", "first_certified",
     "last_error",    "last_certified", "energy_gain",  "ms",          "solved",
@@ -47,7 +47,7 @@ enum Column {
   Fallbacks
 };
 
-/// Islands of more unknowns are not refined: it takes seconds.
+/// Islands of more unknowns are not refined, since that takes seconds.
 constexpr int mostRefined = 200;
 
 /// The motion that takes place in the first step of a trial, found in a process apart; unknown if
@@ -84,7 +84,7 @@ Certified certifyFirstStep(const Sweep& sweep, double value, double secondsLimit
   return truth;
 }
 
-/// What `inner` makes of the next step, beside what `truth` knows of its problem.
+/// The error of `inner` in the next step, judged by what `truth` knows of its problem.
 struct StepError {
   double error = std::nan("");  ///< |v − v*|_M / |v_f − v*|_M
   bool certified = false;       ///< v* is the motion that takes place, to all digits of a double
@@ -103,7 +103,7 @@ StepError stepError(Trial& trial, btConstraintSolver& inner, double cfm,
   };
   capture.afterSolve = [&](const CapturedStep&) {
     if (solves > 1 || !right.known()) return;
-    // Reactions that do no more than rounding are none.
+    // Reactions of no more than rounding count as none.
     const double momentum = problem->distance(problem->freeMotion(), problem->atRest());
     if (right.size <= 100 * std::numeric_limits<btScalar>::epsilon() * momentum) return;
     constexpr double same = 1e-12;  // two refined answers agree better than that, or not at all
@@ -116,7 +116,7 @@ StepError stepError(Trial& trial, btConstraintSolver& inner, double cfm,
   return out;
 }
 
-/// The method alone with the world; work of the process apart.
+/// Runs the method alone with the world, in the process apart.
 std::vector<double> live(const Sweep& sweep, double value, const Method& method,
                          double secondsLimit, const MapPlan& plan, const Certified& truth) {
   const double start = processorSeconds();
@@ -143,15 +143,15 @@ std::vector<double> live(const Sweep& sweep, double value, const Method& method,
 
     numbers[Steps] += 1;
     const double error = trial.error((step + 1) * trial.timeStep);
-    // An error that is no number is as large as can be, and so is that of a world whose bodies are
-    // nowhere.
+    // An error that is not a number counts as infinite. So does that of a world with bodies that
+    // are nowhere.
     const bool lost = std::isnan(error) || !isFinite(world);
     numbers[WorstError] = std::max(numbers[WorstError], lost ? INFINITY : error);
     numbers[EnergyGain] = largerOf(numbers[EnergyGain], gained(0));
     numbers[Residual] = largerOf(numbers[Residual], judge.takeResidual().max);
     if (named.delassus() != nullptr) {
       const delassus::StepReport& report = named.delassus()->report();
-      // Steps, not islands: what share of the time something was reported.
+      // Counts steps, not islands: it is the share of time in which something was reported.
       const bool said = report.outOfBudget + report.incompatible + report.nonFinite > 0;
       numbers[Solved] += !said;
       numbers[OutOfBudget] += report.outOfBudget > 0;
@@ -160,13 +160,13 @@ std::vector<double> live(const Sweep& sweep, double value, const Method& method,
       numbers[LeftOut] += report.leftOut > 0;
     }
     if (lost) numbers[Residual] = std::nan("");
-    // What is lost does not come back, and may take very long.
+    // A lost world does not come back, and its steps may take very long.
     if (!(numbers[WorstError] <= 10 * sweep.allowed) || processorSeconds() - start > secondsLimit)
       break;
   }
   numbers[Fallbacks] = named.fallbacks();
   StepError last;
-  // Of a stiffened step the problem is another one than that of its bodies.
+  // The problem of a stiffened step is not that of its bodies.
   if (plan.lastCertificateLimit > 0 && !trial.geometricStiffness &&
       processorSeconds() - start <= secondsLimit)
     last =
@@ -247,7 +247,7 @@ CsvTable measureSweep(const Sweep& sweep, const MapPlan& plan, const Progress& p
     for (const Method& method : plan.methods) {
       ApartResult run;
       run.ending = Ending::TimeLimit;
-      // A run ends itself at its limit; only one step that never ends is ended from outside.
+      // A run ends itself at its limit; only a step that never ends is ended from outside.
       if (givenUp.count(method.name) == 0)
         run = runApart([&] { return live(sweep, value, method, limit, plan, truth); },
                        Limits{5 * limit + 2});

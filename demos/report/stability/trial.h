@@ -23,18 +23,18 @@ std::string toString(Verdict verdict);
 Verdict verdictOf(const std::string& word);
 bool holds(Verdict verdict);
 
-/// How much is done.
+/// How much is measured.
 struct MapPlan {
   std::vector<Method> methods;
   std::vector<Method> pairMethods;  ///< of two things at once
   double secondsLimit;  ///< of a trial, of the processor, times the patience of its sweep
-  /// Of one solve of the motion that takes place in the first step, and in the step after a trial,
-  /// which each solver has of its own, s; 0: none.
+  /// Limits of one solve, s; 0: none. The first is for the motion that takes place in the first
+  /// step. The second is for that in the step after a trial, which differs from solver to solver.
   double certificateLimit, lastCertificateLimit;
   bool quick = false;
 };
 
-/// Less is done for pairs: the motions of single steps are not compared with anything.
+/// Pairs take less work: the motions of their single steps are not compared with anything.
 MapPlan planFor(const SweepGroup& group, MapPlan plan);
 
 /// All methods at all values of a sweep, each trial in a process of its own.

@@ -7,8 +7,8 @@ namespace demos::report::stability {
 
 namespace {
 
-/// Pressed into each other by this share of a side: Bullet reports boxes only when they touch, and
-/// rounding would part some.
+/// Boxes are pressed into each other by this share of a side: Bullet reports boxes only when they
+/// touch, and rounding would part some.
 constexpr double bite = 1e-5;
 
 /// `boxes` boxes of side `size` and `mass`, the top one ten times as heavy, under a gravity of
