@@ -1,7 +1,8 @@
 #include "bullet_ext/soft_answer.h"
 
 #include <cmath>
-#include <vector>
+#include <tuple>
+#include <utility>
 
 #include "bullet_ext/solve_group.h"
 #include "bullet_ext/thrown_bodies.h"
@@ -36,24 +37,35 @@ VelocityResidual residualOf(const Group& group, const Island& island, const Vect
 
 /// The island's problem if its contacts give by this share of what `soften` gives.
 const Problem& softProblem(const Group& group, const Island& island, double share, Bench& bench) {
-  bench.softContacts = group.contacts;
-  island.eachContact([&](int i) { soften(group.bodies, bench.softContacts[i], share); });
+  bench.softContacts.resize(group.contacts.size());  // those of other islands are not read
+  island.eachContact([&](int i) {
+    bench.softContacts[i] = group.contacts[i];
+    soften(group.bodies, bench.softContacts[i], share);
+  });
   return bench.assembler.assemble(group.bodies, bench.softContacts, group.rows, island);
 }
 
 /// The island's problem if joints that hold, and contacts that are to part, ask for this share of
-/// what they ask for now, and contacts perhaps give.
+/// what they ask for now, and contacts perhaps give. Soft ones stretch in the same measure: their
+/// force is theirs, whatever they ask for.
 const Problem& heldBackProblem(const Group& group, const Island& island, double share,
                                bool contactsGive, Bench& bench) {
-  bench.softRows = group.rows;
+  bench.softRows.resize(group.rows.size());
   for (const int k : island.rows) {
     Row& row = bench.softRows[k];
-    if (row.governor < 0 && !drives(group, k, row.target > 0)) row.target *= share;
+    row = group.rows[k];
+    if (row.governor >= 0 || drives(group, k, row.target > 0)) continue;
+    row.target *= share;
+    if (isSoft(group, k)) row.compliance *= share;
   }
-  bench.softContacts = group.contacts;
+  bench.softContacts.resize(group.contacts.size());
   island.eachContact([&](int i) {
     Contact& contact = bench.softContacts[i];
-    if (contact.target[0] > 0) contact.target[0] *= share;
+    contact = group.contacts[i];
+    if (contact.target[0] > 0) {
+      contact.target[0] *= share;
+      contact.compliance *= share;
+    }
     if (contactsGive) soften(group.bodies, contact);
   });
   return bench.assembler.assemble(group.bodies, bench.softContacts, bench.softRows, island);
@@ -87,28 +99,38 @@ void answerSoftened(const Group& group, const Island& island, Bench& bench, Answ
 
 void answerHeldBack(const Group& group, const Island& island, const TargetWork& exact,
                     bool contactsThrow, Bench& bench, Answer& answer, IslandResult& result) {
-  constexpr double spare = 0.9;
+  constexpr double aim = 0.9, enough = 0.5;  // of what is fair
   constexpr int mostTries = 4;
   const ShortSearch search(bench.solver);
   Solution& solution = bench.solution;
   bool contactsGive = contactsThrow;
-  double share = 1, done = exact.done;
-  for (int tries = 1; share > 0 && done > exact.fair; ++tries) {
-    share *= tries < mostTries ? spare * std::sqrt(exact.fair / done) : 0;
-    const auto solve = [&] {
-      const Problem& problem = heldBackProblem(group, island, share, contactsGive, bench);
-      bench.solver.solve(problem, solution.r, solution);
-      bench.counts.add(solution);
-      done =
-          workOfTargets(group, bench.softContacts, bench.softRows, island, problem, solution).done;
-      return solution.residual <= roughly * problem.demand();
-    };
+  const auto solve = [&](double share) {
+    const Problem& problem = heldBackProblem(group, island, share, contactsGive, bench);
+    bench.solver.solve(problem, solution.r, solution);
+    bench.counts.add(solution);
+    const bool isFound = solution.residual <= roughly * problem.demand();
+    const TargetWork work =
+        workOfTargets(group, bench.softContacts, bench.softRows, island, problem, solution);
+    return std::make_pair(isFound, work.done);
+  };
+  // The squares of a share that is fair and of one that is not, with their work, which is about
+  // linear in between.
+  double fair = 0, doneFair = 0, unfair = 1, doneUnfair = exact.done;
+  for (int tries = 1;; ++tries) {
+    const bool isLast = tries > mostTries;
+    const double reached = (aim * exact.fair - doneFair) / (doneUnfair - doneFair);
+    const double square = isLast ? fair : fair + (unfair - fair) * reached;
+    auto [isFound, done] = solve(std::sqrt(square));
     // Where bodies are so wedged that this is not found soon, contacts give, too.
-    if (!solve() && !contactsGive) {
+    if (!isFound && !contactsGive) {
       contactsGive = true;
-      solve();
+      std::tie(isFound, done) = solve(std::sqrt(square));
     }
     if (!fitsBullet(solution.r)) return;
+    if (isLast || (done <= exact.fair && (done >= enough * exact.fair || tries == mostTries)))
+      break;
+    (done > exact.fair ? unfair : fair) = square;
+    (done > exact.fair ? doneUnfair : doneFair) = done;
   }
   take(group, island, solution, residualOf(group, island, solution.r, bench), answer, result);
 }

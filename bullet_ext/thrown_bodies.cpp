@@ -48,16 +48,20 @@ double askedByTurns(const Group& group, const Island& island) {
   return turn * arm;
 }
 
-/// The impulse at which the joint of this row breaks; infinite if no joint has asked for the row.
-double breakingImpulseOf(const Group& group, int row) {
+/// The joint of this row; null if no joint has asked for the row.
+const JointSource* jointOf(const Group& group, int row) {
   const auto after =
       std::upper_bound(group.joints.begin(), group.joints.end(), row,
                        [](int k, const JointSource& joint) { return k < joint.firstRow; });
-  if (after == group.joints.begin()) return infinity;
+  if (after == group.joints.begin()) return nullptr;
   const JointSource& joint = *std::prev(after);
-  return row < joint.firstRow + joint.rowCount
-             ? toCoreBound(joint.constraint->getBreakingImpulseThreshold())
-             : infinity;
+  return row < joint.firstRow + joint.rowCount ? &joint : nullptr;
+}
+
+/// The impulse at which its joint breaks.
+double breakingImpulseOf(const Group& group, int row) {
+  const JointSource* joint = jointOf(group, row);
+  return joint ? toCoreBound(joint->constraint->getBreakingImpulseThreshold()) : infinity;
 }
 
 /// The largest impulse that may push the row up, or down.
@@ -133,6 +137,21 @@ double energyOf(const Group& group, const Island& island, double leastSpeed) {
   return sum;
 }
 
+/// The energy that forces take from the island's bodies in this step, or would give them from rest
+/// if that is more, J.
+double workOfForces(const Group& group, const Island& island) {
+  double taken = 0, given = 0;
+  for (const int body : island.bodies) {
+    const double inverse = group.bodies[body].inverseMass.maxCoeff();
+    if (!(inverse > 0)) continue;
+    const Vec3 before = group.bodySources[body].before.head<3>();
+    const Vec3 gain = group.bodies[body].velocity.head<3>() - before;
+    taken -= before.dot(gain) / inverse;
+    given += 0.5 * gain.squaredNorm() / inverse;
+  }
+  return std::max(taken, given);
+}
+
 }  // namespace
 
 bool contactsThrowOne(const Group& group, const Island& island, double demand, const Answer& answer,
@@ -144,6 +163,11 @@ bool contactsThrowOne(const Group& group, const Island& island, double demand, c
       after = std::max(after, fasterOf(answer.bodies, group.contacts[k]));
   });
   return after > times * before && after > times * (before + askedByTurns(group, island));
+}
+
+bool isSoft(const Group& group, int row) {
+  const JointSource* joint = jointOf(group, row);
+  return joint && joint->isSoft;
 }
 
 bool drives(const Group& group, int row, bool up) {
@@ -161,9 +185,9 @@ TargetWork workOfTargets(const Group& group, const std::vector<Contact>& contact
   work.fair = hold.alone + hold.drive;
   work.allowed = timesAlone * work.fair;
   if (work.done <= work.allowed) return work;  // as most do: the energy is expensive
-  const double energy = energyOf(group, island, 0);
-  work.fair = std::max(work.fair, energy);
-  work.allowed = std::max(work.allowed, energy);
+  const double forces = 2 * workOfForces(group, island);
+  work.fair += forces;
+  work.allowed = std::max(work.allowed, energyOf(group, island, 0) + forces);
   return work;
 }
 

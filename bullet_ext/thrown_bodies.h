@@ -32,14 +32,19 @@ bool contactsThrowOne(const Group& group, const Island& island, double demand, c
 /// held at rest gains energy.
 struct TargetWork {
   double done = 0;
-  /// The larger of the energy that the island has, and of this sum: ½ target²/W_ii over all
-  /// targets, which is what each would take alone, and the work of what drives joints, in either
-  /// direction. Motors, limits and springs drive. They have bounds and may do all that these allow
-  /// (a breaking threshold is no such bound).
+  /// The sum of
+  ///
+  ///   - ½ target²/W_ii over all targets, which is what each would take alone,
+  ///   - the work of what drives joints, in either direction: motors, limits and springs, which
+  ///     have bounds and may do all that these allow (a breaking threshold is no such bound),
+  ///   - twice the work of forces: the energy that they take from the bodies in this step, as from a
+  ///     load that is lifted, or would give them from rest. It takes once as much to go on as
+  ///     before, and the other half makes the bodies faster.
   double fair = 0;
-  /// The same with timesAlone times the sum: an answer with more work throws a body. Limbs in a
-  /// heap take up to 20 times what they would take alone; limbs that are wedged, or a chain that is
-  /// too short, take hundreds and thousands of times as much.
+  /// An answer with more work throws a body: timesAlone times the first two, or the energy that the
+  /// island has and the third, if that is more. Limbs in a heap take up to 20 times what they would
+  /// take alone; limbs that are wedged, or a chain that is too short, take hundreds and thousands
+  /// of times as much.
   double allowed = 0;
 };
 constexpr double timesAlone = 30;
@@ -48,6 +53,8 @@ constexpr double timesAlone = 30;
 TargetWork workOfTargets(const Group& group, const std::vector<Contact>& contacts,
                          const std::vector<Row>& rows, const Island& island, const Problem& problem,
                          const Solution& solution);
+/// Whether the row belongs to a joint with a softness of its own.
+bool isSoft(const Group& group, int row);
 /// Whether a push of the row up, or down, drives or brakes it, with a bounded force. A bound at
 /// which the joint breaks does not count: until then the joint holds.
 bool drives(const Group& group, int row, bool up);
