@@ -41,7 +41,8 @@ bool ProximalWalk<Motion>::growsInVain(double tolerance, double residual) {
   return -d.dot(trialU_) > impossible * asked * std::sqrt(energy);
 }
 
-/// Removes from the reactions the part along d = r − center, and names those whose demands it was.
+/// Removes the part along d = r − center from the reactions, and names the parts whose demands made
+/// it grow.
 template <class Motion>
 void ProximalWalk<Motion>::compromise(Solution& best) {
   // A share of a radius; and a share of the largest part of d, above which a part is named.
