@@ -12,7 +12,7 @@ struct RowAnswer {
   std::vector<RowState> states;
   double residual = infinity;
 
-  /// Takes the other's place if it is better.
+  /// Takes the reactions of `walk`, within their bounds, if they are better.
   void offer(const BoundedRows& problem, const RegionWalk& walk);
 };
 
@@ -25,9 +25,9 @@ struct ProximalAnswer {
 };
 
 /// Solves problems with singular W by exact proximal steps from r = 0 (algorithms 5.2-5.5): the
-/// motion is that of W itself, the reactions have least norm. Steps go on while they help; once the
-/// natural residual is within `goodEnough`, slow help is not sought: the data themselves disagree
-/// by that much, and to follow them would spoil the shares.
+/// motion is that of W itself, and the reactions have least norm. Steps go on while they help. Once
+/// the natural residual is within `goodEnough`, slow progress ends them: the data themselves
+/// disagree by that much, and to follow them would spoil the shares.
 ProximalAnswer proximalPoint(const BoundedRows& problem, RegionWalk& walk, double goodEnough,
                              int regionBudget);
 
