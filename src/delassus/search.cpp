@@ -171,7 +171,7 @@ void Search::polishWith(Engines<Motion>& engines, const Task& task, Solution& be
 template <class Motion>
 Outcome Search::walkTwice(Engines<Motion>& engines, const Task& task, Solution& best) {
   if (task.isHurried) return walkOnce(engines, task, best);
-  constexpr int shortPath = 8;  // one part in so many
+  constexpr int shortPath = 8;  // divides the budget of a whole path
   Task rest = task;
   Outcome outcome;
   if (task.guess) {
