@@ -71,8 +71,8 @@ void BlockFactor::addRows(const ScalarRow* rows, const double* g, int count, int
   const BlockPattern::Target& t = pattern().target[edge];
   const double *first = t.reversed ? Ja : Jb, *second = t.reversed ? Jb : Ja;
   addRowProducts(first, second, stride, g, count, lower_[t.at]);
-  // What rows add is symmetric: block (column, row) is the transpose of block (row, column), and
-  // upper_ stores transposes.
+  // The products of rows are symmetric: block (column, row) is the transpose of block (row,
+  // column), and upper_ stores transposes.
   if (!symmetric_) addRowProducts(first, second, stride, g, count, upper_[t.at]);
 }
 

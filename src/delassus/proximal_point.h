@@ -16,8 +16,9 @@ struct RowAnswer {
   void offer(const BoundedRows& problem, const RegionWalk& walk);
 };
 
-/// What the proximal point method found. `shift` is added to q where the demands are incompatible:
-/// the least change, in the norm of scaled velocities, that makes them compatible.
+/// The answer of the proximal point method. Where the demands are incompatible, `shift` is the
+/// least change of q, in the norm of scaled velocities, that makes them compatible; it is to be
+/// added.
 struct ProximalAnswer {
   RowAnswer best;
   VectorXd shift;

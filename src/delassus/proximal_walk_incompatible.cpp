@@ -10,7 +10,7 @@ namespace delassus {
 /// Whether reactions grow in vain. Incompatible demands let them grow without end, by the same d
 /// each time, along which no body moves: J̃ᵀ d = 0. The motion is then the compromise that is
 /// nearest to the demands in least squares, weighted by the W_aa. Contacts with friction and disks
-/// have no part in it: what is squeezed may slip out, since u_n = −μ |u_t| is no demand at all.
+/// have no part in it: a squeezed body may slip out, since u_n = −μ |u_t| is no demand at all.
 ///
 /// Farkas' bound proves it: a motion that meets all demands has an energy norm of at least
 /// −d·u/√(d·W d), and this is beyond any norm that the demands could ask for. The proof is needed,

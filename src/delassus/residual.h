@@ -18,7 +18,7 @@ struct VelocityResidual {
   int worst = -1;  ///< first unknown of the contact or row with the largest ‖F‖/ρ
 };
 
-/// Measures many reactions of one problem: what depends on W alone is computed once.
+/// Measures many reactions of one problem: all that depends on W alone is computed once.
 class NaturalMap {
  public:
   /// Keeps a pointer to `problem`, which must outlive the measuring.
