@@ -39,7 +39,7 @@ void Anderson::start(const VectorXd& weights, int memory, double growth) {
   weights_ = &weights;
   memory_ = std::min(memory, longest);
   growth_ = growth;
-  // All memory is taken now, however few steps there will be.
+  // All memory is taken now, even if there will be few steps.
   for (std::vector<float>* changes : {&changeG_, &changeF_})
     changes->resize(std::max<std::size_t>(weights.size() * memory_, changes->size()));
   rough_.resize(std::max<std::size_t>(weights.size(), rough_.size()));
@@ -87,7 +87,7 @@ void Anderson::next(const VectorXd& g, VectorXd& x) {
   if (!gamma.allFinite()) return;
   rough.noalias() = changeG.leftCols(steps_) * gamma.cast<float>();
   x -= unit_ * rough.cast<double>();
-  // Reactions against demands that nothing can meet grow for ever; they are not to grow by powers.
+  // Reactions against demands that nothing can meet grow for ever, but must not grow exponentially.
   const double length = std::sqrt((x - g).dot(weights_->cwiseProduct(x - g)));
   if (length > farthest * norm) x = g + (farthest * norm / length) * (x - g);
 }

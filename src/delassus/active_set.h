@@ -4,16 +4,16 @@
 
 namespace delassus {
 
-/// How a contact is taken by the motion. A persisting contact is one that is not Open.
+/// How a contact takes part in the motion. A persisting contact is one that is not Open.
 enum class Mode : unsigned char { Open, Stick, Slide };
 
-/// How a bounded row is taken: at its lower bound, in between (u = 0), at its upper bound.
+/// How a bounded row takes part: at its lower bound, in between (u = 0), at its upper bound.
 enum class RowState : unsigned char { AtLower, Free, AtUpper };
 
 /// Names a region: the set of all q for which these modes are right.
 struct ActiveSet {
   std::vector<Mode> contacts;
-  std::vector<RowState> rows;  ///< those of disks are Free
+  std::vector<RowState> rows;  ///< rows of disks are Free
   std::vector<Mode> disks;     ///< Open where the disk is a point
 
   bool operator==(const ActiveSet& other) const {

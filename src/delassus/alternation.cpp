@@ -5,7 +5,8 @@
 namespace delassus {
 namespace {
 
-// Smaller, and what is squeezed takes long to find its reactions; larger, and all others do.
+// With a smaller ρ, squeezed contacts take long to find their reactions; with a larger one, all
+// others do.
 constexpr double rho = 3e-3;
 
 }  // namespace
@@ -39,9 +40,10 @@ void Alternation<Motion>::alternateOnce() {
 
 template <class Motion>
 bool Alternation<Motion>::alternate(double tolerance, int budget, Solution& best) {
-  constexpr int between = 5;  // iterations from one look at the residual to the next
-  // Looks at which its mean is not halved: then little more will come. The largest is no measure of
-  // that: it stays where it is while tall piles find out, layer by layer, what they carry.
+  constexpr int between = 5;  // iterations from one measurement of the residual to the next
+  // Measurements without a halving of its root mean square; after these little more will come. The
+  // largest residual does not tell: it stays the same while a tall pile finds its load layer by
+  // layer.
   constexpr int mostIdle = 24;
   if (budget < between) return false;
   space_.setWeights(rho);

@@ -11,15 +11,15 @@ namespace delassus {
 ///
 /// with P the Euclidean projection on cones, bounds and disks. In a fixed point x = y and z = W y +
 /// q + s: the exact law. One factor serves all iterations: contacts at rest that squeeze each other
-/// settle for the price of a few regions. Where bodies collide or slide it is slow.
+/// settle at the cost of a few regions. The method is slow where bodies collide or slide.
 template <class Motion>
 class Alternation {
  public:
   /// For the problem of `space`, which must outlive it.
   explicit Alternation(ProximalSpace<Motion>& space);
 
-  /// From `best`, which is improved until its natural residual is at most `tolerance`, m/s: true;
-  /// or until `budget` iterations are spent or gain too little. They are counted as sweeps.
+  /// Improves `best` until its natural residual is at most `tolerance`, m/s: true. Stops without
+  /// that if `budget` iterations are spent or gain too little. Iterations are counted as sweeps.
   bool alternate(double tolerance, int budget, Solution& best);
 
  private:

@@ -25,7 +25,7 @@ bool Articulation::moves(const Island& island) const {
 void RootFinder::find(const MatrixXd& inverseMass, MatrixXd& B) {
   factor_.compute(inverseMass);
   const auto d = factor_.vectorD();
-  // The largest pivots come first: what has no motion comes last.
+  // The largest pivots come first; directions without motion come last.
   Eigen::Index rank = d.size();
   while (rank > 0 && d[rank - 1] <= 0) --rank;
   L_ = factor_.matrixL();
@@ -87,8 +87,8 @@ void Coupling::layOut(const Articulation& articulation, const Island& island) {
   }
 }
 
-/// Adds J, in the motion of the tree, to what the contact or row at `at` moves: block(column,
-/// width) is a part of it.
+/// Adds J, in the motion of the tree, to the parts of the contact or row at `at`. block(column,
+/// width) gives a piece of J.
 template <class Block>
 void Coupling::addParts(int at, int tree, Eigen::Index columns, const Block& block) {
   using Piece =
@@ -98,7 +98,7 @@ void Coupling::addParts(int at, int tree, Eigen::Index columns, const Block& blo
     const auto width = std::min<Eigen::Index>(6, columns - column);
     const Piece J = block(column, width);
     const int index = firstBlock_[tree] + column / 6;
-    // Both sides of a contact may be limbs of one tree.
+    // Both sides of a contact may be limbs of one tree: then the block is there already.
     auto part = std::find_if(parts.rbegin(), parts.rend(), [&](const BodySpace::Part& p) {
       return p.at < at || p.body == index;
     });

@@ -16,12 +16,12 @@ using Matrix6X = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 ///
 ///     M⁻¹ = B Bᵀ,   velocity of a limb = L v,   v⁺ = v + M⁻¹ Jᵀ r
 ///
-/// A limb stands in the list of bodies with its velocity and unit mass, or without mass if L B = 0:
+/// The list of bodies holds each limb with its velocity and unit mass, or immovable if L B = 0:
 /// contacts and rows refer to it as to any other body. Its true inertia is in the tree.
 ///
-/// A row may also act on joints. It refers to the tree's stem, a limb of unit mass with L = 0 that
-/// only says which tree; what it does to the joints is given here, and their part J v of its
-/// velocity belongs into the target of the row.
+/// A row may also act on joints. It then refers to the tree's stem, a limb of unit mass with L = 0
+/// that only names the tree. Its effect on the joints is given here. The part J v of its velocity
+/// that comes from the joints belongs in the target of the row.
 struct Articulation {
   struct Tree {
     MatrixXd root;  ///< B
@@ -39,7 +39,7 @@ struct Articulation {
   KeptList<JointRow> jointRows;  ///< in the order of their rows; a row between two trees has two
 
   void clear();
-  /// The limb that the body is, or null.
+  /// The limb that this body stands for, or null.
   const Limb* limbOf(int body) const;
   bool moves(const Island& island) const;
 
@@ -50,8 +50,8 @@ struct Articulation {
   }
 };
 
-/// B with M⁻¹ = B Bᵀ, for a symmetric M⁻¹ that is positive semi-definite up to rounding: Cholesky
-/// with diagonal pivoting.
+/// Finds B with M⁻¹ = B Bᵀ by Cholesky with diagonal pivoting. M⁻¹ is symmetric, and positive
+/// semi-definite up to rounding.
 class RootFinder {
  public:
   void find(const MatrixXd& inverseMass, MatrixXd& B);
@@ -61,11 +61,11 @@ class RootFinder {
   MatrixXd L_;
 };
 
-/// The islands of a step whose trees couple what the assembler has split, in the same order.
+/// The islands of a step, in the assembler's order; islands that a common tree couples are joined.
 class IslandJoiner {
  public:
   const KeptList<Island>& join(const Assembler& assembler, const Articulation& articulation);
-  /// As they were joined last.
+  /// The result of the last `join`.
   const KeptList<Island>& islands() const { return joined_; }
   std::size_t bytes() const {
     return joined_.bytes([](const Island& island) { return island.bytes(); }) + sets_.bytes() +
@@ -76,14 +76,14 @@ class IslandJoiner {
   KeptList<Island> joined_;
   DisjointSets sets_;
   std::vector<int> islandOf_;  ///< the first island of each tree
-  std::vector<int> place_;     ///< of each island that is the first of its set, among the joined
+  std::vector<int> place_;     ///< place of a set among the joined, by the set's first island
 };
 
-/// M⁻¹ Jᵀ r of each tree: what reactions have done to it.
+/// M⁻¹ Jᵀ r of each tree: the change of its velocities by the reactions.
 struct TreeGains {
   std::vector<VectorXd> of;  ///< by tree; as many as there ever were
 
-  /// Nothing has moved yet.
+  /// Sets all gains to zero.
   void reset(const Articulation& articulation);
   std::size_t bytes() const {
     std::size_t sum = bytesOf(of);
@@ -92,14 +92,15 @@ struct TreeGains {
   }
 };
 
-/// The problem of an island with trees: W from the whole motion of each tree, in blocks of six.
+/// Makes the problem of an island with trees: W from the whole motion of each tree, in blocks of
+/// six.
 class Coupling {
  public:
-  /// `apart` is the island's problem as the assembler writes it, limbs being bodies of unit mass.
-  /// Good until the next call.
+  /// `apart`: the island's problem as the assembler writes it, with limbs as bodies of unit mass.
+  /// The result is good until the next call.
   const Problem& couple(const Articulation& articulation, const Problem& apart,
                         const Island& island);
-  /// Adds what the reactions of the island that was coupled last do to the trees.
+  /// Adds the effect of reactions on the trees of the island that was coupled last.
   void addGain(const Articulation& articulation, const VectorXd& r, TreeGains& gains);
 
   std::size_t bytes() const { return problem_.bytes() + bytesOf(firstBlock_, impulse_); }

@@ -7,8 +7,8 @@
 
 namespace delassus {
 void BlockFactor::analyse(int bodies, const std::vector<Edge>& edges) {
-  // Of large islands there are few kinds at a time: room is counted in edges, but for the largest,
-  // which is not to drive out all others.
+  // There are only a few shapes of large islands at a time, so the limit counts edges. The largest
+  // pattern does not count, since it would drive out all others.
   constexpr std::size_t mostPatterns = 64, mostEdges = 4096;
   const auto known = std::find_if(patterns_.begin(), patterns_.end(),
                                   [&](const BlockPattern& p) { return p.isOf(bodies, edges); });
@@ -71,8 +71,8 @@ void BlockFactor::addRows(const ScalarRow* rows, const double* g, int count, int
   const BlockPattern::Target& t = pattern().target[edge];
   const double *first = t.reversed ? Ja : Jb, *second = t.reversed ? Jb : Ja;
   addRowProducts(first, second, stride, g, count, lower_[t.at]);
-  // Rows answer alike both ways: block (column, row) is the transpose of block (row, column), and
-  // upper_ keeps transposes.
+  // The products of rows are symmetric: block (column, row) is the transpose of block (row,
+  // column), and upper_ stores transposes.
   if (!symmetric_) addRowProducts(first, second, stride, g, count, upper_[t.at]);
 }
 
@@ -80,8 +80,8 @@ void BlockFactor::eliminate(int column) {
   const BlockPattern& p = pattern();
   for (int at = p.begin[column]; at < p.begin[column + 1]; ++at) slot_[p.row[at]] = at;
 
-  // Left-looking: subtract what earlier columns j with a block in this row contribute, those with
-  // the same rows together.
+  // Left-looking: subtracts the products of earlier columns j with a block in this row; columns
+  // with the same rows go together.
   BlockSource lower[mostSources], upper[mostSources];
   const int end = p.ancestorBegin[column + 1];
   for (int k = p.ancestorBegin[column]; k < end;) {

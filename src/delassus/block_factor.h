@@ -11,14 +11,14 @@
 
 namespace delassus {
 
-/// Sparse LU factor of a matrix of 6x6 blocks: one block row a body, an off-diagonal block for each
-/// pair of bodies that are coupled, by contacts or rows that press (BodyMotion) or by all that they
-/// share.
+/// Sparse LU factor of a matrix of 6x6 blocks: one block row per body, and an off-diagonal block
+/// for each pair of coupled bodies. Contacts and rows couple their bodies: those that press
+/// (BodyMotion), or all.
 ///
 /// The pattern is symmetric, the values need not be. Blocks are eliminated in minimum-degree order
 /// without pivoting between blocks (with partial pivoting inside the diagonal blocks): the matrices
-/// are identity plus a compression. The patterns that were analysed last are kept: islands of the
-/// same shapes are solved in turn.
+/// are identity plus a compression. The last analysed patterns are kept, as islands of the same
+/// shapes come again.
 class BlockFactor {
  public:
   using Edge = BlockPattern::Edge;
@@ -28,8 +28,8 @@ class BlockFactor {
   void analyse(int bodies, const std::vector<Edge>& edges);
 
   /// Sets the matrix to the identity; then blocks are added: on the diagonal, and for the edge with
-  /// index `edge` the blocks (a, b) and (b, a). `symmetric`: they will make a symmetric matrix,
-  /// which halves the work. Blocks may be products: these are added as they are worked out.
+  /// index `edge` the blocks (a, b) and (b, a). `symmetric`: the sum will be symmetric, which
+  /// halves the work. Blocks may be product expressions: these are evaluated while they are added.
   void setIdentity(bool symmetric = false);
   template <class Block>
   void addDiagonal(int body, const Block& block) {
@@ -49,27 +49,27 @@ class BlockFactor {
       upper_[t.at] += Mat6(ab).transpose();
   }
 
-  /// Adds [Ja Jb]ᵀ G [Ja Jb] of a contact; `edge`: that of its two bodies, less than 0 if they are
-  /// not coupled.
+  /// Adds [Ja Jb]ᵀ G [Ja Jb] of a contact; `edge`: the edge of its two bodies, less than 0 if they
+  /// are not coupled.
   void addContact(const ContactRows& c, const Mat3& G, int edge);
 
-  /// The same of `count` rows of the same two bodies, with the weights `g`.
+  /// The same for `count` rows of the same two bodies, with the weights `g`.
   void addRows(const ScalarRow* rows, const double* g, int count, int edge);
 
   /// False if a pivot block is singular or not finite.
   bool factorise();
-  /// Of the matrix that is factored.
+  /// The sign of the determinant of the factored matrix.
   bool isDeterminantNegative() const { return isNegative_; }
   /// Overwrites x with the solution.
   void solve(VectorXd& x) const;
 
-  /// Six entries of a row, those of one body.
+  /// The six entries of a row that belong to one body.
   struct RowBlock {
     int body;
     Vec6 entries;
   };
-  /// W = J A⁻¹ Jᵀ, for A that was factored as symmetric. Row i of J is blocks[begin[i]] up to
-  /// blocks[begin[i + 1]], of different bodies, and zero elsewhere.
+  /// W = J A⁻¹ Jᵀ, for an A that was factored as symmetric. Row i of J has the entries
+  /// blocks[begin[i]] up to blocks[begin[i + 1]], each of another body, and is zero elsewhere.
   void condense(const std::vector<RowBlock>& blocks, const std::vector<int>& begin, KeptMatrix& W);
 
   std::size_t bytes() const;
@@ -78,7 +78,7 @@ class BlockFactor {
   const BlockPattern& pattern() const { return patterns_.front(); }
   void eliminate(int column);
 
-  std::list<BlockPattern> patterns_;  ///< those last used, the last first
+  std::list<BlockPattern> patterns_;  ///< most recently used first
   bool symmetric_ = false, isNegative_ = false;
   std::vector<int> slot_;  ///< scratch: row -> block of the column being eliminated
 
@@ -86,7 +86,7 @@ class BlockFactor {
   /// Block (row, column) of L and block (column, row) of U, transposed.
   std::vector<Mat6> lower_, upper_;
   mutable VectorXd ordered_;  ///< scratch: a right-hand side in the elimination order
-  // Scratch of condense: L⁻¹ Jᵀ, row by row of J, and where it is not zero.
+  // Scratch of condense: L⁻¹ Jᵀ, one row of J after the other, and its blocks that are not zero.
   VectorXd reduced_, sums_;
   std::vector<char> touched_;
   std::vector<const double*> sixes_;

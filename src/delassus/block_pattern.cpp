@@ -33,8 +33,8 @@ BlockPattern::BlockPattern(int bodyCount, const std::vector<Edge>& edgeList)
     : bodies(bodyCount), edges(edgeList) {
   place = bodies > 1 ? minimumDegreePlaces(bodies, edges) : std::vector<int>(bodies, 0);
 
-  // Pattern of L, column by column: own entries, and what the children in the elimination tree pass
-  // up.
+  // Pattern of L, column by column: own entries, and those that children in the elimination tree
+  // pass up.
   std::vector<std::vector<int>> pattern(bodies);
   for (const Edge& e : edges) {
     const auto [low, high] = std::minmax(place[e.a], place[e.b]);

@@ -5,8 +5,8 @@
 
 namespace delassus {
 
-/// What elimination does to a symmetric pattern of blocks, whatever their values: the order of
-/// minimum degree, and where the factor has blocks.
+/// Symbolic elimination of a symmetric pattern of blocks: the order of minimum degree, and the
+/// places of the factor's blocks. It does not depend on their values.
 struct BlockPattern {
   struct Edge {
     int a, b;  ///< a ≠ b
@@ -27,9 +27,9 @@ struct BlockPattern {
   std::vector<Target> target;       ///< edge -> off-diagonal block
   std::vector<int> begin;           ///< column -> its first off-diagonal block; size bodies + 1
   std::vector<int> row;             ///< off-diagonal block -> its row
-  std::vector<int> leader;          ///< column -> the first of its run: columns of the same rows
+  std::vector<int> leader;          ///< column -> first of its run of columns with the same rows
   std::vector<int> ancestorBegin;   ///< row -> its first ancestor; size bodies + 1
-  std::vector<Ancestor> ancestors;  ///< one an off-diagonal block
+  std::vector<Ancestor> ancestors;  ///< one per off-diagonal block
 
   BlockPattern(int bodyCount, const std::vector<Edge>& edgeList);
 

@@ -10,10 +10,10 @@
 namespace delassus {
 namespace {
 
-// Twelve entries of two columns are three vectors of four: the first column's, both columns', the
-// second's.
+// The twelve entries of two columns are three vectors of four: one of the first column, one of both
+// columns, one of the second.
 
-/// Six numbers, each four times or, where a vector belongs to two columns, twice.
+/// Six numbers, each four times, or twice in vectors that belong to two columns.
 struct Spread {
   Four first[3], both[3], second[3];
 
@@ -28,7 +28,7 @@ struct Spread {
   }
 };
 
-/// A x, the last two numbers in the first half of `end`.
+/// A x; its last two numbers are in the first half of `end`.
 DELASSUS_WIDE_INLINE void multiply(const double* A, const Spread& x, Four& begin, Four& end) {
   const Four upper =
       fourAt(A) * x.first[0] + fourAt(A + 12) * x.first[1] + fourAt(A + 24) * x.first[2];
@@ -44,7 +44,7 @@ DELASSUS_WIDE_INLINE void multiply(const double* A, const Spread& x, Four& begin
 struct Sum {
   Four part[9];
 
-  // One by one: in a loop the compiler would copy the block first, to look at the copy.
+  // One by one: in a loop the compiler would first copy the block, and then read the copy.
   DELASSUS_WIDE_INLINE explicit Sum(const double* x)
       : part{fourAt(x),      fourAt(x + 4),  fourAt(x + 8),  fourAt(x + 12), fourAt(x + 16),
              fourAt(x + 20), fourAt(x + 24), fourAt(x + 28), fourAt(x + 32)} {}
@@ -52,15 +52,16 @@ struct Sum {
     for (int v = 0; v < 9; ++v) fourAt(x + 4 * v) = part[v];
   }
 
-  /// Adds A Bᵀ, or takes it away, for A of six rows and `count` columns, and B of as many, which
-  /// are spread out.
+  /// Adds or subtracts A Bᵀ. A has six rows and `count` columns; B has as many, which are spread
+  /// out.
   template <int count, int sign>
   DELASSUS_WIDE_INLINE void add(const double* a, const Spread* b) {
 #pragma GCC unroll 1  // sums stay in registers
     for (int k = 0; k < count; ++k) addOne<sign>(fourAt(a + 6 * k), fourAt(a + 6 * k + 2), b[k]);
   }
 
-  /// Of one column, whose numbers but the last two are `upper`, and but the first two `lower`.
+  /// The same for one column; `upper` has all its numbers but the last two, `lower` all but the
+  /// first two.
   template <int sign>
   DELASSUS_WIDE_INLINE void addOne(const Four& upper, const Four& lower, const Spread& b) {
     const Four both = __builtin_shufflevector(lower, upper, 2, 3, 4, 5);
@@ -74,7 +75,7 @@ struct Sum {
   }
 };
 
-/// Six rows of six numbers, the last two in the first half of `end`, that become those of the
+/// Six rows of six numbers, the last two in the first half of `end`. They become the rows of the
 /// inverse in place (Gauss and Jordan).
 struct Rows {
   Four begin[6], end[6];
@@ -99,7 +100,7 @@ struct Rows {
     return none[0] + none[1] + none[2] + none[3] == 0;
   }
 
-  /// Makes column `at` of the rows that of the inverse. Returns the pivot.
+  /// Replaces column `at` by that of the inverse. Returns the pivot.
   template <int at>
   DELASSUS_WIDE_INLINE double eliminate() {
     const double pivot = replace<at>(at, 1);
@@ -116,21 +117,21 @@ struct Rows {
   }
 
  private:
-  /// What stood in this column of row i, in whose place `by` stands now.
+  /// Writes `by` to this column of row i. Returns the number before.
   template <int column>
   DELASSUS_WIDE_INLINE double replace(int i, double by) {
     Four& part = column < 4 ? begin[i] : end[i];
     constexpr int at = column % 4;
     const double before = part[at];
-    // One number alone would go through memory, and four be read.
+    // To set one number alone, the compiler would write it to memory and read four back.
     part = __builtin_shufflevector(part, Four{by, by, by, by}, at == 0 ? 4 : 0, at == 1 ? 5 : 1,
                                    at == 2 ? 6 : 2, at == 3 ? 7 : 3);
     return before;
   }
 };
 
-/// Without pivoting: false where that could cost digits. What is symmetric and positive loses none,
-/// and its pivots are no larger than its diagonal.
+/// Inverts without pivoting. False where that could cost digits. A symmetric positive matrix loses
+/// none, and its pivots are no larger than its diagonal.
 DELASSUS_WIDE_INLINE bool invertInOrder(const Mat6& A, Mat6& inverse, bool& isNegative) {
   constexpr double mostGrowth = 2;
   Rows rows(A.data());
@@ -146,10 +147,10 @@ DELASSUS_WIDE_INLINE bool invertInOrder(const Mat6& A, Mat6& inverse, bool& isNe
   return !grows && rows.areFinite();
 }
 
-/// By Gauss's elimination with partial pivoting of the columns. False if A is singular or not
-/// finite.
+/// Inverts by Gauss's elimination with partial pivoting of the columns. False if A is singular or
+/// not finite.
 DELASSUS_WIDE_INLINE bool invertPivoting(const Mat6& A, Mat6& inverse, bool& isNegative) {
-  // Rows of [Aᵀ 1], which are columns of A: what becomes of 1 is A⁻ᵀ by rows, A⁻¹ by columns.
+  // Rows of [Aᵀ 1], that is columns of A. The 1 becomes A⁻ᵀ by rows, that is A⁻¹ by columns.
   constexpr int width = 12;
   double rows[6][width] = {};
   double* row[6];
@@ -171,7 +172,7 @@ DELASSUS_WIDE_INLINE bool invertPivoting(const Mat6& A, Mat6& inverse, bool& isN
     }
   }
   for (int i = 5; i >= 0; --i) {
-    // Vectors of four that begin in the middle of the left half spoil what is left of it.
+    // The vectors of four begin within the left half and overwrite the rest of it.
     double own[6];
     for (int k = i; k < 6; ++k) own[k] = row[i][k];
     for (int k = i + 1; k < 6; ++k)
@@ -311,7 +312,7 @@ void solveUpper(const BlockColumns& U, const Mat6* inverseD, double* z) {
         second[pair] += fourAt(a + 8) * lower;
       }
     }
-    Four sum[3];  // of two columns: two halves of each
+    Four sum[3];  // of two columns, with two parts each
     for (int pair = 0; pair < 3; ++pair)
       sum[pair] = __builtin_shufflevector(first[pair], second[pair], 0, 1, 4, 5) +
                   __builtin_shufflevector(first[pair], second[pair], 2, 3, 6, 7) + both[pair];

@@ -4,19 +4,19 @@
 
 namespace delassus {
 
-/// The products of 6x6 blocks that a block factor and its solutions are made of, nearly all of
-/// their work. They run as wide as the processor allows; the bits are those of any other, since
+/// Products of 6x6 blocks, which are nearly all the work of a block factor and its solutions. They
+/// use vectors as wide as the processor allows. The bits are the same on every processor, since
 /// nothing is fused and every sum is added in the same order.
 
-/// What a column of a factor takes from another: that one's blocks, and B.
+/// A product to subtract from a column of a factor: the blocks of another column, times Bᵀ.
 struct BlockSource {
   const Mat6* blocks;
   const Mat6* B;
 };
 constexpr int mostSources = 8;
 
-/// diagonal −= blocks[0] Bᵀ, unless there is none (null), and to[place[row[i]]] −= blocks[i] Bᵀ for
-/// 0 < i < count, of up to mostSources columns that have the same rows, one after the other.
+/// diagonal −= blocks[0] Bᵀ, if it is not null, and to[place[row[i]]] −= blocks[i] Bᵀ for the other
+/// i < count; for up to mostSources columns with the same rows, one after the other.
 void subtractProducts(const BlockSource* sources, int columns, const int* row, int count,
                       const int* place, Mat6* diagonal, Mat6* to);
 
@@ -26,37 +26,36 @@ void multiplyBy(const Mat6& B, Mat6* blocks, int count);
 /// to += Aᵀ B.
 void addProduct(const Mat36& A, const Mat36& B, Mat6& to);
 
-/// to += Σ weight[k] a_kᵀ b_k over `count` rows of six numbers, each `stride` numbers behind the
-/// one before.
+/// to += Σ weight[k] a_kᵀ b_k over `count` rows of six numbers, which begin `stride` numbers apart.
 void addRowProducts(const double* a, const double* b, int stride, const double* weight, int count,
                     Mat6& to);
 
-/// A⁻¹, by elimination in the order of the columns, or with pivoting where that loses digits.
+/// A⁻¹, by elimination in the order of the columns, or with pivoting where that order loses digits.
 /// `isNegative`: whether det A < 0. False if A is singular or not finite.
 bool invert(const Mat6& A, Mat6& inverse, bool& isNegative);
 
-/// Columns of blocks below the diagonal: those of column j are blocks[begin[j]] up to
-/// blocks[begin[j + 1]], in rows row[…].
+/// Columns of blocks below the diagonal: column j has blocks[begin[j]] up to blocks[begin[j + 1]],
+/// in the rows row[…].
 struct BlockColumns {
   int columns;
   const int *begin, *row;
   const Mat6* blocks;
 };
 
-/// Vectors of six numbers stand in the room of eight, so that they are read as they were written.
-/// What is left of the room is read by nobody.
+/// Vectors of six numbers take the room of eight, so that they are read in the pieces in which they
+/// were written. The last two numbers are never used.
 constexpr int paddedSize = 8;
 
 /// z ← L⁻¹ z, L = 1 + the blocks.
 void solveLower(const BlockColumns& L, double* z);
-/// The same where z has entries in few columns: those that are `touched`, to which it adds what
-/// they become part of. What is not touched is not read.
+/// The same for a z with entries in few columns. `touched` marks these, and afterwards also the
+/// columns to which they spread. Columns that are not touched are not read.
 void solveLower(const BlockColumns& L, char* touched, double* z);
 /// z ← U⁻¹ z, U = D + the blocksᵀ.
 void solveUpper(const BlockColumns& U, const Mat6* inverseD, double* z);
 
-/// W[at[i]][at[j]] += y_iᵀ A y_j for j ≤ i < count, y_i six numbers. `scratch`: room for 7 numbers
-/// times `count`, rounded up to four.
+/// W[at[i]][at[j]] += y_iᵀ A y_j for j ≤ i < count, with y_i of six numbers. `scratch`: room for 7
+/// times `count` numbers, with `count` rounded up to a multiple of four.
 void addSquares(const Mat6& A, const double* const* y, const int* at, int count, double* scratch,
                 double* const* W);
 

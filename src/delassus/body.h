@@ -4,7 +4,7 @@
 
 namespace delassus {
 
-/// What moves: one rigid body at the start of a step, world axes, about its centre of mass.
+/// One rigid body at the start of a step, in world axes, about its centre of mass.
 ///
 /// A body whose inverse masses all vanish is immovable; its velocity (a moving platform) still
 /// counts.

@@ -7,7 +7,7 @@
 
 namespace delassus {
 
-/// Storage behind the given lists and vectors, in bytes; what their entries own themselves is not
+/// Storage behind the given lists and vectors, in bytes. Storage that their entries own is not
 /// counted.
 inline std::size_t bytesOf(const VectorXd& vector) { return vector.bytes(); }
 inline std::size_t bytesOf(const MatrixXd& matrix) {

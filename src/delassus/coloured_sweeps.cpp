@@ -12,14 +12,14 @@ namespace delassus {
 namespace {
 
 constexpr int unplaced = -1;
-constexpr int shares = 8;  ///< of a colour: so many hands may sweep
-/// The k-th of so many parts of `count` things begins here.
+constexpr int shares = 8;  ///< of a colour: at most this many hands sweep
+/// Where the k-th of `parts` parts of `count` things begins.
 int partBegin(int count, int k, int parts) {
   return static_cast<int>(static_cast<long long>(count) * k / parts);
 }
 
-/// Empties the groups of some colours. A body that is not there has its place behind the others,
-/// one for each share, since hands write there too.
+/// Empties the groups of some colours. Missing bodies have a place behind the others, one for each
+/// share, since hands write there too.
 template <class Group>
 void clear(int bodies, const std::vector<int>& colours, std::vector<Group>& groups) {
   for (std::size_t k = 1; k < colours.size(); ++k) {
@@ -34,12 +34,12 @@ void clear(int bodies, const std::vector<int>& colours, std::vector<Group>& grou
   }
 }
 
-/// J̃ of the contacts or rows of a group, `count` numbers a body, in their units. What has no body
-/// there moves none.
+/// J̃ of the contacts or rows of a group, `count` numbers per body, in their units; zero for a
+/// missing body.
 template <int count>
 class JacobiansOfLanes {
  public:
-  /// And takes down which bodies they are.
+  /// Also notes the bodies in the group.
   template <class Part, class Group>
   void put(const Part& part, double perUnit, int lane, Group& g) {
     put(part.a, part.Ja, perUnit, a_[lane], g.a[lane]);
@@ -52,7 +52,7 @@ class JacobiansOfLanes {
   }
 
  private:
-  static constexpr int padded = (count + 3) / 4 * 4;  ///< they are turned over four at a time
+  static constexpr int padded = (count + 3) / 4 * 4;  ///< four numbers at a time are transposed
   using Jacobians = float[lanes][padded];
 
   template <class Rows>
@@ -83,7 +83,7 @@ void fill(const Problem& problem, const NaturalMap& map, ContactGroup& g) {
   JacobiansOfLanes<18> jacobians;
   for (int lane = 0; lane < lanes; ++lane) {
     const int i = g.at[lane];
-    if (i == vacant) {  // a contact that stays open
+    if (i == vacant) {  // the lane acts as a contact that stays open
       for (int k = 0; k < 3; ++k) g.compliance[k][lane] = 0;
       g.w1[lane] = g.w2[lane] = g.s01[lane] = g.friction[lane] = 0;
       g.s00[lane] = g.s11[lane] = g.perDet[lane] = g.unit[lane] = 1;
@@ -148,11 +148,12 @@ bool ColouredSweeps::setProblem(const Problem& problem, const NaturalMap& map) {
   return true;
 }
 
-/// Finds the places of contacts or rows in groups whose bodies are all different, and which groups
-/// have a colour. `of` gives one with its a and b, or null for what nothing moves and has no place.
+/// Finds places for contacts or rows in groups whose bodies are all different, and where the groups
+/// of each colour begin. `of` gives a contact or row with its a and b, or null if nothing moves it:
+/// then it gets no place.
 template <class Of>
 void ColouredSweeps::place(int count, const Of& of, Colours& begins) {
-  constexpr int colours = 64;  // what a body has more of come one by one, at the end
+  constexpr int colours = 64;  // if a body has more, the rest come one by one at the end
   coloursOf_.assign(problem_->W.bodySpace().bodies, 0);
   placeOf_.assign(count, unplaced);
   int countOf[colours + 1] = {};
@@ -201,7 +202,7 @@ void ColouredSweeps::placeRows(const NaturalMap& map) {
   putInPlace(begin, rowColours_, map, rows_);
 }
 
-/// Has those that `place` has found a place for in their groups; the first is called `begin`.
+/// Fills the groups with all that `place` has found a place for; the index of the first is `begin`.
 template <class Group>
 void ColouredSweeps::putInPlace(int begin, const Colours& colours, const NaturalMap& map,
                                 std::vector<Group>& groups) {
@@ -265,12 +266,12 @@ struct ColouredSweeps::Pass {
   const double aim;
   const bool hasMomentum;
   const GroupSweeps sweeps;
-  SweepChange changes[shares];  ///< of each share of the colours, whoever swept it
+  SweepChange changes[shares];  ///< by share, whichever hand sweeps it
   float beta = 0;
   double last = 0, pace = 1;
   int made = 0;
 
-  /// After a sweep: how far the next goes beyond it. False if it was the last.
+  /// Called after a sweep: sets how far the next one goes beyond it. False if it was the last.
   bool goOn() {
     ++made;
     double energy = 0, largest = 0;
@@ -297,8 +298,8 @@ void ColouredSweeps::sweepShare(Pass& pass, int colour, int share, const Colours
     sweep(&groups[begin + from], to - from, pass.beta, velocities_.data(), pass.changes[share]);
 }
 
-/// A share of one of the rounds of a sweep: the velocities go on, then each colour of the contacts,
-/// then of the rows.
+/// Does one share of one round of a sweep. In the first round the velocities are extrapolated, then
+/// each colour of contacts has a round, then each colour of rows.
 void ColouredSweeps::work(Pass& pass, int round, int share) {
   const auto contactColours = static_cast<int>(contactColours_.size()) - 1;
   if (round == 0) {
@@ -312,7 +313,7 @@ void ColouredSweeps::work(Pass& pass, int round, int share) {
   }
 }
 
-/// One sweep after the other; `inShares` has all shares of a round done.
+/// Makes one sweep after the other; `inShares` does all shares of a round.
 template <class InShares>
 void ColouredSweeps::lead(Pass& pass, const InShares& inShares) {
   const auto rounds = static_cast<int>(contactColours_.size() + rowColours_.size()) - 1;
@@ -329,7 +330,7 @@ int ColouredSweeps::sweep(int most, double aim, const VectorXd& u, VectorXd& r) 
 }
 
 void ColouredSweeps::sweepPlainly(int count, VectorXd& r) {
-  // What has changed by then is large for single precision, if each sweep adds little.
+  // If each sweep adds little, the change after this many sweeps is large for single precision.
   constexpr int fromOneStart = 100;
   for (int left = count; left > 0; left -= fromOneStart) {
     Pass pass(std::min(left, fromOneStart), 0, false, isNarrow_);
@@ -340,7 +341,7 @@ void ColouredSweeps::sweepPlainly(int count, VectorXd& r) {
 }
 
 void ColouredSweeps::sweepAs(Pass& pass, const VectorXd& u, VectorXd& r) {
-  constexpr int worthwhile = 1000;  // parts: fewer are swept before others have come
+  constexpr int worthwhile = 1000;  // parts; fewer are swept before other hands have come
   startContacts(r, u);
   startRows(r, u);
   std::fill(velocities_.begin(), velocities_.end(), SweptVelocity{});

@@ -36,7 +36,7 @@ class ColouredSweeps {
   /// Makes this many sweeps without acceleration.
   void sweepPlainly(int count, VectorXd& r);
 
-  /// Sweeps half a group at a time from now on, as processors do that cannot do more: same bits.
+  /// Sweeps half a group at a time from now on, as on processors without wider vectors: same bits.
   void narrow() { isNarrow_ = true; }
   /// The threads that help with large problems from now on; null: none. The same bits.
   void setHands(Hands* hands) { hands_ = hands; }

@@ -11,8 +11,8 @@
 namespace delassus {
 namespace {
 
-/// Coulomb's answer r = P(z) as one mode gives it, whether or not that is the mode of z; and its
-/// derivative dr/dz.
+/// Coulomb's answer r = P(z) in one given mode, even if z has another mode, and its derivative
+/// dr/dz.
 Vec3 reactionIn(Mode mode, const Vec3& z, double mu, Mat3& derivative) {
   if (mode == Mode::Open) {
     derivative.setZero();
@@ -23,15 +23,15 @@ Vec3 reactionIn(Mode mode, const Vec3& z, double mu, Mat3& derivative) {
     return z;
   }
   const double zt = lengthOf(z[1], z[2]);
-  if (!(zt > 0)) {  // on the axis of the cone all directions are as good
+  if (!(zt > 0)) {  // on the axis of the cone any direction will do
     derivative << 1, 0, 0, mu, 0, 0, 0, 0, 0;
     return {z[0], mu * z[0], 0};
   }
   return slidingReaction(z, zt, mu, &derivative);
 }
 
-/// The length in δ that counts as much as one in ln c where this is dδ/d ln c. Motions count for
-/// much: where the curve turns back in c they go on.
+/// The length in δ that counts as a unit of ln c; `drive` is dδ/d ln c. Motion has a large weight,
+/// since it goes on where the curve turns back in c.
 double unitOf(const VectorXd& drive) {
   constexpr double share = 0.1, least = 1e-12;
   return std::max(share * drive.norm(), least);
@@ -57,8 +57,8 @@ void CompliancePath::setProblem(BodyMotion& motion, const Problem& problem, cons
 }
 
 void CompliancePath::setCenter(const Solution& center) {
-  // Of what reactions squeeze: of a change that is smaller, rounding in r − r_k leaves fewer digits
-  // than E asks for.
+  // A share of the size of the reactions. In smaller changes, rounding in r − r_k leaves fewer
+  // digits than E needs.
   constexpr double share = 1e-5;
   center_ = center.r;
   u0_ = center.u;
@@ -73,7 +73,7 @@ const VectorXd& CompliancePath::reactions() {
   return r_;
 }
 
-/// l, u, z, r and G here; as the region has them or as they are.
+/// Computes l, u, z, r and G at this point, in the modes of region_ or in those of z.
 void CompliancePath::respond(bool inRegion) {
   const int n = problem_->contacts(), m = problem_->rows();
   l_ = (own_ + compliance() * scale_).cwiseInverse();
@@ -98,7 +98,7 @@ void CompliancePath::respond(bool inRegion) {
   }
 }
 
-/// The region of z.
+/// Sets region_ to the region of z.
 void CompliancePath::readRegion() {
   const int n = problem_->contacts();
   for (int i = 0; i < n; ++i)
@@ -112,7 +112,7 @@ bool CompliancePath::factorise(WorkDone& count) {
   return motion_->factorise(G_);
 }
 
-/// E, and its size beside what the bodies feel.
+/// Computes E. Returns its size relative to the motion J̃ᵀ (r − r_k).
 double CompliancePath::error() {
   change_ = r_ - center_;
   motion_->impulse(change_, felt_);
@@ -120,10 +120,10 @@ double CompliancePath::error() {
   return error_.norm() / std::max(felt_.norm(), smallestFelt_);
 }
 
-/// Errors that rounding leaves: u is a difference that l magnifies.
+/// The error that rounding leaves: u is a difference, and l magnifies it.
 double CompliancePath::noise() const { return std::max(1e-11, 1e-15 / compliance()); }
 
-/// K⁻¹ J̃ᵀ ∂r/∂ln c: the motion that goes with a change of ln c by one.
+/// K⁻¹ J̃ᵀ ∂r/∂ln c: the change of motion per unit of ln c.
 void CompliancePath::findDrive() {
   const int n = problem_->contacts();
   change_ = compliance() * scale_.cwiseProduct(l_).cwiseProduct(u_);
@@ -138,7 +138,7 @@ double CompliancePath::distance(const VectorXd& delta, double tau) const {
   return std::sqrt(delta.squaredNorm() / (unit_ * unit_) + tau * tau);
 }
 
-/// The tangent here, where K is factored; returns its product with the last one.
+/// Finds the tangent at this point, where K is factored. Returns its product with the last one.
 double CompliancePath::findTangent() {
   findDrive();
   const double length = distance(drive_, 1);
@@ -147,7 +147,7 @@ double CompliancePath::findTangent() {
   return newTangent_.delta.dot(tangent_.delta) / (unit_ * unit_) + newTangent_.tau * tangent_.tau;
 }
 
-/// Goes on along the tangent that was found.
+/// Makes the tangent that was found the present one.
 void CompliancePath::takeTangent() {
   constexpr double slowly = 0.3;
   std::swap(tangent_, newTangent_);
@@ -186,7 +186,7 @@ bool CompliancePath::setOut(const VectorXd& reactions, double compliance, int bu
   return stand(false, count);
 }
 
-/// Where it set out, looking to less compliance or to more.
+/// Stands where the path started, facing less compliance or (`upward`) more.
 bool CompliancePath::stand(bool upward, WorkDone& count) {
   constexpr double firstStride = 0.05;
   here_ = start_;
@@ -214,8 +214,8 @@ bool CompliancePath::descend(double compliance, int budget, WorkDone& count) {
   while (here_.tau > aim) {
     if (count.factorisations - begun >= budget) return false;
     if (this->compliance() > unanswered) {
-      // There is but one answer, which has been reached from below: the other way from the start is
-      // the one that ends at 0.
+      // Here only one answer exists, and the path has come up to it: the other way from the start
+      // is the one that ends at 0.
       if (hasTurned_ || !stand(true, count)) return false;
       hasTurned_ = true;
     }
@@ -228,7 +228,7 @@ bool CompliancePath::descend(double compliance, int budget, WorkDone& count) {
       stepsAtWalls_ = 1;
       continue;
     }
-    // Where strides fail again and again, ever more steps come before the next.
+    // If strides fail again and again, more and more steps are made before the next stride.
     strideLength_ = std::max(strideLength_ / 4, retried);
     bool goesOn = true;
     for (int k = 0; k < stepsAtWalls_ && goesOn && count.factorisations - begun < budget; ++k)
@@ -240,19 +240,19 @@ bool CompliancePath::descend(double compliance, int budget, WorkDone& count) {
   return true;
 }
 
-/// Along the tangent from from_.
+/// Moves along the tangent from from_.
 void CompliancePath::advance(double length) {
   here_.delta = from_.delta + length * tangent_.delta;
   here_.tau = from_.tau + length * tangent_.tau;
 }
 
-/// How far it is from where this length of tangent led.
+/// The distance from the end of this length of tangent.
 double CompliancePath::strayed(double length) {
   felt_ = here_.delta - from_.delta - length * tangent_.delta;
   return distance(felt_, here_.tau - from_.tau - length * tangent_.tau);
 }
 
-/// Newton's method across the tangent, back to the curve.
+/// Goes back to the curve by Newton's method across the tangent.
 bool CompliancePath::meetCurve(bool inRegion, int most, WorkDone& count) {
   constexpr int patience = 3;
   double before = 0;
@@ -275,7 +275,7 @@ bool CompliancePath::meetCurve(bool inRegion, int most, WorkDone& count) {
   }
 }
 
-/// Along the tangent through as many regions as there are.
+/// Goes along the tangent through any number of regions, and back to the curve.
 bool CompliancePath::stride(double length, WorkDone& count) {
   constexpr double mostTau = 1, near = 0.7;
   constexpr int mostSteps = 8;

@@ -6,35 +6,34 @@
 
 namespace delassus {
 
-/// The way from bodies that are compliant where they touch to rigid ones, along the answers to all
-/// compliances in between.
+/// The path from bodies that are compliant where they touch to rigid ones, along the answers for
+/// all compliances in between.
 ///
-/// If every contact and row gives way by c W_aa r, reactions follow from the motion, and the law is
-/// one equation there:
+/// If every contact and row gives way by c W_aa r, the motion determines the reactions, and the law
+/// is one equation:
 ///
 ///     E(δ, c) = δ − J̃ᵀ r = 0,    r = P(z),    z = −u / (compliance + c W_aa),    u = J̃ δ + q
 ///
-/// with P as in ProximalWalk. Its answers are curves. For large c there is but one, and one there
-/// is for any c where bodies can part (Acary, Cadoux, Lemaréchal, Malick 2011). So the curve that
-/// begins there ends nowhere but at c = 0, at rigid bodies; but it may turn back on its way, where
-/// what is wedged snaps through, and c grows for a while. A search that only ever takes the next
-/// region, or only lets c fall, is stuck there.
+/// with P as in ProximalWalk. Its answers are curves. For large c there is only one answer, and if
+/// bodies can part there is one for any c (Acary, Cadoux, Lemaréchal, Malick 2011). So the curve
+/// that begins at large c can only end at c = 0, at rigid bodies. But it may turn back on its way:
+/// where bodies are wedged and snap through, c grows for a while. A search that only takes the next
+/// region, or only lets c fall, gets stuck there.
 ///
 /// The curve is followed by its own length. A stride goes along the tangent, K y = J̃ᵀ ∂r/∂ln c
-/// with K = I + J̃ᵀ G J̃, and then by Newton's method across it, through as many regions as it may.
-/// Where that fails, steps go from wall to wall of the regions, one contact at a time. Which of its
-/// two ways a tangent points is told by the sign of det K: along one curve it tells whether c grows
-/// (Eaves and Scarf 1976; Allgower and Georg, Introduction to Numerical Continuation Methods, ch. 2
-/// and 14).
+/// with K = I + J̃ᵀ G J̃, and then by Newton's method across it, through any number of regions.
+/// Where that fails, steps go from wall to wall of the regions, one contact at a time. The sign of
+/// det K orients the tangent: along one curve it tells whether c grows (Eaves and Scarf 1976;
+/// Allgower and Georg, Introduction to Numerical Continuation Methods, ch. 2 and 14).
 ///
-/// It may also be compliance to what changes at reactions r_k that all but keep the law: then
+/// The compliance may also act only on changes from reactions r_k that nearly keep the law: then
 ///
 ///     E(δ, c) = δ − J̃ᵀ (r − r_k) = 0,    z = r_k − (u_k + J̃ δ) / (compliance + c W_aa),
 ///     u_k = W r_k + q
 ///
-/// and the curve begins at r_k, where c is large, and ends at the same rigid bodies. What is far
-/// from where something is wedged has found its answer there, and follows without turning back:
-/// that is the way in islands of thousands.
+/// and the curve begins at r_k, where c is large, and ends at the same rigid bodies. Contacts far
+/// from a wedged place already have their answer at r_k, and follow without turning back. Islands
+/// of thousands of contacts are solved in this way.
 ///
 /// For body space without disks.
 class CompliancePath {
@@ -43,23 +42,23 @@ class CompliancePath {
     return problem.W.inBodySpace() && problem.disks.empty();
   }
 
-  /// All must outlive the path. Compliance to all reactions.
+  /// All must outlive the path. The compliance acts on all reactions.
   void setProblem(BodyMotion& motion, const Problem& problem, const NaturalMap& map);
 
-  /// Compliance to what changes at `center`, its r and u, from now on.
+  /// From now on the compliance acts on changes from `center`, its r and u.
   void setCenter(const Solution& center);
 
-  /// Stands on the answer for bodies that are compliant by `compliance` W_aa, looking towards rigid
-  /// ones. `reactions`: that answer, or so near to it that Newton's method finds it: if not, false.
-  /// Work is counted in `count`, a factorisation a region.
+  /// Stands on the answer for bodies that are compliant by `compliance` W_aa, facing rigid ones.
+  /// `reactions`: this answer, or near enough for Newton's method to find it. False if it does not.
+  /// Work is counted in `count`, one factorisation per region.
   bool setOut(const VectorXd& reactions, double compliance, int budget, WorkDone& count);
 
-  /// Goes on until bodies are compliant by `compliance` W_aa or less. False if there is no way on
-  /// within the budget.
+  /// Follows the path until bodies are compliant by `compliance` W_aa or less. False if there is no
+  /// way on within the budget.
   bool descend(double compliance, int budget, WorkDone& count);
 
   double compliance() const;
-  /// Reactions where it stands.
+  /// Reactions at this point of the path.
   const VectorXd& reactions();
 
   std::size_t bytes() const {
@@ -70,18 +69,18 @@ class CompliancePath {
   }
 
  private:
-  /// On the path or beside it; or what leads from one place to another.
+  /// A point on the path or beside it, or the difference of two such points.
   struct Place {
     VectorXd delta;  ///< δ
     double tau = 0;  ///< ln c
   };
-  /// A contact or row, and which of the walls that its mode has.
+  /// A contact or row, and the number of the wall among those of its mode.
   struct Wall {
     int part, side;
     double ahead;  ///< length of path to it
   };
   struct Gap {
-    double value, growth;  ///< to the wall; of it, along a change of z
+    double value, growth;  ///< distance to the wall; its growth along a change of z
   };
 
   int parts() const { return static_cast<int>(region_.contacts.size() + region_.rows.size()); }
@@ -116,18 +115,18 @@ class CompliancePath {
 
   BodyMotion* motion_ = nullptr;
   const Problem* problem_ = nullptr;
-  VectorXd scale_, own_;     ///< mean W_aa; compliance of the problem itself
+  VectorXd scale_, own_;     ///< mean W_aa; the problem's own compliance
   VectorXd center_, u0_;     ///< r_k and u_k
-  double smallestFelt_ = 0;  ///< ‖δ‖ whose digits rounding in r − r_k has not taken
+  double smallestFelt_ = 0;  ///< smallest ‖δ‖ that keeps its digits despite rounding in r − r_k
 
   Place here_;
-  Place start_;  ///< where it set out
-  Place from_;   ///< where this step did
+  Place start_;  ///< of the path
+  Place from_;   ///< of this step
   Place tangent_, newTangent_;
   ActiveSet region_;
-  double unit_ = 1;         ///< length in δ that counts as much as one in ln c
-  bool hasTurned_ = false;  ///< round, since it set out
-  bool downward_ = false;   ///< sign of det K where the tangent leads to smaller c: negative?
+  double unit_ = 1;         ///< length in δ that counts as a unit of ln c
+  bool hasTurned_ = false;  ///< turned round since the start
+  bool downward_ = false;   ///< whether det K < 0 where the tangent leads to smaller c
   double strideLength_ = 0;
   int stepsAtWalls_ = 1;  ///< after a stride that failed
 

@@ -1,4 +1,4 @@
-/// From wall to wall of the regions along a path of compliance.
+/// Steps from wall to wall of the regions along a path of compliance.
 #include <algorithm>
 #include <cmath>
 
@@ -14,9 +14,9 @@ int CompliancePath::wallsOf(int part) const {
              : 1;
 }
 
-/// How far z of a part is from a wall of its mode, positive within; of what slides, the first wall
-/// is where it comes to rest, the second where it parts; of a row that is held, its lower bound,
-/// its upper bound.
+/// The distance of a part's z from a wall of its mode, positive inside. A sliding contact comes to
+/// rest at its first wall and opens at its second. A held row has its lower bound first, then its
+/// upper bound.
 CompliancePath::Gap CompliancePath::gapTo(int part, int side, const VectorXd& change) const {
   const int n = static_cast<int>(region_.contacts.size());
   if (part >= n) {
@@ -57,8 +57,8 @@ void CompliancePath::pass(const Wall& wall) {
   }
 }
 
-/// The walls ahead within this length of tangent, the nearest first. A wall that is passed already
-/// is at 0 if it is left behind.
+/// Finds the walls ahead within this length of tangent, the nearest first. A wall that z has passed
+/// already counts as at 0 if z moves further away from it.
 void CompliancePath::findWalls(double within) {
   changeOfZ(tangent_.delta, tangent_.tau, alongZ_);
   walls_.clear();
@@ -76,7 +76,7 @@ void CompliancePath::findWalls(double within) {
   });
 }
 
-/// Where the curve meets the wall, by Newton's method in this region.
+/// Goes to the point where the curve meets the wall, by Newton's method in this region.
 bool CompliancePath::meetWall(const Wall& wall, WorkDone& count) {
   constexpr int mostSteps = 6;
   if (wall.ahead == 0) {
@@ -102,7 +102,7 @@ bool CompliancePath::meetWall(const Wall& wall, WorkDone& count) {
   }
 }
 
-/// Whether a part is beyond a wall, farther than it was.
+/// Whether a part is beyond a wall, and farther than before.
 bool CompliancePath::hasLeftRegion() const {
   for (int part = 0; part < parts(); ++part) {
     const double gap = leastGap(part);
@@ -111,10 +111,10 @@ bool CompliancePath::hasLeftRegion() const {
   return false;
 }
 
-/// Gaps that rounding leaves, N·s.
+/// The gap that rounding leaves, N·s.
 double CompliancePath::gapNoise() const { return push_ * std::max(1e-10, 1e-14 / compliance()); }
 
-/// To the first wall of the region and through it; or on within the region if that is far.
+/// Goes to the first wall of the region and through it, or within the region if that wall is far.
 bool CompliancePath::stepToWall(WorkDone& count) {
   constexpr double farthest = 0.5, mostTau = 0.7, near = 0.5, tiny = 1e-9;
   constexpr std::size_t mostWalls = 6;

@@ -6,7 +6,7 @@
 namespace delassus {
 namespace {
 
-/// For `descend`.
+/// The steps for `descend`.
 struct StepsWithin {
   ReactionBounds bounds;
   NewtonSteps<Eigen::Dynamic>& steps;
@@ -19,8 +19,8 @@ struct StepsWithin {
 
 }  // namespace
 
-/// Divides the unknowns, with the rows of E those without bounds, or also those that r has within
-/// their bounds.
+/// Divides the unknowns. E has the rows without bounds, or also those whose r is within their
+/// bounds.
 void CondensedNewton::divide(const Problem& problem, const VectorXd& r, bool withinBounds) {
   const int contactsEnd = 3 * problem.contacts();
   left_.clear();
@@ -47,7 +47,7 @@ bool CondensedNewton::setProblem(const Problem& problem, const NaturalMap& map, 
   return isFit();
 }
 
-/// False if K cannot be factored.
+/// Eliminates E. False if K cannot be factored.
 bool CondensedNewton::condense(WorkDone& count) {
   const Problem& problem = *problem_;
   constexpr double alpha = 1e-5;
@@ -75,7 +75,7 @@ bool CondensedNewton::condense(WorkDone& count) {
   return true;
 }
 
-/// α of C.
+/// Sets α of C.
 void CondensedNewton::setWeight(double alpha) {
   if (alpha == weight_) return;
   weight_ = alpha;
@@ -88,8 +88,8 @@ void CondensedNewton::setWeight(double alpha) {
   steps_.forgetFactor();
 }
 
-/// What E does, around reactions with these u, once C has changed by its part of change_: E's part
-/// of it, δ and J̃ δ.
+/// Lets E respond, around reactions with these u, to C's part of change_: finds E's part of it, δ
+/// and J̃ δ.
 void CondensedNewton::letHeldAnswer(const VectorXd& u) {
   const int contactsEnd = 3 * problem_->contacts();
   for (const int at : held_) change_[at] = -G_.rows[at - contactsEnd] * u[at];

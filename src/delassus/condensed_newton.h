@@ -11,34 +11,34 @@
 
 namespace delassus {
 
-/// Newton's method on few contacts, from which joints are eliminated first (static condensation).
+/// Newton's method on few contacts, after joints are eliminated (static condensation).
 ///
-/// Rows without bounds, E, are held in every region. Around reactions r_k they answer to what all
-/// others, C, do by
+/// Rows without bounds, E, are held in every region. Around reactions r_k they answer to all
+/// others, C, by
 ///
 ///     Δr_E = −G (u_E + J̃_E δ),   δ = K⁻¹ (J̃_Cᵀ Δr_C − J̃_Eᵀ G u_E),   K = I + J̃_Eᵀ G J̃_E,
 ///     G = 1/(compliance + α W_aa)
 ///
-/// so that one factor leaves of a ragdoll its contacts and limits alone,
+/// so that after one factorisation only the contacts and limits of a ragdoll are left,
 ///
 ///     u_C(Δr_C) = u_C − J̃_C K⁻¹ J̃_Eᵀ G u_E + (J̃_C K⁻¹ J̃_Cᵀ + compliance + α W_aa) Δr_C
 ///
-/// whose matrix is small, dense and, thanks to α, regular. This is solved by NewtonSteps, from the
-/// region of r_k on. Then r_k ← r, until the law itself is kept (moveCenters; α is that of C, E has
-/// one of its own, with which K is factored once).
+/// Their matrix is small, dense and, thanks to α, regular. NewtonSteps solves this problem, from
+/// the region of r_k on. Then r_k ← r, until the law itself is kept (moveCenters). This α is that
+/// of C; E has its own α, with which K is factored once.
 class CondensedNewton {
  public:
-  /// Whether a problem is for it: in body space, without disks, and but for E with no more than
-  /// `most` unknowns, and some. Where there are more, rows that `r` has within their bounds are
-  /// taken for held, too. `map` is that of the problem; both must outlive `solve`.
+  /// Whether this method fits the problem: in body space, without disks, and with at least one and
+  /// at most `most` unknowns beside E. If there are more, rows whose `r` is within their bounds
+  /// count as held, too. `map` belongs to the problem; both must outlive `solve`.
   bool setProblem(const Problem& problem, const NaturalMap& map, const VectorXd& r, int most);
   /// Whether there is an E.
   bool hasHeld() const { return !held_.empty(); }
 
-  static constexpr int mostSteps = 30;  ///< what takes more is found sooner by a walk
+  static constexpr int mostSteps = 30;  ///< beyond that a walk is faster
 
-  /// Improves best.r, with its u and residual: true if the law is kept. The factor is counted as a
-  /// region, and steps, which cost about as much, as sweeps.
+  /// Improves best.r, with its u and residual: true if the law is kept. The factor counts as a
+  /// region. Steps count as sweeps, which cost about as much.
   bool solve(double tolerance, int budget, Solution& best);
 
   std::size_t bytes() const {

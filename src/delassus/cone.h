@@ -17,7 +17,7 @@ inline Vec3 projectOnCone(const Vec3& x, double mu) {
 }
 
 /// The derivative of a reaction that slides along the direction t = (c, s), of length 1 (or 0, in
-/// the corner of the cone), by its normal and tangents:
+/// the corner of the cone), from its normal and tangential parts:
 ///
 ///     [ normal          0         ]
 ///     [ along t  across (1 − t tᵀ) ]
@@ -29,8 +29,8 @@ inline Mat3 slidingBlock(double normal, double along, double across, double c, d
   return block;
 }
 
-/// What slides: z_t moved along itself to the rim, whether or not it lies beyond it. With t =
-/// z_t/‖z_t‖, `zt` = ‖z_t‖ > 0:
+/// The reaction of a sliding contact: z_t is scaled to the rim, whether it lies beyond the rim or
+/// not. With t = z_t/‖z_t‖, `zt` = ‖z_t‖ > 0:
 ///
 ///     r = (z_n, μ z_n t),   dr_t/dz_n = μ t,   dr_t/dz_t = (μ z_n/‖z_t‖) (1 − t tᵀ)
 inline Vec3 slidingReaction(const Vec3& z, double zt, double mu, Mat3* derivative) {
@@ -40,8 +40,8 @@ inline Vec3 slidingReaction(const Vec3& z, double zt, double mu, Mat3* derivativ
   return {z[0], radius * c, radius * s};
 }
 
-/// P(z), Coulomb's law as Alart and Curnier (1991) put it: z_n on [0, ∞), then z_t on the disk of
-/// radius μ r_n; and if asked its derivative dr/dz.
+/// P(z), Coulomb's law in the form of Alart and Curnier (1991): projects z_n on [0, ∞), then z_t on
+/// the disk of radius μ r_n. If asked, also its derivative dr/dz.
 inline Vec3 reactionTo(const Vec3& z, double mu, Mat3* derivative) {
   if (z[0] <= 0) {
     if (derivative) derivative->setZero();

@@ -13,13 +13,13 @@ namespace {
 using Sparse = DelassusMatrix::Sparse;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-/// What an unknown r becomes: r = offset + sign x, x the unknown at `place` of the contact form.
+/// An unknown r in the contact form: r = offset + sign x, with x the unknown at `place`.
 struct Image {
-  int place = -1;  ///< none: it is eliminated
+  int place = -1;  ///< −1: it is eliminated
   double sign = 1, offset = 0;
 };
 
-/// Counts the contacts of the form while it gives each unknown its place in it, and their μ.
+/// Gives each unknown its place in the contact form, and collects μ of the form's contacts.
 std::vector<Image> imagesOf(const Problem& problem, std::vector<double>& friction) {
   const int contactsEnd = 3 * problem.contacts();
   std::vector<Image> images(problem.size());
@@ -41,8 +41,8 @@ std::vector<Image> imagesOf(const Problem& problem, std::vector<double>& frictio
   return images;
 }
 
-/// Puts the reactions of some equations into W and q of the unknowns that they feel: adds −W_ce
-/// W_ee⁺ W_ec to `changes`.
+/// Substitutes the reactions of some equations in W and q of the unknowns that feel them: adds
+/// −W_ce W_ee⁺ W_ec to `changes`.
 void eliminate(const Sparse& W, const std::vector<Image>& images, const std::vector<int>& equations,
                VectorXd& q, Triplets& changes) {
   std::vector<int> others, column(images.size(), -1);
@@ -63,7 +63,7 @@ void eliminate(const Sparse& W, const std::vector<Image>& images, const std::vec
       if (w.value() != 0) (images[w.col()].place < 0 ? own : felt)(k, column[w.col()]) = w.value();
     felt(k, numberOfOthers) = q[equations[k]];
   }
-  // Rows of joints are in m/s and in rad/s: what is dependent is asked in energy.
+  // Rows of joints are in m/s and in rad/s: dependence is judged in energy.
   const VectorXd scale =
       own.diagonal().unaryExpr([](double w) { return w > 0 ? 1 / std::sqrt(w) : 1; });
   own = scale.asDiagonal() * own * scale.asDiagonal();
@@ -82,7 +82,7 @@ void eliminate(const Sparse& W, const std::vector<Image>& images, const std::vec
   }
 }
 
-/// All equations, those together that feel each other.
+/// Eliminates all equations, in groups that feel each other.
 void eliminateEquations(Sparse& W, const std::vector<Image>& images, VectorXd& q) {
   const auto size = static_cast<int>(images.size());
   DisjointSets coupled(size);

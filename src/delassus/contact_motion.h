@@ -10,10 +10,10 @@
 
 namespace delassus {
 
-// How contacts and rows move with their bodies, one by one and without W: velocities, m/s (rad/s of
-// rows about an axis), and entries of the diagonal of J M⁻¹ Jᵀ, compliance left out, 1/kg.
+// Motion of single contacts and rows with their bodies, without W: velocities, m/s (rad/s for rows
+// about an axis), and diagonal entries of J M⁻¹ Jᵀ without compliance, 1/kg.
 
-/// v + ω × arm of the point of `body` at `arm`; that of the fixed world is zero.
+/// v + ω × arm: the velocity of the point of `body` at `arm`; zero for the fixed world.
 inline Vec3 velocityAt(const std::vector<Body>& bodies, int body, const Vec3& arm) {
   if (body < 0) return Vec3::Zero();
   const Vec6& v = bodies[body].velocity;
@@ -25,7 +25,7 @@ inline Vec3 slip(const std::vector<Body>& bodies, const Contact& c) {
   return velocityAt(bodies, c.a, c.armA) - velocityAt(bodies, c.b, c.armB);
 }
 
-/// The same in the frame of the contact, less what is wanted.
+/// The same in the frame of the contact, less the target.
 inline Vec3 relativeVelocity(const std::vector<Body>& bodies, const Contact& c) {
   return c.frame.transpose() * slip(bodies, c) - c.target;
 }
@@ -34,7 +34,7 @@ inline double normalVelocity(const std::vector<Body>& bodies, const Contact& c) 
   return c.frame.col(0).dot(slip(bodies, c)) - c.target[0];
 }
 
-/// What one body adds to the velocity of a row.
+/// One body's part of the velocity of a row.
 inline double along(const std::vector<Body>& bodies, int body, const Row6& J) {
   return body >= 0 ? J.dot(bodies[body].velocity) : 0;
 }
@@ -43,7 +43,7 @@ inline double relativeVelocity(const std::vector<Body>& bodies, const Row& c) {
   return along(bodies, c.a, c.jacobianA) + along(bodies, c.b, c.jacobianB) - c.target;
 }
 
-/// What one body adds to the diagonal along an axis of a contact:
+/// One body's part of the diagonal entry along an axis of a contact:
 ///
 ///     eᵀ M⁻¹ e + (arm × e)ᵀ I⁻¹ (arm × e)
 inline double diagonalShare(const std::vector<Body>& bodies, int body, const Vec3& arm,
@@ -54,7 +54,7 @@ inline double diagonalShare(const std::vector<Body>& bodies, int body, const Vec
          turn.dot(bodies[body].inverseInertia * turn);
 }
 
-/// Axis 0 is the normal.
+/// The diagonal entry along an axis; axis 0 is the normal.
 inline double diagonal(const std::vector<Body>& bodies, const Contact& c, int axis) {
   return diagonalShare(bodies, c.a, c.armA, c.frame.col(axis)) +
          diagonalShare(bodies, c.b, c.armB, c.frame.col(axis));

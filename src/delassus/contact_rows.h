@@ -5,12 +5,12 @@
 
 namespace delassus {
 
-/// Two numbers at a time, in which the products here are worked out: whatever goes from contact to
-/// contact, or along joints, spends much of its time on them. The sums of a row are added up once
-/// for both bodies, not once for each.
+/// Two numbers at a time, for the products below: every method that goes from contact to contact,
+/// or along joints, spends much of its time on them. The two partial sums of a row are added up
+/// once for both bodies, not once for each.
 using Pair = double __attribute__((vector_size(16), aligned(8), may_alias));
 
-/// One row J̃, six columns for each of its two bodies. A body less than 0 is not there.
+/// One row J̃, with six columns for each of its two bodies. An index below 0 means no body.
 struct ScalarRow {
   int a, b;
   Row6 Ja, Jb;

@@ -128,7 +128,7 @@ Mat2 DelassusMatrix::pairBlock(int first) const {
   if (!inBodySpace_) return diagonalBlock<2>(entries_, first);
   W = Vec2(bodySpace().compliance.segment<2>(first)).asDiagonal();
   const auto* rows = &bodySpace().rows[first - 3 * bodySpace().contacts.size()];
-  // What a row adds for one of its blocks meets the same block of the other row.
+  // A block of row i adds to W(i, j) where row j has the same block.
   const auto add = [&](int i, int body, const auto& J) {
     if (body < 0) return;
     for (int j = 0; j < 2; ++j) {

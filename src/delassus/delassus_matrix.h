@@ -12,14 +12,14 @@ namespace delassus {
 /// W factored in body space: W = J̃ J̃ᵀ + diag(compliance), with the mass-normalised Jacobian J̃ =
 /// J B, M⁻¹ = B Bᵀ.
 ///
-/// The generalised velocity y that goes with it has M = I: ½ yᵀy is the kinetic energy that the
-/// reactions add, y = J̃ᵀ r, and a locked axis is a zero column. Body blocks have six columns; an
-/// articulated body has as many blocks as its freedoms fill. J̃ is in 1/√kg, y in √J. For n
-/// contacts and m rows: n entries in `contacts`, m in `rows`, 3n + m in `compliance`.
+/// Its generalised velocity y has M = I: y = J̃ᵀ r, and ½ yᵀy is the kinetic energy that the
+/// reactions add. A locked axis is a zero column. Body blocks have six columns; an articulated body
+/// has as many blocks as its freedoms fill. J̃ is in 1/√kg, y in √J. For n contacts and m rows: n
+/// entries in `contacts`, m in `rows`, 3n + m in `compliance`.
 struct BodySpace {
   /// Three rows of a contact, or one.
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor, 3, 6>;
-  /// What a contact or row moves beside its a and b: a block of an articulated body.
+  /// A block of an articulated body that a contact or row moves beside its a and b.
   struct Part {
     int at;  ///< its first unknown
     int body;
@@ -30,7 +30,7 @@ struct BodySpace {
   std::vector<ContactRows> contacts;
   std::vector<ScalarRow> rows;
   std::vector<Part> parts;  ///< in the order of the unknowns, no block twice in one contact or row
-  VectorXd compliance;      ///< one entry an unknown, 1/kg
+  VectorXd compliance;      ///< one entry per unknown, 1/kg
 
   void impulse(const VectorXd& r, VectorXd& y) const;           ///< y = J̃ᵀ r
   void relativeVelocity(const VectorXd& y, VectorXd& u) const;  ///< u = J̃ y
@@ -62,7 +62,7 @@ class DelassusMatrix {
   int size() const { return size_; }
   bool inBodySpace() const { return inBodySpace_; }
   const BodySpace& bodySpace() const { return others_ ? *others_ : space_; }
-  /// Becomes a factored matrix of `size` unknowns: its storage, to be filled anew.
+  /// Becomes a factored matrix of `size` unknowns. Returns its storage, to be filled anew.
   BodySpace& refill(int size) {
     size_ = size;
     inBodySpace_ = true;
@@ -70,7 +70,7 @@ class DelassusMatrix {
     space_.parts.clear();
     return space_;
   }
-  /// Becomes the same as a factored matrix, which must outlive it: its entries are not copied.
+  /// Refers to the entries of a factored matrix, without a copy; that matrix must outlive this one.
   void refer(const DelassusMatrix& factored) {
     size_ = factored.size_;
     inBodySpace_ = true;
@@ -89,23 +89,23 @@ class DelassusMatrix {
   Mat3 contactBlock(int first) const;
   /// The 2x2 diagonal block of the two rows whose unknowns start at `first`.
   Mat2 pairBlock(int first) const;
-  /// The entry in the diagonal of the row that is this unknown.
+  /// The diagonal entry of the row with this unknown.
   double diagonalOfRow(int unknown) const;
   VectorXd diagonal() const;
-  /// The same where contactBlock of each contact is known.
+  /// The same if the contactBlock of each contact is known.
   void diagonal(const std::vector<Mat3>& contactBlocks, VectorXd& d) const;
   MatrixXd dense() const;
-  /// As entries, whatever the storage. Of a factored matrix both triangles sum the same products in
-  /// the same order: exactly symmetric.
+  /// As entries, whatever the storage. For a factored matrix they are exactly symmetric: both
+  /// triangles sum the same products in the same order.
   Sparse asEntries() const;
-  /// Of the body space, if that is its own.
+  /// Size of its own body space, not of one that it refers to.
   std::size_t bytes() const { return space_.bytes(); }
 
  private:
   int size_ = 0;
   bool inBodySpace_ = false;
   BodySpace space_;
-  const BodySpace* others_ = nullptr;  ///< that of the matrix it refers to
+  const BodySpace* others_ = nullptr;  ///< body space of the matrix it refers to
   Sparse entries_;
 };
 

@@ -33,8 +33,8 @@ void DenseNewton<Most>::start(const Problem& problem, const NaturalMap& map, Sta
   }
 }
 
-/// Whether what the steps have come to keeps the law; rounding may have left a cone by its last
-/// digit.
+/// Whether the reactions of the steps keep the law, moved back into the cones that rounding may
+/// have left by a last digit.
 template <int Most>
 bool DenseNewton<Most>::judge(const Problem& problem, const NaturalMap& map, double tolerance,
                               Solution& best) {
@@ -64,7 +64,8 @@ bool DenseNewton<Most>::solve(const Problem& problem, const NaturalMap& map, dou
     ++best.factorisations;
     steps_.forgetFactor();
     if (!steps_.step(bounds, error)) return false;
-    // Two measures of the same distance: only what is near by this one may be there by the other.
+    // These are two measures of the same distance: only reactions near by this one can be there by
+    // the other.
     if (error <= near * tolerance && judge(problem, map, tolerance, best)) return true;
   }
   return false;

@@ -9,15 +9,14 @@ namespace delassus {
 /// Where a search sets out: from the best answer so far, or from no reactions.
 enum class Start : unsigned char { Best, Rest };
 
-/// Newton's method on Coulomb's law (NewtonSteps), for few unknowns, without anything to hold
-/// reactions apart that W does not tell from each other: where F is singular in a region the method
-/// gives up.
+/// Newton's method on Coulomb's law (NewtonSteps), for few unknowns. It adds no term to tell
+/// reactions apart where W does not: where F is singular in a region, the method gives up.
 template <int Most>
 class DenseNewton {
  public:
-  /// From the reactions of `best`, or none, to some with a natural residual of at most `tolerance`
-  /// (m/s): true, and they are the best; or until `budget` regions are spent, or they lead nowhere.
-  /// `map` is that of the problem, which has entries and no disks.
+  /// Starts from the reactions of `best`, or from none. True if it finds reactions with a natural
+  /// residual of at most `tolerance` (m/s): these become `best`. Gives up after `budget` regions,
+  /// or where the steps lead nowhere. `map` belongs to the problem, which has entries and no disks.
   bool solve(const Problem& problem, const NaturalMap& map, double tolerance, int budget,
              Start from, Solution& best);
 
@@ -34,7 +33,7 @@ class DenseNewton {
   Solution candidate_;
 };
 
-/// Whether a problem is small enough, and made of contacts and rows that can move.
+/// Whether a problem is small enough, and all its contacts and rows can move.
 bool fitsDenseNewton(const Problem& problem, const NaturalMap& map);
 
 }  // namespace delassus

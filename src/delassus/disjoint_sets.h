@@ -7,13 +7,13 @@
 
 namespace delassus {
 
-/// Union-find. The smallest index of a set is its root, so the result has no memory of the order of
-/// joins.
+/// Union-find. The root of a set is its smallest index, so the result does not depend on the order
+/// of joins.
 class DisjointSets {
  public:
   explicit DisjointSets(int n = 0) { reset(n); }
 
-  /// Everything apart again.
+  /// Makes each index a set of its own again.
   void reset(int n) {
     parent_.resize(n);
     std::iota(parent_.begin(), parent_.end(), 0);

@@ -7,20 +7,20 @@
 
 namespace delassus {
 
-/// Friction whose largest size another reaction sets: of rolling (two rows, about the tangents of a
-/// contact) or of spinning (one row, about its normal).
+/// Rolling friction (two rows, about the tangents of a contact) or spinning friction (one row,
+/// about its normal). Another reaction limits its size:
 ///
 ///     ‖r_d‖ ≤ κ r_n,   and where u_d ≠ 0:  r_d = −κ r_n u_d/‖u_d‖       (maximum dissipation)
 ///
-/// Where `mostLoad` is finite, no more than that of r_n counts: ‖r_d‖ ≤ κ min(r_n, mostLoad).
+/// Where `mostLoad` is finite, it limits the r_n that counts: ‖r_d‖ ≤ κ min(r_n, mostLoad).
 ///
-/// That is Coulomb's law with an unknown of its own. Disks come last among the unknowns, so that
-/// whoever goes through them in order knows r_n. In Bullet's contacts u_d is in rad/s, r_d in
-/// N·m·s, and κ in m.
+/// This is Coulomb's law with an unknown of its own. Disks come last among the unknowns, so that
+/// r_n is known when a method goes through the unknowns in order. In Bullet's contacts u_d is in
+/// rad/s, r_d in N·m·s, and κ in m.
 struct Disk {
   int first;                   ///< its first unknown, a row
-  int unknowns;                ///< 1, or 2 that follow each other
-  int governor;                ///< the unknown r_n: of a contact with friction or a row
+  int unknowns;                ///< 1, or 2 consecutive ones
+  int governor;                ///< the unknown r_n, of a contact with friction or a row
   double radius;               ///< κ > 0
   double mostLoad = infinity;  ///< N·s, > 0
 
@@ -29,7 +29,7 @@ struct Disk {
            radius == other.radius && mostLoad == other.mostLoad;
   }
 
-  /// Its part of a vector of unknowns; 0 in the place of a second one that is not there.
+  /// Its part of a vector of unknowns; a missing second one is 0.
   Vec2 of(const VectorXd& x) const { return {x[first], unknowns == 2 ? x[first + 1] : 0}; }
   void put(const Vec2& part, VectorXd& x) const {
     x.segment(first, unknowns) = part.head(unknowns);

@@ -2,29 +2,29 @@
 
 namespace delassus {
 
-/// What a step leaves out where its scene does not need it. Each can be switched off (false), to
-/// see what it is worth: reactions keep the law to within the same tolerance.
+/// Work that a step saves where its scene does not need it. Each economy can be switched off
+/// (false) to measure its worth: reactions keep the law to within the same tolerance.
 struct Economies {
   /// A contact without friction has one unknown, not three.
   bool tangents = true;
-  /// No W for an island whose contacts do not approach.
+  /// An island whose contacts do not approach needs no W.
   bool freeIslands = true;
-  /// Reactions of the last step that still keep the law are checked, no more.
+  /// Reactions of the last step that still keep the law are only checked.
   bool keptIslands = true;
-  /// A contact or a row that is alone is answered by a formula. Problem files also by a few sweeps
-  /// of that formula, where these suffice.
+  /// A formula answers a lone contact or row. Problem files are also answered by a few sweeps of
+  /// that formula, where these suffice.
   bool closedForms = true;
-  /// No search where there is one region: joints without limits, motors and contacts.
+  /// There is no search where there is one region: joints without limits, motors and contacts.
   bool oneRegion = true;
-  /// Joints that leave few contacts are eliminated once, and not swept over.
+  /// Joints are eliminated once, and not swept over, where few contacts are left then.
   bool joints = true;
-  /// No factorisation where the region and W stand.
+  /// Nothing is factored again while the region and W stay the same.
   bool factors = true;
-  /// No push problem where no penetration splits.
+  /// Without split penetration there is no push problem.
   bool pushes = true;
-  /// No contact events where nobody listens; if false they are made, and nobody is called.
+  /// Contact events are made only where somebody listens; if false, they are made anyway.
   bool events = true;
-  /// Memory is kept from step to step.
+  /// Storage is kept from step to step.
   bool storage = true;
 };
 

@@ -8,8 +8,8 @@ namespace {
 
 constexpr int atATime = KeptMatrix::atATime;
 
-/// Takes four pivot rows from `count` others, from column `first` on. Shares of the pivots stand
-/// behind `stride` numbers in each row.
+/// Subtracts multiples of four pivot rows from `count` others, from column `first` on. The four
+/// factors of a row are its last entries of L, behind its `stride` numbers.
 DELASSUS_WIDE_INLINE void subtractRows(double* const* pivots, double* const* rows, int count,
                                        int first, int stride) {
   int i = 0;
@@ -37,14 +37,14 @@ DELASSUS_WIDE_INLINE void subtractRows(double* const* pivots, double* const* row
   }
 }
 
-/// L U = K by rows of `stride` numbers, of which what is behind the n-th is zero, with those of L
-/// behind them. False if K is singular.
+/// L U = K by rows of `stride` numbers, zero after the n-th; the entries of L follow them. False if
+/// K is singular.
 DELASSUS_WIDE
 bool eliminate(double** row, int* order, int n, int stride) {
   double least = infinity, largest = 0;
   for (int begin = 0; begin < n; begin += atATime) {
     const int end = std::min(begin + atATime, n);
-    // Within the columns of these pivots. What is left of a pivot there is not read again.
+    // Within the columns of these pivots. The entries to the left of a pivot are not read again.
     for (int k = begin; k < end; ++k) {
       int pivot = k;
       double size = std::abs(row[k][k]);
@@ -64,7 +64,7 @@ bool eliminate(double** row, int* order, int n, int stride) {
       }
     }
     if (end == n) break;
-    // Behind them: the pivots' own rows, one from the next, and the others.
+    // In the columns after them: first the pivot rows themselves, then the others.
     for (int k = begin + 1; k < end; ++k)
       for (int j = begin; j < k; ++j)
         for (int c = end; c < stride; c += atATime)

@@ -12,21 +12,21 @@
 
 namespace delassus {
 
-/// Beside the largest pivot, one so small is none.
+/// A pivot below this share of the largest counts as zero.
 constexpr double negligiblePivot = 1e-10;
 
-/// K x = b with at most `Most` unknowns by Gaussian elimination, rows exchanged. For so few, what a
-/// library does to be fast for many takes most of the time.
+/// K x = b with at most `Most` unknowns by Gaussian elimination with row exchanges. For so few
+/// unknowns, the set-up that makes a library fast for many takes most of the time.
 template <int Most>
 class Elimination {
  public:
-  /// Rows of one length, whatever n is, so that loops over them go by so many columns at a time;
-  /// what is not used is zero.
+  /// Rows have one length, whatever n is, so that loops go over `atATime` columns at once; unused
+  /// entries are zero.
   static constexpr int atATime = 4, width = (Most + atATime - 1) / atATime * atATime;
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, width, Eigen::RowMajor, Most, width>;
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, Most, 1>;
 
-  /// x in b; K is used up. False if K is singular.
+  /// Replaces b by x and overwrites K. False if K is singular.
   static bool solve(Matrix& K, Vector& b) {
     const int n = static_cast<int>(b.size());
     double least = 0, largest = 0;
@@ -55,14 +55,14 @@ class Elimination {
   }
 
  private:
-  /// Takes row k, which has the pivot, from those below it, in as many columns as there are from
-  /// before the pivot on: what is left of it is not read again.
+  /// Subtracts multiples of the pivot row k from the rows below, in the columns from `first` on:
+  /// the entries up to the pivot are not read again.
   template <int columns>
   static void clearBelow(int k, double perPivot, Matrix& K, Vector& b) {
     const int n = static_cast<int>(b.size()), first = k / atATime * atATime;
     if constexpr (columns > atATime)
       if (n - first <= columns - atATime) return clearBelow<columns - atATime>(k, perPivot, K, b);
-    // A copy: to the compiler rows might be the same, and it would read this one again for each.
+    // A copy: to the compiler rows might overlap, and it would read this one again for each.
     const Eigen::Matrix<double, 1, columns> pivotRow = K.row(k).template segment<columns>(first);
     for (int i = k + 1; i < n; ++i) {
       const double share = K(i, k) * perPivot;
@@ -73,8 +73,8 @@ class Elimination {
   }
 };
 
-/// The same for any number of unknowns, by blocks of four pivots, whose rows are taken from the
-/// others all at once. The factor is kept.
+/// The same for any number of unknowns, by blocks of four pivots, whose rows are subtracted from
+/// the others all at once. The factor is kept.
 template <>
 class Elimination<Eigen::Dynamic> {
  public:
@@ -83,12 +83,12 @@ class Elimination<Eigen::Dynamic> {
 
   /// K is copied. False if it is singular.
   bool factorise(const Matrix& K);
-  /// x in b.
+  /// Replaces b by x.
   void solve(Vector& b);
   std::size_t bytes() const { return factors_.bytes() + bytesOf(rows_, order_, ordered_); }
 
  private:
-  KeptMatrix factors_;         ///< in each row its entries of U, and behind them those of L
+  KeptMatrix factors_;         ///< each row has its entries of U, then those of L
   std::vector<double*> rows_;  ///< in the order of their pivots
   std::vector<int> order_;     ///< pivot -> row of K
   VectorXd ordered_;           ///< a right-hand side in that order

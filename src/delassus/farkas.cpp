@@ -25,7 +25,7 @@ void FarkasProof::setProblem(const Problem& problem, const NaturalMap& map) {
 }
 
 FarkasProof::Push FarkasProof::weigh(const VectorXd& r) {
-  // Squares of what is felt, not r·W r: where large reactions cancel, that is all rounding.
+  // From squares of J̃ᵀ r, not as r·W r: where large reactions cancel, the latter is all rounding.
   constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
   const BodySpace& space = demands_.W.bodySpace();
   space.impulse(r, felt_);
@@ -54,9 +54,9 @@ double FarkasProof::hardestAlone() const {
 bool FarkasProof::find(ProximalWalk<BodyMotion>& walk, const Problem& problem,
                        const NaturalMap& map, double tolerance, const VectorXd& start,
                        int& regionBudget, Solution& scratch, WorkDone& count) {
-  // Relative to W_aa. The softest are soon found and lead to the hard ones; with the last, what
-  // carries loads is less than what pushes in vain even where demands contradict each other by less
-  // than anybody asks for.
+  // Relative to W_aa. Answers for the softest are soon found and lead to those for the hard ones.
+  // With the last, reactions that push in vain are larger than those that carry loads, even where
+  // demands contradict each other by less than anybody asks for.
   constexpr double compliances[] = {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}, hard = 1e-7;
   setProblem(problem, map);
   walk.space().setProblem(demands_, map);
@@ -73,8 +73,8 @@ bool FarkasProof::find(ProximalWalk<BodyMotion>& walk, const Problem& problem,
       reactions_.setZero(problem.size());
       if (!answer(compliance, reactions_)) return false;
     }
-    // What pushes in vain is in inverse proportion to the compliance; all else hardly depends on
-    // it, and is gone in the difference.
+    // Reactions that push in vain are in inverse proportion to the compliance. All others hardly
+    // depend on it, and vanish in the difference.
     reactions_ = scratch.r - last_;
     last_.swap(scratch.r);
     if (compliance > hard) continue;
@@ -83,8 +83,9 @@ bool FarkasProof::find(ProximalWalk<BodyMotion>& walk, const Problem& problem,
   return false;
 }
 
-/// What carries loads is nearly gone, and where demands contradict each other by little, it is as
-/// much as these push. Steps from there without demands keep what moves nothing, to all digits.
+/// Improves reactions_, which still hold a rest of the reactions that carry loads. Where demands
+/// contradict each other by little, this rest is as large as the pushes of the contradiction. Steps
+/// from there without demands keep only the part that moves nothing, to all digits.
 bool FarkasProof::refine(ProximalWalk<BodyMotion>& walk, const Problem& problem,
                          const NaturalMap& map, int& regionBudget, Solution& scratch,
                          WorkDone& count) {
@@ -106,7 +107,7 @@ bool FarkasProof::refine(ProximalWalk<BodyMotion>& walk, const Problem& problem,
   return false;
 }
 
-/// Reactions that push where they may not do not count.
+/// Moves reactions into the bounds: those that push where they may not do not count.
 void FarkasProof::keepPushes(VectorXd& r) const {
   for (int i = 0; i < r.size(); ++i) {
     const Interval bounds = allowedWithoutFriction(demands_, i);
@@ -115,9 +116,9 @@ void FarkasProof::keepPushes(VectorXd& r) const {
 }
 
 bool FarkasProof::isProof() {
-  // Times the motion that the hardest demand alone asks for. Less proves nothing: a wedge of a
-  // microradian that holds a ball demands a millionth of what the ball needs. What moves nothing
-  // but by rounding is no wedge.
+  // In units of the motion that the hardest demand alone asks for. Less proves nothing: a wedge of
+  // a microradian that holds a ball demands a millionth of what the ball needs. Reactions that move
+  // nothing beyond rounding are no wedge.
   constexpr double proportion = 1e8, proportionOfRounding = 1e3;
   keepPushes(reactions_);
   const Push push = weigh(reactions_);

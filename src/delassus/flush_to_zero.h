@@ -6,9 +6,9 @@
 
 namespace delassus {
 
-/// As long as it lives, this thread takes numbers below the smallest normal one for zero where the
-/// processor can (x86). In single precision, changes that die out come there (1e-38, and squares of
-/// 1e-19), and each costs a hundred cycles and more.
+/// As long as it lives, this thread takes numbers below the smallest normal one for zero, if the
+/// processor can (x86). In single precision, changes that die out get there (1e-38, and squares of
+/// 1e-19), where each operation costs a hundred cycles and more.
 class FlushToZero {
  public:
 #ifdef __SSE__
@@ -23,7 +23,7 @@ class FlushToZero {
 
 #ifdef __SSE__
  private:
-  static constexpr unsigned results = 0x8000, operands = 0x0040;  // of the control word
+  static constexpr unsigned results = 0x8000, operands = 0x0040;  // bits of the control word
   unsigned before_;
 #endif
 };

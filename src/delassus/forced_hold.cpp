@@ -10,18 +10,19 @@
 namespace delassus {
 namespace {
 
-// Larger, and digits would come in more steps; smaller, and rounding, which 1/alpha magnifies,
-// would take them.
+// A larger alpha would need more steps per digit. A smaller one would lose digits to rounding,
+// which 1/alpha magnifies.
 constexpr double alpha = 1e-7;
-// How easily friction comes beside normal reactions: piles at rest hardly need any. The taller the
-// pile, the smaller it should be; but towers whose corners are wedged need some.
+// The ease of friction relative to normal reactions. Piles at rest hardly need friction, and the
+// taller the pile, the smaller this should be; but towers with wedged corners need some.
 constexpr double tangentShare = 0.015;
-// What lies outside its cone is moved beyond the wall of a narrower one that begins a little above
-// the tip: so all lie inside after finitely many steps.
+// A reaction outside its cone is moved beyond the wall of a narrower cone that begins a little
+// above the tip. So all reactions lie inside after finitely many steps.
 constexpr double innerShare = 0.6, beyond = 1.6, marginShare = 0.15;
 
-/// How a reaction outside its cone moves: to the nearest, where tangents move with that ease, in
-/// the cone of `innerShare` of the friction that begins at `margin`, and beyond that.
+/// The move of a reaction outside its cone: towards the nearest point of the cone that begins at
+/// `margin` and has `innerShare` of the friction, and beyond that point. Nearest in the norm in
+/// which tangents move with the ease `tangentShare`.
 Vec3 moveInside(const Vec3& r, double mu, double margin) {
   const double root = std::sqrt(tangentShare);
   const Vec3 z(r[0] - margin, r[1] / root, r[2] / root);
@@ -43,8 +44,8 @@ bool isHeld(const ActiveSet& set, int unknown) {
 
 }  // namespace
 
-/// The weights here, without those that are not held, and the Newton matrix. change_ is what those
-/// have to lose.
+/// Sets the weights, zero for parts that are not held, and G for the Newton matrix. Sets change_ to
+/// the reactions that those parts have to lose.
 template <class Motion>
 void ForcedHold<Motion>::setHold(const ActiveSet& set) {
   const int n = problem().contacts();
@@ -74,8 +75,8 @@ void ForcedHold<Motion>::setHold(const ActiveSet& set) {
   }
 }
 
-/// How those of r_ that lie outside their cones, bounds and disks are to move, in change_; returns
-/// the size of all that, (m/s)².
+/// Sets change_ to the moves of all r_ that lie outside their cones, bounds and disks. Returns the
+/// square of its size, (m/s)².
 template <class Motion>
 double ForcedHold<Motion>::moveAllInside(double demand) {
   const int n = problem().contacts();
@@ -100,8 +101,7 @@ double ForcedHold<Motion>::moveAllInside(double demand) {
   return change_.cwiseProduct(scale_).squaredNorm();
 }
 
-/// r_ ← r_ + change_ − L u, where u is the relative velocity that goes with the new r_; u_ goes
-/// with it.
+/// r_ ← r_ + change_ − L u, where u is the relative velocity with the new r_; updates u_.
 template <class Motion>
 void ForcedHold<Motion>::holdOnce() {
   moved_ = r_ + change_;
@@ -116,10 +116,10 @@ void ForcedHold<Motion>::holdOnce() {
   u_ -= compliance_.cwiseProduct(change_);
 }
 
-/// Steps from r_, u_ and change_ until all lie inside, and some more for the last digits.
+/// Makes steps from r_, u_ and change_ until all r_ lie inside, and some more for the last digits.
 template <class Motion>
 bool ForcedHold<Motion>::holdOn(double tolerance, int budget, Solution& best) {
-  // Where something has to give way, what lies outside stays as large as it is, or grows.
+  // If something has to give way, the part outside stays as large as it is, or grows.
   constexpr int mostIdle = 10, mostStuck = 4;
   constexpr double halved = 0.5, unchanged = 0.8;
   constexpr double unknown = infinity;

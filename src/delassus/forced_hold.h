@@ -4,25 +4,24 @@
 
 namespace delassus {
 
-/// The forced motion of the paper (theory §2): all that touches is held.
+/// The forced motion of the paper (theory §2): all contacts that touch are held.
 template <class Motion>
 class ForcedHold {
  public:
   /// Holds the problem of `space`, which must outlive it.
   explicit ForcedHold(ProximalSpace<Motion>& space);
 
-  /// All that `best.activeSet` does not say is open or at a bound is held, W r + q = 0 there; and
-  /// of the forced reactions, which redundant contacts share in many ways, some that lie inside all
-  /// cones, bounds and disks are looked for. True if they are found: then everything stays, and no
-  /// other region need be looked at. One factor serves all steps,
+  /// Holds all parts that `best.activeSet` does not have open or at a bound: W r + q = 0 there.
+  /// Redundant contacts share the forced reactions in many ways; this looks for a share inside all
+  /// cones, bounds and disks. True if it finds one: then everything stays, and no other region need
+  /// be tried. One factor serves all steps,
   ///
   ///     r ← r' − L u,    u = (I + W L)⁻¹ (W r' + q),    L = 1/(α W_aa), less for tangents
   ///
-  /// each of which goes to the forced reactions nearest to r', that is r with what lies outside
-  /// moved further inside than to the wall (Gubin, Polyak, Raik 1967, The method of projections for
-  /// finding the common point of convex sets). They begin at `best`, and then from nothing, with
-  /// what is left of `budget`. Steps are counted as sweeps here. `tolerance`: of the natural
-  /// residual, m/s.
+  /// each of which goes to the forced reactions nearest to r'. r' is r with the reactions outside
+  /// moved inside, beyond the wall (Gubin, Polyak, Raik 1967, The method of projections for finding
+  /// the common point of convex sets). The steps begin at `best`, and then again from nothing, with
+  /// the rest of `budget`. They count as sweeps. `tolerance`: natural residual to reach, m/s.
   bool hold(double tolerance, int budget, Solution& best);
 
  private:
@@ -37,7 +36,7 @@ class ForcedHold {
   VectorXd &l_, &felt_;
   Stiffness& G_;
   VectorXd &r_, &u_;
-  VectorXd& change_;  ///< how r is to move
+  VectorXd& change_;  ///< r' − r, the next move of r
   VectorXd& moved_;   ///< r'
   VectorXd& measuredU_;
 };

@@ -4,7 +4,7 @@
 
 namespace delassus {
 
-/// Four numbers that are worked with at once, at any address.
+/// Four numbers that an operation takes at once, at any address.
 using Four = double __attribute__((vector_size(32), aligned(8), may_alias));
 
 DELASSUS_WIDE_INLINE const Four& fourAt(const double* x) {

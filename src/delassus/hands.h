@@ -6,25 +6,25 @@
 
 namespace delassus {
 
-/// Threads that a host lends, the caller's among them: for one thing on which all work at once.
+/// Threads that a host lends, the caller's among them, to work on one task together.
 class Hands {
  public:
   virtual ~Hands() = default;
   virtual int count() const = 0;
-  /// Calls work(context, hand) on every hand, 0 ≤ hand < count(), side by side as far as there are
-  /// processors for them, hand 0 in the caller's thread. Returns when all have ended. `work` must
-  /// not throw.
+  /// Calls work(context, hand) on every hand, 0 ≤ hand < count(), at the same time as far as there
+  /// are processors, hand 0 in the caller's thread. Returns when all have ended. `work` must not
+  /// throw.
   virtual void together(void (*work)(const void* context, int hand), const void* context) = 0;
 };
 
-/// One round after the other of shares that hands take. One of them leads: it begins with the first
-/// share, the others with the last, so that each finds in its cache what it left there. The leader
-/// waits for nobody but those who are at work on a share: who has no processor is not missed. What
-/// was written in one round, all read in the next.
+/// Rounds of shares, one round after the other; hands take the shares. The leader takes shares from
+/// the first on, the others from the last on, so that each finds its own data in its cache. The
+/// leader waits only for hands that are at work on a share, never for a hand without a processor.
+/// All hands can read in one round what any has written in the round before.
 class Rounds {
  public:
-  /// Calls work(round, share) for all shares, some of them on other hands, and returns when all
-  /// have ended. For the leader.
+  /// For the leader: calls work(round, share) for all shares, some of them on other hands, and
+  /// returns when all have ended.
   template <class Work>
   void lead(std::uint32_t round, std::uint16_t shares, const Work& work) {
     done_.store(0, std::memory_order_relaxed);
@@ -41,7 +41,8 @@ class Rounds {
     wait([&] { return own + done_.load(std::memory_order_acquire) == shares; });
   }
 
-  /// Takes shares of whatever round there is until the leader ends it.
+  /// For the others: takes shares of the current round, and of all that follow, until the leader
+  /// calls `end`.
   template <class Work>
   void help(const Work& work) {
     for (;;) {
@@ -59,19 +60,19 @@ class Rounds {
     }
   }
 
-  /// For the leader: sends the others home.
+  /// For the leader: lets the others return.
   void end() { left_.store(Left{over, 0, 0}, std::memory_order_release); }
 
  private:
   static constexpr std::uint32_t over = ~std::uint32_t(0);
   struct alignas(8) Left {
     std::uint32_t round = 0;
-    std::uint16_t begin = 0, end = 0;  ///< of the shares that nobody has taken
+    std::uint16_t begin = 0, end = 0;  ///< shares that nobody has taken
   };
 
   template <class IsOver>
   static void wait(const IsOver& isOver) {
-    // What is waited for takes some microseconds, unless it has no processor.
+    // The wait takes some microseconds, unless the other thread has no processor.
     constexpr int patience = 2000;
     for (int looks = 0; !isOver(); ++looks)
       if (looks > patience) std::this_thread::yield();

@@ -13,14 +13,13 @@ double longestStep(double x, double d) { return d < 0 ? -x / d : infinity; }
 
 }  // namespace
 
-/// Reactions and velocities of the size of all velocities, also of those that ask for nothing, in
-/// the middle of their cones.
+/// Starts in the middle of the cones. Reactions and velocities are as large as all velocities are,
+/// including those that demand nothing.
 template <class Motion>
 void InteriorPoint<Motion>::start(const Problem& problem, const NaturalMap& map) {
   const int n = problem.contacts(), m = problem.rows();
   map.meanDiagonal(scale_);
-  // Smaller, and reactions that squeeze each other run away; larger, and the last digits come
-  // slowly.
+  // If smaller, reactions that squeeze each other run away; if larger, the last digits come slowly.
   constexpr double proximal = 1e-6;
   weight_ = proximal * scale_;
   if (problem.W.inBodySpace()) weight_ += problem.W.bodySpace().compliance;
@@ -48,7 +47,7 @@ void InteriorPoint<Motion>::start(const Problem& problem, const NaturalMap& map)
       continue;
     }
     const double push = speed / scale_[at];
-    // A bound that no reaction comes near is none: its slack would be all that the gap consists of.
+    // A bound that no reaction comes near is ignored: its slack alone would make up the gap.
     constexpr double far = 1e30;
     const auto isNear = [push](double bound) { return std::abs(bound) < far * push; };
     double r = 0;
@@ -74,7 +73,7 @@ void InteriorPoint<Motion>::start(const Problem& problem, const NaturalMap& map)
   dr_.resize(problem.size());
 }
 
-/// Gap and residuals at r_, u_ = W r_ + q.
+/// Computes the gap and residuals at r_, u_ = W r_ + q.
 template <class Motion>
 void InteriorPoint<Motion>::measure(const Problem& problem) {
   const int n = problem.contacts(), m = problem.rows();
@@ -104,12 +103,12 @@ void InteriorPoint<Motion>::measure(const Problem& problem) {
   for (int i = 0; i < m; ++i)
     rowResidual_[i] = u_[3 * n + i] - ((lower_[i].bounded ? lower_[i].y : 0) -
                                        (upper_[i].bounded ? upper_[i].y : 0));
-  // y_0 is free: that y lies in the cone and x ⟂ y make it ‖u_d‖.
+  // y_0 is free: it becomes ‖u_d‖, since y lies in the cone and x ⟂ y.
   for (std::size_t k = 0; k < disks_.size(); ++k)
     disks_[k].residual.tail<2>() = problem.disks[k].of(u_) - disks_[k].y.tail<2>();
 }
 
-/// Scaling points and −dr/du of every contact and row.
+/// Computes scaling points and −dr/du of every contact and row.
 template <class Motion>
 void InteriorPoint<Motion>::linearise(const Problem& problem) {
   const int n = problem.contacts(), m = problem.rows();
@@ -149,7 +148,7 @@ void InteriorPoint<Motion>::linearise(const Problem& problem) {
   }
 }
 
-/// What each contact, row and disk aims at, and the right side that it makes.
+/// Sets the aim of each contact, row and disk, and from it the right-hand side.
 template <class Motion>
 void InteriorPoint<Motion>::aim(const Problem& problem, double tau, bool corrector) {
   const int n = problem.contacts(), m = problem.rows();
@@ -190,7 +189,7 @@ void InteriorPoint<Motion>::aim(const Problem& problem, double tau, bool correct
   }
 }
 
-/// The steps of r, x and y that go with du.
+/// Computes the steps of r, x and y from du.
 template <class Motion>
 void InteriorPoint<Motion>::follow(const Problem& problem) {
   const int n = problem.contacts(), m = problem.rows();
@@ -280,7 +279,7 @@ template <class Motion>
 bool InteriorPoint<Motion>::solve(Motion& motion, const Problem& problem, const NaturalMap& map,
                                   double tolerance, int budget, Solution& best) {
   constexpr double toBoundary = 0.99, leastCentring = 1e-8;
-  constexpr int mostIdle = 8;  // steps in which the residual is not halved: then no more will come
+  constexpr int mostIdle = 8;  // steps that do not halve the residual: then no more will come
   start(problem, map);
   problem.W.multiply(r_, y_, u_);
   u_ += problem.q;

@@ -14,19 +14,19 @@ namespace delassus {
 ///
 /// With x = (μ r_n, r_t) and y = (u_n/μ + ‖u_t‖, u_t) the law reads L ∋ x ⟂ y ∈ L for the Lorentz
 /// cone L. A row is the same with half-lines; a disk is the same with x = (κ r_n, r_d) and y =
-/// (y_0, u_d), where y_0 is free (a most load is not seen here: the walk that follows knows of it).
+/// (y_0, u_d), where y_0 is free (`mostLoad` is ignored here, but not by the walk that follows).
 /// Newton's method follows x ∘ y = τ e, τ → 0, with Nesterov and Todd's scaling and Mehrotra's
-/// corrector; ‖u_t‖ is differentiated too, smoothed by what τ allows to slip. Each step costs one
-/// factorisation of K = I + J̃ᵀ G J̃, whatever the number of contacts that change their mode: it
-/// needs 10 to 40 of them from any start, where the walk over regions may need hundreds if many
-/// contacts are at a wall of their region. A small proximal weight about the last reactions keeps
-/// redundant contacts apart and leaves no trace in the answer. Sources: Acary, Armand, Nguyen,
-/// Shpakovych (2024) for frictional contact, algorithms §6.1 and §6.10.
+/// corrector; ‖u_t‖ is differentiated too, smoothed by the slip that τ allows. Each step costs one
+/// factorisation of K = I + J̃ᵀ G J̃, however many contacts change their mode. It takes 10 to 40
+/// steps from any start; the walk over regions may take hundreds if many contacts are at a wall of
+/// their region. A small proximal weight about the last reactions keeps redundant contacts apart
+/// and leaves no trace in the answer. Sources: Acary, Armand, Nguyen, Shpakovych (2024) for
+/// frictional contact, algorithms §6.1 and §6.10.
 template <class Motion>
 class InteriorPoint {
  public:
-  /// Improves `best` from a cold start. Stops at the natural residual `tolerance` (m/s), after
-  /// `budget` factorisations, or when it gains no more. Returns whether the tolerance was reached.
+  /// Improves `best` from a cold start. Stops at the natural residual `tolerance` (m/s): true; or
+  /// after `budget` factorisations, or when it gains no more.
   bool solve(Motion& motion, const Problem& problem, const NaturalMap& map, double tolerance,
              int budget, Solution& best);
 
@@ -61,7 +61,7 @@ class InteriorPoint {
 
   VectorXd scale_;
   VectorXd r_, u_, y_;
-  VectorXd dr_;  ///< right side, then step, of r
+  VectorXd dr_;  ///< right-hand side, then the step of r
   VectorXd dv_, du_;
   VectorXd weight_;  ///< compliance + proximal weight
   std::vector<Cone> cones_;

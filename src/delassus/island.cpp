@@ -23,14 +23,14 @@ Mat36 contactJacobian(const Mat3& frame, const Vec3& arm) {
   return J;
 }
 
-/// The normal row of the same.
+/// Its normal row.
 Row6 normalJacobian(const Mat3& frame, const Vec3& arm) {
   Row6 J;
   J << frame.col(0).transpose(), arm.cross(frame.col(0)).transpose();
   return J;
 }
 
-/// Rows with a governor stand behind all others.
+/// The first row with a governor; such rows come after all others.
 std::vector<int>::const_iterator firstOfDisks(const std::vector<Row>& rows, const Island& island) {
   return std::partition_point(island.rows.begin(), island.rows.end(),
                               [&](int i) { return rows[i].governor < 0; });
@@ -149,7 +149,7 @@ const Problem& Assembler::assemble(const std::vector<Body>& bodies,
   return problem_;
 }
 
-/// All sizes; contacts, rows and disks are yet to be filled in.
+/// Sets all sizes; contacts, rows and disks are yet to be filled in.
 BodySpace& Assembler::makeRoom(const Island& island) {
   const int n = static_cast<int>(island.frictional.size());
   const int m = static_cast<int>(island.frictionless.size() + island.rows.size());
@@ -181,7 +181,7 @@ int Assembler::placeIn(const std::vector<Body>& bodies, int body) const {
   return movable(bodies, body) ? placeOf_[body] : fixedWorld;
 }
 
-/// One body's share: its velocity in q, and J B in the place of J (nothing if it is immovable).
+/// Takes one body's share: adds its velocity to q, and replaces J by J B (zero if it is immovable).
 template <class Rows, class Velocity>
 void Assembler::takeShare(const std::vector<Body>& bodies, int body, int place, Rows& J,
                           Velocity& q) {
@@ -242,7 +242,7 @@ void Assembler::writeRows(const std::vector<Body>& bodies, const std::vector<Row
 void Assembler::writeDisks(const std::vector<Body>& bodies, const std::vector<Row>& rows,
                            const Island& island, BodySpace& space) {
   int at = 3 * problem_.contacts() + static_cast<int>(space.rows.size());
-  bool paired = false;  // with the row before
+  bool paired = false;  // whether the row before is paired with this one
   for (auto i = firstOfDisks(rows, island); i != island.rows.end(); ++i, ++at) {
     const Row& c = rows[*i];
     if (paired)
@@ -255,7 +255,7 @@ void Assembler::writeDisks(const std::vector<Body>& bodies, const std::vector<Ro
   }
 }
 
-/// The next row, given by its bodies and J; what is kept are their places and J B.
+/// Writes the next row, given by its bodies and J; stored are the bodies' places and J B.
 void Assembler::writeRow(const std::vector<Body>& bodies, const ScalarRow& row, double target,
                          const Interval& bounds, double compliance, BodySpace& space) {
   const int k = static_cast<int>(space.rows.size()), at = 3 * problem_.contacts() + k;

@@ -10,14 +10,13 @@
 
 namespace delassus {
 
-/// Contacts and rows that can feel each other: linked through movable bodies. Indices are in
-/// ascending order.
+/// Contacts and rows that can feel each other, linked through movable bodies. Indices ascend.
 ///
 /// The unknowns of its problem are, in this order: three per frictional contact, one per
 /// frictionless contact, one per row. Rows with a governor make disks; all others come before them.
 struct Island {
   std::vector<int> bodies;        ///< movable bodies
-  std::vector<int> frictional;    ///< contacts with friction > 0, or one that `unfitParts` names
+  std::vector<int> frictional;    ///< contacts with friction > 0, or unfit friction (`unfitParts`)
   std::vector<int> frictionless;  ///< contacts with friction = 0: one unknown each
   std::vector<int> rows;
 
@@ -31,7 +30,7 @@ struct Island {
     for (const int contact : frictional) work(contact);
     for (const int contact : frictionless) work(contact);
   }
-  /// The unknown that is the normal reaction of one of its contacts.
+  /// The unknown of the normal reaction of one of its contacts.
   int normalOf(int contact) const;
   std::size_t bytes() const { return bytesOf(bodies, frictional, frictionless, rows); }
 };
@@ -40,8 +39,8 @@ struct Island {
 class Assembler {
  public:
   /// Finds the islands of a step, ordered by their first body; good until the next call. Contacts
-  /// and rows between immovable bodies have no unknowns and appear in no island. With `allTangents`
-  /// contacts without friction count as frictional ones of μ = 0.
+  /// and rows between immovable bodies have no unknowns and belong to no island. With `allTangents`
+  /// contacts without friction count as frictional ones with μ = 0.
   void split(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
              const std::vector<Row>& rows, bool allTangents = false);
   int islands() const { return count_; }
@@ -85,10 +84,10 @@ class Assembler {
   int count_ = 0;
   DisjointSets sets_;
   std::vector<int> islandOf_;  ///< of each body
-  /// Of each body of the island that is being assembled, among its bodies.
+  /// Place of a body among the bodies of the island that is being assembled.
   std::vector<int> placeOf_;
   std::vector<RootOfInverseMass> roots_;
-  double largestTerm_ = 0;  ///< of those whose sum is q, m/s
+  double largestTerm_ = 0;  ///< largest term of the sums that make q, m/s
   Problem problem_;
 };
 

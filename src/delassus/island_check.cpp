@@ -13,7 +13,7 @@
 namespace delassus {
 namespace {
 
-/// What the rounding of two velocities can leave where they cancel.
+/// The difference that rounding can leave where two velocities cancel.
 double roundOff(double a, double b) {
   return 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
 }
@@ -22,7 +22,7 @@ void moveIntoDisk(const Disk& disk, VectorXd& r) {
   disk.put(projectOnDisk(disk.of(r), disk.radiusAt(r)), r);
 }
 
-/// The square of about the largest radius of gyration; 0 if it cannot turn.
+/// The square of, roughly, the largest radius of gyration; 0 if the body cannot turn.
 double reachOf(const Body& body) {
   double least = infinity;
   for (int i = 0; i < 3; ++i)
@@ -30,8 +30,8 @@ double reachOf(const Body& body) {
   return least < infinity ? body.inverseMass.maxCoeff() / least : 0;
 }
 
-/// Whether no body moves faster than that, nor turns so fast that what of the island is furthest
-/// from its centre would. A joint does not tell how far out it holds its bodies.
+/// Whether no body moves faster than `speed`, nor turns so fast that the island's longest arm
+/// would. False with joints: they do not tell how far out they hold their bodies.
 bool isSlower(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
               const std::vector<Row>& rows, const Island& island, double speed) {
   if (std::any_of(island.rows.begin(), island.rows.end(),
@@ -63,7 +63,7 @@ void makeReady(const Island& island, Tier tier, Solution& solution) {
   solution.activeSet.disks.clear();
   solution.status = Status::Solved;
   solution.tier = tier;
-  solution.startResidual = infinity;  // nobody asks for that of what is kept
+  solution.startResidual = infinity;  // never needed for kept reactions
   solution.takeWork({});
   solution.blamed.clear();
 }
@@ -125,7 +125,7 @@ bool IslandCheck::isFree(const std::vector<Body>& bodies, const std::vector<Cont
   return true;
 }
 
-/// Projects r, gives the bodies the velocities that it leaves, and returns the largest demand.
+/// Projects r, gives the bodies their velocities after r, and returns the largest demand.
 double IslandCheck::move(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
                          const std::vector<Row>& rows, const Island& island,
                          std::vector<Body>& moved, VectorXd& r) {
@@ -197,7 +197,7 @@ bool IslandCheck::isKept(const std::vector<Body>& bodies, const std::vector<Cont
     for (int body : island.bodies) moved[body].velocity = bodies[body].velocity;
     return false;
   }
-  // Rounding, not what a user would tolerate: forces that nothing resists add up.
+  // At most rounding, whatever the user's tolerance: forces that nothing resists add up.
   const double still = share * std::min(options_.tolerance, Options().tolerance) * demand;
   if (isSlower(moved, contacts, rows, island, still))
     for (int body : island.bodies) moved[body].velocity.setZero();

@@ -8,8 +8,8 @@
 
 namespace delassus {
 
-/// Sees, contact by contact, whether an island needs no solving. No W is built for it, and nothing
-/// is factored.
+/// Checks, contact by contact, whether an island needs no solving. It builds no W and factors
+/// nothing.
 class IslandCheck {
  public:
   explicit IslandCheck(const Options& options) : options_(options) {}
@@ -20,24 +20,23 @@ class IslandCheck {
   ///     contacts:  q_n ≥ 0
   ///     rows:      lower ≤ 0 ≤ upper,  q ≤ 0 if lower < 0,  q ≥ 0 if upper > 0
   ///
-  /// Looks no further than to the first contact that approaches.
+  /// Stops at the first contact that approaches.
   bool isFree(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
               const std::vector<Row>& rows, const Island& island, Solution& solution) const;
 
   /// Whether the reactions in `solution.r`, moved into their cones and bounds, keep the law:
   /// whether their natural residual, ‖r − P(r − ρ v)‖/ρ with ρ = 1/trace W_aa for contacts, is
   /// within the tolerance. (A shorter ρ makes it larger: it bounds the one with ρ = 1/‖W_aa‖.)
-  /// `share` is how much of the tolerance may be used. `moved` must come as a copy of `bodies`. If
-  /// the law is kept, it holds the velocities v_f + M⁻¹ Jᵀ r; otherwise `moved` and `solution.r`
-  /// are as they were, but for that projection.
+  /// `share` is how much of the tolerance may be used. `moved` must be a copy of `bodies` at first.
+  /// If the law is kept, `moved` then holds the velocities v_f + M⁻¹ Jᵀ r; otherwise `moved` and
+  /// `solution.r` are as before, except for that projection.
   ///
-  /// Where no body, in an island without joints, is left faster than `share` of 1e-8 of the largest
-  /// demand (of the tolerance, if that is less), `moved` is at rest; u and the residual are as they
-  /// were before. Reactions that are kept do not answer to what moves: the rounding of one step
-  /// would be a motion that grows in all that follow, in a pile by a third a step, until they are
-  /// solved anew and the narrow phase puts other points in the place of those that the pile stands
-  /// on. What sets a body in motion by less a step, a ball on a slope of 1e-9 rad, does not move
-  /// it.
+  /// In an island without joints, if no body is left faster than `share` of 1e-8 of the largest
+  /// demand (of the tolerance, if that is less), `moved` is set to rest; u and the residual keep
+  /// their values. Kept reactions do not respond to motion: the rounding of one step would grow in
+  /// all later steps, in a pile by a third per step, until the reactions are solved anew and the
+  /// narrow phase replaces the points on which the pile stands. An effect that accelerates a body
+  /// by less per step, as that of a slope of 1e-9 rad on a ball, does not move it.
   bool isKept(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
               const std::vector<Row>& rows, const Island& island, double share,
               std::vector<Body>& moved, Solution& solution);

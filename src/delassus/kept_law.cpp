@@ -8,8 +8,8 @@
 namespace delassus {
 namespace {
 
-/// One body's share in the trace of W_aa of a contact whose axes e_i are orthonormal, whichever
-/// they are: Σ e_iᵀ M⁻¹ e_i + (arm × e_i)ᵀ I⁻¹ (arm × e_i).
+/// One body's share in the trace of W_aa, which is the same for all orthonormal axes e_i of a
+/// contact: Σ e_iᵀ M⁻¹ e_i + (arm × e_i)ᵀ I⁻¹ (arm × e_i).
 double traceShare(const std::vector<Body>& bodies, int body, const Vec3& arm) {
   if (body < 0) return 0;
   const Body& b = bodies[body];
@@ -18,7 +18,7 @@ double traceShare(const std::vector<Body>& bodies, int body, const Vec3& arm) {
   return b.inverseMass.sum() + std::max(0.0, turning);
 }
 
-/// Not where friction depends on the direction.
+/// False where friction depends on the direction.
 bool areTangentsOrthonormal(const Contact& c) {
   constexpr double rounding = 1e-12;
   const Vec3 t1 = c.frame.col(1), t2 = c.frame.col(2);
@@ -34,16 +34,17 @@ double trace(const std::vector<Body>& bodies, const Contact& c) {
   return hard + c.compliance + 2 * c.slipCompliance;
 }
 
-/// Whether the reaction r sticks, and far enough inside its cone that the law projects r − ρ w to
-/// itself for every ρ up to that of the mode, 3/trace W_aa: that is not more than `rho`, and from r
-/// on all up to a point inside lies inside.
+/// Whether r sticks, and so far inside its cone that the law projects r − ρ w to itself for every ρ
+/// up to that of the mode, 3/trace W_aa. This is at most `rho`, and since the cone is convex, all
+/// points between r and the point at `rho` lie inside if that point does.
 bool sticksFirmly(const Vec3& r, const Vec3& w, double friction, double rho) {
   const Vec3 z = r - rho * w;
   const double radius = friction * z[0];
   return z[0] > 0 && z[1] * z[1] + z[2] * z[2] < radius * radius;
 }
 
-/// 3/trace W_aa, were the bodies not to turn, nor to slide on each other: no less.
+/// An upper bound of 3/trace W_aa: its value if the bodies could neither turn nor slide on each
+/// other.
 double largestStep(const std::vector<Body>& bodies, const Contact& c) {
   const Vec3 squares = c.frame.col(0).cwiseAbs2();
   const auto share = [&](int body) {
@@ -110,7 +111,7 @@ bool KeptLaw::keepsCone(int k) {
 
 /// An unknown with bounds, the `state`-th of these. `ownSize`: its entry in the diagonal of W.
 bool KeptLaw::keepsBounds(int state, double u, double lower, double upper, double ownSize) {
-  constexpr double immovable = 1e100;  // what nothing moves keeps its bounds in any unit
+  constexpr double immovable = 1e100;  // a row that nothing moves keeps its bounds in any unit
   const double size = ownSize > 0 ? ownSize : immovable;
   const int at = normalsBegin_ + state;
   const double r = solution_.r[at];
@@ -133,7 +134,7 @@ bool KeptLaw::keepsRow(int k) {
                      diagonal(moved_, c) + c.compliance);
 }
 
-/// At the last row of a disk, where its velocity is known.
+/// Called at the last row of a disk, where its velocity is known.
 bool KeptLaw::keepsDisk(int k) {
   const Row& c = rows_[island_.rows[k]];
   solution_.u[rowsBegin() + k] = relativeVelocity(moved_, c);

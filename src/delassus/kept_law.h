@@ -43,9 +43,9 @@ inline Disk diskAt(const std::vector<Row>& rows, const Island& island, int k, in
           last.mostLoad};
 }
 
-/// The law at the reactions solution.r of one island, whose bodies have the velocities that these
-/// reactions leave: no W is built for the check. It also writes velocities, modes and the residual
-/// to the solution.
+/// Checks the law at the reactions solution.r of one island, without a W. The bodies must have
+/// their velocities after these reactions. Also writes velocities, modes and the residual to the
+/// solution.
 class KeptLaw {
  public:
   /// `share`: of the tolerance that may be used; `demand`: the largest, m/s.

@@ -6,12 +6,12 @@
 
 namespace delassus {
 
-/// A list that keeps, when it is cleared, the storage that its entries own: filled again with the
-/// like it takes no memory.
+/// A list whose entries keep their own storage when the list is cleared: to fill it again with
+/// similar entries takes no memory.
 template <class Entry>
 class KeptList {
  public:
-  /// One entry more at the end, as the last one in its place was left.
+  /// Adds an entry at the end. It still has the contents of an earlier one in its place.
   Entry& add() {
     if (size_ == entries_.size()) entries_.emplace_back();
     return entries_[size_++];
@@ -27,7 +27,7 @@ class KeptList {
   const Entry* data() const { return entries_.data(); }
   const Entry* begin() const { return data(); }
   const Entry* end() const { return begin() + size_; }
-  /// Of the storage, with what each entry owns itself: `owned(entry)`.
+  /// Size of the storage, with that of each entry, `owned(entry)`.
   template <class Owned>
   std::size_t bytes(Owned owned) const {
     std::size_t sum = entries_.capacity() * sizeof(Entry);

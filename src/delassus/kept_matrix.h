@@ -6,9 +6,9 @@
 
 namespace delassus {
 
-/// A matrix by rows that keeps its storage when its size changes, as KeptVector does. Rows begin a
-/// multiple of `atATime` numbers apart: what runs along them may go that far, and reads and writes
-/// there what nobody else does.
+/// A row-major matrix that keeps its storage when its size changes, as KeptVector does. Rows begin
+/// a multiple of `atATime` numbers apart: a loop along a row may read and write up to that
+/// multiple, beyond the columns, where nothing else is stored.
 class KeptMatrix
     : public Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>,
                         Eigen::Aligned16, Eigen::OuterStride<>> {
@@ -28,7 +28,7 @@ class KeptMatrix
     return *this;
   }
 
-  /// What the entries are afterwards is not determined.
+  /// The entries are undefined afterwards.
   void resize(Index rows, Index columns) {
     const Index stride = (columns + atATime - 1) / atATime * atATime;
     storage_.resize(rows * stride);

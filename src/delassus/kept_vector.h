@@ -5,9 +5,9 @@
 namespace delassus {
 
 /// A vector that keeps its storage when its size changes: islands of all sizes follow each other in
-/// one workspace, and none but the largest takes memory. (Eigen's own vectors take memory at every
-/// change.) To Eigen it is a map of its first entries; it is made and assigned from any expression,
-/// and copies its entries.
+/// one workspace, and only the largest takes memory. (Eigen's own vectors take memory at every
+/// change.) To Eigen it is a map of its first entries. It can be made and assigned from any
+/// expression, and copies the entries.
 class KeptVector : public Eigen::Map<Eigen::VectorXd, Eigen::Aligned16> {
  public:
   using Index = Eigen::Index;
@@ -34,7 +34,7 @@ class KeptVector : public Eigen::Map<Eigen::VectorXd, Eigen::Aligned16> {
     swap(other);
     return *this;
   }
-  /// The expression may use this vector's own entries if it leaves the size as it is.
+  /// The expression may use this vector's own entries if the size stays the same.
   template <class Expression>
   KeptVector& operator=(const Eigen::EigenBase<Expression>& expression) {
     resize(expression.derived().rows());
@@ -42,7 +42,7 @@ class KeptVector : public Eigen::Map<Eigen::VectorXd, Eigen::Aligned16> {
     return *this;
   }
 
-  /// What the entries are afterwards is not determined.
+  /// The entries are undefined afterwards.
   void resize(Index size) {
     if (size > storage_.size()) storage_.resize(size);
     view(size);

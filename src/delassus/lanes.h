@@ -7,13 +7,13 @@
 
 namespace delassus {
 
-/// Numbers in single precision that are worked with at once: four, as all processors can, or eight.
-/// Every lane goes its own way: which of the two it is does not change a bit.
+/// Four single-precision numbers at once, as all processors can, or eight. Lanes do not mix, so the
+/// results have the same bits with either.
 using Lanes4 = float __attribute__((vector_size(16)));
 using Lanes8 = float __attribute__((vector_size(32)));
 
-/// By address, never by value: how eight are handed over depends on the processor that the caller
-/// was compiled for.
+/// Vectors are passed by address, never by value: how eight numbers are passed depends on the
+/// processor that the caller was compiled for.
 template <class V>
 DELASSUS_WIDE_INLINE void load(const float* from, V& to) {
   std::memcpy(&to, from, sizeof(V));
@@ -35,7 +35,7 @@ DELASSUS_WIDE_INLINE bool any(const Flags& flags) {
   return all != 0;
 }
 
-/// Rows that become columns; of eight lanes, each half for itself.
+/// Turns rows into columns; with eight lanes, each half on its own.
 DELASSUS_WIDE_INLINE void transpose(Lanes4& a, Lanes4& b, Lanes4& c, Lanes4& d) {
   const Lanes4 ab = __builtin_shufflevector(a, b, 0, 4, 1, 5);
   const Lanes4 cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
@@ -57,8 +57,8 @@ DELASSUS_WIDE_INLINE void transpose(Lanes8& a, Lanes8& b, Lanes8& c, Lanes8& d) 
   d = __builtin_shufflevector(AB, CD, 2, 3, 10, 11, 6, 7, 14, 15);
 }
 
-/// Lanes4 numbers from `offset` on of each of the given places, to lanes and back: of[k] has number
-/// k of all places.
+/// Moves four numbers, from `offset` on, of each of the given places to lanes, and back: of[k] has
+/// number k of all places.
 DELASSUS_WIDE_INLINE void gather(const float* const* places, int offset, Lanes4* of) {
   for (int k = 0; k < 4; ++k) load(places[k] + offset, of[k]);
   transpose(of[0], of[1], of[2], of[3]);

@@ -24,7 +24,7 @@ class Tableau {
     int row = 0;
     if (n_ == 0 || T_.col(2 * n_ + 1).minCoeff(&row) >= 0) return values();
 
-    // The covering variable enters where q is most negative, and every w becomes non-negative.
+    // The covering variable enters where q is most negative; then every w is non-negative.
     for (int i = 0; i < n_; ++i)
       if (i != row && lexicallyLess(i, 1, row, 1)) row = i;
     int entering = cover_;

@@ -10,9 +10,9 @@ namespace delassus {
 /// neither symmetric nor positive definite (Cottle, Pang, Stone, "The Linear Complementarity
 /// Problem", §4.4-4.9).
 ///
-/// Bilateral rows are eliminated where their block of W is regular, else split in two signs; boxes
-/// get a slack each. Empty if it ends on a ray or after `pivotBudget` pivots. `pivots` counts those
-/// made.
+/// Bilateral rows are eliminated if their block of W is regular, else split in two signs. Boxes get
+/// a slack each. Empty if the method ends on a ray or after `pivotBudget` pivots. `pivots` counts
+/// the pivots.
 std::optional<VectorXd> lemke(const BoundedRows& problem, int pivotBudget, int& pivots);
 
 }  // namespace delassus

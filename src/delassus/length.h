@@ -4,7 +4,7 @@
 
 namespace delassus {
 
-/// √(x² + y²). std::hypot takes five times as long; it is asked only where the squares leave the
+/// √(x² + y²). std::hypot takes five times as long; it is used only where the squares leave the
 /// range of numbers.
 inline double lengthOf(double x, double y) {
   constexpr double smallest = 1e-280, largest = 1e300;

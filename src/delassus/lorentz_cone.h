@@ -4,8 +4,8 @@
 
 namespace delassus {
 
-/// Points of the Lorentz cone L = { x : x_0 ≥ ‖(x_1, x_2)‖ } and what an interior point does with
-/// them.
+/// Points of the Lorentz cone L = { x : x_0 ≥ ‖(x_1, x_2)‖ }, and operations on them for the
+/// interior-point method.
 namespace lorentz {
 
 /// x ∘ y in the Jordan algebra of the cone.
@@ -37,7 +37,7 @@ struct LorentzPair {
   /// Aims the step at x ∘ y = `tau` e; with `corrector`, the second-order term of the last step is
   /// included.
   void aim(double tau, bool corrector);
-  /// Takes this dx, and the dy that goes with it.
+  /// Takes this dx, and its dy.
   void follow(const Vec3& step);
 };
 

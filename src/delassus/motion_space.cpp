@@ -36,8 +36,8 @@ MatrixXd pivotedCholesky(const MatrixXd& W) {
   return J.leftCols(rank);
 }
 
-/// Calls visit(at, a, Ja, b, Jb) for every pair of blocks in one contact or row of which at least
-/// one is a part, always in the same order.
+/// Calls visit(at, a, Ja, b, Jb) for every pair of blocks of one contact or row if at least one of
+/// the two is a part, always in the same order.
 template <class Visit>
 void forPairsWithParts(const BodySpace& space, const Visit& visit) {
   const auto contactsEnd = static_cast<int>(3 * space.contacts.size());
@@ -107,7 +107,7 @@ bool BodyMotion::hasRoomFor(const Stiffness& G) const {
 }
 
 void BodyMotion::makeRoomFor(const Stiffness& G) {
-  // Few pairs have room at once: one order serves for all regions, and none takes memory anew.
+  // Few pairs all get room at once: one order serves all regions, and no region takes memory anew.
   constexpr std::size_t fewPairs = 20;
   if (!hasRoom_) findPairs();
   hasRoom_ = true;
@@ -217,7 +217,7 @@ void BodyMotion::addDisks(const Stiffness& G, int edge) {
   }
 }
 
-/// Rows of the same bodies, as those of a joint, all at once. Returns the edge after theirs.
+/// Adds rows of the same bodies, as those of a joint, all at once. Returns the edge after theirs.
 int BodyMotion::addRows(const Stiffness& G, int edge) {
   const std::vector<ScalarRow>& rows = space_->rows;
   for (std::size_t i = 0; i < rows.size();) {
@@ -233,7 +233,7 @@ int BodyMotion::addRows(const Stiffness& G, int edge) {
   return edge;
 }
 
-/// Returns the edge after those of the parts.
+/// Adds the parts. Returns the edge after theirs.
 int BodyMotion::addParts(const Stiffness& G, int edge) {
   const auto contactsEnd = static_cast<int>(3 * space_->contacts.size());
   const auto stiff = [&](int at, const BodySpace::Rows& J) -> BodySpace::Rows {

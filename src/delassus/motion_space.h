@@ -9,11 +9,11 @@
 
 namespace delassus {
 
-/// Derivative −dr/du of the reactions for one region: 3x3 per contact, a number per row. Zero where
-/// open or bounded.
+/// Derivative −dr/du of the reactions in one region: 3x3 per contact, a number per row. Zero if
+/// open or at a bound.
 ///
-/// A disk answers to its own rows, which are zero among `rows`, and through its radius to those of
-/// its governor.
+/// A disk answers to its own rows, whose entries in `rows` are zero, and through its radius to
+/// those of its governor.
 struct Stiffness {
   struct OfDisk {
     Mat2 own = Mat2::Zero();
@@ -33,7 +33,7 @@ struct Stiffness {
   Eigen::RowVector3d ofNormal(const Disk& disk) const;
 
   std::size_t bytes() const { return bytesOf(contacts, rows, disks); }
-  /// Whether all that holds is held alike both ways: nothing slides with friction.
+  /// Whether all blocks are symmetric: nothing slides with friction.
   bool isSymmetric() const;
 
   bool operator==(const Stiffness& other) const {
@@ -42,16 +42,16 @@ struct Stiffness {
   }
 };
 
-/// A motion space is where the reactions of an island are felt: y = J̃ᵀ r with M = I, so that W =
+/// A motion space holds the motion y = J̃ᵀ r by the reactions of an island, with M = I, so that W =
 /// J̃ J̃ᵀ + diag(compliance). Each offers its size, impulse (y = J̃ᵀ r), relativeVelocity (u = J̃
 /// y), and the Newton matrix K = I + J̃ᵀ G J̃ of a region.
 
-/// Bodies of a world: six columns a body, K is sparse in 6x6 blocks over the body graph.
+/// Bodies of a world: six columns per body; K is sparse, with 6x6 blocks over the body graph.
 ///
-/// Contacts that are open in a region add nothing to K, and in rubble most are: two bodies have
-/// blocks in the factor once a contact of theirs has been held or has slid since the problem was
-/// set; where no more than twenty pairs touch, all have at once. In rubble a factor takes a fifth
-/// of the work of one for all that touches.
+/// Contacts that are open in a region add nothing to K, and in rubble most are open. So a pair of
+/// bodies gets blocks in the factor only once a contact of theirs has been held or has slid since
+/// the problem was set; if at most twenty pairs touch, all get them at once. In rubble such a
+/// factor takes a fifth of the work of one with blocks for all that touch.
 class BodyMotion {
  public:
   /// Keeps pointers to the problem, which must outlive the use and stay as it is.
@@ -62,10 +62,9 @@ class BodyMotion {
   void relativeVelocity(const VectorXd& y, VectorXd& u) const { space_->relativeVelocity(y, u); }
   bool factorise(const Stiffness& G);
   void solve(VectorXd& y) const { factor_.solve(y); }
-  /// W = J̃ K⁻¹ J̃ᵀ of these unknowns, after `factorise` of a G that is symmetric. Without their
-  /// compliance.
+  /// W = J̃ K⁻¹ J̃ᵀ of these unknowns, without compliance, after `factorise` of a symmetric G.
   void condense(const std::vector<int>& unknowns, KeptMatrix& W);
-  /// Of K.
+  /// The sign of det K.
   bool isDeterminantNegative() const { return factor_.isDeterminantNegative(); }
   std::size_t bytes() const {
     return factor_.bytes() +
@@ -73,7 +72,7 @@ class BodyMotion {
   }
 
  private:
-  /// What a disk and its governor do to one body.
+  /// The rows of a disk and of its governor for one body.
   struct DiskShare {
     int body;
     Eigen::Matrix<double, 2, 6> disk;
@@ -82,9 +81,9 @@ class BodyMotion {
 
   /// Numbers the pairs of bodies that touch.
   void findPairs();
-  /// Whether the factor has blocks for all that G couples.
+  /// Whether the factor has blocks for all pairs that G couples.
   bool hasRoomFor(const Stiffness& G) const;
-  /// Finds in which order bodies are eliminated that G couples, or that were coupled before.
+  /// Analyses the factor for all pairs that G couples, or that were coupled before.
   void makeRoomFor(const Stiffness& G);
   int addRows(const Stiffness& G, int firstEdge);
   int addParts(const Stiffness& G, int firstEdge);
@@ -102,12 +101,12 @@ class BodyMotion {
   std::vector<BlockFactor::RowBlock> blocks_;  ///< scratch of condense
   std::vector<int> blocksBegin_;
   BlockFactor factor_;
-  bool hasRoom_ = false;  ///< for anything yet: many problems need no factor
+  bool hasRoom_ = false;  ///< for any pair yet: many problems need no factor
 };
 
-/// Explicit W: J̃ is its pivoted Cholesky factor, as many columns as W has rank. The asymmetry and
-/// the slightly negative eigenvalues of measured matrices are left out here; the walk sees them
-/// through u = W r + q.
+/// Explicit W: J̃ is its pivoted Cholesky factor, with rank W columns. It leaves out the asymmetry
+/// and the slightly negative eigenvalues of measured matrices, which the walk sees through u = W r
+/// + q.
 class FactoredMotion {
  public:
   void setProblem(const Problem& problem);

@@ -11,7 +11,7 @@ namespace delassus {
 namespace {
 
 void resizeTo(int unknowns, KeptMatrix& matrix) { matrix.resize(unknowns, unknowns); }
-/// Those of fixed width are zero behind the last unknown.
+/// Matrices of fixed width are zero behind the last unknown.
 template <class Matrix>
 void resizeTo(int unknowns, Matrix& matrix) {
   matrix.setZero(unknowns, matrix.cols());
@@ -34,7 +34,7 @@ void NewtonSteps<Most>::multiply(const Vector& x, Vector& product) const {
   if constexpr (Most == Eigen::Dynamic) {
     product.noalias() = W * x;
   } else {
-    // For so few, what the library's product sets up takes longer than to multiply.
+    // For so few unknowns, the set-up of the library's product takes longer than to multiply.
     const int n = static_cast<int>(x.size());
     int at = 0;
     for (; at + 2 < n; at += 3)
@@ -65,7 +65,7 @@ double NewtonSteps<Most>::evaluate(const ReactionBounds& bounds, const Vector& a
   return std::sqrt(sum);
 }
 
-/// Finds what is active.
+/// Finds the active parts in the region of r and u.
 template <int Most>
 void NewtonSteps<Most>::findActive(const ReactionBounds& bounds) {
   const int n = bounds.contacts();
@@ -90,7 +90,7 @@ void NewtonSteps<Most>::findActive(const ReactionBounds& bounds) {
   }
 }
 
-/// −dF/dr of what is active in K_.
+/// Sets K_ to −dF/dr of the active parts.
 template <int Most>
 void NewtonSteps<Most>::fillMatrix(const ReactionBounds& bounds) {
   const auto m = static_cast<int>(unknowns_.size());
@@ -111,7 +111,7 @@ void NewtonSteps<Most>::fillMatrix(const ReactionBounds& bounds) {
   }
 }
 
-/// Whether the last factor is of this region, and what slides has hardly turned since.
+/// Whether the last factor is of this region, and sliding contacts have hardly turned since.
 template <int Most>
 bool NewtonSteps<Most>::isFactored() const {
   constexpr double hardly = 1e-3;
@@ -123,8 +123,8 @@ bool NewtonSteps<Most>::isFactored() const {
          std::equal(active_.begin(), active_.end(), factored_.begin(), factored_.end(), isSame);
 }
 
-/// step_ from error_, and what it does in felt_: what is open or at a bound goes where it must,
-/// whatever the others do, and has no place in K_. False if K_ is singular.
+/// Finds step_ from error_, and felt_ = W step_. Parts that are open or at a bound go where they
+/// must, whatever the others do, and have no place in K_. False if K_ is singular.
 template <int Most>
 bool NewtonSteps<Most>::findStep(const ReactionBounds& bounds) {
   findActive(bounds);

@@ -10,7 +10,7 @@
 
 namespace delassus {
 
-/// What the reactions of contacts, and after them of rows, may be: as in Problem.
+/// The limits of the reactions of contacts, and then of rows, as in Problem.
 struct ReactionBounds {
   const VectorXd &friction, &lower, &upper;
 
@@ -18,10 +18,10 @@ struct ReactionBounds {
   int rows() const { return static_cast<int>(lower.size()); }
 };
 
-/// So few that they are solved without a workspace.
+/// Up to this many unknowns are solved without a workspace.
 constexpr int fewUnknowns = 15;
 
-/// A list of at most `Most` entries, which takes no memory; or of any number.
+/// A list of at most `Most` entries, which allocates nothing; or of any number (Eigen::Dynamic).
 template <class Entry, int Most>
 class ShortList {
  public:
@@ -40,13 +40,13 @@ class ShortList {
 template <class Entry>
 class ShortList<Entry, Eigen::Dynamic> : public std::vector<Entry> {};
 
-/// Steps of Newton's method on Coulomb's law as it stands, with all entries of W (Alart and Curnier
-/// 1991; algorithms §6.10):
+/// Newton's method on Coulomb's law itself, with all entries of W (Alart and Curnier 1991;
+/// algorithms §6.10):
 ///
 ///     F(r) = P(r − u/ρ) − r = 0,    u = W r + q,    ρ = mean of the diagonal of W_ii
 ///
-/// P as in `reactionTo`, for rows the projection on their bounds. `Most` unknowns or fewer, or any
-/// number (Eigen::Dynamic).
+/// P is `reactionTo` for contacts, and the projection on their bounds for rows. At most `Most`
+/// unknowns, or any number (Eigen::Dynamic).
 template <int Most>
 class NewtonSteps {
  public:
@@ -55,20 +55,20 @@ class NewtonSteps {
 
   Matrix W;
   Vector rho;
-  Vector r, u;  ///< where the next step begins, and then where it has come to
+  Vector r, u;  ///< where the next step begins, and afterwards where it ended
 
-  /// Room for so many unknowns; W is all zero, the rest is to be set.
+  /// Makes room for this many unknowns. W is then zero; the rest must be set.
   void resize(int unknowns);
-  /// Says that W or rho are others now.
+  /// Call it after W or rho have changed.
   void forgetFactor() { hasFactor_ = false; }
   /// ‖ρ F‖ at r and u, m/s.
   double error(const ReactionBounds& bounds) { return evaluate(bounds, r, u); }
-  /// Solves F in the region of r and u, and goes there, or less far if that is worse: a step that
-  /// gains nothing is a short one, behind the wall there may be a better region. `error` is that at
-  /// r and u, just found by `error` or the last step, and afterwards that of where it has gone.
-  /// False, and nothing is changed, if F is singular in this region.
+  /// Solves F = 0 in the region of r and u and goes there, or less far if that is worse. A step
+  /// that gains nothing is a short one, since behind the wall there may be a better region. `error`
+  /// must be ‖ρ F‖ at r and u, from `error` or the last step; afterwards it is that of the new r
+  /// and u. False, and nothing is changed, if F is singular in this region.
   bool step(const ReactionBounds& bounds, double& error);
-  /// The same all the way, whether or not that is worse (for `descend`).
+  /// The same, but always the full step, even if that is worse (for `descend`).
   bool fullStep(const ReactionBounds& bounds, double& error);
   void keepLast();
   void goBack();
@@ -84,7 +84,7 @@ class NewtonSteps {
   }
 
  private:
-  /// F in error_ for these reactions and velocities. Returns ‖ρ F‖.
+  /// Writes F at these reactions and velocities to error_. Returns ‖ρ F‖.
   double evaluate(const ReactionBounds& bounds, const Vector& at, const Vector& velocity);
   void findActive(const ReactionBounds& bounds);
   void fillMatrix(const ReactionBounds& bounds);
@@ -92,10 +92,11 @@ class NewtonSteps {
   bool findStep(const ReactionBounds& bounds);
   void tryStep(const ReactionBounds& bounds, double share, double& error);
 
-  /// What answers to others in the region of r and u: three unknowns of a contact, or one of a row.
+  /// A part that responds to others in the region of r and u: the three unknowns of a contact, or
+  /// one of a row.
   struct Active {
     int first;
-    bool slides;            ///< else all of it is free
+    bool slides;            ///< else it is free in all directions
     Mat3 P = Mat3::Zero();  ///< its derivative if it slides
   };
 
@@ -103,8 +104,8 @@ class NewtonSteps {
   Matrix K_;
   ShortList<Active, Most> active_;
   std::vector<Active> factored_;
-  ShortList<int, Most> unknowns_;  ///< of what is active
-  bool hasFactor_ = false;         ///< of K_ where factored_ was active
+  ShortList<int, Most> unknowns_;  ///< unknowns of the active parts
+  bool hasFactor_ = false;         ///< whether elimination_ has the factor for factored_
   Vector step_, felt_, error_, right_, trialR_, trialU_, keptR_, keptU_;
 };
 

@@ -42,13 +42,13 @@ Vec3 OneContact::solve(const Vec3& q, double friction, const Vec3& before) const
       (!isSingular_ || stops(rt, c, q, held)))
     return {rn, rt[0], rt[1]};
 
-  // Near the end the slip is what it was.
+  // Near the end of a search the slip hardly changes any more.
   const double braked = before.tail<2>().squaredNorm();
   const Vec2 ut = W_.bottomRows<2>() * before + q.tail<2>();
   return slide(held, c, friction, braked > 0 ? std::sqrt(ut.squaredNorm() / braked) : 0);
 }
 
-/// Whether S r_t + c = 0 to rounding, which a singular S can meet for some c only.
+/// Whether S r_t + c = 0 to rounding; a singular S can meet that only for some c.
 bool OneContact::stops(const Vec2& rt, const Vec2& c, const Vec3& q, double held) const {
   constexpr double digitsLost = 64;
   const double terms = q.tail<2>().norm() + held * W_.bottomLeftCorner<2, 1>().norm();
@@ -57,13 +57,12 @@ bool OneContact::stops(const Vec2& rt, const Vec2& c, const Vec3& q, double held
 
 /// `slip`: where the search for s begins; 0: anywhere.
 Vec3 OneContact::slide(double held, const Vec2& c, double friction, double slip) const {
-  // φ(s) = μ r_n − ‖r_t‖ is negative where it still sticks too much, at s = 0, and positive for
-  // large s.
+  // φ(s) = μ r_n − ‖r_t‖ is negative at s = 0, where ‖r_t‖ is too large, and positive for large s.
   double low = 0, high = infinity;
-  // Where the reaction would have the size that the normal allows if it braked straight against c.
+  // The s at which a reaction straight against c would have the size that the normal one allows.
   const double drift = c.norm(), size = drift / (friction * held);
-  if (!std::isfinite(size)) return {held, 0, 0};  // what may be braked is below all numbers
-  // Reactions that all but vanish tell of no slip that the search could come back from.
+  if (!std::isfinite(size)) return {held, 0, 0};  // friction is smaller than any number
+  // Nearly vanishing reactions give a slip so large that the search could not come back from it.
   constexpr double farthest = 1e6;
   double s = slip <= farthest * size ? slip : 0;
   if (!(s > 0)) {
@@ -72,7 +71,7 @@ Vec3 OneContact::slide(double held, const Vec2& c, double friction, double slip)
   }
   if (!(s > 0)) s = 0.5 * (size + W_.norm());
   constexpr int most = 100;
-  // Digits double in every step: the one after so small a change has them all.
+  // The digits double in every step: one more step after so small a change gives all of them.
   constexpr double lastChange = 1e-9;
   bool isLast = false;
   Vec2 rt;

@@ -24,7 +24,7 @@ void visitBodies(const Problem& problem, int k, Visit visit) {
 
 }  // namespace
 
-/// Which bodies belong to a patch.
+/// Finds the bodies that belong to patches.
 void Patches::spread(const Problem& problem, const VectorXd& residuals, double unsettled) {
   const int count = problem.parts();
   reach_.assign(problem.W.bodySpace().bodies, settled);
@@ -39,7 +39,8 @@ void Patches::spread(const Problem& problem, const VectorXd& residuals, double u
   }
 }
 
-/// Contacts and rows whose bodies all belong to a patch, and the patches that they make of them.
+/// Takes the contacts and rows whose bodies all belong to patches, and joins their bodies to
+/// patches.
 void Patches::join(const Problem& problem) {
   const int count = problem.parts();
   sets_.reset(static_cast<int>(reach_.size()));
@@ -59,7 +60,7 @@ void Patches::join(const Problem& problem) {
     if (owner >= 0) owner = sets_.root(owner);
 }
 
-/// A disk whose governor is held has no law of its own in a patch.
+/// Leaves out disks whose governor is held: they have no law of their own in a patch.
 void Patches::leaveOutDisks(const Problem& problem) {
   const int n = problem.contacts();
   for (const Disk& disk : problem.disks) {
@@ -71,7 +72,7 @@ void Patches::leaveOutDisks(const Problem& problem) {
   }
 }
 
-/// parts_ and begin_ from owner_, the patches in the order of their first parts.
+/// Fills parts_ and begin_ from owner_, with patches in the order of their first parts.
 void Patches::sort() {
   place_.assign(reach_.size(), -1);
   begin_.assign(1, 0);
@@ -85,7 +86,7 @@ void Patches::sort() {
   }
   for (std::size_t patch = 1; patch < begin_.size(); ++patch) begin_[patch] += begin_[patch - 1];
   parts_.resize(begin_.back());
-  // Filled from the ends, so that begin_ is left as it should be.
+  // Filled from the ends, so that afterwards begin_ holds the beginnings.
   for (std::size_t k = owner_.size(); k-- > 0;)
     if (owner_[k] >= 0) parts_[--begin_[place_[owner_[k]] + 1]] = static_cast<int>(k);
   begin_.erase(begin_.begin());

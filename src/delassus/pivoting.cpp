@@ -15,20 +15,21 @@ namespace delassus {
 namespace {
 
 /// Natural residual that counts as solved, relative to the largest |q|, both scaled to unit
-/// diagonal of W. Where it lies below the rounding floor ε‖r‖ of the reactions, the floor counts.
+/// diagonal of W. If it lies below the rounding floor ε‖r‖ of the reactions, the floor counts
+/// instead.
 constexpr double pivotTolerance = 1e-10;
 
-/// Largest |W_ij − W_ji|, against a unit diagonal, that still is round-off.
+/// Largest |W_ij − W_ji|, for a unit diagonal, that counts as round-off.
 constexpr double roundOffAsymmetry = 1e-12;
 
 /// Most unknowns for Lemke's dense tableau.
 constexpr int largestTableau = 400;
 
-/// Disagreement of redundant demands, of the largest q, that is taken for round-off: of the data,
-/// and of a shift that was computed from reactions of size shift/alpha.
+/// Disagreement of redundant demands, relative to the largest q, that counts as round-off: of the
+/// data, and of a shift that was computed from reactions of size shift/alpha.
 constexpr double consistentData = 1e-12, consistentShift = 1e-9;
 
-/// Times the demands may be found incompatible and shifted again: the first shift is exact but for
+/// How often demands may be found incompatible and shifted: the first shift is exact up to
 /// round-off.
 constexpr int shiftBudget = 3;
 
@@ -78,8 +79,8 @@ bool unilateral(const VectorXd& lower, const VectorXd& upper) {
   return (lower.array() == 0).all() && (upper.array() == infinity).all();
 }
 
-/// A row that no reaction moves: W_ii = 0. It rests where its own u = q_i puts it; a |q| up to
-/// `wanted` counts as 0 where a reaction would have to make it so.
+/// Solves a row that no reaction moves: W_ii = 0. Its u = q_i alone decides its state; where a
+/// reaction would have to make u = 0, a |q| up to `wanted` counts as 0.
 PivotResult immovableRow(double q, double lower, double upper, double wanted) {
   PivotResult result;
   const bool atLower = q > 0 || lower == upper || (q == 0 && lower >= 0);
@@ -96,7 +97,7 @@ PivotResult immovableRow(double q, double lower, double upper, double wanted) {
   return result;
 }
 
-/// Contacts only, a handful: the paper's regions. False if they are redundant beyond a pair.
+/// Solves a handful of contacts by the paper's regions. False if they are redundant beyond a pair.
 bool pivotByRegion(const MatrixXd& W, const VectorXd& q, PivotResult& result) {
   const RegionAnswer answer = solveRegion(W, q);
   if (answer.redundancy == Redundancy::Dependent) return false;
@@ -125,8 +126,8 @@ std::vector<RowState> statesAt(const BoundedRows& rows, const VectorXd& r) {
   return states;
 }
 
-/// What a compromise leaves open among redundant rows: proximal steps have it only as exactly as
-/// the demands have become compatible.
+/// A compromise leaves the reactions of redundant rows open: takes those of least norm. Proximal
+/// steps find these only as exactly as the demands have become compatible.
 void takeLeastNorm(const BoundedRows& rows, RowAnswer& best) {
   constexpr size_t most = 400;
   constexpr double dependent = 1e-10;
@@ -143,13 +144,13 @@ void takeLeastNorm(const BoundedRows& rows, RowAnswer& best) {
   least.r(free) = -W.solve(demand);
   least.residual = rows.naturalResidual(least.r);
   const bool isAllowed = least.r == rows.clamp(least.r);
-  // Both leave what the demands still disagree by, shared out in another way.
+  // Both leave the rest by which the demands disagree, but share it out in another way.
   const double allowed = std::max(2 * best.residual, rows.roundOff(least.r));
   if (isAllowed && least.residual <= allowed) best = least;
 }
 
-/// Linked rows by pivoting: directly; by proximal steps if W is singular; by Lemke's method if all
-/// else fails.
+/// Solves linked rows by pivoting: directly; by proximal steps if W is singular; by Lemke's method
+/// if all else fails.
 PivotResult pivotLinked(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
                         const VectorXd& upper, int regionBudget) {
   PivotResult result;

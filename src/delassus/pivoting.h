@@ -10,11 +10,11 @@ namespace delassus {
 
 /// Reactions and motion of rows with bounds, and the region they lie in.
 struct PivotResult {
-  /// N·s, within the bounds; of least norm Σ W_ii r_i² where it is not unique (of a compromise
-  /// between more than 400 rows: nearly)
+  /// N·s, within the bounds; where not unique, of least norm Σ W_ii r_i² (nearly so for a
+  /// compromise between more than 400 rows)
   VectorXd r;
   VectorXd u;                  ///< W r + q, m/s: unique
-  std::vector<RowState> rows;  ///< the region; on a wall between two regions either name may stand
+  std::vector<RowState> rows;  ///< the region; on a wall between two regions, either of them
   Status status = Status::Solved;
   int regions = 0;
   int factorisations = 0;  ///< from scratch; edits of a factor are not counted
@@ -27,11 +27,11 @@ struct PivotResult {
 ///     u = W r + q,   lower ≤ r ≤ upper,   u ≥ 0 at lower, u ≤ 0 at upper, u = 0 in between
 ///
 /// Bounds may be infinite: contacts are [0, ∞), joints (−∞, ∞), motors [−m, m]. W = J M⁻¹ Jᵀ is
-/// symmetric positive semi-definite, often singular; a W that is neither is served too, with an
-/// honest status and no promise. Rows that are not linked through W are solved on their own.
-/// `regionBudget`: most regions visited, beside the few of groups of up to six unilateral rows;
-/// work, never time. Sizes that do not match, or bounds that cross, are errors of the caller
-/// (asserted). Numbers that are not finite: NonFinite, no reactions, u = 0.
+/// symmetric positive semi-definite, often singular. A W that is neither is tried too, with an
+/// honest status but no promise. Rows that are not linked through W are solved on their own.
+/// `regionBudget`: most regions visited, not counting the few for groups of up to six unilateral
+/// rows; work, never time. Sizes that do not match and bounds that cross are errors of the caller
+/// (asserted). If numbers are not finite: NonFinite, no reactions, u = 0.
 PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
                   const VectorXd& upper, int regionBudget = 1000);
 

@@ -24,8 +24,7 @@ bool PrincipalCholesky::factor(const std::vector<int>& rows) {
   for (int j = 0; j < s; ++j)
     for (int i = j; i < s; ++i) L_(i, j) = entry(rows[i], rows[j]);
 
-  // All at once; a pivot that vanishes sends us to the row-by-row construction, which can leave
-  // rows out.
+  // All at once. If a pivot vanishes, rows are added one by one, which can leave some out.
   Eigen::Ref<MatrixXd> block = L_.topLeftCorner(s, s);
   const Eigen::LLT<Eigen::Ref<MatrixXd>> llt(block);
   bool independent = llt.info() == Eigen::Success;
@@ -50,7 +49,8 @@ bool PrincipalCholesky::retarget(const std::vector<int>& rows) {
   const auto changes = std::count_if(rows_.begin(), rows_.end(), leaving) +
                        std::count_if(rows.begin(), rows.end(), arriving);
 
-  // An edit costs about s², a factorisation s³/3; more than s/4 edits also gather round-off.
+  // An edit costs about s², a factorisation s³/3; round-off also builds up over more than s/4
+  // edits.
   if (4 * (edits_ + changes) > static_cast<long>(rows.size())) return factor(rows);
   for (int p = static_cast<int>(rows_.size()) - 1; p >= 0; --p)
     if (leaving(rows_[p])) remove(p);

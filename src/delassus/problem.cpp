@@ -51,13 +51,13 @@ bool isFit(const Problem& problem, int part, int first, int unknowns) {
                                  : inEntries(problem.W.entries(), first, unknowns);
 }
 
-/// A disk is all the bound that its rows have.
+/// The rows of a disk must have no bounds but the disk.
 bool hasNoBounds(const Problem& problem, int row, int count) {
   return (problem.lower.segment(row, count).array() == -infinity).all() &&
          (problem.upper.segment(row, count).array() == infinity).all();
 }
 
-/// Whether a law can be stated for a disk, and whether the next unknown that it leaves is `next`.
+/// Whether a law can be stated for a disk, and `next` is the unknown after its last.
 bool isFit(const Problem& problem, const Disk& disk, int next) {
   const int contactsEnd = 3 * problem.contacts();
   return disk.radius > 0 && disk.radius <= largest && disk.mostLoad > 0 &&
@@ -69,8 +69,8 @@ bool isFit(const Problem& problem, const Disk& disk, int next) {
          hasNoBounds(problem, disk.first - contactsEnd, disk.unknowns);
 }
 
-/// Σ |x_i|, in four sums beside each other: to add to one of them takes longer than to read what is
-/// added.
+/// Σ |x_i|, in four parallel sums: an addition to one sum takes longer than to read the next
+/// numbers.
 double sumOfSizes(const double* x, Eigen::Index count) {
   using Two = Eigen::Map<const Eigen::Array2d>;
   Eigen::Array2d a = Eigen::Array2d::Zero(), b = a, c = a, d = a;
@@ -86,7 +86,7 @@ double sumOfSizes(const double* x, Eigen::Index count) {
   return (a + b + (c + d)).sum() + rest;
 }
 
-/// Σ |J̃_ij| + |R_ii| of the contacts, each entry of their blocks with those of the same place.
+/// Σ |J̃_ij| + |R_ii| of the contacts; entries at the same place of all blocks are added first.
 double sumOfContacts(const BodySpace& space) {
   decltype(ContactRows::Ja) a, b;
   a.setZero();
@@ -99,9 +99,9 @@ double sumOfContacts(const BodySpace& space) {
          sumOfSizes(space.compliance.data(), static_cast<Eigen::Index>(3 * space.contacts.size()));
 }
 
-/// Whether the numbers of all contacts sum up to one in range: so is then what is summed up of each
-/// contact alone. Most problems are seen to be fit by this, long before one part after the other
-/// is. Entries are summed up with those of the rows.
+/// Whether all numbers of the contacts add up to one in range: then the sums for each contact alone
+/// are in range, too. This shows most problems to be fit, much faster than a check of every part.
+/// Explicit entries are added up together with those of the rows.
 bool areContactsFit(const Problem& problem) {
   const int contacts = problem.contacts();
   const DelassusMatrix& W = problem.W;

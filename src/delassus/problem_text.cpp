@@ -69,7 +69,8 @@ struct Place {
   std::string text() const { return std::to_string(row) + " " + std::to_string(column); }
 };
 
-/// n x n blocks of side x side values, row-major: sorted, none twice, all diagonal blocks present.
+/// Reads n x n blocks of side x side values, row-major: sorted, none twice, all diagonal blocks
+/// present.
 Sparse readMatrix(WordReader& in, const char* section, int n, int entries, int side) {
   std::vector<Place> places;
   std::vector<double> values;
@@ -113,8 +114,8 @@ Sparse readMatrix(WordReader& in, const char* section, int n, int entries, int s
   return matrix;
 }
 
-/// Name, number of contacts or rows (`size`), number of blocks or entries: what both formats begin
-/// with.
+/// The beginning of both formats: name, number of contacts or rows (`size`), number of blocks or
+/// entries.
 struct Head {
   std::string name;
   int size, entries;

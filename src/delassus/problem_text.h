@@ -9,16 +9,16 @@
 
 namespace delassus {
 
-/// A problem text that cannot be read: "file:line: what was expected, what stands there".
+/// A problem text that cannot be read: "file:line: what was expected, what was found".
 class ProblemTextError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Lists of numbers, divided by blanks or new lines; lines that begin with # stand between sections
-/// only. A block of W is that of the contacts `row` and `col`, from 0, its nine entries row by row;
-/// each contact has its normal first. Both triangles are written, what is not there is zero, blocks
-/// and entries are sorted.
+/// Lists of numbers, separated by blanks or new lines. Lines that begin with # may stand only
+/// between sections. A block of W belongs to the contacts `row` and `col`, counted from 0; its nine
+/// entries come row by row, and each contact has its normal first. Both triangles are written,
+/// missing blocks and entries are zero, and blocks and entries are sorted.
 ///
 ///     delassus-problem v1           lcp v1                        solution v1
 ///     name NAME                     name NAME                     name NAME
@@ -29,24 +29,24 @@ class ProblemTextError : public std::runtime_error {
 ///     W     B times row col w00..   M     E times row col value   ...
 ///     end                           end                           end
 ///
-/// `bounds`, which may be left out (then [0, ∞)), alone may hold inf and -inf.
+/// `bounds` may be left out (then [0, ∞)). Only there may numbers be inf or -inf.
 enum class ProblemFormat {
   Contacts,  ///< `delassus-problem v1`: contacts with friction
   Rows,      ///< `lcp v1`: rows with bounds
 };
 
-/// Reads one of the formats, told apart by the first line; where the problem is empty, only
-/// `format` says which it was. Throws ProblemTextError. The overload with a stream uses `source` as
-/// the file's name in errors.
+/// Reads either format; the first line tells which. For an empty problem only `format` tells which
+/// it was. Throws ProblemTextError. The overload with a stream uses `source` as the file's name in
+/// errors.
 Problem readProblem(const std::string& path, ProblemFormat* format = nullptr);
 Problem readProblem(std::istream& in, const std::string& source, ProblemFormat* format = nullptr);
 
 /// Writes the format that fits: `lcp v1` if the problem has no contacts, `delassus-problem v1` if
-/// it has no rows. A problem with both is not expressible and throws std::invalid_argument. W in
-/// body space is written as entries. Numbers have as many digits as reproduce them exactly: reading
-/// back gives the same W, q, friction and bounds, bit for bit. std::invalid_argument is thrown for
-/// a name of two words, numbers that are none, μ < 0, crossed bounds and disks, too;
-/// std::runtime_error where the path cannot be written. Of a stream, look at the state.
+/// it has no rows. W in body space is written as entries. Numbers have enough digits to reproduce
+/// them exactly: reading back gives the same W, q, friction and bounds, bit for bit. Throws
+/// std::invalid_argument for a problem with both contacts and rows, which neither format can
+/// express, a name of two words, values that are not numbers, μ < 0, crossed bounds, and disks.
+/// Throws std::runtime_error if the path cannot be written; with a stream, check its state instead.
 void writeProblem(std::ostream& out, const Problem& problem);
 void writeProblem(const std::string& path, const Problem& problem);
 

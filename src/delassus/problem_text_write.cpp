@@ -40,7 +40,7 @@ void requireFinite(const Eigen::Ref<const Eigen::VectorXd>& x, const char* what)
         std::string("a problem text holds no infinite numbers and no NaN in ") + what);
 }
 
-/// A nameless problem is written as "unnamed", for the format wants a word there.
+/// A nameless problem is written as "unnamed", since the format needs a word there.
 std::string nameWord(const std::string& name) {
   if (name.size() > WordReader::longestWord || !std::all_of(name.begin(), name.end(), isVisible))
     throw std::invalid_argument("the name of a problem must be one word to be written");

@@ -11,19 +11,20 @@
 
 namespace delassus {
 
-/// What Newton steps came to.
+/// The result of a series of Newton steps.
 struct Descent {
   bool isFound;
-  int steps;  ///< that were made
+  int steps;  ///< number made
 };
 
-/// Newton steps of full length until the error is at most `enough`, or `budget` steps are made.
-/// Where reactions have far to go along what hardly moves anything, with cones that bend the way, a
-/// step that ends nearer to the answer misses the law by more than its beginning: some steps more
-/// tell whether it was a good one. If none of these gains, it ends where the error was least.
+/// Makes Newton steps of full length until the error is at most `enough`, or `budget` steps are
+/// made. Where reactions must go far in directions that hardly move anything, and cones bend the
+/// way, a step may end nearer to the answer but with a larger error. A few more steps tell whether
+/// it was a good one. If none of these gains, the descent ends where the error was least.
 ///
-/// `steps` offers error(), step(error), which is false and changes nothing where the matrix is
-/// singular, keepLast(), which keeps what the last step began from, and goBack() to what was kept.
+/// `steps` offers error(); step(error), which returns false and changes nothing if the matrix is
+/// singular; keepLast(), which keeps the point where the last step began; and goBack() to that
+/// point.
 template <class Steps>
 Descent descend(Steps& steps, double enough, int budget) {
   constexpr int patience = 4;
@@ -45,18 +46,19 @@ Descent descend(Steps& steps, double enough, int budget) {
   return {least <= enough, made};
 }
 
-/// Moves the center r_k of a proximal method, which takes u + α W_aa (r − r_k) for u: then r_k ← r.
-/// The fixed points know nothing of α. It shrinks where that is slow, and grows where no r is
-/// found.
+/// Moves the center r_k of a proximal method, which replaces u by u + α W_aa (r − r_k) and then
+/// takes r_k ← r. The fixed points do not depend on α. α shrinks where progress is slow, and grows
+/// where no r is found.
 ///
-/// From `best`, until its natural residual is at most `tolerance` (m/s), or some digits less where
-/// they come by themselves: found; or until `budget` steps are made, or two moves gain little.
-/// `moveOn` is a descent around a center to the next one, which it completes:
+/// Starts from `best`. The answer is found when its natural residual is at most `tolerance` (m/s);
+/// some more digits are taken if they come by themselves. Gives up after `budget` steps, or when
+/// two moves gain little. `moveOn` is a descent around a center to the next one, whose u and
+/// residual it completes:
 ///
 ///     Descent moveOn(const Solution& center, double alpha, double enough, int budget,
 ///                    Solution& next)
 ///
-/// `next` is room for it.
+/// `next` is scratch for it.
 template <class MoveOn>
 Descent moveCenters(const MoveOn& moveOn, const NaturalMap& map, double tolerance, int budget,
                     Solution& next, Solution& best) {
@@ -75,7 +77,7 @@ Descent moveCenters(const MoveOn& moveOn, const NaturalMap& map, double toleranc
     made += descent.steps;
     const double now = next.residual;
     if (now < before) best.takeReactions(next);
-    // Some digits more if they come by themselves.
+    // Some more digits if they come by themselves.
     const double aim = now > tooSlow * before ? tolerance : polishedShare * tolerance;
     if (best.residual <= std::max(aim, map.roundOff(best.r))) return {true, made};
     ++idle;

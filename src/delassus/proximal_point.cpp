@@ -6,8 +6,8 @@ namespace delassus {
 namespace {
 
 /// Relative to the unit diagonal. A step leaves alpha/(alpha + σ) of the error in a mode of
-/// eigenvalue σ, and ε/alpha of round-off in the null space: large enough for the second, reduced
-/// when the first is slow.
+/// eigenvalue σ, and ε/alpha of round-off in the null space. alpha is large enough for the latter,
+/// and is reduced when the former is slow.
 constexpr double firstAlpha = 1e-6, lastAlpha = 1e-12, alphaFactor = 1e-2;
 constexpr double largestAlpha = 1e-2;  ///< where round-off in W makes it indefinite
 
@@ -30,7 +30,7 @@ bool provesIncompatible(const BoundedRows& problem, const VectorXd& d, double re
     if (d[i] < -negligible * size && !std::isinf(problem.lower[i])) return false;
   }
   if ((problem.W * d).cwiseAbs().maxCoeff() > nullVelocity * size) return false;
-  // d·q / ‖d‖² · d is the compromise's shift; a residual not explained by it is only slow
+  // d·q / ‖d‖² · d is the shift of the compromise. A residual that it does not explain is only slow
   // convergence.
   return d.dot(problem.q) * size < -0.5 * residual * d.squaredNorm();
 }
@@ -63,8 +63,8 @@ ProximalAnswer proximalPoint(const BoundedRows& problem, RegionWalk& walk, doubl
 
     const VectorXd direction = r - anchor;
     if (provesIncompatible(problem, direction, residual)) {
-      // On the rows that push for ever u tends to −alpha d; that of q along d is the same, and no
-      // rounding of large reactions is in it.
+      // On the rows that push for ever u tends to −alpha d. The part of q along d is the same,
+      // without the rounding of large reactions.
       answer.shift = -direction.dot(problem.q) / direction.squaredNorm() * direction;
       const double size = direction.cwiseAbs().maxCoeff();
       for (int i = 0; i < problem.size(); ++i)

@@ -12,12 +12,13 @@ struct RowAnswer {
   std::vector<RowState> states;
   double residual = infinity;
 
-  /// Takes the other's place if it is better.
+  /// Takes the reactions of `walk`, within their bounds, if they are better.
   void offer(const BoundedRows& problem, const RegionWalk& walk);
 };
 
-/// What the proximal point method found. `shift` is added to q where the demands are incompatible:
-/// the least change, in the norm of scaled velocities, that makes them compatible.
+/// The answer of the proximal point method. Where the demands are incompatible, `shift` is the
+/// least change of q, in the norm of scaled velocities, that makes them compatible; it is to be
+/// added.
 struct ProximalAnswer {
   RowAnswer best;
   VectorXd shift;
@@ -25,9 +26,9 @@ struct ProximalAnswer {
 };
 
 /// Solves problems with singular W by exact proximal steps from r = 0 (algorithms 5.2-5.5): the
-/// motion is that of W itself, the reactions have least norm. Steps go on while they help; once the
-/// natural residual is within `goodEnough`, slow help is not sought: the data themselves disagree
-/// by that much, and to follow them would spoil the shares.
+/// motion is that of W itself, and the reactions have least norm. Steps go on while they help. Once
+/// the natural residual is within `goodEnough`, slow progress ends them: the data themselves
+/// disagree by that much, and to follow them would spoil the shares.
 ProximalAnswer proximalPoint(const BoundedRows& problem, RegionWalk& walk, double goodEnough,
                              int regionBudget);
 

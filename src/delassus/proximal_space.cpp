@@ -13,7 +13,7 @@ void ProximalSpace<Motion>::setProblem(const Problem& problem, const NaturalMap&
   else
     compliance.setZero(problem.size());
   G.reset(problem);
-  // Had these not their size at once, some later step would be the first to allocate.
+  // These are sized at once; otherwise some later step would be the first to allocate.
   for (const int seldom : seldomUsed) ofUnknowns[seldom].resize(problem.size());
   forgetFactor();
 }

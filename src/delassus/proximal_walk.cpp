@@ -256,7 +256,7 @@ Outcome ProximalWalk<Motion>::converge(double tolerance, double firstWeight, int
   // nothing more will come; above `stuck` reactions may grow in vain.
   constexpr double slow = 1e-2, tooSlow = 0.3, atItsEnd = 0.1, stuck = 0.5;
   constexpr int easyRegions = 6;  // an outer step with no more regions was an easy one
-  constexpr int mostIdle = 1000;  // outer steps without regions, which no budget ends
+  constexpr int mostIdle = 1000;  // outer steps without regions; no budget ends these
   setTolerance(tolerance);
   r_ = center_;
   ProximalWeight alpha(firstWeight, smallest, largest);

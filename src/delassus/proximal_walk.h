@@ -91,7 +91,7 @@ class ProximalWalk {
   VectorXd& error_;        ///< δ − J̃ᵀ (r − r_k)
   VectorXd &step_, &trialDelta_, &trialError_, &trialU_;
   VectorXd &fromU_, &alongU_;  ///< u where a step begins, and its change by the whole step
-  /// Inner error that is small enough, as a share of the step: what a large weight leaves is larger
+  /// Inner error that is small enough, as a share of the step: a large weight leaves more than that
   /// anyway.
   double enough_ = 0;
   double fine_ = 0;  ///< inner error that is small enough whatever the size of the step

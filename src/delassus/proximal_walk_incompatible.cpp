@@ -10,7 +10,7 @@ namespace delassus {
 /// Whether reactions grow in vain. Incompatible demands let them grow without end, by the same d
 /// each time, along which no body moves: J̃ᵀ d = 0. The motion is then the compromise that is
 /// nearest to the demands in least squares, weighted by the W_aa. Contacts with friction and disks
-/// have no part in it: what is squeezed may slip out, since u_n = −μ |u_t| is no demand at all.
+/// have no part in it: a squeezed body may slip out, since u_n = −μ |u_t| is no demand at all.
 ///
 /// Farkas' bound proves it: a motion that meets all demands has an energy norm of at least
 /// −d·u/√(d·W d), and this is beyond any norm that the demands could ask for. The proof is needed,
@@ -41,7 +41,8 @@ bool ProximalWalk<Motion>::growsInVain(double tolerance, double residual) {
   return -d.dot(trialU_) > impossible * asked * std::sqrt(energy);
 }
 
-/// Removes from the reactions the part along d = r − center, and names those whose demands it was.
+/// Removes the part along d = r − center from the reactions, and names the parts whose demands made
+/// it grow.
 template <class Motion>
 void ProximalWalk<Motion>::compromise(Solution& best) {
   // A share of a radius; and a share of the largest part of d, above which a part is named.

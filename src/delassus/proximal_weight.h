@@ -5,9 +5,9 @@
 
 namespace delassus {
 
-/// The weight α of a proximal method, which shrinks from one center to the next where what is left
-/// goes slowly, and grows where no answer around a center is found. After a failure it shrinks less
-/// boldly, and more so again once two answers in a row came easily.
+/// The weight α of a proximal method. It shrinks from one center to the next if the residual falls
+/// slowly, and grows if no answer around a center is found. After a failure it shrinks in smaller
+/// steps, and in larger ones again once two answers in a row came easily.
 class ProximalWeight {
  public:
   ProximalWeight(double first, double least, double most)
@@ -17,14 +17,14 @@ class ProximalWeight {
   bool isLeast() const { return value_ <= least_; }
   bool isMost() const { return value_ >= most_; }
 
-  /// No answer was found.
+  /// Call it if no answer was found.
   void grow() {
     constexpr double growth = 10;
     value_ *= growth;
     shrink_ = std::sqrt(shrink_);
     easyInARow_ = 0;
   }
-  /// An answer was found, and how.
+  /// Call it if an answer was found, and tell how.
   void learn(bool easily) {
     easyInARow_ = easily ? easyInARow_ + 1 : 0;
     if (easyInARow_ > 1) shrink_ = std::max(boldest, shrink_ * std::sqrt(shrink_));

@@ -12,7 +12,7 @@
 namespace delassus {
 namespace {
 
-constexpr double gain = 0.2;  ///< what a sweep that takes away most leaves
+constexpr double gain = 0.2;  ///< share of the residual that a good sweep leaves
 
 }  // namespace
 
@@ -37,14 +37,14 @@ bool QuickAnswer::find(Solution& answer) {
     best_.activeSet.contacts.resize(problem_.contacts());
     for (int i = 0; i < problem_.contacts(); ++i) best_.activeSet.contacts[i] = modeOf(i);
   } else if (!isSmall() || !walk()) {
-    if (isSmall()) measure();  // what a walk has left
+    if (isSmall()) measure();  // the reactions that a walk has left
     return false;
   }
   answer = std::move(best_);
   return true;
 }
 
-/// Whether all entries of its rows are in its own block: columns ascend.
+/// Whether all entries of its rows are in its own block; columns ascend.
 bool QuickAnswer::isAlone(int contact) const {
   if (isFull_) return problem_.contacts() == 1;
   const DelassusMatrix::Sparse& W = problem_.W.entries();
@@ -77,8 +77,8 @@ Vec3 QuickAnswer::velocityOf(int contact) const {
   return u;
 }
 
-/// W_aa. Of a contact that is alone it is all that its rows hold, and if nothing is left out, in
-/// one piece.
+/// W_aa. The rows of a contact that is alone hold nothing else, and if all nine entries are stored,
+/// they are in one piece.
 Mat3 QuickAnswer::blockOf(int contact) const {
   const DelassusMatrix::Sparse& W = problem_.W.entries();
   const int* begin = W.outerIndexPtr() + 3 * contact;
@@ -103,15 +103,15 @@ double QuickAnswer::sizeOf(int contact) {
   return a.size;
 }
 
-/// Whether those before it in the first sweep have given a contact nearly as much approach as it
-/// had: by then it has come no nearer.
+/// Whether earlier contacts of the first sweep have added nearly as much approach to a contact as
+/// it had: then the sweep has not come nearer to an answer.
 bool QuickAnswer::isRocking(int contact, double normalVelocity) const {
   const double approach = problem_.q[3 * contact];
   return best_.sweeps == 0 && isSmall() && approach < 0 && normalVelocity < (2 - gain) * approach;
 }
 
-/// Each contact in turn with the others held. Returns by how much the most changed one changed its
-/// own velocity, m/s; infinite if it would be no use to go on.
+/// Solves each contact in turn with the others held. Returns the largest change that a contact made
+/// to its own velocity, m/s; infinite if it would be no use to go on.
 double QuickAnswer::sweepOnce() {
   double change = 0;
   for (int i = 0; i < problem_.contacts(); ++i) {
@@ -122,7 +122,7 @@ double QuickAnswer::sweepOnce() {
     if (best_.sweeps == 0)
       felt_ = std::max(felt_, (u - problem_.q.segment<3>(3 * i)).cwiseAbs().maxCoeff());
     const Approaching& a = approaching(i);
-    if (!(a.block.W()(0, 0) > 0)) continue;  // moves nothing, and keeps its residual
+    if (!(a.block.W()(0, 0) > 0)) continue;  // it moves nothing, and keeps its residual
     auto r = best_.r.segment<3>(3 * i);
     const Vec3 next = a.block.solve(u - a.block.W() * r, problem_.friction[i], r);
     change = std::max(change, a.squaredNorm * (next - r).squaredNorm());
@@ -132,22 +132,21 @@ double QuickAnswer::sweepOnce() {
   return std::sqrt(change);
 }
 
-/// As long as each takes away most of what is left; where regions are cheap, two at most. Contacts
-/// that feel little of each other, or nothing, need no more.
+/// Makes sweeps as long as each removes most of the residual; at most two where regions are cheap.
+/// Contacts that feel little or nothing of each other need no more.
 void QuickAnswer::sweep() {
   constexpr int few = 2;
   const double first = sweepOnce();
   if (!std::isfinite(first)) return;
-  // Those that feel nothing of what is before them are not felt by it either: then one sweep is
-  // all.
+  // If no contact feels those before it, these do not feel it either: then one sweep is enough.
   if (isSmall() || felt_ <= tolerance_ || best_.sweeps == options_.sweepBudget) measure();
-  double before = 2 * first;  // as if from nearer: the first sets out from nothing
+  double before = 2 * first;  // doubled, since the first sweep sets out from nothing
   firstGains_ = best_.residual <= gain * first;
   bool gains = !isSmall() || firstGains_;
   while (gains && !isReached() && best_.sweeps < options_.sweepBudget) {
     const double change = sweepOnce(), ratio = change / before;
     gains = ratio <= gain && !(isSmall() && best_.sweeps >= few);
-    // The next sweep would change about as much as the residual is now.
+    // The change by the next sweep would be about as large as the residual is now.
     if (!gains || best_.sweeps == options_.sweepBudget || ratio * change <= tolerance_) measure();
     before = change;
   }
@@ -166,15 +165,15 @@ void QuickAnswer::measure() {
     const bool isOpen = u[0] >= 0 && r[0] == 0 && r[1] == 0 && r[2] == 0;
     double& residual = contacts_[i].residual;
     residual = isOpen ? 0 : naturalResidual(sizeOf(i), problem_.friction[i], r, u);
-    if (!std::isfinite(residual)) residual = infinity;  // of numbers that overflow
+    if (!std::isfinite(residual)) residual = infinity;  // some numbers overflow
     best_.residual = std::max(best_.residual, residual);
     squares += residual * residual;
   }
   best_.residualRms = std::sqrt(squares / problem_.contacts());
 }
 
-/// From region to region: from what the sweeps found, or where the first gained little from no
-/// reactions.
+/// Walks from region to region: from the reactions of the sweeps, or, if the first sweep gained
+/// little, from no reactions.
 bool QuickAnswer::walk() {
   std::vector<Mat3> blocks(problem_.contacts());
   VectorXd sizes(problem_.contacts());

@@ -10,23 +10,23 @@
 
 namespace delassus {
 
-/// The answer of a problem with explicit W that is small, or whose contacts feel little of each
-/// other: few sweeps, and few regions, take less time than making a Solver, or taking W apart. What
-/// does not approach is not looked at.
+/// The answer to a problem with explicit W that is small, or whose contacts feel little of each
+/// other. A few sweeps and a few regions then take less time than to make a Solver, or to take W
+/// apart. Contacts that do not approach are skipped.
 class QuickAnswer {
  public:
   /// Keeps references. The problem must be fit (unfitParts), with entries, contacts and neither
   /// rows nor disks.
   QuickAnswer(const Problem& problem, const Options& options);
 
-  /// The answer if the law is kept to within the tolerance: true.
+  /// True if it keeps the law to within the tolerance; only then `answer` is written.
   bool find(Solution& answer);
 
-  /// Else: whether what was found keeps the law in a part.
+  /// If not: whether best() keeps the law in one part.
   bool answers(const ProblemParts& parts, int part) const;
-  /// What was found.
+  /// The best reactions found.
   const Solution& best() const { return best_; }
-  /// Of a contact in it.
+  /// The mode of a contact in best().
   Mode modeOf(int contact) const;
   double residualOf(int contact) const { return contacts_[contact].residual; }  ///< m/s
 
@@ -36,20 +36,19 @@ class QuickAnswer {
     bool isAlone = false;        ///< no other reaction moves it
     double residual = infinity;  ///< m/s
   };
-  /// What a contact that approaches, or has a region, needs.
+  /// Data of a contact that approaches, or has a region.
   struct Approaching {
     explicit Approaching(const Mat3& W) : block(W), squaredNorm(W.squaredNorm()) {}
 
     OneContact block;
     double squaredNorm;  ///< of the entries of W_aa, (1/kg)²
-    double size = 0;     ///< ‖W_aa‖, 1/kg; 0: nobody has asked yet
+    double size = 0;     ///< ‖W_aa‖, 1/kg; 0: not computed yet
   };
 
   bool isReached() const { return best_.residual <= tolerance_; }
   bool isSmall() const;
   bool isAlone(int contact) const;
-  /// Whether there is nothing to be done about a contact: it does not approach, and what approaches
-  /// does not move it.
+  /// Whether a contact needs nothing: it does not approach, and no other reaction moves it.
   bool staysApart(int contact) const {
     const Contact& c = contacts_[contact];
     return c.isAlone && c.place < 0 && problem_.q[3 * contact] >= 0;
@@ -69,8 +68,8 @@ class QuickAnswer {
   double friction_;          ///< the largest μ
   double tolerance_;         ///< m/s
   bool isFull_;              ///< all of W is stored
-  double felt_ = 0;          ///< what approaches feels of those before it in the first sweep, m/s
-  bool firstGains_ = false;  ///< the first sweep took away most of it
+  double felt_ = 0;          ///< most that a contact felt of others in the first sweep, m/s
+  bool firstGains_ = false;  ///< the first sweep removed most of the residual
   std::vector<Contact> contacts_;
   std::vector<Approaching> approaching_;  ///< in the order in which they were found
   Solution best_;

@@ -8,9 +8,9 @@
 
 namespace delassus {
 
-/// As long as it lives, no operation of this thread on numbers traps, and none leaves a trace in
-/// the flags: here x/0 is a wall that is met nowhere, and what a user has asked his processor to
-/// stop at is in his own code.
+/// As long as it lives, no arithmetic of this thread traps or leaves a trace in the flags. Here x/0
+/// is harmless, a wall that is never met; the traps that a user has enabled are meant for his own
+/// code.
 class QuietArithmetic {
  public:
 #ifdef __SSE__

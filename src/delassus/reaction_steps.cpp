@@ -8,7 +8,7 @@
 
 namespace delassus {
 
-/// Its steps around one center, for `descend`: r and v are those of `at`.
+/// The steps around one center, for `descend`. r and v are those of `at`.
 template <class Motion>
 class ReactionSteps<Motion>::AroundCenter {
  public:
@@ -30,7 +30,7 @@ class ReactionSteps<Motion>::AroundCenter {
 
   double error();
   bool step(double& error);
-  // v is not kept: nobody asks for it afterwards.
+  // v is not kept, since it is not used afterwards.
   void keepLast() { kept_.swap(last_); }
   void goBack() { r_.swap(kept_); }
 
@@ -47,11 +47,11 @@ class ReactionSteps<Motion>::AroundCenter {
   VectorXd& F_;
   VectorXd& change_;         ///< B F, and then Δr
   VectorXd &delta_, &felt_;  ///< δ and J̃ δ
-  VectorXd &last_, &kept_;   ///< r before the last step, and that to go back to
+  VectorXd &last_, &kept_;   ///< r before the last step; r to go back to
   Stiffness& G_;
 };
 
-/// F at r and v. Returns ‖ρ F‖, m/s.
+/// Computes F at r and v. Returns ‖ρ F‖, m/s.
 template <class Motion>
 double ReactionSteps<Motion>::AroundCenter::error() {
   const int contactsEnd = 3 * problem_.contacts();
@@ -71,7 +71,7 @@ double ReactionSteps<Motion>::AroundCenter::error() {
   return std::sqrt(sum);
 }
 
-/// G and B F of a contact in the region of r and v.
+/// Computes G and B F of a contact in the region of r and v.
 template <class Motion>
 void ReactionSteps<Motion>::AroundCenter::answer(int contact) {
   const int at = 3 * contact;
@@ -116,7 +116,7 @@ void ReactionSteps<Motion>::AroundCenter::answerAll() {
   }
 }
 
-/// Goes where F would be zero in this region; `error` is then that of there.
+/// Goes to the zero of F in this region; `error` is afterwards that at the new r and v.
 template <class Motion>
 bool ReactionSteps<Motion>::AroundCenter::step(double& error) {
   const int contactsEnd = 3 * problem_.contacts();

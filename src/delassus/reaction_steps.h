@@ -9,14 +9,14 @@ namespace delassus {
 ///
 ///     F(r) = P(r − v/ρ) − r = 0,    v = u + A (r − r_k),    ρ = (1 + α) W_aa
 ///
-/// In a region, where P has the derivative P' and D = (compliance + A)/ρ, a step is
+/// In a region P has the derivative P'. With D = (compliance + A)/ρ a step is
 ///
 ///     Δr = B F − G J̃ δ,    δ = K⁻¹ J̃ᵀ B F,    K = I + J̃ᵀ G J̃,
 ///     B = (1 − P' (1 − D))⁻¹,    G = B P'/ρ
 ///
-/// The walk reads its region from r_k − l u, where velocities that are nearly nothing lie far
-/// behind walls; here it is r − v/ρ, and a guess that is nearly right has most of its region right.
-/// That takes fewer steps where tens of contacts slide and stick; hundreds are seldom all in their
+/// The walk reads its region from r_k − l u: there even tiny velocities lie far behind walls. This
+/// method reads it from r − v/ρ, so that a nearly right guess has most of its region right. It
+/// takes fewer steps where tens of contacts slide and stick; hundreds are seldom all in the right
 /// region at once.
 template <class Motion>
 class ReactionSteps {
@@ -24,8 +24,8 @@ class ReactionSteps {
   /// For the problem of `space`, which must outlive it.
   explicit ReactionSteps(ProximalSpace<Motion>& space) : space_(space) {}
 
-  /// Improves best.r, with its u and residual (moveCenters, `next` is room for it): true if the law
-  /// is kept to the `tolerance`, m/s. Steps are counted as regions.
+  /// Improves best.r, with its u and residual (moveCenters, `next` is scratch): true if the law is
+  /// kept to the `tolerance`, m/s. Steps are counted as regions.
   bool solve(double tolerance, int budget, Solution& next, Solution& best);
 
  private:

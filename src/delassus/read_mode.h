@@ -8,8 +8,8 @@
 
 namespace delassus {
 
-/// The mode of a contact, read from the point z = r − v/W_aa that the law projects (from r alone
-/// grazing contacts lie). `weight` stands for W_aa: the mean of its diagonal, 1/kg.
+/// The mode of a contact, from the point z = r − v/W_aa that the law projects (r alone misleads
+/// where contacts graze). `weight` stands for W_aa: the mean of its diagonal, 1/kg.
 inline Mode modeOf(const Vec3& r, const Vec3& u, double friction, double weight) {
   const double rho = weight > 0 ? 1 / weight : 0;
   const Vec3 z = r - rho * correctedVelocity(u, friction);
@@ -19,7 +19,7 @@ inline Mode modeOf(const Vec3& r, const Vec3& u, double friction, double weight)
                                                           : Mode::Slide;
 }
 
-/// The same of a row, from its z.
+/// The same for a row, from its z.
 inline RowState stateAt(double z, double lower, double upper) {
   return z <= lower ? RowState::AtLower : z >= upper ? RowState::AtUpper : RowState::Free;
 }
@@ -27,14 +27,14 @@ inline RowState stateOf(double r, double u, double lower, double upper, double w
   return stateAt(r - (weight > 0 ? u / weight : 0), lower, upper);
 }
 
-/// The same of a disk that has this radius now.
+/// The same for a disk with this radius now.
 inline Mode diskModeOf(const Vec2& r, const Vec2& u, double radius, double weight) {
   if (!(radius > 0)) return Mode::Open;
   const Vec2 z = r - (weight > 0 ? 1 / weight : 0) * u;
   return lengthOf(z[0], z[1]) < radius ? Mode::Stick : Mode::Slide;
 }
 
-/// The region that reactions lie in, u = W r + q. `diagonal`: that of W.
+/// The region in which the reactions lie, u = W r + q. `diagonal`: that of W.
 void readActiveSet(const Problem& problem, const VectorXd& diagonal, const VectorXd& r,
                    const VectorXd& u, ActiveSet& set);
 

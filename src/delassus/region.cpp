@@ -10,12 +10,12 @@
 namespace delassus {
 namespace {
 
-/// Cofactors are used only if every pivot of the scaled matrix exceeds this: at a condition number
-/// of 1e10 they left a residual of 1e-2 |q| where the recursion left 1e-6 (algorithms 3.3).
+/// Cofactors are used only if every pivot of the scaled matrix exceeds this. At a condition number
+/// of 1e10 they left a residual of 1e-2 |q|, the recursion 1e-6 |q| (algorithms 3.3).
 constexpr double cofactorPivot = 1e-4;
 
-/// For three contacts the error is ε over the determinant, the product of the pivots: measured 2e-8
-/// |q| with two pivots just above 1e-4, 3e-14 |q| above this determinant.
+/// For three contacts the error is ε over the determinant, which is the product of the pivots:
+/// measured 2e-8 |q| with two pivots just above 1e-4, and 3e-14 |q| above this determinant.
 constexpr double cofactorDeterminant = 1e-2;
 
 /// Round-off of sums of q's, in units of the largest |q| (algorithms 3.6).
@@ -31,7 +31,7 @@ Rest allBut(int p, int n) {
   return rest;
 }
 
-/// False if a dependent contact turns up.
+/// False if it meets a dependent contact.
 bool recurse(const SmallMatrix& W, const SmallVector& q, Recursion& answer) {
   const int n = static_cast<int>(q.size());
   answer.r.resize(n);
@@ -66,12 +66,12 @@ bool recurse(const SmallMatrix& W, const SmallVector& q, Recursion& answer) {
   return true;
 }
 
-/// Two contacts of which one repeats or opposes the other (algorithms 3.5), unit diagonal.
+/// Solves two contacts of which one repeats or opposes the other (algorithms 3.5), unit diagonal.
 Redundancy redundantPair(bool opposed, const SmallVector& q, SmallVector& r) {
   const double tolerance = signTolerance * q.cwiseAbs().maxCoeff();
   r.setZero(2);
   if (!opposed) {
-    // The same constraint twice: the more demanding one decides; both equal, they share.
+    // The same constraint twice: the more demanding one decides; if they are equal, they share.
     if (std::abs(q[0] - q[1]) <= tolerance) {
       r.setConstant(std::max(0.0, -(q[0] + q[1]) / 4));
     } else {
@@ -80,7 +80,7 @@ Redundancy redundantPair(bool opposed, const SmallVector& q, SmallVector& r) {
     }
     return Redundancy::Shared;
   }
-  // Squeezed between two walls, u0 + u1 = q0 + q1 whatever the reactions: one wall pushes, the
+  // Squeezed between two walls: u0 + u1 = q0 + q1 whatever the reactions. One wall pushes, the
   // other carries nothing.
   const double shortfall = std::max(0.0, -(q[0] + q[1]) / 2);
   const int pushing = q[0] < q[1] ? 0 : 1;

@@ -21,7 +21,7 @@ using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, smallRegionSize,
 using SmallMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, smallRegionSize, smallRegionSize>;
 
-/// What redundancy of the contacts leaves open.
+/// What the redundancy of contacts leaves open.
 enum class Redundancy : unsigned char {
   None,       ///< the reaction is unique
   Shared,     ///< one constraint stated twice: the load is shared, least norm

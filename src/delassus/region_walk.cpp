@@ -9,8 +9,8 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Block changes of state allowed without a new smallest number of objections, before single
-/// changes.
+/// How many block changes of state may fail to reach a new smallest number of objections before
+/// single changes begin.
 constexpr int blockPatience = 10;
 
 }  // namespace
@@ -107,7 +107,7 @@ RegionWalk::End RegionWalk::descend(const VectorXd& anchor, double alpha, int re
     if (std::any_of(objecting.begin(), objecting.end(), freeObjects)) {
       stepToFirstBound(r);
     } else {
-      // The lowest point of this face: leave it where the cost falls fastest.
+      // This is the lowest point of the face: leave it where the cost falls fastest.
       r = problem_.clamp(r_);
       const auto less = [this](int i, int j) { return std::abs(u_[i]) < std::abs(u_[j]); };
       changeState(*std::max_element(objecting.begin(), objecting.end(), less));
@@ -116,7 +116,7 @@ RegionWalk::End RegionWalk::descend(const VectorXd& anchor, double alpha, int re
   return End::OutOfBudget;
 }
 
-/// Rows of r that lie at a bound keep it.
+/// Rows of r that lie at a bound stay there.
 void RegionWalk::holdAtBounds(const VectorXd& r) {
   for (int i = 0; i < problem_.size(); ++i) {
     states_[i] = r[i] == problem_.lower[i]   ? RowState::AtLower
@@ -146,7 +146,7 @@ void RegionWalk::stepToFirstBound(VectorXd& r) {
 
 /// False if the free rows are dependent. `anew` forbids edits of the last factor.
 bool RegionWalk::factorFreeRows(double alpha, bool anew) {
-  // Bilateral rows never leave: first, so that edits happen behind them.
+  // Bilateral rows never leave, so they come first and edits happen behind them.
   std::vector<int> free;
   for (int i = 0; i < problem_.size(); ++i)
     if (states_[i] == RowState::Free && problem_.bilateral(i)) free.push_back(i);
@@ -171,7 +171,7 @@ bool RegionWalk::factorFreeRows(double alpha, bool anew) {
 
   if (!cholesky_ || alpha != alpha_) {
     if (cholesky_) factorisations_ += cholesky_->factorisations();
-    // With a shift every pivot is at least the shift; rounding may eat it, then the factor is
+    // With a shift every pivot is at least the shift. If rounding exceeds it, the factor is
     // useless.
     const double redundant = alpha > 0 ? epsilon : dependentPivot;
     cholesky_ = std::make_unique<PrincipalCholesky>(problem_.W, alpha, redundant);
@@ -199,9 +199,9 @@ bool RegionWalk::solveRegion(const VectorXd& anchor, double alpha) {
   return true;
 }
 
-/// r_F = anchor_F − (W_FF + alpha I)⁻¹ (W r + q)_F with the other rows at their bounds: in this
-/// form a proximal step is also a step of refinement on the residual of W itself. False if the
-/// residual is more than rounding explains.
+/// r_F = anchor_F − (W_FF + alpha I)⁻¹ (W r + q)_F with the other rows at their bounds. In this
+/// form a proximal step also refines the residual of W itself. False if the residual is larger than
+/// rounding explains.
 bool RegionWalk::answerRegion(const VectorXd& anchor, double alpha) {
   r_ = anchor;
   for (int i = 0; i < problem_.size(); ++i) {
@@ -235,7 +235,7 @@ std::vector<int> RegionWalk::objections() const {
   return rows;
 }
 
-/// From one bound to the other only by way of Free.
+/// A row goes from one bound to the other only by way of Free.
 void RegionWalk::changeState(int row) {
   if (states_[row] != RowState::Free) {
     states_[row] = RowState::Free;

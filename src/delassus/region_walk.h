@@ -9,7 +9,7 @@
 
 namespace delassus {
 
-/// Rows with bounds, scaled so that W has unit diagonal where it can:
+/// Rows with bounds, scaled so that W has unit diagonal where possible:
 ///
 ///     u = W r + q,   lower ≤ r ≤ upper,   u ≥ 0 at lower, u ≤ 0 at upper, u = 0 in between
 struct BoundedRows {
@@ -23,7 +23,8 @@ struct BoundedRows {
   bool constant(int i) const { return lower[i] == upper[i]; }
   /// max |r − clamp(r − u)|, u = W r + q.
   double naturalResidual(const VectorXd& r) const;
-  /// What round-off may leave of u at these reactions: 64 ε max|q| + 16 ε ‖r‖ (algorithms 3.6, 10).
+  /// The error that round-off may leave in u at these reactions: 64 ε max|q| + 16 ε ‖r‖ (algorithms
+  /// 3.6, 10).
   double roundOff(const VectorXd& r) const;
   /// A state that a row can take: constant rows stay at their bound, bilateral rows are free, and
   /// no row sits at infinity.
@@ -34,10 +35,10 @@ struct BoundedRows {
 
 /// Guarded block principal pivoting over the regions of bounded rows (algorithms 4.3, 4.5).
 ///
-/// Every region asks one linear solve; the rows that object to its answer change state all
-/// together. When that has not helped for a while a guard makes the walk finite. W symmetric:
-/// descent of ½ rᵀW r + qᵀr from face to face, which needs few regions even where W is nearly
-/// singular (Murty's rule wandered for thousands on 570 rows of a Kapla tower). Otherwise: Murty's
+/// Every region takes one linear solve; then all rows that object to its answer change their state
+/// together. When that has not helped for a while, a guard makes the walk finite. For a symmetric W
+/// it is a descent of ½ rᵀW r + qᵀr from face to face, which needs few regions even if W is nearly
+/// singular (Murty's rule took thousands on 570 rows of a Kapla tower). Otherwise it is Murty's
 /// single changes in a fixed order, finite for every P-matrix.
 class RegionWalk {
  public:
@@ -51,16 +52,16 @@ class RegionWalk {
 
   /// Walks to the region of the problem with W + alpha I in place of W and q − alpha anchor in
   /// place of q: a proximal step from `anchor` (algorithms 5.2). alpha = 0 is the problem itself.
-  /// Gives up when this walk, with all earlier calls, has visited `regionBudget` regions.
+  /// Gives up once this walk, in all calls together, has visited `regionBudget` regions.
   End settle(const VectorXd& anchor, double alpha, int regionBudget);
 
-  /// Whether a row that rests at its bound with u = 0 depends on the free rows: then the settled r
-  /// is one of many.
+  /// Whether some row at its bound with u = 0 depends on the free rows: then the settled r is one
+  /// of many.
   bool redundantTies();
 
   const VectorXd& r() const {
     return r_;
-  }  ///< answer of the last region; at first what the bounds ask
+  }  ///< answer of the last region; at first the values nearest to zero
   const std::vector<RowState>& states() const { return states_; }
   int regions() const { return regions_; }
   int factorisations() const;

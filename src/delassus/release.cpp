@@ -10,8 +10,8 @@
 namespace delassus {
 namespace {
 
-/// Eigenvalues of a matrix with unit diagonal at or below this part of the largest are those of
-/// redundant contacts.
+/// Eigenvalues, for a unit diagonal, at or below this part of the largest belong to redundant
+/// contacts.
 constexpr double redundantEigenvalue = 1e-10;
 
 /// Distances below this part of ‖f‖ are round-off.
@@ -29,8 +29,8 @@ MatrixXd generalisedInverse(const MatrixXd& W) {
   return V * inverse.asDiagonal() * V.transpose();
 }
 
-/// The walls r_i = 0 or u_j = 0 of one kind: `value` is how far each contact is from vanishing, and
-/// a change of the forced motion of norm 1 changes it by at most √gram_ii.
+/// The walls of one kind, r_i = 0 or u_j = 0. `value` is the r_i or u_j of each contact. A change
+/// of the forced motion by norm 1 changes it by at most √gram_ii.
 struct Walls {
   std::vector<int> contacts;
   VectorXd value;
@@ -41,7 +41,7 @@ struct Walls {
   }
 };
 
-/// The nearest of these walls, if it is nearer than what is known.
+/// Takes the nearest of these walls if it is nearer than those known so far.
 void lookAtWalls(const Walls& walls, const Walls& others, double zero, ReleaseAnalysis& analysis) {
   int nearest = -1;
   for (int i = 0; i < static_cast<int>(walls.contacts.size()); ++i) {
@@ -51,8 +51,8 @@ void lookAtWalls(const Walls& walls, const Walls& others, double zero, ReleaseAn
   }
   if (nearest < 0) return;
 
-  // At the foot of the perpendicular: its own kind has moved along the Gram matrix, the other kind
-  // not at all.
+  // At the foot of the perpendicular the values of its own kind have changed along the Gram matrix,
+  // those of the other kind not at all.
   Walls foot = walls;
   foot.value -= walls.gram.col(nearest) * (walls.value[nearest] / walls.gram(nearest, nearest));
   analysis.changing.clear();

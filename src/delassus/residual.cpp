@@ -17,9 +17,9 @@ double symmetricNorm(const Mat2& S) {
   return 0.5 * (std::abs(S(0, 0) + S(1, 1)) + lengthOf(S(0, 0) - S(1, 1), 2 * S(0, 1)));
 }
 
-/// The largest root of y³ − 3y = 2x, |x| ≤ 1: 2 cos(⅔ arccos s) with s = √((1 + x) / 2). From the
-/// cubic that has its values and slopes at s = 0 and 1, twice by Halley's method, which takes the
-/// digits left to their third power: two fifths of the time of cos and arccos.
+/// The largest root of y³ − 3y = 2x, |x| ≤ 1: 2 cos(⅔ arccos s) with s = √((1 + x) / 2). Starts
+/// from the cubic in s with the same values and slopes at s = 0 and 1, then takes two steps of
+/// Halley's method, each of which triples the digits: two fifths of the time of cos and arccos.
 double largestRoot(double x) {
   constexpr double slope0 = 1.1547005383792515, slope1 = 8.0 / 9;  // 2/√3
   constexpr double c3 = slope0 + slope1 - 2, c2 = 1 - slope0 - c3;
@@ -44,13 +44,13 @@ double symmetricNorm(const Mat3& S) {
   if (!(p3 > 0)) return std::abs(m);
   const double halfDet = 0.5 * (a * (b * c - yz * yz) - b * xz * xz - c * xy * xy) + xy * xz * yz;
   const double y = largestRoot(std::clamp(halfDet / p3, -1.0, 1.0)), largest = m + p * y;
-  if (p <= 2 * m) return largest;  // none is as far below 0
+  if (p <= 2 * m) return largest;  // no eigenvalue is as far below 0
   const double least = -0.5 * (y + std::sqrt(std::max(12 - 3 * y * y, 0.0)));
   return std::max(largest, -(m + p * least));
 }
 
-/// ‖W‖₂ = √ λ_max(Wᵀ W), also for blocks that are not symmetric. Scaled first, for squares of tiny
-/// masses may vanish.
+/// ‖W‖₂ = √ λ_max(Wᵀ W), also for blocks that are not symmetric. Scales first, since squares of
+/// tiny masses may vanish.
 template <class Block>
 double spectralNorm(const Block& W) {
   const double scale = W.cwiseAbs().maxCoeff();
@@ -60,8 +60,8 @@ double spectralNorm(const Block& W) {
   return scale * std::sqrt(symmetricNorm(Block(S.transpose() * S)));
 }
 
-/// That of a contact. Where its arms go along its normal, as those of balls do, no normal reaction
-/// moves it along its tangents: then two sizes are compared.
+/// The same for a contact. If its arms lie along its normal, as those of balls do, a normal
+/// reaction does not move it along its tangents: then it compares the sizes of two blocks.
 double spectralNorm(const Mat3& W) {
   constexpr double rounding = 1e-14;
   const double coupling = W.row(0).tail<2>().cwiseAbs().sum() + W.col(0).tail<2>().cwiseAbs().sum();
@@ -71,15 +71,14 @@ double spectralNorm(const Mat3& W) {
   return std::max(normal, tangential);
 }
 
-/// Nothing compared with nothing is nothing; something compared with nothing is infinite.
+/// part/whole, where 0/0 is 0, and any other part over 0 is infinite.
 double ratio(double part, double whole) { return part == 0 ? 0 : part / whole; }
 
-/// Sizes of the diagonal blocks of W, 1/kg, one a contact or row (both rows of a disk have that of
-/// their block): positive, so that 1/size is a step.
+/// Sizes of the diagonal blocks of W, 1/kg, one per contact or row (both rows of a disk have the
+/// size of their block). They are positive, so that 1/size is a step.
 ///
-/// A block that vanishes gives no step. It takes the size of the largest block, which at least has
-/// the right unit, or 1 if all vanish: whatever the step, the residual is zero at the same
-/// reactions.
+/// A block that vanishes gives no step. It gets the size of the largest block, which at least has
+/// the right unit, or 1 if all vanish. The residual is zero at the same reactions for any step.
 template <class ContactSize>
 void blockSizes(const Problem& problem, const VectorXd& diagonal, ContactSize contactSize,
                 VectorXd& sizes) {

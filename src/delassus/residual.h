@@ -18,7 +18,7 @@ struct VelocityResidual {
   int worst = -1;  ///< first unknown of the contact or row with the largest ‖F‖/ρ
 };
 
-/// Measures many reactions of one problem: what depends on W alone is computed once.
+/// Measures many reactions of one problem: all that depends on W alone is computed once.
 class NaturalMap {
  public:
   /// Keeps a pointer to `problem`, which must outlive the measuring.
@@ -37,17 +37,17 @@ class NaturalMap {
   double roundOff(const VectorXd& r) const;
   const VectorXd& diagonal() const { return diagonal_; }                    ///< of W
   const Mat3& contactBlock(int contact) const { return blocks_[contact]; }  ///< W_aa
-  /// The mean of W_aa over the unknowns of each contact and disk, one number an unknown: a unit for
-  /// quantities that should weigh all directions alike. It is at least 1e-14 of the largest, and 1
-  /// where all W is zero: an unknown that moves nothing (W_ii = 0) can do nothing, so any finite
-  /// number is harmless.
+  /// The mean of W_aa over the unknowns of each contact and disk, one number per unknown: a unit
+  /// for quantities that should weigh all directions alike. It is at least 1e-14 of the largest,
+  /// and 1 where all W is zero: an unknown that moves nothing (W_ii = 0) can do nothing, so any
+  /// finite number is harmless.
   void meanDiagonal(VectorXd& mean) const;
   std::size_t bytes() const { return bytesOf(sizes_, diagonal_, blocks_); }
 
  private:
   const Problem* problem_ = nullptr;
   VectorXd sizes_;     ///< ‖W_aa‖ per contact and row
-  VectorXd diagonal_;  ///< one an unknown
+  VectorXd diagonal_;  ///< one per unknown
   std::vector<Mat3> blocks_;
 };
 

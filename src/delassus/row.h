@@ -10,11 +10,12 @@ namespace delassus {
 ///     lower ≤ r ≤ upper,  u ≥ 0 where r = lower,  u ≤ 0 where r = upper,  u = 0 in between.
 ///
 /// With a governor it is friction that grows with the normal reaction r_n of a contact between the
-/// same bodies (disk.h): |r| ≤ upper r_n, and √(r² + r'²) ≤ upper r_n for two rows that are paired;
-/// of r_n no more counts than `mostLoad`. `upper` is then the κ of disk.h; `lower` and `compliance`
-/// are not read. Such rows stand behind all others.
+/// same bodies (disk.h): |r| ≤ upper r_n, and √(r² + r'²) ≤ upper r_n for two paired rows.
+/// `mostLoad` limits the r_n that counts. `upper` is then the κ of disk.h; `lower` and `compliance`
+/// are not read. Such rows come after all others.
 ///
-/// Units are those of rows along an axis; of rows about one they are rad/s, N·m·s and 1/(kg·m²).
+/// The units below are those of rows along an axis; rows about an axis have rad/s, N·m·s and
+/// 1/(kg·m²).
 struct Row {
   int a = fixedWorld, b = fixedWorld;
   Row6 jacobianA = Row6::Zero(), jacobianB = Row6::Zero();

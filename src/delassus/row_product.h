@@ -4,8 +4,8 @@
 
 namespace delassus {
 
-/// Three rows of entries, `stride` apart, times the first n numbers of r: two columns at a time,
-/// and each number of r read once.
+/// Three rows of entries, `stride` apart, times the first n numbers of r: two columns at a time, so
+/// that each number of r is read once.
 inline Vec3 timesRows(const double* rows, int stride, const double* r, int n) {
   using Two = Eigen::Map<const Vec2>;
   const double *first = rows, *second = rows + stride, *third = rows + 2 * stride;

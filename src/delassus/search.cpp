@@ -171,7 +171,7 @@ void Search::polishWith(Engines<Motion>& engines, const Task& task, Solution& be
 template <class Motion>
 Outcome Search::walkTwice(Engines<Motion>& engines, const Task& task, Solution& best) {
   if (task.isHurried) return walkOnce(engines, task, best);
-  constexpr int shortPath = 8;  // one part in so many
+  constexpr int shortPath = 8;  // divides the budget of a whole path
   Task rest = task;
   Outcome outcome;
   if (task.guess) {
@@ -199,7 +199,7 @@ Outcome Search::walkTwice(Engines<Motion>& engines, const Task& task, Solution& 
 }
 
 /// Begins a search apart in apart_, from `guess` or, if this is null, from nothing, on what is left
-/// of the budget. What it takes for progress thus does not depend on what was found before.
+/// of the budget. So its measure of progress does not depend on earlier answers.
 void Search::setOutApart(const VectorXd* guess, Solution& best) {
   apart_.start(problem_->q);
   if (guess) apart_.r = *guess;

@@ -26,7 +26,7 @@ namespace delassus {
 
 class Hands;
 
-/// What a search is asked for, and what it may cost.
+/// The request to a search, with its budgets.
 struct Task {
   Options options;        ///< the budgets, of all that `best` counts
   double tolerance;       ///< natural residual to reach, m/s
@@ -50,7 +50,7 @@ struct Task {
   }
 };
 
-/// Searches the reactions of one problem after the other: by sweeps, by patches, from region to
+/// Searches for the reactions of one problem after the other: by sweeps, by patches, from region to
 /// region. `best` is the best answer so far; only a better one takes its place. Storage is used
 /// again.
 class Search {

@@ -78,8 +78,8 @@ bool Search::proveIncompatible(double tolerance, int regionBudget, Solution& bes
   takeBack(engines);
   if (!areIncompatible) return false;
   compromise(tolerance, regionBudget, best);
-  // In the mean over the directions of each part: a contact may be asked to move along its normal
-  // though nothing moves there, and is named then.
+  // Weighted by the mean over the directions of each part: so a contact is also named if it is
+  // asked to move along its normal, where nothing moves it.
   map_.meanDiagonal(felt_);
   felt_ = felt_.cwiseSqrt().cwiseProduct(proof_.reactions()).cwiseAbs();
   const double least = negligible * felt_.maxCoeff();
@@ -93,9 +93,9 @@ bool Search::proveIncompatible(double tolerance, int regionBudget, Solution& bes
 
 /// Takes the reactions of bodies that are a little compliant where they touch, friction included,
 /// instead of those that the search was left with, which may be of any size. The compliance is so
-/// small that the bodies give less under what they carry anyway than under the quarrel. If these
-/// reactions are found neither from the motion that the search was left with nor from the free one,
-/// softer bodies lead to them. They are not taken if they are much further from the law.
+/// small that the bodies give less under their loads than under the quarrel. If these reactions are
+/// found neither from the motion that the search was left with nor from the free one, softer bodies
+/// lead to them. They are not taken if they are much further from the law.
 void Search::compromise(double tolerance, int regionBudget, Solution& best) {
   constexpr double share = 0.1, least = 1e-9, most = 1e-6, softest = 1e-2;  // relative to W_aa
   constexpr double harder = 0.1, nearly = 10;
@@ -123,7 +123,7 @@ void Search::compromise(double tolerance, int regionBudget, Solution& best) {
     compliance = std::max(wanted, harder * compliance);
   }
   take();
-  // If nothing of this is near, the search had not come near, either.
+  // If none of these reactions are near, the search had not come near either, and walks on.
   if (best.residual > nearly * proof_.missed())
     engines.walk.walk(tolerance, firstWeight(best, leastWeightAfar), fairWalk, best);
 }

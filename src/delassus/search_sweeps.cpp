@@ -89,8 +89,8 @@ void Search::sweepWhileItGains(const Task& task, double tolerance, Solution& bes
   }
 }
 
-/// Makes sweeps as long as they gain, and where they do not, solves patches: what settles in this
-/// way needs no factor of the whole island. The residual may rise on the way, since a contact that
+/// Makes sweeps as long as they gain, and where they do not, solves patches: an island that settles
+/// in this way needs no factor of the whole. The residual may rise on the way, since a contact that
 /// meets a wall lets others go. In heaps of many contacts the sweeps go by colour.
 void Search::settle(const Task& task, double tolerance, Solution& best) {
   constexpr int patience = 6, fewSweeps = 20, manySweeps = 100, many = 200;

@@ -62,7 +62,7 @@ double Search::soften(const Task& task, Solution& best) {
 /// to come from. In body space, as on the path of compliance: explicit entries are too expensive.
 Outcome Search::addFriction(const Task& task, Solution& best) {
   constexpr double shares[] = {0.8, 0.95, 0.6};
-  constexpr double few = 1000;  // contacts and rows; the regions of more cost more each
+  constexpr double few = 1000;  // contacts and rows; with more, each region costs more
   if (task.guess || task.options.pathBudget <= 0 || !isLargeButNoHeap(*problem_) ||
       !problem_->W.inBodySpace() ||
       !(problem_->contacts() > 0 && problem_->friction.maxCoeff() > 0))

@@ -15,15 +15,15 @@ enum class Status : unsigned char {
   Solved,        ///< the natural residual is within the tolerance, or within rounding
   OutOfBudget,   ///< best answer found within the budget; see its residual
   Incompatible,  ///< no motion meets all demands: a compromise was taken; see `blamed`
-  /// The problem holds numbers that are not finite, or that overflow: what these touch gets no
-  /// reactions.
+  /// The problem holds numbers that are not finite, or that overflow: the parts that they touch get
+  /// no reactions.
   NonFinite,
 };
 
 /// solved, out_of_budget, incompatible or non_finite.
 std::string toString(Status status);
 
-/// By which way the reactions were found, the cheapest first.
+/// The way by which the reactions were found, the cheapest first.
 enum class Tier : unsigned char {
   Free,        ///< there are no reactions: nothing approaches
   Kept,        ///< the guess keeps the law
@@ -32,7 +32,7 @@ enum class Tier : unsigned char {
   Walk,        ///< sweeps, patches, regions
 };
 
-/// What was done for an answer. Work in a patch counts by what it costs beside the island's.
+/// The work done for an answer. Work in a patch counts by its cost relative to the island's.
 struct WorkDone {
   int regions = 0;  ///< visited by walks, without those at the ends of paths of compliance
   int factorisations = 0;
@@ -48,7 +48,7 @@ struct WorkDone {
   }
 };
 
-/// What the reactions of one island are, and how good they are.
+/// The reactions of one island, and how good they are.
 struct Solution : WorkDone {
   VectorXd r;  ///< reactions, N·s
   VectorXd u;  ///< relative velocities u = W r + q, m/s

@@ -16,7 +16,7 @@
 namespace delassus {
 namespace {
 
-/// The answer of a whole problem, from those of its parts.
+/// Collects the answer of a whole problem from those of its parts.
 class Whole {
  public:
   explicit Whole(const Problem& problem) : problem_(problem) {
@@ -37,7 +37,7 @@ class Whole {
       solution_.activeSet.contacts[parts.unknown(part, 3 * i) / 3] = s.activeSet.contacts[i];
     for (int i = 0; i < p.rows(); ++i)
       solution_.activeSet.rows[parts.unknown(part, 3 * n + i) - frictional] = s.activeSet.rows[i];
-    std::size_t disk = 0;  // of the part; the whole has them in the same order
+    std::size_t disk = 0;  // index in the part; the whole has its disks in the same order
     for (std::size_t k = 0; k < problem_.disks.size() && disk < s.activeSet.disks.size(); ++k)
       if (problem_.disks[k].first == parts.unknown(part, p.disks[disk].first))
         solution_.activeSet.disks[k] = s.activeSet.disks[disk++];
@@ -48,7 +48,7 @@ class Whole {
     count(s.residual, s.residualRms, n + p.rows());
   }
 
-  /// A part that the quick answer of the whole answers.
+  /// Puts a part that the quick answer of the whole problem solves.
   void put(const ProblemParts& parts, int part, const QuickAnswer& quick) {
     for (int k = 0; k < parts.sizeOf(part); k += 3) {
       const int at = parts.unknown(part, k);
@@ -73,11 +73,12 @@ class Whole {
 
   const Problem& problem_;
   Solution solution_;
-  double squares_ = 0;  ///< of residuals, (m/s)²
+  double squares_ = 0;  ///< sum of squared residuals, (m/s)²
   int counted_ = 0;     ///< contacts and rows
 };
 
-/// Where the budget of a part has ended: what the quick answer has found of it, if that is better.
+/// If the budget of a part has run out, takes its reactions from the quick answer if they are
+/// better.
 void takeBetter(const ProblemParts& parts, int part, const QuickAnswer& quick, Solution& solution) {
   if (solution.status != Status::OutOfBudget) return;
   const int contacts = parts.sizeOf(part) / 3;
@@ -100,7 +101,7 @@ void takeBetter(const ProblemParts& parts, int part, const QuickAnswer& quick, S
   solution.blamed = {3 * worst};
 }
 
-/// Whether parts can be told: no disk points out of the problem.
+/// Whether the problem can be split: no disk points out of it.
 bool disksAreInside(const Problem& problem) {
   const auto isInside = [&](int unknown) { return unknown >= 0 && unknown < problem.size(); };
   return std::all_of(problem.disks.begin(), problem.disks.end(), [&](const Disk& disk) {
@@ -109,7 +110,7 @@ bool disksAreInside(const Problem& problem) {
   });
 }
 
-/// The reaction of a single contact has a formula. False if that does not reach the tolerance.
+/// Solves a single contact by its formula. False if that does not reach the tolerance.
 bool answerByFormula(const Problem& problem, const Options& options, Solution& answer) {
   const double mu = problem.friction[0];
   const Mat3 W = problem.W.contactBlock(0);
@@ -151,7 +152,7 @@ Solution solve(const Problem& problem, const Options& options) {
     if (quick) takeBetter(parts, 0, *quick, solution);
   } else {
     Whole whole(problem);
-    std::optional<Solver> solver;  // made when a part needs it
+    std::optional<Solver> solver;  // made once a part needs it
     for (int k = 0; k < parts.count(); ++k) {
       if (quick && quick->answers(parts, k)) {
         whole.put(parts, k, *quick);

@@ -13,7 +13,7 @@
 namespace delassus {
 namespace {
 
-/// A contact or a row that is alone has a formula for its reaction. False if there is more.
+/// Solves a lone contact or row by its formula. False if there is more than one.
 bool solveAlone(const Problem& problem, const NaturalMap& map, VectorXd& r) {
   if (problem.contacts() == 1 && problem.rows() == 0) {
     r = solveOneContact(problem.W.contactBlock(0), problem.q, problem.friction[0]);
@@ -25,7 +25,8 @@ bool solveAlone(const Problem& problem, const NaturalMap& map, VectorXd& r) {
   return true;
 }
 
-/// Whether there is no law for some part of it: the answer is no reactions, and their names.
+/// Whether no law can be stated for some part. The answer is then no reactions, and these parts are
+/// blamed.
 bool isUnfit(const Problem& problem, Solution& best) {
   std::vector<int> unfit = unfitParts(problem);
   if (unfit.empty()) return false;
@@ -76,7 +77,7 @@ Solver::Aim Solver::aimOf(const Problem& problem) const {
   return {tolerance, std::max(options_.guessShare * tolerance, problem.roundOff)};
 }
 
-/// Takes the guess as the best answer, if it is one. True if a search may begin from it.
+/// Takes the guess as the best answer if it is a valid one. True if a search may begin from it.
 bool Solver::takeGuess(const Problem& problem, const VectorXd& guess, const Aim& aim,
                        Solution& best) {
   const bool isGuess =
@@ -84,13 +85,13 @@ bool Solver::takeGuess(const Problem& problem, const VectorXd& guess, const Aim&
   if (isGuess) search_->offer(guess, best);
   const double startResidual = best.startResidual = best.residual;
   if (best.residual > aim.tolerance || options_.economies.keptIslands) return isGuess;
-  // What keeps the law is solved again all the same, from nothing.
+  // A guess that keeps the law is solved again all the same, from nothing.
   best.start(problem.q);
   best.startResidual = startResidual;
   return false;
 }
 
-/// Betters the best answer by the cheapest ways there are. `guess`: where a search may begin, or
+/// Improves the best answer by the cheapest way possible. `guess`: where a search may begin, or
 /// null.
 Outcome Solver::answer(const Problem& problem, const VectorXd* guess, const Aim& aim,
                        Solution& best) {
@@ -121,11 +122,11 @@ Outcome Solver::answer(const Problem& problem, const VectorXd* guess, const Aim&
   return outcome;
 }
 
-/// What is to be said of the best answer: its status, who is to blame, and its modes.
+/// Completes the best answer: its status, the parts to blame, and its modes.
 void Solver::conclude(const Problem& problem, const Aim& aim, Outcome outcome,
                       Solution& best) const {
   const NaturalMap& map = search_->map();
-  // A compromise that misses no demand by more than the tolerance, or than rounding does, is none.
+  // An answer that misses no demand by more than the tolerance, or than rounding, is no compromise.
   const double attainable = std::max(aim.tolerance, map.roundOff(best.r));
   best.status = best.residual <= attainable        ? Status::Solved
                 : outcome == Outcome::Incompatible ? Status::Incompatible

@@ -7,7 +7,7 @@ namespace {
 
 using Sparse = DelassusMatrix::Sparse;
 
-/// The unknown that stands for all of its contact or row.
+/// The first unknown of its contact or row, which stands for all of them.
 int leaderOf(int unknown, int contacts) {
   return unknown < 3 * contacts ? unknown - unknown % 3 : unknown;
 }
@@ -21,7 +21,7 @@ DisjointSets coupled(const Problem& problem) {
     for (int i = 0; i < disk.unknowns; ++i) sets.join(disk.first + i, leaderOf(disk.governor, n));
   for (int i = 0; i < problem.size(); ++i) {
     const int leader = leaderOf(i, n);
-    int joined = leader;  // the last that was: entries of a block follow each other
+    int joined = leader;  // the last one joined: entries of a block follow each other
     for (Sparse::InnerIterator it(W, i); it; ++it) {
       const int other = leaderOf(static_cast<int>(it.col()), n);
       if (other == joined || it.value() == 0) continue;

@@ -12,7 +12,7 @@ double boundedRow(double r, double u, double diagonal, double lower, double uppe
   return std::clamp(r - u / diagonal, lower, upper);
 }
 
-/// All contacts of a problem in body space. y: J̃ᵀ r
+/// Sweeps over all contacts of a problem in body space. y: J̃ᵀ r
 DELASSUS_WIDE
 void sweepContacts(const Problem& problem, const OneContact* blocks, const VectorXd& diagonal,
                    VectorXd& y, VectorXd& r) {
@@ -37,7 +37,7 @@ void sweepContacts(const Problem& problem, const OneContact* blocks, const Vecto
   }
 }
 
-/// And all its rows that are of no disk.
+/// Sweeps over all its rows without a disk.
 DELASSUS_WIDE
 void sweepRows(const Problem& problem, const VectorXd& diagonal, VectorXd& y, VectorXd& r) {
   const BodySpace& space = problem.W.bodySpace();
@@ -87,8 +87,8 @@ void Sweeps::readEntries() {
   }
 }
 
-/// Where all three rows of a contact have entries in the same whole blocks, and no others, as most
-/// files do. False, and nothing is read, if they do not.
+/// Reads the entries if all three rows of a contact have the same blocks, all of them whole, as in
+/// most files. Otherwise false, and nothing is read.
 bool Sweeps::readContactBlocks(int contact) {
   const DelassusMatrix::Sparse& W = problem_->W.entries();
   const int *begin = W.outerIndexPtr() + 3 * contact, *columns = W.innerIndexPtr() + begin[0];
@@ -112,7 +112,8 @@ bool Sweeps::readContactBlocks(int contact) {
   return true;
 }
 
-/// `slot`: where the block of a contact is, if that is not before those of this one.
+/// `slot`: the place of the block with another contact; not valid if it lies before the blocks of
+/// this contact.
 void Sweeps::readContactRows(int contact, std::vector<int>& slot) {
   const DelassusMatrix::Sparse& W = problem_->W.entries();
   const auto first = static_cast<int>(coupled_.size());
@@ -134,8 +135,7 @@ void Sweeps::readContactRows(int contact, std::vector<int>& slot) {
 
 Vec2 Sweeps::nextOnDisk(int k, const VectorXd& r, const Vec2& u) const {
   const Disk& disk = problem_->disks[k];
-  // A contact of friction 1 whose normal reaction is known to be the radius: W_nn = 1, q_n =
-  // −radius.
+  // Like a contact with friction 1 whose normal reaction is the radius: W_nn = 1, q_n = −radius.
   Mat3 W = Mat3::Identity();
   W.bottomRightCorner<2, 2>() = diskBlocks_[k];
   Vec3 q(-disk.radiusAt(r), 0, 0);
@@ -156,8 +156,8 @@ void Sweeps::sweepPlainly(int count, VectorXd& r) {
 }
 
 void Sweeps::sweepOn(int count, int memory, VectorXd& r) {
-  // Measured on problem files, whose W is explicit: two of 40 need no regions with 2, and the
-  // others as many. Worlds' heaps need 1.
+  // Measured on problem files, whose W is explicit: with 2, two of 40 need no regions, and the
+  // others need as many as before. The heaps of worlds need 1.
   const double growth = problem_->W.inBodySpace() ? 1 : 2;
   if (!learnt_ || swept_ != r) anderson_.start(*diagonal_, memory, growth);
   learnt_ = true;
@@ -175,7 +175,7 @@ void Sweeps::hurry(Acceleration& acceleration, int count, VectorXd& r) {
     acceleration.next(swept_, r);
     if (problem_->W.inBodySpace()) follow(acceleration, r);
   }
-  // The last sweep brings what overshot back into the cones.
+  // The last sweep brings reactions that overshot back into the cones.
   if (count > 0) r = swept_;
 }
 
@@ -232,7 +232,7 @@ void Sweeps::sweepEntries(VectorXd& r) {
   for (int i = 0; i < n; ++i) {
     const int at = 3 * i;
     if (!(diagonal[at] > 0)) continue;
-    Vec3 q = problem_->q.segment<3>(at);  // what it sees without a reaction of its own
+    Vec3 q = problem_->q.segment<3>(at);  // its velocity without its own reaction
     for (int k = couplingBegin_[i]; k < couplingBegin_[i + 1]; ++k)
       q += coupling_[k] * r.segment<3>(3 * coupled_[k]);
     for (int k = 0; k < 3; ++k)

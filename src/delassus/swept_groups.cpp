@@ -5,7 +5,7 @@
 namespace delassus {
 namespace {
 
-/// Where the velocities of both bodies of some lanes are.
+/// The addresses of the velocities of both bodies of some lanes.
 template <class V>
 struct BodyLanes {
   static constexpr int count = sizeof(V) / sizeof(float);
@@ -23,7 +23,7 @@ struct BodyLanes {
       gather(b, k, yb + k);
     }
   }
-  /// Turns ya and yb over on the way.
+  /// Transposes ya and yb in place on the way.
   DELASSUS_WIDE_INLINE void scatterFrom(V* ya, V* yb) const {
     for (int k = 0; k < 8; k += 4) {
       scatter(ya + k, a, k);
@@ -32,8 +32,8 @@ struct BodyLanes {
   }
 };
 
-/// μ r_n − ‖r_t‖ of the reactions r₀ + d, worked out from that of r₀: what rounding takes from it
-/// is a share of d, not of r. And ‖r_t‖.
+/// Computes μ r_n − ‖r_t‖ of the reactions r₀ + d from that of r₀, and ‖r_t‖. The rounding error is
+/// thus a share of d, not of r.
 template <class V>
 DELASSUS_WIDE_INLINE void marginOf(const ContactGroup& g, int at, const V& friction,
                                    const V (&r0)[3], const V (&d)[3], V& margin, V& length) {
@@ -48,9 +48,9 @@ DELASSUS_WIDE_INLINE void marginOf(const ContactGroup& g, int at, const V& frict
            ((t1 + r0[1]) * d[1] + (t2 + r0[2]) * d[2]) / (sum > tiny ? sum : V{} + tiny);
 }
 
-/// The sliding reaction of OneContact for the s that is known, brought to the edge of the cone, and
-/// then a Newton step of the search for s: the next sweep is as good as a second step. u: the
-/// velocity with the reactions r₀ + x; the answer is r₀ + next.
+/// The sliding reaction of OneContact for the known s, brought to the edge of the cone. Then s
+/// makes one Newton step of its search: the next sweep is as good as a second step. u: the velocity
+/// with the reactions r₀ + x; the answer is r₀ + next.
 template <class V, class Flags>
 DELASSUS_WIDE_INLINE void slide(ContactGroup& g, int at, const Flags& slides, const V& friction,
                                 const V (&r0)[3], const V (&x)[3], const V (&u)[3],
@@ -66,8 +66,7 @@ DELASSUS_WIDE_INLINE void slide(ContactGroup& g, int at, const Flags& slides, co
   const V r1 = r0[1] + x[1], r2 = r0[2] + x[2];
   const V v1 = u[1] - w1 * u[0], v2 = u[2] - w2 * u[0];
   if (any(s <= zero)) {
-    // Where the reaction would have the size that the normal allows if it braked straight against
-    // c.
+    // The s at which a reaction straight against c would have the size that the normal one allows.
     const V held = r0[0] + x[0] + w1 * r1 + w2 * r2 - u[0];
     const V c1 = v1 - (s00 * r1 + s01 * r2), c2 = v2 - (s01 * r1 + s11 * r2);
     V drift;
@@ -81,8 +80,8 @@ DELASSUS_WIDE_INLINE void slide(ContactGroup& g, int at, const Flags& slides, co
   ds = ds < mostSlip ? ds : zero + mostSlip;
   s = s0 + ds;
   const V p = s00 + s, q = s11 + s, perDet = 1 / (p * q - s01 * s01);
-  // What sliding makes zero; from what it was for s₀, where that is near: of v + s r_t the digits
-  // that count would cancel.
+  // v + s r_t, which sliding makes zero. Near s₀ it comes from its value at s₀ and the changes
+  // since: in the sum itself the digits that count would cancel.
   const auto isNear = (ds < zero ? -ds : ds) < 0.5f * s0;
   b1 = isNear ? b1 + (du[1] - w1 * du[0] + s0 * x[1] + ds * r1) : v1 + s * r1;
   b2 = isNear ? b2 + (du[2] - w2 * du[0] + s0 * x[2] + ds * r2) : v2 + s * r2;
@@ -112,8 +111,8 @@ DELASSUS_WIDE_INLINE void slide(ContactGroup& g, int at, const Flags& slides, co
   store(ds, g.dslip + at);
 }
 
-/// The contacts of some lanes of a group, from lane `at` on. β: how far their reactions go beyond
-/// the last sweep's before this one.
+/// Sweeps over some lanes of a group, from lane `at` on. Before that their reactions go β beyond
+/// those of the last sweep.
 template <class V>
 DELASSUS_WIDE_INLINE void sweepLanes(ContactGroup& g, int at, float beta, SweptVelocity* velocities,
                                      SweepChange& change) {
@@ -151,7 +150,7 @@ DELASSUS_WIDE_INLINE void sweepLanes(ContactGroup& g, int at, float beta, SweptV
   load(g.w1 + at, w1), load(g.w2 + at, w2);
   load(g.s00 + at, s00), load(g.s01 + at, s01), load(g.s11 + at, s11);
   load(g.perDet + at, perDet), load(g.friction + at, friction);
-  // What would stop it.
+  // The change of r_t that would stop the contact.
   const V v1 = u[1] - w1 * u[0], v2 = u[2] - w2 * u[0];
   const V d1 = (s01 * v2 - s11 * v1) * perDet, d2 = (s01 * v1 - s00 * v2) * perDet;
   const V stuck[3] = {x[0] - u[0] - w1 * d1 - w2 * d2, x[1] + d1, x[2] + d2};

@@ -14,7 +14,7 @@ inline double toleranceOf(const Options& options, double friction, double demand
   return std::max(options.toleranceFor(friction) * demand, roundOff);
 }
 
-/// That of a problem.
+/// The same for a problem.
 inline double toleranceOf(const Options& options, const Problem& problem) {
   const double widest = problem.contacts() > 0 ? problem.friction.maxCoeff() : 0;
   return toleranceOf(options, widest, problem.demand(), problem.roundOff);

@@ -7,21 +7,21 @@
 
 namespace delassus {
 
-/// Friction against the relative rotation ω = ω_a − ω_b of two bodies in contact, r_n the normal
-/// reaction of contact `index`:
+/// Friction against the relative rotation ω = ω_a − ω_b of two bodies in contact, with r_n the
+/// normal reaction of contact `index`:
 ///
 ///     spinning:  |τ_n| ≤ κ_s r_n              opposite to n·ω
 ///     rolling:   ‖(τ_1, τ_2)‖ ≤ κ_r r_n       opposite to (a_1·ω, a_2·ω)
 ///
-/// with min(r_n, mostLoad) in the place of r_n, about the normal and about two `axes`: unit vectors
-/// in the tangent plane, or shorter ones where the body resists less.
+/// with min(r_n, mostLoad) in place of r_n, about the normal and about two `axes`: unit vectors in
+/// the tangent plane, or shorter ones where the body resists less.
 struct TurningFriction {
   double spinning = 0, rolling = 0;  ///< κ_s and κ_r, m
   Eigen::Matrix<double, 3, 2> axes;
   double mostLoad = infinity;  ///< N·s
 };
 
-/// Appends the rows, of which there are none where the coefficient is not positive.
+/// Appends the rows, but none for a coefficient that is not positive.
 inline void addRows(const TurningFriction& friction, const Contact& contact, int index,
                     std::vector<Row>& rows) {
   const auto add = [&](const Vec3& axis, double coefficient, bool paired) {

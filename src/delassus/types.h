@@ -15,7 +15,7 @@ using Mat3 = Eigen::Matrix3d;
 using Mat23 = Eigen::Matrix<double, 2, 3>;
 using Vec6 = Eigen::Matrix<double, 6, 1>;  ///< linear part first, then angular
 using Row6 = Eigen::Matrix<double, 1, 6>;
-/// By rows, along which J̃ᵀ r and J̃ᵀ G J̃ are worked out several numbers at a time.
+/// Row-major: J̃ᵀ r and J̃ᵀ G J̃ are computed along the rows, several numbers at a time.
 using Mat36 = Eigen::Matrix<double, 3, 6, Eigen::RowMajor>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 using VectorXd = KeptVector;  ///< not Eigen's own: it keeps its storage, and copies its entries

@@ -10,7 +10,7 @@ double nextWall(const Vec3& z, const Vec3& d, double mu, double after) {
     if (t > after && t < first) first = t;
   };
   offer(-z[0] / d[0]);
-  // ‖z_t + t d_t‖² = μ² (z_n + t d_n)², its two answers without a difference of like numbers
+  // ‖z_t + t d_t‖² = μ² (z_n + t d_n)²; both roots without a difference of nearly equal numbers
   const double a = d[1] * d[1] + d[2] * d[2] - mu * mu * d[0] * d[0];
   const double b = z[1] * d[1] + z[2] * d[2] - mu * mu * z[0] * d[0];
   const double c = z[1] * z[1] + z[2] * z[2] - mu * mu * z[0] * z[0];

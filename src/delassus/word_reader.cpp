@@ -18,7 +18,7 @@ bool isBlank(int c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
 bool isEnd(int c) { return c == Traits::eof(); }
 
-/// A word as an error may show it: short, on one line, printable.
+/// A word for an error message: short, on one line, printable.
 std::string quoted(const std::string& word) {
   constexpr std::size_t most = 40;
   constexpr const char* digits = "0123456789abcdef";
@@ -144,7 +144,7 @@ void WordReader::end() {
 
 void WordReader::fail(const std::string& expected) const {
   if (word_.empty()) fail(expected, "the end of the text");
-  // Inside a list a comment is no word at all; say so rather than show its first word.
+  // A comment inside a list is not allowed; the error says so rather than show its first word.
   if (word_[0] == '#' && wordStartsLine_ && section_)
     fail(expected, "a comment (comments stand only between sections)");
   fail(expected, quoted(word_));

@@ -5,15 +5,15 @@
 
 namespace delassus {
 
-/// Neither blank nor a control character; bytes of UTF-8 are.
+/// True for all but blanks and control characters; bytes of UTF-8 are visible.
 inline bool isVisible(char c) { return static_cast<unsigned char>(c) > ' ' && c != 0x7f; }
 
-/// Reads a problem text word by word and says where it stands when a word is not the expected one:
+/// Reads a problem text word by word. If a word is not the expected one, the error says where:
 ///
 ///     FILE:LINE: expected WHAT [in entry K of N of 'SECTION'], found WORD
 ///
-/// Independent of the locale. Memory grows with the words asked for, never with what the text
-/// announces.
+/// It does not depend on the locale. Memory grows with the words that are read, never with the
+/// counts that the text announces.
 class WordReader {
  public:
   WordReader(std::istream& in, std::string source);
@@ -25,16 +25,16 @@ class WordReader {
   void keyword(const char* word);
   /// Takes the keyword of a section with `entries` entries.
   void openSection(const char* name, int entries);
-  /// The same if the section is there.
+  /// The same if the section is there; false if not.
   bool openOptionalSection(const char* name, int entries);
-  /// Announces the next entry of the open section; errors name it.
+  /// Goes on to the next entry of the open section; errors name it.
   void nextEntry() { ++entry_; }
 
   std::string word(const char* meaning);
   int integer(const std::string& meaning, long long least, long long most);
   double number();                                     ///< finite
   double numberOr(const char* word, double itsValue);  ///< finite, or exactly `word`
-  /// `end`, and nothing but comments after it.
+  /// Takes `end`, after which only comments may follow.
   void end();
 
   /// Throws ProblemTextError about the last word, or about `found` in its place.

@@ -22,7 +22,7 @@ Mat63 wrenchPerReaction(const FeltPoint& point) {
   return g;
 }
 
-/// The points, what they can do together, and their reactions from share to share.
+/// The points, their common matrix S, and their reactions while these are shared out.
 class Sharing {
  public:
   Sharing(const FeltPoint* points, int count, const Vec6& wanted, Vec3* reactions)
@@ -35,10 +35,10 @@ class Sharing {
     }
   }
 
-  /// By the least change that there is. False, and nothing is changed, where it leaves a cone.
+  /// Shares by the least change. False, and nothing is changed, if that leaves a cone.
   bool shareAtOnce() {
     constexpr double negligible = 1e-10;  // two points cannot make every wrench
-    constexpr double rounding = 1e-12;    // of what slides and stays
+    constexpr double rounding = 1e-12;    // of sliding reactions that do not change
     const Vec6 share = factor(negligible).solve(missing_);
     std::array<Vec3, mostFeltPoints> shared;
     for (int i = 0; i < count_; ++i) {
@@ -50,18 +50,18 @@ class Sharing {
     return true;
   }
 
-  /// In rounds over the points, each of which takes what the others leave.
+  /// Shares in rounds over the points; each point takes what the others leave.
   void shareInRounds() {
     constexpr double soft = 1e-2;
     constexpr int mostRounds = 20;
-    constexpr double still = 1e-8;  // (1e-4)², of the squares of the reactions
+    constexpr double still = 1e-8;  // (1e-4)², relative to the squares of the reactions
     const Eigen::LDLT<Mat6> metric = factor(soft);
     const Vec6 share = metric.solve(missing_);
-    Vec6 left = share;  // S⁻¹ of what is missing
+    Vec6 left = share;  // S⁻¹ times the missing wrench
     std::array<Mat63, mostFeltPoints> answers;
     for (int i = 0; i < count_; ++i) answers[i] = metric.solve(wrenches_[i]);
 
-    // How far the reaction moves, squared.
+    // Changes one reaction. Returns the square of its change.
     const auto add = [&](int i, const Vec6& demand) {
       Vec3& r = reactions_[i];
       const Vec3 before = r;
@@ -82,7 +82,7 @@ class Sharing {
   }
 
  private:
-  /// Of S = Σ J_iᵀ J_i, and a share of its trace on its diagonal.
+  /// Factors S = Σ J_iᵀ J_i with a share of its trace added to its diagonal.
   Eigen::LDLT<Mat6> factor(double share) const {
     Mat6 sum = sum_;
     sum.diagonal().array() += share * sum_.trace();
@@ -92,7 +92,7 @@ class Sharing {
   const FeltPoint* points_;
   int count_;
   Vec3* reactions_;
-  Vec6 missing_;  ///< of what is wanted, at the start
+  Vec6 missing_;  ///< wanted wrench less that of the first reactions
   Mat6 sum_ = Mat6::Zero();
   std::array<Mat63, mostFeltPoints> wrenches_;  ///< Jᵀ
 };
