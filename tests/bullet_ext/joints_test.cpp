@@ -14,8 +14,8 @@ namespace delassus::test {
 namespace {
 
 TEST(Parity, Row28JointSoftnessIsRelative) {
-  // The sag of a loaded point joint. ERP closes what softness gives: χ W m g h = erp d/h with W =
-  // 1/m.
+  // The sag of a loaded point joint. ERP closes what softness gives:
+  // χ W m g h = erp d/h with W = 1/m.
   DelassusWorld world;
   btRigidBody& ball = world.addSphere(btScalar(0.2), {0, 0, 0}, 3);
   auto& joint = world.addJoint<btPoint2PointConstraint>(ball, btVector3(0, 0, 0));

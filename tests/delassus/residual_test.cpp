@@ -307,8 +307,8 @@ TEST(FclibMeasures, AreTheirFormulas) {
   const FclibMeasures rest = fclibMeasures(problem, Vec3::Zero());
   EXPECT_DOUBLE_EQ(rest.rel, 1);
   EXPECT_DOUBLE_EQ(rest.vel, 1);
-  // A contact that opens although it is pushed: F(1) = r - P(r - u) = (20,0,0) - (5,0,0), F(s)/s =
-  // 2 (20 - (20 - 15/2)) = 15.
+  // A contact that opens although it is pushed: F(1) = r - P(r - u) = (20,0,0) - (5,0,0),
+  // F(s)/s = 2 (20 - (20 - 15/2)) = 15.
   const FclibMeasures pushed = fclibMeasures(problem, Vec3(20, 0, 0));
   EXPECT_DOUBLE_EQ(pushed.rel, 3);
   EXPECT_DOUBLE_EQ(pushed.vel, 3);
