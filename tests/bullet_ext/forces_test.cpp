@@ -38,9 +38,8 @@ Wrench reactionsOn(const btRigidBody& body, const btVector3& centre, BulletWorld
   return sum;
 }
 
-/// Steps once. Beyond weight and user forces, the reactions must make all the change of each body's
-/// momentum; to the tolerance where it rests. Bodies are cubes or balls of 1 kg: no gyroscopic
-/// terms.
+/// Steps once. Beyond weight and user forces, the change of each body's momentum must come from the
+/// reactions; to the tolerance where it rests. Cubes or balls of 1 kg have no gyroscopic terms.
 void expectBalance(BulletWorld& world, const std::vector<btRigidBody*>& bodies,
                    const btVector3& force, const btVector3& torque) {
   std::vector<btVector3> centres, velocities, spins;

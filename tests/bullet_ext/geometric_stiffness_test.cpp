@@ -221,7 +221,7 @@ TEST(GeometricStiffness, HasItFromJointsOfEveryKind) {
   }
 }
 
-// It grows with (ω h)²: none up to what steps can follow, all from an eighth more on.
+// By (ω h)²: none as far as steps can follow, then a growing share, all from an eighth more on.
 TEST(GeometricStiffness, ComesGraduallyWhereStepsFollowNoMore) {
   for (const bool changes : {false, true})
     for (const double over : {0.95, 1.05, 1.1, 1.5}) {

@@ -119,7 +119,7 @@ TEST(JoinedBodies, AreNotThoseOfAGear) {
   EXPECT_EQ(world.report().pushIslands, 1);
 }
 
-// The softness of the contact is a share of what the heavy body responds.
+// The softness of the contact is measured by the response of the heavy body.
 TEST(JoinedBodies, AHeavyOneDoesNotSinkIntoALightOne) {
   DelassusWorld world;
   world.addGround();

@@ -1,5 +1,5 @@
-/// Numbers that are NaN, infinite or absurd. The report names the part that has them; the part is
-/// left out, and the rest is solved as if it were not there.
+/// Numbers that are NaN or absurd. The report names the part that has them; the part is left out,
+/// and the rest is solved as if it were not there.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

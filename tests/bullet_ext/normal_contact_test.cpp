@@ -249,7 +249,7 @@ TEST(Parity, Row15PointSoftnessReplacesEachNumber) {
               softDepth(0.01, 0.4), resting);
 }
 
-// Nor is a point not split that sets a softness of zero.
+// A point that sets a softness of zero is split as well.
 TEST(Parity, Row15OnlyAPointThatGivesIsNotSplit) {
   for (const double cfm : {0.0, 0.01}) {
     DelassusWorld world;

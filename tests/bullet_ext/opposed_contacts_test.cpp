@@ -165,7 +165,7 @@ class Groove {
   btBoxShape leaf_{btVector3(1, 6, 2)};
 };
 
-// A body that is wedged between two faces of one other body can leave: nothing contradicts there.
+// A body wedged between two faces of another can leave: no demands contradict each other there.
 TEST(OpposedContacts, AWedgeCarriesItsLoadExactly) {
   constexpr double half = 15 * M_PI / 180, radius = 0.5, load = 100;
   for (const bool isMesh : {true, false}) {

@@ -12,7 +12,7 @@
 namespace delassus::test {
 namespace {
 
-/// The largest way, m, that a body makes in one of 20 steps. It is deep in a floor and in a shelf,
+/// The longest way, m, that a body makes in one of 20 steps. It is deep in a floor and in a shelf,
 /// which lean against each other.
 double furthestStep(BulletWorld& world, bool isBall, double lean, double depth) {
   constexpr double half = 0.25;

@@ -1,5 +1,5 @@
 /// Hard problems and broken input: redundancy, mass ratios, scales, demands that nothing can meet,
-/// numbers that are none.
+/// NaN.
 
 #include <gtest/gtest.h>
 

@@ -39,8 +39,8 @@ double kineticEnergy(const btRigidBody& ball) {
          (2 * ball.getInvMass());
 }
 
-// The contact point of a rolling ball stands still. So the energy lost is the work of the moment: τ
-// times the mean of the rotation before and after the step.
+// The contact point of a rolling ball stands still. So the energy lost is the work of the moment:
+// τ times the mean of the rotation before and after the step.
 TEST(TurningListener, RollingBallLosesTheMomentsWork) {
   constexpr double kappa = 0.01;
   for (const double mass : {1.0, 50.0}) {

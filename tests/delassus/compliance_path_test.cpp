@@ -182,8 +182,8 @@ TEST(CompliancePath, GoesOnWhereAnswersForLessComplianceEnd) {
   EXPECT_GT(ends, 5);
 }
 
-// Demands that squeeze without friction have one answer: reactions that grow as compliance falls, r
-// ~ 1/c.
+// Only reactions that grow as compliance falls, r ~ 1/c, answer demands that squeeze without
+// friction.
 TEST(CompliancePath, IncompatibleDemandsAreAnsweredEverHarder) {
   Random random(74);
   const PileIsland island(makePressed(3, 0, 0, 0.05, 0.5, random));

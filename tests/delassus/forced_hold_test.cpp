@@ -156,7 +156,7 @@ TEST(Holding, LetsGoOfWhatIsOpen) {
   }
 }
 
-// A block is held below the friction angle, and not above it.
+// A block is held well below the friction angle, and not above it.
 TEST(Holding, KnowsTheFrictionAngle) {
   for (const double mu : {0.2, 0.4, 0.6})
     for (const double share : {0.3, 0.6, 1.01, 2.0}) {

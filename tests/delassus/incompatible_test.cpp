@@ -89,7 +89,7 @@ TEST_P(Incompatible, ASqueezedContactIsNamedWithItsOpponent) {
   EXPECT_NEAR(motionOf(island, solution)[5], 1, 1e-6);
 }
 
-// A demand along which no reaction moves anything cannot be met, and is named all the same.
+// Where no reaction moves anything a demand cannot be met. It is named, with friction or without.
 TEST(IncompatibleContact, IsNamedWhereItsBodyIsLocked) {
   for (const double friction : {0.0, 0.5}) {
     Pile pile;

@@ -92,7 +92,7 @@ TEST(Tiers, FrictionlessIslandsHaveOneMotion) {
   }
 }
 
-// Large mass ratios need the direct methods: pivoting and both Newton methods.
+// Large mass ratios are for the direct methods: pivoting and both Newton methods.
 TEST(Tiers, MassRatiosOfAThousand) {
   Random random(92);
   for (int k = 0; k < 2000; ++k) {

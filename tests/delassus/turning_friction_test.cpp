@@ -98,7 +98,7 @@ TEST(TurningFriction, BallOnInclineHoldsUpToItsAngle) {
 }
 
 TEST(TurningFriction, BallOnASteepInclineSlidesAndRolls) {
-  // Sliding friction μ m g cos θ turns the ball, κ m g cos θ resists.
+  // Sliding friction μ m g cos θ turns the ball; κ m g cos θ resists.
   constexpr double kappa = 0.02, mu = 0.1, slope = 1;
   BallOnPlane ball(mu, 0, kappa, slope);
   constexpr int steps = 20;
@@ -251,8 +251,8 @@ TEST(TurningFriction, BallsInTheAirKeepTheirMomentum) {
   for (const Island& island : splitIslands(apart.bodies, apart.contacts, apart.rows)) {
     const Solution s = solve(assemble(apart.bodies, apart.contacts, apart.rows, island));
     applyReaction(after, apart.contacts, apart.rows, island, s.r);
-    // Moments of disks are pure couples: equal and opposite ones balance spin I ω + Σ arm ×
-    // impulse.
+    // Moments of disks are pure couples: equal and opposite ones balance
+    // spin I ω + Σ arm × impulse.
     Vec3 couples = Vec3::Zero();
     const int begin = island.unknowns() - static_cast<int>(island.rows.size());
     for (std::size_t k = 0; k < island.rows.size(); ++k) {

@@ -50,8 +50,7 @@ TEST(WrenchShare, ReactionsThatMakeTheWrenchStay) {
   }
 }
 
-// No cone is left. The normal equations of least change then say that the change is Jᵀ of one
-// wrench.
+// No cone is left, so by the normal equations of least change the change is Jᵀ of one wrench.
 TEST(WrenchShare, MakesTheWrenchByTheLeastChange) {
   Random random(2);
   for (int k = 0; k < 50; ++k) {
