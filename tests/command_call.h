@@ -13,13 +13,13 @@
 
 namespace delassus::test {
 
-/// What a call of the command left: exit status and both outputs.
+/// What a call of the command left: its exit status and both outputs.
 struct Outcome {
   int status;
   std::string out, err;
 };
 
-/// The bytes of a file; none if there is no such file.
+/// The bytes of a file; empty if there is no such file.
 inline std::string read(const std::filesystem::path& path) {
   std::stringstream text;
   text << std::ifstream(path, std::ios::binary).rdbuf();
@@ -30,7 +30,7 @@ inline int lines(const std::string& text) {
   return int(std::count(text.begin(), text.end(), '\n'));
 }
 
-/// Calls `delassus` as its users do, with a folder of the test's own that goes with it.
+/// Calls `delassus` as its users do, with a folder of the test's own, which is removed afterwards.
 class CommandCall : public testing::Test {
  protected:
   std::filesystem::path folder_ = [] {

@@ -1,4 +1,4 @@
-// The atlas as its users meet it: what is written, that it repeats byte for byte, and that theory
+// The atlas as its users meet it: what it writes, that it repeats byte for byte, and that theory
 // and Bullet agree in it.
 #include <gtest/gtest.h>
 

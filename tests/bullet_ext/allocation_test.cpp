@@ -1,5 +1,5 @@
-/// A step that is like the one before takes no memory, and what is kept between steps is in
-/// proportion to the contacts.
+/// A step like the one before takes no memory. The memory kept between steps is in proportion to
+/// the contacts.
 
 #include <gtest/gtest.h>
 #include <malloc.h>
@@ -14,8 +14,8 @@
 #include "tests/support/bullet_world.h"
 #include "tests/support/pressed_piles.h"
 
-// Eigen asks malloc, the standard library new, which asks malloc too. Sanitizers bring a malloc of
-// their own.
+// Eigen calls malloc; the standard library calls new, which calls malloc. Sanitizers have a malloc
+// of their own, so nothing is counted with them.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 namespace delassus::test {
 thread_local long allocations = 0;
@@ -99,7 +99,7 @@ TEST(Allocation, GatheringAndWritingBackTakeNoMemoryOnceWarm) {
   EXPECT_EQ(events.size(), 120u);
 }
 
-/// Counts what solveGroup takes; Bullet's own share of a step is not counted.
+/// Counts the allocations of solveGroup; Bullet's own share of a step is not counted.
 class CountingSolver : public btDelassusConstraintSolver {
  public:
   using btDelassusConstraintSolver::btDelassusConstraintSolver;
@@ -121,8 +121,8 @@ class CountingSolver : public btDelassusConstraintSolver {
   long held = 0;  ///< bytes, since the first step
 };
 
-/// Allocations of the last 30 steps of a scene, which is warm by then, `work` done before each of
-/// them.
+/// Allocations in the last 30 steps of a scene, which is warm by then. Calls `work` before each
+/// step.
 template <class Build, class Work>
 long allocationsOf(const Options& options, const Build& build, const Work& work) {
   BulletWorld world(std::make_unique<CountingSolver>(options));
@@ -147,7 +147,7 @@ TEST(Allocation, AWarmStepTakesNoMemory) {
   const auto rest = [](BulletWorld&, int) {};
   EXPECT_EQ(allocationsOf(optionsOfPrecision(), buildTower, rest), 0);
 
-  // Pushed to and fro, so that each step is solved anew.
+  // A force to and fro, so that each step is solved anew.
   int walked = 0;
   const auto shake = [&](BulletWorld& world, int step) {
     walked += world.report().walks;
@@ -174,7 +174,7 @@ TEST(Allocation, AWarmStepTakesNoMemory) {
   EXPECT_GT(allocationsOf(options, buildTower, rest), 0);
 }
 
-// Boxes that are joined and dragged to and fro: their joints are eliminated in each step.
+// Boxes are joined and dragged to and fro: their joints are eliminated in each step.
 TEST(Allocation, AChainTakesNoMemory) {
   const auto build = [](BulletWorld& world) {
     world.addGround();
@@ -193,8 +193,8 @@ TEST(Allocation, AChainTakesNoMemory) {
   EXPECT_GT(walked, 80);
 }
 
-// A joint whose axes are all within their limits has no rows, and is asked whether it solves
-// itself.
+// A joint whose axes are all within their limits has no rows. The solver then asks whether it
+// solves itself.
 TEST(Allocation, AJointWithoutRowsTakesNoMemory) {
   int withoutRows = 0;
   const auto build = [](BulletWorld& world) {
@@ -246,7 +246,8 @@ TEST(Allocation, APushTakesNoMemory) {
   EXPECT_EQ(pushed, 89);
 }
 
-// Nor does the proof that they are pressed, and the compromise, with friction and without.
+// The proof that the boxes are pressed takes no memory, nor does the compromise; with friction or
+// without.
 TEST(Allocation, PressedBoxesTakeNoMemoryInTurn) {
   Random random(207);
   const PileIsland two(makePressed(2, 0.5, 0, 0.1, 1, random)),
@@ -288,8 +289,8 @@ TEST(Allocation, IslandsOfSeveralSizesTakeNoMemoryInTurn) {
   EXPECT_GT(walked, 80 * stacks);
 }
 
-/// Bytes that the solver holds per contact of a world that has come to rest, was kept, and pushed
-/// again.
+/// Bytes that the solver holds per contact of a world that came to rest, was kept, and then was
+/// pushed again.
 template <class Build>
 double bytesPerContact(const Build& build) {
   BulletWorld world(std::make_unique<CountingSolver>(optionsOfPrecision()));

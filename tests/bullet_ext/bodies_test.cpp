@@ -1,4 +1,4 @@
-/// What moves: free velocity, kinematic and static bodies, locked axes (Bullet's contract, bodies).
+/// Bodies: free velocity, kinematic and static bodies, locked axes (Bullet's contract, bodies).
 
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ TEST(Parity, Row03GyroscopicModes) {
   }
 }
 
-// Two moments that are equal do not make a ball.
+// Two equal moments of inertia do not make a ball: gyroscopic terms still act.
 TEST(Parity, Row03ADiscWobblesWhicheverItsAxis) {
   for (const int axis : {0, 1, 2}) {
     btVector3 inertia(1, 1, 1);
@@ -91,7 +91,7 @@ TEST(Parity, Row03ADiscWobblesWhicheverItsAxis) {
   }
 }
 
-// Bullet's implicit terms divide by the inertia, where there may be none.
+// Bullet's implicit gyroscopic terms divide by the inertia, which may be zero about an axis.
 TEST(Parity, Row03AnAxisWithoutInertiaMakesNoBrokenBody) {
   for (const int flag : {int(BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD),
                          int(BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY)}) {
@@ -115,7 +115,7 @@ TEST(Parity, Row03GyroscopicTermsDoNotLeakIntoLockedAxes) {
   EXPECT_EQ(body.getAngularVelocity().z(), 0);
 }
 
-// Bullet's explicit terms, −ω × I ω, are cut to a length.
+// The length of Bullet's explicit terms, −ω × I ω, is bounded.
 TEST(Parity, Row03ExplicitGyroscopicTorqueHasAMaximum) {
   const btVector3 inertia(1, 2, 3), omega(3, 4, 5);
   for (const double most : {100.0, 1.0, 0.0}) {
@@ -179,7 +179,7 @@ TEST(Parity, Row05RotatingPlatformTurnsABox) {
                     btVector3(0, btScalar(-0.5), 0)));
     world.advance();
   }
-  // Bullet derives the platform's velocity from its poses; in float that is noisy itself.
+  // Bullet derives the platform's velocity from its poses; in float this velocity is noisy itself.
   EXPECT_NEAR(box.getAngularVelocity().y(), platform.getAngularVelocity().y(),
               tolerance(1e-6, 1e-3));
   EXPECT_NEAR(box.getAngularVelocity().y(), spin, tolerance(1e-6, 1e-2));
@@ -194,7 +194,7 @@ TEST(Parity, Row06VelocityOfAStaticBodyIsIgnored) {
   EXPECT_NEAR(box.getWorldTransform().getOrigin().x(), 0, tolerance(1e-10, 1e-5));
 }
 
-// Nor that of a body without mass whose static flag somebody has cleared.
+// Nor does the velocity of a body without mass count, even if its static flag has been cleared.
 TEST(Parity, Row06VelocityOfABodyWithoutMassIsIgnored) {
   const auto drift = [](BulletWorld& world) {
     btRigidBody& ground = world.addGround();
@@ -215,7 +215,8 @@ TEST(Parity, Row07NoMotionInLockedAxes) {
   world.addGround();
   std::vector<btRigidBody*> boxes;
   for (int i = 0; i < 6; ++i) {
-    // Turned and shifted out of the plane, so that contacts do push along the locked axes.
+    // The poses are turned and shifted out of the plane, so that contacts do push along locked
+    // axes.
     btTransform pose(
         btQuaternion(btVector3(1, 2, 3).normalized(), btScalar(0.2) * i),
         btVector3(btScalar(0.3) * (i % 2), 1 + btScalar(1.3) * i, btScalar(0.1) * (i % 3)));
@@ -241,7 +242,7 @@ TEST(Parity, Row42DisabledSimulationStaysWhereItIs) {
   world.addGround();
   btRigidBody& frozen = world.addCube({0, 3, 0});
   frozen.forceActivationState(DISABLE_SIMULATION);
-  // Deep inside the frozen one: the push goes to the free body alone.
+  // The free body is deep inside the frozen one: the push goes to the free body alone.
   btRigidBody& free = world.addCube({btScalar(0.1), btScalar(3.9), 0});
   world.advance(30);
   EXPECT_EQ(frozen.getWorldTransform().getOrigin(), btVector3(0, 3, 0));

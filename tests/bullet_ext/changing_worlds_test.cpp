@@ -1,5 +1,5 @@
-/// Worlds that change between steps: nothing of what is gone is read, and nothing of it is left.
-/// (Run under the address sanitizer as well.)
+/// Worlds that change between steps: the solver reads nothing of things that are gone, and keeps
+/// nothing of them. (Run under the address sanitizer as well.)
 
 #include <gtest/gtest.h>
 
@@ -112,7 +112,7 @@ class Meddler {
     joints_.erase(joints_.begin() + std::ptrdiff_t(i));
     world_.remove(*joint);
   }
-  /// Bullet asks that a body is out of the world when it turns static or dynamic.
+  /// Bullet requires a body to be out of the world when it turns static or dynamic.
   void changeMass() {
     btRigidBody* body = anyBody();
     if (!body) return;
@@ -176,7 +176,7 @@ TEST(ChangingWorlds, EverythingChangesAndTheMotionIsTheSameAgain) {
   const std::vector<btScalar> first = meddledMotion(120, told);
   EXPECT_GT(told, 100) << "contacts came and went";
   for (btScalar x : first) ASSERT_TRUE(std::isfinite(x));
-  // What the heap holds now is not what it held then: where things lie must not matter.
+  // The heap is filled differently in the second run: the places of things must not matter.
   std::vector<std::unique_ptr<char[]>> clutter;
   for (std::size_t i = 0; i < 1000; ++i) clutter.emplace_back(new char[100 + 17 * i % 3000]);
   for (std::size_t i = 0; i < clutter.size(); i += 2) clutter[i].reset();
@@ -196,7 +196,7 @@ TEST(ChangingWorlds, AClearedWorldLeavesNothingBehind) {
     addTowerAndPendulum(world, 0);
     world.advance(30);
     EXPECT_EQ(world.report().islands, 2);
-    // The broadphase deals out pairs in another order once it has been used: equal up to rounding.
+    // A broadphase that has been used gives out pairs in another order: equal up to rounding.
     EXPECT_LT(difference(motionOf(world), motionOf(fresh)), tolerance(1e-6, 1e-2)) << emptySteps;
   }
 }
@@ -243,7 +243,7 @@ TEST(ChangingWorlds, TwoWorldsTakeTurnsWithOneSolver) {
     world->addCube({btScalar(5), 3, 0}, 20).setLinearVelocity({1, 0, 0});
   }
   btDelassusConstraintSolver shared;
-  // It remembers from the last step what the joints of this world have pulled.
+  // Off, since it remembers from the last step what the joints of this world have pulled.
   for (btDelassusConstraintSolver* solver :
        {&shared, &firstAlone.delassus(), &secondAlone.delassus()})
     solver->setGeometricStiffness(false);
@@ -280,7 +280,7 @@ TEST(ChangingWorlds, BodiesRemovedInATickCallback) {
 }
 
 TEST(ChangingWorlds, ANewJointIsNotTakenForTheOneThatLayThere) {
-  // The same place in memory, the same bodies: only what the joint carries tells them apart.
+  // Same place in memory, same bodies: only the impulse that the joint carries tells them apart.
   const auto run = [](bool atTheSamePlace) {
     DelassusWorld world;
     btRigidBody& ball = world.addSphere(btScalar(0.2), {1, 4, 0});
@@ -302,7 +302,7 @@ TEST(ChangingWorlds, ANewJointIsNotTakenForTheOneThatLayThere) {
 }
 
 TEST(ChangingWorlds, ANewBodyIsNotTakenForTheOneThatLayThere) {
-  // The same place in memory, the same pose: only the number that the world gives it is new.
+  // Same place in memory, same pose: only the number that the world gives to the body is new.
   const auto run = [](bool atTheSamePlace) {
     DelassusWorld world;
     world.addGround();
@@ -342,7 +342,7 @@ TEST(ChangingWorlds, ANewBodyIsNotTakenForTheOneThatLayThere) {
   expectSameBits(run(true), run(false));
 }
 
-// Who renders as fast as it goes has no two steps of the same length.
+// A program that steps as fast as it renders has no two steps of the same length.
 TEST(ChangingWorlds, WhatRestsIsKeptInStepsOfAnyLength) {
   DelassusWorld world;
   world.addGround();
@@ -371,7 +371,7 @@ TEST(ChangingWorlds, StepsThatNobodyAnnouncesTakeNoMoreMemory) {
   std::vector<btTypedConstraint*> joints;
   for (int i = 0; i < world->getNumConstraints(); ++i) joints.push_back(world->getConstraint(i));
 
-  // Nor do those after one that somebody announced, in one group or in two.
+  // Nor do unannounced steps after one that was announced, in one group or in two.
   for (const bool announced : {false, true})
     for (const int groups : {1, 2}) {
       SCOPED_TRACE(::testing::Message() << announced << ", groups: " << groups);

@@ -1,4 +1,4 @@
-/// Threads that share a list with their caller.
+/// Threads share a list with their caller.
 #include "bullet_ext/crew.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 const auto alike = [](int) { return 1; };
 
-// Hands and items by turns, so that some hands find nothing to do.
+// The numbers of hands and items vary, so that some hands find nothing to do.
 TEST(Crew, DoesEveryItemOnceAndNoHandTwoAtATime) {
   Crew crew;
   EXPECT_EQ(crew.count(), 1);
@@ -49,8 +49,8 @@ TEST(Crew, AllHandsWorkAtTheSameTime) {
   });
 }
 
-// In each round every share is done once, by whoever takes it, and sees what was done in the round
-// before.
+// In each round every share is done once, by whichever hand takes it. That hand sees what was done
+// in the round before.
 TEST(Crew, AllHandsTakePartInRounds) {
   constexpr int last = 2000, shares = 5;
   Crew crew;
@@ -58,7 +58,7 @@ TEST(Crew, AllHandsTakePartInRounds) {
     crew.setHands(hands);
     Rounds rounds;
     std::vector<int> done(shares, 0);
-    // Who does a share twice, or had not seen what the last did, counts wrong.
+    // A hand that does a share twice, or has not seen the last round, makes the count wrong.
     const auto work = [&](int, int share) { ++done[share]; };
     const auto task = [&](int hand) {
       if (hand > 0) return rounds.help(work);
@@ -74,8 +74,8 @@ TEST(Crew, AllHandsTakePartInRounds) {
   }
 }
 
-// One item is as heavy as all the others: it is the part of one hand, which the other does not wait
-// for.
+// One item is as heavy as all the others together. It is the part of one hand, and the other hand
+// does not wait for it.
 TEST(Crew, BeginsWithPartsOfTheSameWeight) {
   constexpr int light = 9;
   Crew crew;

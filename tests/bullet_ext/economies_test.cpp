@@ -1,5 +1,5 @@
-/// A step does nothing that its scene does not need: counted, and compared with the step that does
-/// it all the same.
+/// A step does no work that its scene does not need. The tests count the work, and compare the
+/// motion with that of a step that does the work all the same.
 
 #include <gtest/gtest.h>
 
@@ -34,8 +34,8 @@ double difference(BulletWorld& a, BulletWorld& b) {
   return largest;
 }
 
-/// Steps the scene with all economies, and without `economy`: the motion is the same. The reports
-/// are shown to `with` and `without` after each step.
+/// Steps the scene with all economies, and without `economy`: the motion must be the same. Shows
+/// the reports to `with` and `without` after each step.
 void compare(bool Economies::*economy, int steps, const Build& build, const Look& with,
              const Look& without) {
   BulletWorld lean(solverWithout(nullptr)), lavish(solverWithout(economy));
@@ -113,7 +113,7 @@ TEST(Economies, NoPushProblemWithoutDeepPenetrations) {
 TEST(Economies, NoMatrixWithoutApproachingContacts) {
   const Build parting = [](BulletWorld& world) {
     addTower(world, 2);
-    // Everything leaves the ground, the upper box the lower one.
+    // All boxes leave the ground, and the upper box leaves the lower one.
     for (int i = 1; i <= 2; ++i)
       btRigidBody::upcast(world->getCollisionObjectArray()[i])
           ->setLinearVelocity({0, btScalar(0.5) * btScalar(i), btScalar(0.1)});
@@ -155,7 +155,7 @@ TEST(Economies, WhatStandsIsOnlyChecked) {
       });
 }
 
-// In both precisions, at the solver's own tolerance.
+// Holds in both precisions, at the solver's own tolerance.
 TEST(Economies, WhatStandsIsKeptToTheTolerance) {
   DelassusWorld world;
   addTower(world, 10);
@@ -170,7 +170,7 @@ TEST(Economies, WhatStandsIsKeptToTheTolerance) {
   EXPECT_GE(kept, steps * 9 / 10);
 }
 
-// More than the tolerance, and it is solved again; each island by itself.
+// A disturbance of more than the tolerance makes an island be solved again; each by itself.
 TEST(Economies, WhatIsDisturbedIsSolvedAgain) {
   BulletWorld world(solverWithout(nullptr));
   world.addGround();
@@ -186,8 +186,8 @@ TEST(Economies, WhatIsDisturbedIsSolvedAgain) {
   }
 }
 
-// A step that is not to start from the last one has nothing to check, whichever of Bullet's two
-// ways says so.
+// A step that is not to start from the last one has nothing to check. Bullet has two ways to say
+// so, and both count.
 TEST(Economies, NothingStandsWithoutWarmStarting) {
   for (const bool byFlag : {false, true}) {
     DelassusWorld world;
@@ -215,7 +215,7 @@ TEST(Economies, ASingleContactTakesAFormula) {
         world.addSphere(btScalar(0.5), {0, btScalar(0.5), 0}).setLinearVelocity({2, 0, 0});
       },
       [&](const StepReport& report) {
-        if (report.contacts > 1) return;  // Bullet keeps a point of the step before for a while
+        if (report.contacts > 1) return;  // Bullet keeps a point of the last step for a while
         formulas += report.closedForms;
         EXPECT_EQ(report.walks + report.factorisations, 0);
       },
@@ -249,7 +249,7 @@ TEST(Economies, NoRowsWithoutRollingAndSpinningFriction) {
     }
 }
 
-// The reactions of a ball that spins down are the same in each step: the memory knows them.
+// A ball that spins down has the same reactions in each step: the memory knows them.
 TEST(Economies, WhatSpinsDownIsOnlyChecked) {
   BulletWorld world(solverWithout(nullptr));
   world.addGround();

@@ -1,4 +1,4 @@
-/// What users read as forces, and the changes of mode that they listen to.
+/// What users read as forces, and the changes of mode that listeners hear of.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace delassus::test {
 namespace {
 
-/// Sum and moment about the centre of all reactions on a body, as the fields of the points say.
+/// Sum of all reactions on a body and their moment about its centre, from the fields of the points.
 struct Wrench {
   btVector3 impulse{0, 0, 0}, moment{0, 0, 0};
 };
@@ -38,8 +38,8 @@ Wrench reactionsOn(const btRigidBody& body, const btVector3& centre, BulletWorld
   return sum;
 }
 
-/// Steps once; the reactions must be what changes the momentum of each body beyond weight and user
-/// forces, where it rests to the tolerance. Bodies are cubes or balls of 1 kg: no gyroscopic terms.
+/// Steps once. Beyond weight and user forces, the change of each body's momentum must come from the
+/// reactions; to the tolerance where it rests. Cubes or balls of 1 kg have no gyroscopic terms.
 void expectBalance(BulletWorld& world, const std::vector<btRigidBody*>& bodies,
                    const btVector3& force, const btVector3& torque) {
   std::vector<btVector3> centres, velocities, spins;
@@ -112,10 +112,10 @@ TEST(Forces, SumOverPointsIsTheTotalForceInAHeap) {
   for (int i = 0; i < 200; ++i) expectBalance(world, heap, {0, 0, 0}, {0, 0, 0});
 }
 
-/// Bits of an event, the manifold named by its bodies.
+/// The bits of an event; the manifold is named by its bodies.
 using Event = std::tuple<int, int, int, int, Mode, Mode, btScalar, btScalar, btScalar>;
 
-/// The events of a falling heap, which must be all changes, each once.
+/// The events of a falling heap. They must be all the changes of mode, each once.
 std::vector<Event> listenToHeap(int batch) {
   DelassusWorld world;
   world.info().m_minimumSolverBatchSize = batch;

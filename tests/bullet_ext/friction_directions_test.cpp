@@ -1,4 +1,4 @@
-/// Friction that knows directions: anisotropic materials, directions and belts set by the user,
+/// Friction that depends on direction: anisotropic materials, directions and belts set by the user,
 /// anchors (Bullet's contract, friction).
 
 #include <gtest/gtest.h>
@@ -17,12 +17,12 @@ namespace {
 
 using namespace delassus::bullet;
 
-/// Along x and z, the plane of the ground.
+/// The slip along x and z, the plane of the ground.
 Vector2 slipOf(const btRigidBody& body) {
   return {body.getLinearVelocity().x(), body.getLinearVelocity().z()};
 }
 
-/// A ball that cannot turn: one contact point, and axes that stay. Turned by `yaw` about y.
+/// A ball that cannot turn: it has one contact point, and its axes stay. `yaw` turns it about y.
 btRigidBody& addRunner(BulletWorld& world, double yaw, const Vector2& velocity) {
   const btTransform pose(btQuaternion(btVector3(0, 1, 0), btScalar(yaw)),
                          btVector3(0, btScalar(0.5), 0));
@@ -241,8 +241,8 @@ TEST(Parity, Row21WithOneDirectionTheOtherIsAcross) {
   expectEllipse(before, slipOf(runner), Matrix2::Identity());
 }
 
-/// The speed along x of a body of 1 kg on soft friction, pushed by a force from rest, step by step;
-/// its directions are so long.
+/// The speed along x after each step, of a body of 1 kg on soft friction that a force pushes from
+/// rest. `length`: of the friction directions.
 std::vector<double> softSlip(BulletWorld& world, double softness, double force, double length = 1) {
   Belt soft;
   soft.softness = btScalar(softness);
@@ -279,7 +279,7 @@ TEST(Parity, Row22SoftFrictionSlipsInProportionToItsImpulse) {
     }
 }
 
-// The slip is that of the body, however long the directions are that it is written in.
+// Soft friction lets the body slip at one speed, however long its direction vectors are.
 TEST(Parity, Row22SoftnessDoesNotDependOnTheLengthOfItsDirections) {
   constexpr double softness = 0.5, force = 1;
   DelassusWorld world;
@@ -308,8 +308,8 @@ TEST(Parity, Row23AnchorPullsBackTheDrift) {
     const double rate = anchored ? world.info().m_frictionERP / h : 0;
     EXPECT_NEAR((slipOf(box) + rate * drift).norm(), 0, tolerance(1e-8, 1e-4)) << anchored;
     world.advance(120);
-    // A point that the narrow phase replaces, as it does now and then in float, forgets what is
-    // left.
+    // In float the narrow phase replaces a point now and then. The new point forgets the drift that
+    // is left.
     const btVector3 kept = anchored ? place : place + move;
     EXPECT_NEAR((box.getWorldTransform().getOrigin() - kept).length(), 0,
                 tolerance(1e-8, 0.2 * drift.norm()))

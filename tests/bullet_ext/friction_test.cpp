@@ -17,7 +17,7 @@ btRigidBody& addSlab(BulletWorld& world) {
   return world.addBox({0.5, 0.1, 0.5}, {0, btScalar(0.1), 0});
 }
 
-/// One contact point that cannot turn, at any speed.
+/// A body with one contact point that cannot turn, at any speed.
 btRigidBody& addUnturning(BulletWorld& world) {
   world.addGround();
   btRigidBody& runner = world.addSphere(0.5, {0, btScalar(0.5), 0});
@@ -25,7 +25,7 @@ btRigidBody& addUnturning(BulletWorld& world) {
   return runner;
 }
 
-/// On body 0 of the point's manifold.
+/// The tangential reaction on body 0 of the point's manifold.
 btVector3 tangentialReaction(const btManifoldPoint& point) {
   return point.m_appliedImpulseLateral1 * point.m_lateralFrictionDir1 +
          point.m_appliedImpulseLateral2 * point.m_lateralFrictionDir2;
@@ -71,8 +71,8 @@ TEST(Parity, Row17SlidesAboveTheFrictionAngle) {
 }
 
 TEST(Parity, Row17EachPointOfASlidingSlabIsOnTheConeAgainstItsSlip) {
-  // Bullet's narrow phase drops points of a slab that slides obliquely, so that it tips and hops a
-  // little and its speed is no closed form. The law holds at each point all the same:
+  // Bullet's narrow phase drops points of a slab that slides obliquely. So the slab tips and hops a
+  // little, and its speed has no closed form. The law holds at each point all the same:
   //     r_t = −μ r_n u_t/|u_t|,   and the reactions are what changes the momentum.
   DelassusWorld world;
   btRigidBody& slab = addSlab(world);
@@ -98,7 +98,7 @@ TEST(Parity, Row17EachPointOfASlidingSlabIsOnTheConeAgainstItsSlip) {
   }
 }
 
-/// Slides `body` at `speed` in many directions of the ground; it must lose μ g per second on a
+/// Slides `body` at `speed` in many directions of the ground. It must lose μ g per second on a
 /// straight path.
 template <class Add>
 void expectRoundCone(const Add& add, double speed, int steps) {
@@ -119,7 +119,7 @@ void expectRoundCone(const Add& add, double speed, int steps) {
 
 TEST(Parity, Row18SlidingFrictionIsTheSameInAllDirections) {
   expectRoundCone(addUnturning, 4, 30);
-  // Four points that share the load; one step, since Bullet's narrow phase drops points of a box
+  // Four points share the load. One step only, since Bullet's narrow phase drops points of a box
   // that slides on.
   expectRoundCone(addSlab, 1, 1);
 }

@@ -1,5 +1,5 @@
-/// Light bodies in taut joints: held by an inertia that their step can follow, and only where it
-/// could not.
+/// Light bodies in taut joints get an inertia that their step can follow, and only where the step
+/// could not follow their own.
 
 #include "bullet_ext/geometric_stiffness.h"
 
@@ -65,11 +65,11 @@ struct Rope : DelassusWorld {
                                                   body->getAngularVelocity());
     return sum;
   }
-  /// Energy gained over that of the swing.
+  /// Energy gained, as a share of the energy of the swing.
   double gain() const {
     return (energy() - start) / (gravity * ball * links * linkLength * (1 - std::cos(swing)));
   }
-  /// Distance of the ends of neighbours, m.
+  /// The largest distance between the joined ends of neighbours, m.
   double gap() const {
     double worst = 0;
     for (int i = 1; i <= links; ++i) {
@@ -80,7 +80,7 @@ struct Rope : DelassusWorld {
     }
     return worst;
   }
-  /// Steps of two seconds, as long as it holds. `lengths`: of the steps, in turn.
+  /// Steps for two seconds, as long as the rope holds. `lengths`: of the steps, in turn.
   bool holds(const std::vector<double>& lengths = {step}) {
     int most = 0;
     double time = 0;
@@ -102,7 +102,7 @@ struct Rope : DelassusWorld {
 
 TEST(GeometricStiffness, HoldsRopesThatStepsCannotFollow) {
   // ω h = √(12 T/(m l)) h is 8, 800 and 8000. In float joints give a hundred times as much, and the
-  // heaviest ball pulls them apart.
+  // heaviest ball would pull them apart.
   for (const double ball : {1e3, 1e7, isDouble ? 1e9 : 1e6}) {
     EXPECT_FALSE(Rope(ball, false).holds()) << ball;
     Rope rope(ball, true);
@@ -111,14 +111,14 @@ TEST(GeometricStiffness, HoldsRopesThatStepsCannotFollow) {
   }
 }
 
-// Bullet turns the rows of a hinge between two bodies, whose arms it weighs, anew in every step.
+// In every step Bullet turns the rows of a hinge between two bodies anew, and weighs their arms.
 TEST(GeometricStiffness, HoldsRopesOfHinges) {
   EXPECT_FALSE(Rope(1e3, false, true).holds());
   Rope rope(1e3, true, true);
   EXPECT_TRUE(rope.holds()) << "gain " << rope.gain() << ", gap " << rope.gap();
 }
 
-// Forces go on from step to step, whatever impulses these make of them.
+// Forces go on from step to step, whatever impulses the lengths of the steps make of them.
 TEST(GeometricStiffness, HoldsRopesInStepsOfAnyLength) {
   for (const std::vector<double>& lengths :
        {std::vector<double>{1.0 / 60, 1.0 / 60, 1.0 / 60, 1.0 / 960},
@@ -155,13 +155,13 @@ struct PulledPlate {
 
   explicit PulledPlate(const Join& join = hinge) {
     for (const int x : {-1, 1}) join(world, plate, btVector3(btScalar(x), 0, 0));
-    // Six-dof joints have no rows where they are met to the last bit.
+    // Six-dof joints that are met to the last bit have no rows, so the plate is shifted a little.
     plate.translate(btVector3(1, 1, 1) * btScalar(1e-3));
   }
   static void hinge(DelassusWorld& world, btRigidBody& body, const btVector3& pivot) {
     world.addJoint<btHingeConstraint>(body, pivot, btVector3(0, pivot.x(), 1).normalized());
   }
-  /// Gathers as the solver does, the reactions of the last step being those of the pull.
+  /// Gathers as the solver does. The reactions of the last step are those of the pull.
   void gather() {
     btCollisionObject* body = &plate;
     std::vector<btTypedConstraint*> joints;
@@ -185,7 +185,7 @@ struct PulledPlate {
 
 constexpr double needed = 2 * BulletWorld::step * 900;  // 30 kg m²
 
-/// Of two pulls of impulse p at arms ±a along x the stiffness h² K is 2 h p a about y and z.
+/// Two pulls of impulse p at arms ±a along x give the stiffness h² K = 2 h p a about y and z.
 void expectInertiaOfSprings(PulledPlate& pulled) {
   const Mat3 inertia = bullet::toCore(pulled.plate.getInvInertiaTensorWorld()).inverse();
   EXPECT_EQ(pulled.stiffen(), 1);
@@ -221,7 +221,7 @@ TEST(GeometricStiffness, HasItFromJointsOfEveryKind) {
   }
 }
 
-// By (ω h)²: none as far as steps can follow, all from an eighth more on, and its share between.
+// By (ω h)²: none as far as steps can follow, then a growing share, all from an eighth more on.
 TEST(GeometricStiffness, ComesGraduallyWhereStepsFollowNoMore) {
   for (const bool changes : {false, true})
     for (const double over : {0.95, 1.05, 1.1, 1.5}) {
@@ -229,7 +229,7 @@ TEST(GeometricStiffness, ComesGraduallyWhereStepsFollowNoMore) {
       const double limit = changes ? 0.5 : 4;
       PulledPlate pulled;
       const Mat3 inverse = bullet::toCore(pulled.plate.getInvInertiaTensorWorld());
-      // About y and z alike; the plate turns more easily about y.
+      // The stiffness is the same about y and z; the plate turns more easily about y.
       const double stiffness = over * limit / inverse(1, 1);
       ASSERT_GT(inverse(1, 1), inverse(2, 2));
       pulled.pull = stiffness / (2 * BulletWorld::step);
@@ -242,7 +242,7 @@ TEST(GeometricStiffness, ComesGraduallyWhereStepsFollowNoMore) {
     }
 }
 
-/// Five links of 1 kg, 0.2 m long, that swing from a pivot for 5 s: where the last one is then.
+/// Where the last of five links is after 5 s. Each has 1 kg and 0.2 m; they swing from a pivot.
 template <class World>
 double swung(World& world) {
   constexpr double length = 0.2;
@@ -262,7 +262,7 @@ double swung(World& world) {
   return above->getWorldTransform().getOrigin().x();
 }
 
-// What steps can follow swings as by sequential impulses run to convergence.
+// A chain that steps can follow swings as with sequential impulses run to convergence.
 TEST(GeometricStiffness, ChainsOfEqualLinksSwingAsStocks) {
   DelassusWorld ours;
   StockWorld stock;

@@ -1,4 +1,4 @@
-/// Grounds of all kinds: what the narrow phase makes of them may have many points, or a normal
+/// Grounds of all kinds: the narrow phase may make many points of them, or points with a normal
 /// each.
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace delassus::test {
 namespace {
 
-/// The reactions of all points together, on `body`, which is in all of them.
+/// The sum of the reactions on `body` of all points; it is in all of them.
 btVector3 reactionOn(const btRigidBody& body, BulletWorld& world) {
   btVector3 sum(0, 0, 0);
   for (int i = 0; i < world.dispatcher().getNumManifolds(); ++i) {
@@ -32,11 +32,11 @@ btVector3 reactionOn(const btRigidBody& body, BulletWorld& world) {
   return sum;
 }
 
-/// A body left alone stays within `allowed` of where it was put, and in each step the reactions of
-/// all points are what changes its momentum; where it rests, to a tenth of the tolerance.
+/// A body left alone stays within `allowed` of where it was put. In each step the reactions of all
+/// points make the change of its momentum; where it rests, to a tenth of the tolerance.
 ///
-/// What is allowed is the narrow phase's: on triangles it picks four points now here, now there,
-/// at times all on one side of the centre, and the body tips a little until the next step.
+/// `allowed` is due to the narrow phase. On triangles it picks four points now here, now there, at
+/// times all on one side of the centre, and the body tips a little until the next step.
 void expectRests(BulletWorld& world, btRigidBody& body, double allowed) {
   const btVector3 place = body.getWorldTransform().getOrigin();
   for (int i = 0; i < 120; ++i) {
@@ -70,7 +70,7 @@ TEST(Grounds, CompoundOfTiles) {
 }
 
 TEST(Grounds, CompoundBodyOfManyPoints) {
-  // Two crossed beams: eight points and more under one body.
+  // Two crossed beams make eight points and more under one body.
   DelassusWorld world;
   world.addGround();
   auto cross = std::make_unique<btCompoundShape>();
@@ -122,8 +122,8 @@ TEST(Grounds, GImpactMesh) {
   expectRests(world, addBox(world), 1e-2);
 }
 
-// A plane has one point of a body in the first step, unless it is asked for all that touch: what
-// stands on one point alone tips.
+// In the first step a plane has one point per body, unless it is asked for all that touch. A body
+// that stands on one point alone tips.
 TEST(Grounds, APyramidStandsOnAPlaneThatIsTouchedWithAllCorners) {
   constexpr int rows = 6;
   DelassusWorld world;

@@ -1,5 +1,5 @@
-/// How a world hands its parts over: batches, empty groups, unsplit islands, sleeping, removal,
-/// threads.
+/// How a world hands its parts to the solver: batches, empty groups, unsplit islands, sleeping,
+/// removal, threads.
 
 #include <gtest/gtest.h>
 
@@ -204,7 +204,7 @@ TEST(Parity, Row46SameInputSameBitsInAnyThread) {
   for (const auto& motion : together) expectSameBits(motion, alone);
 }
 
-// Bullet's worlds cast the one, its examples the other.
+// Bullet's worlds cast solvers of the one type, its examples those of the other.
 TEST(Groups, SolverTypeIsNoneThatIsCast) {
   btDelassusConstraintSolver solver;
   EXPECT_NE(solver.getSolverType(), BT_MULTIBODY_SOLVER);

@@ -1,5 +1,5 @@
-/// What a step leaves to the next of an island: reactions that stopped something are kept once they
-/// are those of the rest, and searches in vain grow rarer.
+/// What a step leaves to the next about an island: reactions that stopped something are kept once
+/// they are the reactions of rest, and searches in vain grow rarer.
 #include <gtest/gtest.h>
 
 #include "bullet_ext/group.h"
@@ -13,13 +13,13 @@ namespace {
 
 using namespace delassus::bullet;
 
-/// A body of 1 kg that falls with 1 m/s on three points, and what is made of a guess that misses
-/// the law by so much, m/s.
+/// A body of 1 kg that falls with 1 m/s on three points, and the answer to a guess that misses the
+/// law by `error`, m/s.
 struct Falling {
   Group group;
   Answer answer;
 
-  /// With a `load`, kg, that falls on top of it, if there is one.
+  /// `load`, kg: of a body that falls on top of it; 0: there is none.
   Falling(double error, const IslandMarks& before, const Options& options = {}, double load = 0) {
     Body& body = group.bodies.emplace_back();
     body.inverseMass.setOnes();
@@ -73,7 +73,7 @@ IslandMarks marksOf(bool isRestless) {
   return marks;
 }
 
-// As good as kept reactions have to be, and as those that have just been found.
+// `good` is what kept reactions must reach, `best` what those that have just been found must reach.
 constexpr double tolerance8 = 1e-8, good = 0.3 * keptShare * tolerance8,
                  best = 0.3 * polishedShare * tolerance8, bad = 1e-4;
 
@@ -94,8 +94,8 @@ TEST(RestlessIslands, AreThoseWhoseReactionsWereOthers) {
   EXPECT_FALSE(Falling(bad, {}, none).isRestless()) << "no others were found";
 }
 
-// A whole search after one, two, four, eight steps in vain, and where a short one leaves much more;
-// what it is left with is what the short ones have to come near to.
+// A whole search comes after one, two, four, eight steps in vain, and where a short search leaves
+// much more than the last whole one did.
 TEST(LostIslands, AreSearchedWhollyEverLessOften) {
   Options none;
   none.newtonBudget = none.sweepBudget = 0;
@@ -111,14 +111,14 @@ TEST(LostIslands, AreSearchedWhollyEverLessOften) {
       EXPECT_EQ(after.lostSteps, steps);
       EXPECT_EQ(after.lost, isWhole ? left : before) << steps;
     }
-  // As soon as it is solved all that is forgotten.
+  // As soon as the island is solved, all that is forgotten.
   IslandMarks marks;
   marks.lostSteps = 5;
   marks.lost = left;
   EXPECT_EQ(Falling(bad, marks).marks().lostSteps, 0);
 }
 
-// What gives a little sinks under a heavy load and takes up much, but no more than that brings.
+// Contacts that give a little sink under a heavy load and take up much, but no more than it brings.
 TEST(JammedIslands, AreSolvedExactlyWhereNothingSqueezes) {
   IslandMarks marks;
   marks.isJammed = true;

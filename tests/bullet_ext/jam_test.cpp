@@ -1,4 +1,4 @@
-/// What a wall squeezes that does not give way gives a little: soon found, told, and not thrown.
+/// Bodies that an unyielding wall squeezes give a little: soon found, reported, and not thrown.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,7 +47,7 @@ struct Compactor {
     wall->setWorldTransform(world.at({btScalar(place), 5, 0}));
     world.advance();
   }
-  /// How fast the points that touched before this step approach after it, at most, m/s.
+  /// The largest speed at which points that touched before this step approach after it, m/s.
   double driveAndSeeApproach(double velocity) {
     std::map<const btCollisionObject*, btVector3> centres;
     for (const btRigidBody* body : bodies) centres[body] = body->getCenterOfMassPosition();
@@ -105,7 +105,7 @@ TEST(Jam, ACompactorThrowsNothingAndLosesNoTime) {
         EXPECT_GT(at.y(), 0);
         EXPECT_LT(std::abs(at.z()), 1.6);
       }
-      // As soon as there is room, all is exact again.
+      // As soon as there is room, all is solved exactly again.
       for (int step = 0; step < 60; ++step) compactor.drive(Compactor::speed);
       compactor.world.advance(60);
       EXPECT_EQ(report.softened, 0);

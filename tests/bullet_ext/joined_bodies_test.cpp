@@ -1,4 +1,4 @@
-/// Bodies that a joint links and that collide all the same, or have ceased to.
+/// Bodies that a joint links and that collide all the same, or have ceased to collide.
 
 #include <BulletDynamics/ConstraintSolver/btFixedConstraint.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace delassus::test {
 namespace {
 
-/// A box that overlaps a wall by so much, and is held to it.
+/// A box that overlaps a wall by `depth` and is held to it.
 struct Bolted {
   DelassusWorld world;
   btRigidBody *wall, *box;
@@ -34,8 +34,8 @@ struct Bolted {
   }
 };
 
-// As Bullet has it by default, bodies that a joint links collide: the joint holds, and they press
-// as what gives by joinedSoftness does.
+// By default, bodies that a joint links collide in Bullet. The joint holds, and they press no
+// harder than contacts that give by joinedSoftness.
 TEST(JoinedBodies, DoNotPressWithoutBounds) {
   for (const double depth : {0.02, 0.1})
     for (const bool isFixed : {true, false}) {
@@ -66,7 +66,7 @@ TEST(JoinedBodies, OverlapIsMendedOnceTheJointIsGone) {
   EXPECT_NEAR(bolted.box->getWorldTransform().getOrigin().y(), 1.25, 1e-3);
 }
 
-/// One of Bullet's joints that hold, of two bodies at their centres.
+/// Adds one of Bullet's joints that hold, between the centres of two bodies.
 using Hold = std::function<btTypedConstraint&(DelassusWorld&, btRigidBody&, btRigidBody&)>;
 const btTransform centre = btTransform::getIdentity();
 template <class Joint>
@@ -92,7 +92,7 @@ const std::vector<Hold> holds{
       return world.template addJoint<btFixedConstraint>(a, b, centre, centre);
     }};
 
-// A deep overlap is split, unless a joint holds the two now.
+// Split impulse pushes a deep overlap out, unless a joint holds the two bodies now.
 TEST(JoinedBodies, AreThoseOfEveryJointThatHolds) {
   for (std::size_t kind = 0; kind < holds.size(); ++kind) {
     SCOPED_TRACE(kind);
@@ -109,7 +109,7 @@ TEST(JoinedBodies, AreThoseOfEveryJointThatHolds) {
   }
 }
 
-// Gears hold no places.
+// A gear does not hold its bodies in place.
 TEST(JoinedBodies, AreNotThoseOfAGear) {
   DelassusWorld world;
   btRigidBody& wall = world.addBox({1, 1, 1}, {0, 0, 0}, 0);
@@ -119,7 +119,7 @@ TEST(JoinedBodies, AreNotThoseOfAGear) {
   EXPECT_EQ(world.report().pushIslands, 1);
 }
 
-// The contact gives by what the heavy one answers.
+// The softness of the contact is measured by the response of the heavy body.
 TEST(JoinedBodies, AHeavyOneDoesNotSinkIntoALightOne) {
   DelassusWorld world;
   world.addGround();
@@ -136,7 +136,7 @@ TEST(JoinedBodies, AHeavyOneDoesNotSinkIntoALightOne) {
   EXPECT_LT(load.getLinearVelocity().length(), 1e-3);
 }
 
-// Where the joint leaves them free, the contact stops them and mends what they overlap.
+// Where the joint leaves the bodies free, the contact stops them and mends their overlap.
 TEST(JoinedBodies, CollideAsOthersDo) {
   for (const double overlap : {-0.2, 0.01}) {
     SCOPED_TRACE(overlap);
@@ -155,7 +155,7 @@ TEST(JoinedBodies, CollideAsOthersDo) {
   }
 }
 
-// Two boxes touch; a weld joins them and has them collide no more. Bullet keeps their points where
+// Two boxes touch when a weld joins them and ends their collisions. Bullet keeps their points where
 // they were.
 TEST(JoinedBodies, WhatIsWeldedWhileItTouchesTouchesNoMore) {
   DelassusWorld world;
@@ -170,7 +170,7 @@ TEST(JoinedBodies, WhatIsWeldedWhileItTouchesTouchesNoMore) {
   };
   auto weld = std::make_unique<btFixedConstraint>(a, b, in(a), in(b));
   world->addConstraint(weld.get(), true);
-  // As one body about the centre of both.
+  // The two turn as one body about their common centre.
   const btVector3 spin(0, 0, 2),
       centre = (a.getCenterOfMassPosition() + b.getCenterOfMassPosition()) / 2;
   for (btRigidBody* body : {&a, &b}) {

@@ -1,4 +1,4 @@
-/// Mechanisms in which joints close loops, and so hold some things twice.
+/// Mechanisms in which joints close loops, and so hold some motions twice.
 #include "bullet_ext/joint_loops.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using bullet::JointLoops;
 TEST(JointLoops, AreThoseOfTheirMechanismAlone) {
   constexpr int standing = JointLoops::standing;
   JointLoops loops;
-  for (int round = 0; round < 2; ++round) {  // nothing of the first shows in the second
+  for (int round = 0; round < 2; ++round) {  // nothing of the first round shows in the second
     loops.reset(9);
     // A ring 0 1 2 with a tail 3, a chain 4 5 that hangs, a bridge 6 7 that is held at both ends.
     loops.add(0, 1);
@@ -62,7 +62,7 @@ class Idle : public btTypedConstraint {
   btScalar getParam(int, int) const override { return 0; }
 };
 
-// Of one body that is held at its centre, W is 1/m.
+// W of one body that is held at its centre is 1/m.
 TEST(JointLoops, GiveByTheirOwnSoftnessFromTwoJointsOn) {
   constexpr double mass = 4;
   for (const int holds : {1, 2})
@@ -117,8 +117,8 @@ struct Track {
   }
 };
 
-// As it bends, what its hinges hold twice contradicts itself by ever so little: taken at its word,
-// that would be met by any reaction, and no step could be solved.
+// As the track bends, what its hinges hold twice contradicts itself by ever so little. If it had to
+// be met exactly, any reaction would do, and no step could be solved.
 TEST(JointLoops, TracksFallFreely) {
   Track track(12, false);
   int unsolved = 0;

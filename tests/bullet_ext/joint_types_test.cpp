@@ -1,4 +1,4 @@
-/// Joints of every Bullet type, with whatever they may be set to, against stock run to convergence.
+/// Joints of every Bullet type, in all their settings, against stock run to convergence.
 
 #include <gtest/gtest.h>
 
@@ -237,14 +237,14 @@ std::vector<JointCase> drivenCases() {
   };
 }
 
-/// Two boxes: a hangs on the world by a corner, b on a by the joint; both turning.
+/// Two boxes: a hangs on the world by a corner, b hangs on a by the joint; both turn.
 struct Pendulum {
   btRigidBody& a;
   btRigidBody& b;
-  bool closesLoop;  ///< the joint brings others, so that some things are held twice
+  bool closesLoop;  ///< the joint brings further joints, so that some motions are held twice
 
-  /// How near two solvers are to be in double precision where joints that close no loop are as near
-  /// as this. Those that do give by loopSoftness of what they carry, some `unit`.
+  /// How near two solvers must be in double precision, if joints that close no loop must be as near
+  /// as `ofOthers`. Joints that close one give by loopSoftness of what they carry, some `unit`.
   double accuracy(double ofOthers, double unit = 1) const {
     return closesLoop ? std::max(ofOthers, bullet::loopSoftness * unit) : ofOthers;
   }
@@ -284,7 +284,7 @@ TEST(Parity, Row28EveryJointType) {
   }
 }
 
-/// What the joint under test did to its bodies in one step: velocities, and what users read of it.
+/// What the joint under test did to its bodies in one step: velocities, and the forces users read.
 struct Deed {
   Deed(const Pendulum& pendulum, const btTypedConstraint& joint)
       : velocities{pendulum.a.getLinearVelocity(), pendulum.a.getAngularVelocity(),
@@ -304,7 +304,7 @@ double largestDifference(const std::vector<btVector3>& a, const std::vector<btVe
   return largest;
 }
 
-/// Step after step from the same state, so that nothing but the step itself can differ.
+/// Both worlds begin every step in the same state, so that nothing but the step can differ.
 void expectSameDeeds(const JointCase& joint, double damping, double softness) {
   DelassusWorld ours;
   StockWorld stock(5000);
@@ -350,7 +350,7 @@ TEST(Parity, Row28EveryJointTypeUnderDampingAndSoftnessOfTheWorld) {
         }
 }
 
-/// Pushes a body along x as hard as it may, one way or the other.
+/// Pushes a body along x with all that its bounds allow, in one direction or the other.
 class Ram : public btTypedConstraint {
  public:
   Ram(btRigidBody& body, btScalar error)
@@ -369,7 +369,7 @@ class Ram : public btTypedConstraint {
   btScalar error_;
 };
 
-// That is what an infinite error asks for.
+// An infinite error asks for the largest push in its direction.
 TEST(Joints, ARowMayPushAsHardAsItMayEitherWay) {
   for (const btScalar error : {SIMD_INFINITY, -SIMD_INFINITY}) {
     DelassusWorld world;

@@ -1,5 +1,5 @@
-/// What joints do and tell: softness, limits, motors, springs, feedback, breaking, constraints
-/// of users.
+/// What joints do and report: softness, limits, motors, springs, feedback, breaking, constraints of
+/// users.
 
 #include <BulletDynamics/ConstraintSolver/btFixedConstraint.h>
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@ namespace delassus::test {
 namespace {
 
 TEST(Parity, Row28JointSoftnessIsRelative) {
-  // The sag of a loaded point joint: ERP closes what softness gives way, χ W m g h = erp d/h with W
-  // = 1/m.
+  // The sag of a loaded point joint. ERP closes what softness gives:
+  // χ W m g h = erp d/h with W = 1/m.
   DelassusWorld world;
   btRigidBody& ball = world.addSphere(btScalar(0.2), {0, 0, 0}, 3);
   auto& joint = world.addJoint<btPoint2PointConstraint>(ball, btVector3(0, 0, 0));
@@ -132,7 +132,7 @@ TEST(Parity, Row30FeedbackHasTheMomentsAboutTheBodies) {
   EXPECT_NEAR((feedback.m_appliedTorqueBodyB - onWall).length(), 0, near);
 }
 
-// What a body is locked along it is not told of.
+// Feedback leaves out the axes along which a body is locked.
 TEST(Parity, Row30FeedbackHasTheFactorsOfTheBodies) {
   const auto run = [](BulletWorld& world) {
     btRigidBody& a = world.addCube({0, 0, 0}, 3);
@@ -170,7 +170,7 @@ TEST(Parity, Row30BreaksAboveItsThreshold) {
   }
 }
 
-/// Stock's 0 ≥ 0.
+/// Stock breaks a joint whose impulse reaches its threshold, here 0 ≥ 0.
 TEST(Parity, Row30JointThatBearsNothingBreaksAtOnce) {
   Hanging hanging;
   hanging.joint.setBreakingImpulseThreshold(0);
@@ -179,8 +179,8 @@ TEST(Parity, Row30JointThatBearsNothingBreaksAtOnce) {
   EXPECT_NEAR(hanging.ball.getLinearVelocity().y(), -g * h, 100 * precision);
 }
 
-/// Drives a body along x with an impulse of no more than `strength` a step, and keeps it from
-/// falling by its last row.
+/// Drives a body along x with an impulse of at most `strength` a step. Its last row keeps the body
+/// from falling.
 class Drive : public btTypedConstraint {
  public:
   Drive(btRigidBody& body, btScalar strength)
@@ -203,7 +203,7 @@ class Drive : public btTypedConstraint {
   btScalar strength_;
 };
 
-// What it can bear bounds each of its rows.
+// The threshold at which a joint breaks bounds each of its rows.
 TEST(Parity, Row30UserConstraintBreaksWhereItsMotorIsTooStrong) {
   constexpr double mass = 2, threshold = 0.5;
   for (const double strength : {0.49, 0.51, 10.0}) {
@@ -225,7 +225,7 @@ TEST(Parity, Row30UserConstraintBreaksWhereItsMotorIsTooStrong) {
   }
 }
 
-// In small batches the other body of the joint is not even in the group.
+// In small batches the group does not even hold the other body of the joint.
 TEST(Parity, Row31DisabledJointIsSkipped) {
   for (const int batch : {0, 1, 128}) {
     SCOPED_TRACE(batch);
@@ -247,7 +247,7 @@ TEST(Parity, Row31DisabledJointIsSkipped) {
 
 TEST(Joints, ARowThatMakesNoSenseIsLeftOut) {
   Hanging hanging;
-  hanging.joint.setBreakingImpulseThreshold(-1);  // bounds cross
+  hanging.joint.setBreakingImpulseThreshold(-1);  // the bounds cross
   hanging.world.advance();
   EXPECT_NEAR(hanging.ball.getLinearVelocity().y(), -g * h, 100 * precision);
   ASSERT_EQ(hanging.world.report().messages.size(), 3u);

@@ -1,5 +1,5 @@
-/// Numbers that are none, or absurd: what they are in is named and left out, the rest is solved as
-/// if it were not there.
+/// Numbers that are NaN or absurd. The report names the part that has them; the part is left out,
+/// and the rest is solved as if it were not there.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ std::vector<BrokenBody> brokenBodies() {
        }},
       {"its mass is negative",
        [](btRigidBody& body) {
-         // Turned, so that no diagonal entry of the tensor in the world's axes is negative.
+         // Turned, so that no diagonal entry of the tensor in world axes is negative.
          body.setWorldTransform(btTransform(btQuaternion(btVector3(1, 1, 1).normalized(), 1),
                                             body.getWorldTransform().getOrigin()));
          body.setMassProps(1, btVector3(1, 1, btScalar(-100)));
@@ -125,7 +125,7 @@ TEST(LeftOut, AStaticBodyWithoutAPlace) {
 }
 
 TEST(LeftOut, ABodyWithoutMassAndWithoutTheStaticFlagIsAWall) {
-  // Users clear the flag by mistake: that body has no weight, and nothing is wrong with its
+  // Users clear the flag by mistake. Such a body has no weight, and nothing is wrong with its
   // numbers.
   DelassusWorld world;
   btRigidBody& wall = world.addBox({5, 1, 5}, {0, -1, 0}, 0);
@@ -139,8 +139,8 @@ TEST(LeftOut, ABodyWithoutMassAndWithoutTheStaticFlagIsAWall) {
 // ---- Contacts
 // -------------------------------------------------------------------------------------------------
 
-/// Two balls that fall on the ground with 1 m/s, handed over directly, so that nothing refreshes
-/// their points.
+/// Two balls that fall on the ground with 1 m/s. They are handed over directly, so that nothing
+/// refreshes their points.
 class TwoContacts {
  public:
   TwoContacts() {
@@ -244,7 +244,7 @@ TEST(LeftOut, ABrokenContactIsAsIfItWereNotThere) {
   }
 }
 
-// Far out, what is left of a distance may have either sign.
+// Far from the origin, the rounding that is left of a distance may have either sign.
 TEST(LeftOut, ADistanceThatIsRoundingDoesNotTellOfItsNormal) {
   TwoContacts two;
   two.solve([](btManifoldPoint& p) {
@@ -270,7 +270,7 @@ TEST(LeftOut, FrictionWithoutLimitIsNoFault) {
     const btVector3 start = box.getWorldTransform().getOrigin();
     gContactAddedCallback = [](btManifoldPoint& point, const btCollisionObjectWrapper* a, int, int,
                                const btCollisionObjectWrapper* b, int, int) {
-      // Bullet's own rule stops at ten.
+      // Bullet's own rule limits friction to ten.
       point.m_combinedFriction =
           btMax(a->getCollisionObject()->getFriction(), b->getCollisionObject()->getFriction());
       return true;
@@ -357,7 +357,7 @@ TEST(LeftOut, DampingThatIsNoNumberTakesAllRowsOfItsJoint) {
   EXPECT_NEAR(body.getLinearVelocity().y(), -g * h, 100 * precision);
 }
 
-/// Sets velocities that are none, in solveConstraintObsolete.
+/// Sets velocities that are NaN, in solveConstraintObsolete.
 class BrokenMover : public btTypedConstraint {
  public:
   explicit BrokenMover(btRigidBody& body) : btTypedConstraint(MAX_CONSTRAINT_TYPE, body) {}
@@ -370,7 +370,7 @@ class BrokenMover : public btTypedConstraint {
   }
 };
 
-/// Goes on in every sweep.
+/// Pushes its body in every sweep, without end.
 class Mover : public BrokenMover {
  public:
   using BrokenMover::BrokenMover;

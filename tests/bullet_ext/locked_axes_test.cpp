@@ -1,5 +1,5 @@
-/// What a body is locked along: no demand along it takes part, and all others are met (Bullet's
-/// linear and angular factors).
+/// Locked axes: no demand along them takes part, and all others are met (Bullet's linear and
+/// angular factors).
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@ using ::testing::IsEmpty;
 // ---- Joints
 // -------------------------------------------------------------------------------------------------
 
-// A row that moves nothing has no impulse of its own: the least of what it asks for would take all
-// there is, and break it.
+// No impulse fits a row that moves nothing. The least demand of such a row would take all the
+// impulse there is, and break the joint.
 TEST(LockedAxes, AHingeWhoseAxisLeansOnABodyThatCannotTurn) {
   DelassusWorld world;
   btRigidBody& body = world.addCube({0, 0, 0}, 3);
@@ -38,12 +38,12 @@ TEST(LockedAxes, AHingeWhoseAxisLeansOnABodyThatCannotTurn) {
   EXPECT_THAT(world.report().messages, IsEmpty());
 }
 
-/// Where a body that turns has the point that it was made with.
+/// Where a point of the body is now; `local` is its place in the body's own frame.
 btVector3 pivotOf(const btRigidBody& body, const btVector3& local) {
   return body.getWorldTransform()(local);
 }
 
-// Bodies of a flat world that lie 10 cm apart across it.
+// Two bodies of a flat world, 10 cm apart in the direction across the plane.
 TEST(LockedAxes, APointToPointBetweenFlatBodiesHoldsInTheirPlane) {
   DelassusWorld world;
   const btVector3 inA(1, 0, 0), inB(-1, 0, 0);
@@ -73,7 +73,7 @@ TEST(LockedAxes, APointToPointBetweenFlatBodiesHoldsInTheirPlane) {
   EXPECT_EQ(world.report().solved, world.report().islands);
 }
 
-// What leans by less than 1e-4 rad lies in a locked axis: taken at its word the hinge would ask for
+// A lean of less than 1e-4 rad counts as a locked axis. Met exactly, such a hinge would ask for
 // thousands of N·s.
 TEST(LockedAxes, AHingeBetweenFlatBodiesMayLeanALittle) {
   for (const double lean : {1e-7, 1e-6, 1e-5, 5e-5}) {
@@ -98,7 +98,7 @@ TEST(LockedAxes, AHingeBetweenFlatBodiesMayLeanALittle) {
   }
 }
 
-// Its axes are rounded, and all that holds its angles is in vain.
+// The axes of the rail are rounded, and all its rows that hold angles act in vain.
 TEST(LockedAxes, ALiftOnARailThatCannotTurn) {
   constexpr double mass = 20;
   DelassusWorld world;
@@ -127,7 +127,7 @@ TEST(LockedAxes, ALiftOnARailThatCannotTurn) {
   EXPECT_EQ(world.report().solved, world.report().islands);
 }
 
-// Points of mass cannot be turned, whatever their factors say.
+// Point masses cannot be turned, whatever their factors say.
 TEST(LockedAxes, AFixedJointOfBodiesWithoutInertiaHoldsTheirPlaces) {
   DelassusWorld world;
   btRigidBody& a = world.addCube({0, 0, 0});
@@ -137,7 +137,7 @@ TEST(LockedAxes, AFixedJointOfBodiesWithoutInertiaHoldsTheirPlaces) {
     body->updateInertiaTensor();
   }
   const btTransform inA = BulletWorld::at({1, 0, 0});
-  const btTransform inB(btQuaternion({0, 0, 1}, btScalar(0.1)), {-1, 0, 0});  // it is 0.1 rad off
+  const btTransform inB(btQuaternion({0, 0, 1}, btScalar(0.1)), {-1, 0, 0});  // 0.1 rad off
   world.addJoint<btFixedConstraint>(a, b, inA, inB);
   b.setLinearVelocity({0, 2, 0});
   world.advance();
@@ -150,7 +150,7 @@ TEST(LockedAxes, AFixedJointOfBodiesWithoutInertiaHoldsTheirPlaces) {
 // ---- Contacts
 // -------------------------------------------------------------------------------------------------
 
-/// A ball that keeps its place and spins about z, with its lowest point 1 cm below y = 0.
+/// A ball that keeps its place and spins about z; its lowest point is 1 cm below y = 0.
 struct PinnedBall {
   static constexpr double radius = 0.5, mass = 2, spin = 10, depth = 0.01;
   static constexpr double inertia = 0.4 * mass * radius * radius;
@@ -179,7 +179,7 @@ TEST(LockedAxes, APinnedBallRubsAgainstWhatMoves) {
   DelassusWorld world;
   world->setGravity({0, 0, 0});
   const PinnedBall pinned(world);
-  // Below it, so that the two overlap as much.
+  // The free ball is below the pinned one, so that the two overlap as much.
   btRigidBody& free = world.addSphere(0.5, {0, btScalar(-0.5), 0});
   world.advance();
   const double recovery = 0.2 * PinnedBall::depth / h, rub = friction * friction * recovery;
@@ -191,7 +191,7 @@ TEST(LockedAxes, APinnedBallRubsAgainstWhatMoves) {
   EXPECT_EQ(pinned.ball.getLinearVelocity(), btVector3(0, 0, 0));
 }
 
-// Seen from above: what lies in the ground cannot come out, and must not be held by it.
+// A world seen from above: a body that lies in the ground cannot come out, and must not be held.
 TEST(LockedAxes, ABoxThatCannotRiseSlidesOverWhatItOverlaps) {
   for (const btVector3& turns : {btVector3(0, 0, 0), btVector3(0, 1, 0)}) {
     DelassusWorld world;
@@ -211,7 +211,7 @@ TEST(LockedAxes, ABoxThatCannotRiseSlidesOverWhatItOverlaps) {
   }
 }
 
-// Its normal is rounded.
+// The normal of the ball's point is rounded.
 TEST(LockedAxes, ABallThatCannotRiseSlidesOverWhatItOverlaps) {
   for (const double depth : {1e-2, 1e-4, 0.0}) {
     DelassusWorld world;
@@ -227,7 +227,7 @@ TEST(LockedAxes, ABallThatCannotRiseSlidesOverWhatItOverlaps) {
 // ---- Torque
 // -------------------------------------------------------------------------------------------------
 
-// applyTorque has the factor in it: it counts once.
+// applyTorque applies the factor already, so it counts once.
 TEST(LockedAxes, AFractionalAngularFactorTakesItsPartOfATorque) {
   for (const double factor : {0.5, 0.25, 2.0}) {
     const auto gain = [&](BulletWorld& world) {

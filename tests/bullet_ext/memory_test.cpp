@@ -1,4 +1,4 @@
-/// What points that Bullet's narrow phase has put in the place of others start from.
+/// The reactions from which points start that Bullet's narrow phase has put in the place of others.
 #include "bullet_ext/memory.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace delassus::bullet;
 
-/// One body on the ground at points below it, as the door gathers them.
+/// One body on the ground that touches at points below it, as the solver gathers them.
 class Touch {
  public:
   explicit Touch(const std::vector<Vec3>& arms) {
@@ -80,7 +80,7 @@ TEST(Memory, FreshPointsPushAndTurnAsThoseThatAreGone) {
   EXPECT_LT((touch.wrench(touch.group().guess) - before).norm(), 1e-6 * before.norm());
 }
 
-// But for those that somebody has changed.
+// Points keep their reactions in double precision, unless somebody has changed them.
 TEST(Memory, PointsThatStayHaveAllTheirDigits) {
   Touch touch(corners);
   Memory memory;
@@ -88,7 +88,7 @@ TEST(Memory, PointsThatStayHaveAllTheirDigits) {
   memory.keep(touch.group(), answerOf(reactions), h);
   memory.nextStep();
 
-  // As the narrow phase may have ordered them.
+  // The order in which the narrow phase may have put the points.
   const auto& guess =
       touch.group().guess = {reactions[2], reactions[0], reactions[3], reactions[1]};
   for (Vec3& r : touch.group().guess)
@@ -102,7 +102,7 @@ TEST(Memory, PointsThatStayHaveAllTheirDigits) {
   EXPECT_EQ(guess[3], reactions[1]);
 }
 
-// What float cannot tell apart is at its own place.
+// A reaction that float cannot tell from the others belongs to the point at its own place.
 TEST(Memory, PointsAlikeKeepTheirOwnDigits) {
   constexpr double belowFloat = 1e-10;
   std::vector<Vec3> alike(4, Vec3(1, 0, 0));
@@ -118,8 +118,8 @@ TEST(Memory, PointsAlikeKeepTheirOwnDigits) {
   EXPECT_EQ(touch.group().guess, alike);
 }
 
-// A smaller polygon on one side cannot pull, nor hold a moment about itself: what it starts from is
-// allowed all the same.
+// A smaller polygon on one side cannot pull, nor bear a moment about itself. The reactions from
+// which it starts must be allowed all the same.
 TEST(Memory, FreshPointsThatCannotCarryTheWrenchStartInsideTheirCones) {
   Touch touch(corners);
   Memory memory;
@@ -137,8 +137,8 @@ TEST(Memory, FreshPointsThatCannotCarryTheWrenchStartInsideTheirCones) {
   EXPECT_GT(pushed, 0);
 }
 
-// As a sphere's does while it rolls. Tangents are as long as friction is strong along them, or none
-// at all.
+// The point of a rolling sphere does so. Tangents are as long as friction is strong along them, or
+// zero.
 TEST(Memory, ALonePointTakesOverTheForce) {
   for (const Vec3& lengths : {Vec3(1, 1, 1), Vec3(1, 0.2, 3), Vec3(1, 2, 0)}) {
     SCOPED_TRACE(lengths.transpose());
@@ -163,7 +163,7 @@ TEST(Memory, ALonePointTakesOverTheForce) {
   }
 }
 
-// Even where one that is fresh has come nearer to where they were.
+// They do so even where a fresh point has come nearer to the place where they were.
 TEST(Memory, PointsThatStayClaimTheirOwnPast) {
   Touch touch({corners[0], corners[2]});
   const std::vector<Vec3> last{{0, 0, 0}, {5, 1, 0}};
@@ -180,7 +180,7 @@ TEST(Memory, PointsThatStayClaimTheirOwnPast) {
   EXPECT_LT((touch.group().guess[1] - last[1]).norm(), 1e-12);
 }
 
-// All that a manifold touches with may be in the centre of its body.
+// All points of a manifold may lie at the centre of their body.
 TEST(Memory, PointsWithoutArmsPushOn) {
   Touch touch({Vec3::Zero(), Vec3::Zero()});
   Memory memory;
@@ -192,7 +192,7 @@ TEST(Memory, PointsWithoutArmsPushOn) {
   EXPECT_LT((touch.wrench(touch.group().guess).head<3>() - Vec3(5, 0.5, 0.5)).norm(), 1e-9);
 }
 
-// As their reactions change places, so do the moments.
+// The moments change places with the reactions.
 TEST(Memory, WhatResistsTurningStartsAsTheNearestEnded) {
   Touch touch({corners[0], corners[2]});
   TurningFriction friction;
@@ -211,7 +211,7 @@ TEST(Memory, WhatResistsTurningStartsAsTheNearestEnded) {
   EXPECT_EQ(touch.group().rowGuess, std::vector<double>({4, 5, 6, 1, 2, 3}));
 }
 
-// By them the island is known again; a body that is new where another one was has none of them.
+// By these contacts an island is known again. A new body in the place of another one has none.
 TEST(Memory, RestlessAreTheContactsThatABodyHadBefore) {
   DelassusWorld world;
   btRigidBody& body = world.addCube({0, 0, 0});
@@ -267,7 +267,7 @@ TEST(Memory, PointsThatStayAreLeftAlone) {
   for (const Vec3& guess : touch.group().guess) EXPECT_EQ(guess, Vec3::Zero());
 }
 
-// Bullet counts the steps of a point, the one that made it included.
+// Bullet counts the steps of a point, including the one that made it.
 TEST(Memory, PointsOfThisStepAreFresh) {
   DelassusWorld world;
   world.addGround();

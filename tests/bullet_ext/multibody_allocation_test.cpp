@@ -1,4 +1,4 @@
-/// A step of articulated bodies that is like the one before takes no memory.
+/// A step of articulated bodies like the one before takes no memory.
 
 #include <BulletDynamics/Featherstone/btMultiBodyJointMotor.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace delassus::test {
 namespace {
 
-/// Counts what solveMultiBodyGroup takes; Bullet's own share of a step is not counted.
+/// Counts the allocations of solveMultiBodyGroup; Bullet's own share of a step is not counted.
 class CountingMultiBodySolver : public btDelassusMultiBodyConstraintSolver {
  public:
   void solveMultiBodyGroup(btCollisionObject** bodies, int bodyCount,
@@ -54,8 +54,8 @@ TEST(MultiBodyAllocation, AWarmStepTakesNoMemory) {
   EXPECT_GT(solver.taken, 0) << "the counter counts";
   solver.taken = 0;
   world.advance(30);
-  // In single precision the chain is not quite at rest: roads that no step has taken before take
-  // some memory, once.
+  // In single precision the chain is not quite at rest. A step may take a way through the solver
+  // that no step has taken before, and that takes some memory, once.
   if (isDouble) {
     EXPECT_EQ(solver.taken, 0);
   }

@@ -45,8 +45,8 @@ TEST(MultiBodyContacts, FreeBoxCarriesItsWeight) {
   EXPECT_EQ(world.report().solved, 1);
 }
 
-/// The turn, rad, of a plank after so many steps that falls, on a joint that lets it move in its
-/// plane, with one end on a block.
+/// The turn, rad, after so many steps, of a falling plank with one end on a block. Its joint lets
+/// it move in its plane.
 double turnOfPlank(MultiBodyWorld& world, int steps) {
   const btVector3 half(1, btScalar(0.1), 0.5);
   world.addGround();
@@ -63,7 +63,7 @@ double turnOfPlank(MultiBodyWorld& world, int steps) {
   return tree.getJointPosMultiDof(0)[0];
 }
 
-// Bullet's Jacobian of the angular velocity leaves out this joint's.
+// Bullet's Jacobian of the angular velocity leaves out the planar joint.
 TEST(MultiBodyContacts, PlankOnAPlanarJointTipsAsInStock) {
   DelassusMultiBodyWorld ours;
   StockMultiBodyWorld stock(1000);
@@ -72,7 +72,7 @@ TEST(MultiBodyContacts, PlankOnAPlanarJointTipsAsInStock) {
   EXPECT_NEAR(turn, turnOfPlank(stock, 20), tolerance(1e-4, 1e-3));
 }
 
-/// A collider that no articulated body has, as where its body was deleted, is ground.
+/// A collider without an articulated body is ground, for example after its body was deleted.
 TEST(MultiBodyContacts, ColliderWithoutABody) {
   DelassusMultiBodyWorld world;
   btBoxShape shape(btVector3(5, 1, 5));
@@ -88,7 +88,7 @@ TEST(MultiBodyContacts, ColliderWithoutABody) {
   world.world().removeCollisionObject(&orphan);
 }
 
-/// A fixed base is ground, and one that moves by itself carries along what lies on it.
+/// A fixed base is ground; a base that moves by itself carries along what lies on it.
 TEST(MultiBodyContacts, BasesThatCannotBePushed) {
   for (const bool kinematic : {false, true}) {
     DelassusMultiBodyWorld world;
@@ -98,9 +98,9 @@ TEST(MultiBodyContacts, BasesThatCannotBePushed) {
     if (kinematic) base.setBaseDynamicType(btCollisionObject::CF_KINEMATIC_OBJECT);
     const btVector3 velocity(kinematic ? btScalar(0.3) : 0, 0, 0);
     const btRigidBody& box = world.addCube(btVector3(0, btScalar(0.5), 0), 2);
-    // Not for long: Bullet's points stay a step behind what carries them along, are lost one by
-    // one, and rounding decides when only two are left under the box. It has the speed of its base
-    // after four steps.
+    // Only six steps, since Bullet's points stay a step behind the base that carries them and are
+    // lost one by one; when only two are left under the box, rounding decides. The box has the
+    // speed of its base after four steps.
     for (int step = 0; step < 6; ++step) {
       base.setBaseVel(velocity);
       world.advance();
@@ -112,7 +112,7 @@ TEST(MultiBodyContacts, BasesThatCannotBePushed) {
   }
 }
 
-// It couples nothing, as ground does not.
+// A fixed base couples nothing, as ground does not.
 TEST(MultiBodyContacts, BoxesOnAFixedBaseAreIslandsOfTheirOwn) {
   DelassusMultiBodyWorld world;
   btMultiBody& base = world.addTree(0, 1, btVector3(1, 1, 1), true, btVector3(0, -1, 0));
@@ -123,8 +123,8 @@ TEST(MultiBodyContacts, BoxesOnAFixedBaseAreIslandsOfTheirOwn) {
   EXPECT_EQ(world.report().islands, 2);
 }
 
-/// A lever about z at the end of `tree`, as link `link`: mass 2 kg, centre at 0.5 m, its ball lies
-/// on a stop at 0.8 m.
+/// A lever about z at the end of `tree`, as its link `link`: mass 2 kg, centre at 0.5 m. Its ball
+/// lies on a stop at 0.8 m.
 struct Lever {
   static constexpr btScalar mass = 2, arm = btScalar(0.8), radius = btScalar(0.1);
   static constexpr double onStop = mass * BulletWorld::gravity * 0.5 / arm;  ///< force, N
@@ -143,10 +143,10 @@ struct Lever {
   btSphereShape ball{radius};
 };
 
-/// What a tree has been solved with before must not show: Bullet writes nothing for links that move
-/// by themselves.
+/// An earlier solve of the tree must not show: for links that move by themselves Bullet writes
+/// nothing.
 TEST(MultiBodyContacts, LinksThatCannotBePushed) {
-  /// Looks at what the solver does to one joint.
+  /// Checks that the solver does not change the velocity of one joint.
   struct Watch : btDelassusMultiBodyConstraintSolver {
     void solveMultiBodyGroup(btCollisionObject** bodies, int bodyCount,
                              btPersistentManifold** manifolds, int manifoldCount,
@@ -187,7 +187,7 @@ TEST(MultiBodyContacts, LinksThatCannotBePushed) {
   }
 }
 
-/// The lever feels its stop as on a fixed base if what carries it moves by itself.
+/// The lever feels its stop as on a fixed base, if the links that carry it move by themselves.
 TEST(MultiBodyContacts, LinksAfterOneThatCannotBePushed) {
   DelassusMultiBodyWorld world;
   const btVector3 zero(0, 0, 0), inertia(1, 1, 1);
@@ -205,7 +205,7 @@ TEST(MultiBodyContacts, LinksAfterOneThatCannotBePushed) {
   }
 }
 
-/// Bullet's finer integration has found places before the solver is asked: those do not count.
+/// Bullet's finer integration finds places before the solver is asked: those do not count.
 TEST(MultiBodyContacts, LinksOfRungeAndKuttaStayOnTheirStop) {
   DelassusMultiBodyWorld world;
   const btVector3 zero(0, 0, 0);
@@ -262,7 +262,7 @@ struct ArmOnStops {
   btMultiBody* arm;
 };
 
-// What its rail holds cannot be pushed out of the ground, and slides on.
+// A link that its rail holds cannot be pushed out of the ground, and slides on.
 TEST(MultiBodyContacts, LinksBesideTheirRailAreNotHeldByWhatTheyOverlap) {
   for (const double depth : {1e-2, 1e-5, 0.0}) {
     DelassusMultiBodyWorld world;
@@ -280,7 +280,7 @@ TEST(MultiBodyContacts, LinksBesideTheirRailAreNotHeldByWhatTheyOverlap) {
   }
 }
 
-// Nor what turns in place: the arm of a ball's point goes along its normal, up to its rounding.
+// Nor can one that turns in place: a ball's point has its arm along its normal, up to rounding.
 TEST(MultiBodyContacts, LinksThatTurnInPlaceSpinOnInWhatTheyOverlap) {
   DelassusMultiBodyWorld world;
   const btQuaternion tilt(btVector3(1, 2, 3).normalized(), btScalar(0.3));
@@ -338,7 +338,7 @@ TEST(MultiBodyContacts, ThePlanCountsATreeWithAllThatItTouchesAsOneIsland) {
   EXPECT_EQ(report.plan.unknowns, 2);
 }
 
-/// A body on four legs of two links each, feet of radius 5 cm, motors in the joints.
+/// A body on four legs of two links each; feet of radius 5 cm, motors in the joints.
 struct Quadruped {
   static constexpr btScalar bodyMass = 20, legMass = btScalar(0.7);
   static constexpr btScalar thigh = btScalar(0.3), shank = btScalar(0.3), foot = btScalar(0.05);
@@ -384,7 +384,7 @@ TEST(MultiBodyContacts, QuadrupedStandsOnFeetThatCarryItsWeight) {
   for (int step = 0; step < 30; ++step) {
     world.advance();
     EXPECT_NEAR(normalSum(world) / weight, 1, tolerance(1e-6, 1e-4));
-    // Four stiff legs: in single precision their rounding says which carry how much.
+    // Four stiff legs: in single precision rounding decides which of them carry how much.
     for (const btManifoldPoint* foot : world.points()) {
       EXPECT_GE(foot->m_appliedImpulse, 0);
       if (isDouble) {

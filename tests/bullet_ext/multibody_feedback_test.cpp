@@ -1,4 +1,4 @@
-/// The forces that joints of articulated bodies tell.
+/// The forces that joints of articulated bodies report.
 
 #include <BulletDynamics/Featherstone/btMultiBodyJointMotor.h>
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ struct ThrownChain : Chain {
   btVector3 force(int joint) { return feedback[joint].m_reactionForces.getLinear(); }
 };
 
-/// Each joint carries what lies beyond it, Σ m (a + g), with a of the centres of mass.
+/// Each joint carries all that lies beyond it: Σ m (a + g), with a of the centres of mass.
 TEST(MultiBodyFeedback, OfAThrownArmIsThatOfInverseDynamics) {
   DelassusMultiBodyWorld world;
   ThrownChain chain(world);
@@ -50,8 +50,8 @@ TEST(MultiBodyFeedback, OfAThrownArmIsThatOfInverseDynamics) {
   EXPECT_NEAR(chain.force(0).y() / beyondFirst, 1, tolerance(1e-6, 1e-4));
 }
 
-/// What Bullet 3.24 makes of our reactions where joints move is not mechanics: its pass for
-/// constraints has the Coriolis forces once more. It is what it makes of stock's.
+/// Where joints move, Bullet 3.24 makes no mechanics of our reactions: its pass for constraints
+/// adds the Coriolis forces once more. It makes the same of stock's reactions.
 TEST(MultiBodyFeedback, OfAMovingArmIsThatOfStock) {
   DelassusMultiBodyWorld ours;
   StockMultiBodyWorld stock;
@@ -66,7 +66,7 @@ TEST(MultiBodyFeedback, OfAMovingArmIsThatOfStock) {
   }
 }
 
-/// The far end of a lever lies on a stop; its pivot carries the rest.
+/// The far end of a lever lies on a stop; the pivot carries the rest.
 TEST(MultiBodyFeedback, OfALeverOnAStop) {
   DelassusMultiBodyWorld world;
   const Chain chain(world, 1);

@@ -61,7 +61,7 @@ TEST(MultiBodyJoints, MotorsReachTheirVelocityWithTheTorquesOfInverseDynamics) {
   }
 }
 
-// A ball on a spindle that slides in a guide: it stands on the ground with all their weight.
+// A ball on a spindle slides in a guide, and stands on the ground with the weight of all of them.
 TEST(MultiBodyJoints, SpinningFrictionOfALinkIsFelt) {
   constexpr double kappa = 0.02;
   const double weight = 3 * g;
@@ -146,7 +146,7 @@ TEST(MultiBodyJoints, WhatMayNotPushOrIsBrokenIsNone) {
     for (const bool isFirst : {true, false}) EXPECT_EQ(velocities(other, isFirst), alone);
 }
 
-/// Largest number, or one that is large enough: no bound.
+/// The largest number, or one that is large enough, is no bound.
 TEST(MultiBodyJoints, AMotorOfUnlimitedStrengthHasNoBound) {
   for (const btScalar most : {btScalar(BT_LARGE_FLOAT), SIMD_INFINITY}) {
     DelassusMultiBodyWorld world;
@@ -176,7 +176,7 @@ TEST(MultiBodyJoints, LimitStopsAFallingLink) {
   const double torque = Chain::mass(0) * g * 0.5 * std::cos(0.5);
   EXPECT_NEAR(impulse / (60 * h) / torque, 1, 0.05);
 
-  // Lifted off, the limit acts no more and says so.
+  // When the link is lifted off, the limit acts no more and says so.
   chain.tree->setJointPos(0, btScalar(0));
   chain.tree->setJointVel(0, 0);
   world.advance();
@@ -196,8 +196,8 @@ TEST(MultiBodyJoints, PointToPointClosesALoopWithTheWorld) {
   }
 }
 
-/// Bodies that are not passed to the solver, since they do not move or touch nothing: they hold as
-/// a point of the world does.
+/// Partners that do not move, or touch nothing, are not passed to the solver. They hold as a point
+/// of the world does.
 TEST(MultiBodyJoints, PartnersThatAreNotPassedHold) {
   enum Partner { World, Static, Kinematic };
   const auto motionWith = [](Partner partner) {
@@ -230,8 +230,8 @@ TEST(MultiBodyJoints, PartnersThatAreNotPassedHold) {
   }
 }
 
-/// Of an unsplit group Bullet says that there are as many multibody constraints as joints, and
-/// passes none.
+/// For an unsplit group of joints Bullet passes their number as that of the multibody constraints,
+/// and passes no such constraint.
 TEST(MultiBodyJoints, AnUnsplitGroupOfJointsOnly) {
   DelassusMultiBodyWorld world;
   world->getSimulationIslandManager()->setSplitIslands(false);
@@ -242,7 +242,7 @@ TEST(MultiBodyJoints, AnUnsplitGroupOfJointsOnly) {
   EXPECT_EQ(world.report().plan.rows, 5);
 }
 
-/// Stock's constraints see rigid partners before gravity and let them sag; ours hold.
+/// Stock's constraints see rigid partners before gravity and let them sag; ours hold them.
 TEST(MultiBodyJoints, RigidPartnersAreHeldAgainstGravity) {
   DelassusMultiBodyWorld world;
   const Chain chain(world, 2);
@@ -283,8 +283,8 @@ TEST(MultiBodyJoints, FixedConstraintMakesOneBodyOfTwo) {
   EXPECT_NEAR(between.length(), 0.5, 1e-3);
 }
 
-/// A box of 1 kg on a rail along x, of the world or of a body of 3 kg that floats: free along it,
-/// held across.
+/// A box of 1 kg on a rail along x, which is part of the world or of a floating body of 3 kg: free
+/// along the rail, held across.
 TEST(MultiBodyJoints, SliderLeavesItsAxisFree) {
   const btVector3 half(btScalar(0.2), btScalar(0.2), btScalar(0.2)), axis(1, 0, 0);
   const btMatrix3x3 straight = btMatrix3x3::getIdentity();
@@ -302,7 +302,7 @@ TEST(MultiBodyJoints, SliderLeavesItsAxisFree) {
         straight, straight, axis);
     const double along = 1, across = 0.5;
     tree.setBaseVel(btVector3(along, across, 0));
-    // Across, both go on with the momentum of the box; along, it alone.
+    // Across, both go on with the momentum of the box; along, the box goes on alone.
     const double together = ofWorld ? 0 : across / 4;
     for (int step = 0; step < 60; ++step) {
       world.advance();

@@ -12,8 +12,8 @@
 namespace delassus::test {
 namespace {
 
-/// Seven revolute joints, axes along y and z by turns, lying along x half a metre above the ground;
-/// a paddle at the end. The first joint swings it around.
+/// Seven revolute joints, their axes along y and z in turn, lie along x half a metre above the
+/// ground, with a paddle at the end. The first joint swings the arm around.
 btMultiBody& addSevenJointArm(MultiBodyWorld& world) {
   const btScalar length = btScalar(0.3);
   btMultiBody& arm = world.addTree(7, 0, btVector3(0, 0, 0), true, btVector3(0, btScalar(0.5), 0));
@@ -54,7 +54,7 @@ Vec3 momentumOf(const std::vector<btRigidBody*>& bodies) {
   return sum;
 }
 
-/// The impulse of all points on rigid bodies that can move; those between two cancel.
+/// The impulse of all points on rigid bodies that can move. Points between two such cancel.
 Vec3 impulseOnRigidBodies(MultiBodyWorld& world) {
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i < world.dispatcher().getNumManifolds(); ++i) {
@@ -128,7 +128,7 @@ struct Gripper {
   btRigidBody* box;
 };
 
-/// Lifts with up to 0.2 m/s, then holds. Returns the largest creep after the grip has closed.
+/// Lifts at up to 0.2 m/s, then holds. Returns the largest creep after the grip has closed.
 double creepOfGripper(int steps) {
   DelassusMultiBodyWorld world;
   const Gripper gripper(world);
@@ -171,7 +171,6 @@ TEST(MultiBodyMachines, SameBitsEveryTime) {
   EXPECT_EQ(std::memcmp(once.data(), again.data(), once.size() * sizeof(btScalar)), 0);
 }
 
-/// Three links of 10 g and a ball of 100 kg, hung up.
 /// Keeps a body from falling faster than 1 m/s, in solveConstraintObsolete alone.
 class Parachute : public btTypedConstraint {
  public:
@@ -190,7 +189,8 @@ class Parachute : public btTypedConstraint {
   }
 };
 
-// Solved again and again as the constraint goes on, a tree gains what the last answer gives it.
+// The tree is solved again and again while the constraint goes on, and gains only what the last
+// answer gives it.
 TEST(MultiBodyMachines, AConstraintWithoutRowsCarriesATree) {
   DelassusMultiBodyWorld world;
   world.info().m_numIterations = 1000;  // sweeps of the user's own method
@@ -206,6 +206,7 @@ TEST(MultiBodyMachines, AConstraintWithoutRowsCarriesATree) {
   EXPECT_NEAR(ball.getBaseVel().y(), -1, tolerance(1e-6, 1e-3));
 }
 
+// Three links of 10 g and a load of 100 kg, hung up.
 TEST(MultiBodyMachines, RopesOfRigidBodiesAreStiffenedToo) {
   DelassusMultiBodyWorld world;
   const btVector3 half(btScalar(0.05), btScalar(0.25), btScalar(0.05)), end(0, half.y(), 0);

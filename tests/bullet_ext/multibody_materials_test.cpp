@@ -1,4 +1,4 @@
-/// What links are made of: their restitution, and what softens their friction.
+/// What links are made of: restitution, and softness of friction.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ btMultiBody& addBall(MultiBodyWorld& world, const btVector3& position, btScalar 
 // ---- Restitution
 // -------------------------------------------------------------------------------------------------
 
-/// The speed with which a link of a falling tree and a falling ball that meet at 1 m/s part again.
+/// The speed at which a link of a falling tree and a falling ball part after meeting at 1 m/s.
 double partingSpeed(MultiBodyWorld& world, bool linkAbove, double restitution) {
   btMultiBody& link = addBall(world, {0, 0, 0}, btScalar(restitution));
   const btScalar side = linkAbove ? -1 : 1;
@@ -34,8 +34,8 @@ double partingSpeed(MultiBodyWorld& world, bool linkAbove, double restitution) {
   return side * (ball.getLinearVelocity().y() - link.getBaseVel().y());
 }
 
-// Gravity is in Bullet's velocities of links from the start of the step, and must not be missed in
-// those of rigid bodies.
+// Bullet's velocities of links include gravity from the start of the step. Those of rigid bodies
+// must not be compared without it.
 TEST(MultiBodyRestitution, FallingTogetherAddsNothing) {
   for (const bool linkAbove : {false, true})
     for (const double restitution : {1.0, 0.5}) {
@@ -47,7 +47,7 @@ TEST(MultiBodyRestitution, FallingTogetherAddsNothing) {
     }
 }
 
-// A force tells: what it drives together within the step parts faster, as in stock.
+// A force drives the two together within the step, so they part faster, as in stock.
 TEST(MultiBodyRestitution, WhatAForceAddsBouncesToo) {
   const auto parting = [](MultiBodyWorld& world) {
     world->setGravity({0, 0, 0});
@@ -66,7 +66,7 @@ TEST(MultiBodyRestitution, WhatAForceAddsBouncesToo) {
   EXPECT_NEAR(speed, parting(stock), tolerance(1e-10, 1e-5));
 }
 
-// At 30 Hz gravity alone is faster than the threshold.
+// At 30 Hz the speed that gravity adds in one step is above the threshold.
 TEST(MultiBodyRestitution, ALinkThatRestsOnABoxDoesNotHop) {
   DelassusMultiBodyWorld world;
   world.addGround();
@@ -84,8 +84,8 @@ TEST(MultiBodyRestitution, ALinkThatRestsOnABoxDoesNotHop) {
 // ---- Softness of friction
 // ------------------------------------------------------------------------------------------
 
-/// A foot of 1 kg on the ground that cannot turn: it slides up and down, and along x, where it is
-/// pulled. Its speed at the end.
+/// A foot of 1 kg on the ground that cannot turn. It slides up and down, and along x, where it is
+/// pulled. Returns its speed at the end.
 double pulledFoot(MultiBodyWorld& world, double softness, double pull) {
   world.info().m_frictionCFM = btScalar(softness);
   btRigidBody& ground = world.addGround();
@@ -127,7 +127,7 @@ bool giveSoftDirections(btManifoldPoint& point, const btCollisionObjectWrapper*,
   return true;
 }
 
-// As that of a rigid body, u = χ W r, by the mean of both W: 2/kg along x, 0 across the rail.
+// As soft as with rigid bodies, u = χ W r, by the mean of both W: 2/kg along x, 0 across the rail.
 TEST(MultiBodyFriction, OfDirectionsIsAsSoftAsTheirPointSays) {
   DelassusMultiBodyWorld world;
   world.info().m_solverMode |=
@@ -138,7 +138,7 @@ TEST(MultiBodyFriction, OfDirectionsIsAsSoftAsTheirPointSays) {
   EXPECT_NEAR(speed, 0.4 * (0.5 * 2) * pull * h, tolerance(1e-9, 1e-5));
 }
 
-// Stock's rigid bodies have the softness of their point alone.
+// As in stock, only the softness of their point softens the friction of rigid bodies.
 TEST(MultiBodyFriction, OfRigidBodiesIsNotSoftened) {
   DelassusMultiBodyWorld world;
   world.info().m_frictionCFM = btScalar(0.02);

@@ -40,7 +40,7 @@ std::vector<double> motionOf(const btMultiBody& tree) {
   return motion;
 }
 
-/// Runs the same scene with both solvers and compares the tree that `build` returns, step by step.
+/// Runs one scene with both solvers. Compares step by step the trees that `build` returns.
 template <class Build>
 void expectSameMotion(const Build& build, int steps, double most) {
   DelassusMultiBodyWorld ours;
@@ -79,7 +79,7 @@ TEST(MultiBodyParity, LimitsStopAsInStock) {
   expectSameMotion(build, 60, tolerance(1e-6, 2e-2));
 }
 
-/// Stock splits off the error of a limit that is deep behind and then forgets it.
+/// Stock splits off the error of a limit that is exceeded by far, and then forgets it.
 TEST(MultiBodyParity, DeepLimitsRecoverWithSplitImpulseToo) {
   DelassusMultiBodyWorld world;
   world->setGravity(btVector3(0, 0, 0));
@@ -91,7 +91,7 @@ TEST(MultiBodyParity, DeepLimitsRecoverWithSplitImpulseToo) {
   EXPECT_LE(tree.getJointPos(1), 0.1 + 1e-3);
 }
 
-// A push would move rigid bodies only.
+// A split push would move rigid bodies only.
 TEST(MultiBodyParity, DeepContactsRecoverWithSplitImpulseToo) {
   constexpr btScalar radius = btScalar(0.5);
   constexpr double depth = 0.1;
@@ -276,7 +276,7 @@ TEST(MultiBodyParity, RowsThatAreNoNumbersAreLeftOutAndTold) {
   EXPECT_TRUE(std::isfinite(tree.getJointVel(1)));
 }
 
-// What it was held to does not hold it any more.
+// The partner that held the chain is left out, and so does not hold it any more.
 TEST(MultiBodyParity, RowsWhosePartnerIsLeftOutAreLeftOutAndTold) {
   const auto swing = [](bool isHeld) {
     DelassusMultiBodyWorld world;
@@ -298,11 +298,11 @@ TEST(MultiBodyParity, RowsWhosePartnerIsLeftOutAreLeftOutAndTold) {
   EXPECT_EQ(swing(true), swing(false));
 }
 
-/// Link and multibody are named, by their own names where they have some.
+/// The message names link and multibody, by their own names if they have some.
 TEST(MultiBodyParity, TroubleNamesLinkAndMultiBody) {
   DelassusMultiBodyWorld world;
   btMultiBody& tree = addChain(world, 2, true, btVector3(0, 3, 0));
-  // One end of the chain in two places at once, with whatever it takes.
+  // One end of the chain is held in two places at once, whatever force it takes.
   for (const btScalar x : {btScalar(0.5), btScalar(1.5)})
     world
         .addConstraint<btMultiBodyPoint2Point>(&tree, 1, nullptr, btVector3(btScalar(0.2), 0, 0),

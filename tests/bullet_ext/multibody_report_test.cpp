@@ -1,4 +1,4 @@
-/// What a step of articulated bodies tells of itself: storage and Bullet's analytics.
+/// What a step of articulated bodies reports: storage and Bullet's analytics.
 
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ TEST(MultiBodyReport, StorageCountsTheTrees) {
     world.advance(30);
     EXPECT_EQ(world.report().workspaceBytes, *bytes) << "once warm";
   }
-  // M⁻¹, and what finds its root.
+  // The solver keeps M⁻¹ and what finds its root.
   constexpr std::size_t ofTree = 3 * freedoms * freedoms * sizeof(double);
   EXPECT_GE(longChain, shortChain + ofTree);
   EXPECT_GE(twoChains, longChain + ofTree);
@@ -60,7 +60,7 @@ TEST(MultiBodyReport, ResetAndUnkeptStorageLetGoOfAll) {
     const std::size_t full = report.workspaceBytes;
     EXPECT_GT(full, empty);
 
-    // Nothing is passed any more: a step of it shows what is held.
+    // Nothing is passed to the solver any more; a step of it shows how much it holds.
     if (kept) world.solver().reset();
     EXPECT_EQ(report.contacts, kept ? 0 : 8) << "the report that was asked for is the solver's";
     btContactSolverInfo info;
@@ -97,7 +97,7 @@ TEST(MultiBodyReport, AnalyticsTellOfTheLastGroup) {
   EXPECT_EQ(iterations, report.regions + report.sweeps);
   EXPECT_EQ(squares, report.residualMax * report.residualMax);
 
-  // Nothing is solved in a step without length.
+  // A step without length solves nothing.
   btContactSolverInfo info;
   info.m_timeStep = 0;
   world.solver().solveGroup(nullptr, 0, nullptr, 0, nullptr, 0, info, nullptr, &world.dispatcher());

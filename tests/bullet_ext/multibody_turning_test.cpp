@@ -9,8 +9,8 @@
 namespace delassus::test {
 namespace {
 
-// The bounds of stock's rigid bodies, which neither its links nor ours have, would show: 20 kg
-// weigh more than 1 N·s a step.
+// Stock bounds rolling friction on rigid bodies, but not on links, nor do ours. Such a bound would
+// show here: 20 kg weigh more than 1 N·s a step.
 TEST(MultiBodyTurning, IsHeardOnALinkWithStocksBoundsOrWithout) {
   constexpr double kappa = 0.02, mass = 20;
   const btScalar inertia = btScalar(mass * inertiaOfUnit);

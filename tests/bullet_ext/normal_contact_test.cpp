@@ -46,7 +46,8 @@ TEST(Parity, Row08SpeculativeGap) {
   EXPECT_NEAR(velocityAfterOneStep({0.015, 0.5, 0}), -0.5, roundOff) << "does not get there";
 }
 
-// A body may say from which distance on a point is none; what it bore before is gone.
+// A body may set the distance beyond which a point does not count. Its earlier reaction is then
+// gone.
 TEST(Parity, Row08PointsBeyondTheProcessingThresholdAreIdle) {
   constexpr double threshold = 0.004;
   for (const double gap : {0.003, 0.005}) {
@@ -69,8 +70,8 @@ TEST(Parity, Row08PointsBeyondTheProcessingThresholdAreIdle) {
   }
 }
 
-/// What gravity leaves of the velocity of a ball, m/s upwards, that is let go, or thrown, `gap`
-/// above the ground 50 m from the origin.
+/// The upward velocity, m/s, of a ball after a step of gravity. The ball is let go, or thrown down
+/// at `approach`, `gap` above the ground, 50 m from the origin.
 double velocityFarOut(double gap, double approach) {
   DelassusWorld world;
   btRigidBody& ball = addTouching(world, {gap, approach, 0});
@@ -80,8 +81,8 @@ double velocityFarOut(double gap, double approach) {
   return ball.getLinearVelocity().y();
 }
 
-// There float rounds places to 4e-6 m. What may be no more than that is neither closed nor mended,
-// unless something moves.
+// There float rounds places to 4e-6 m. A gap or overlap that may be rounding alone is neither
+// closed nor mended, unless something moves.
 TEST(Contacts, WhatRoundingTellsOfADistanceIsNoGapAndNoOverlap) {
   constexpr double tiny = 1e-5, gap = 1e-3;
   constexpr bool rounds = sizeof(btScalar) < sizeof(double);
@@ -91,7 +92,7 @@ TEST(Contacts, WhatRoundingTellsOfADistanceIsNoGapAndNoOverlap) {
   EXPECT_NEAR(velocityFarOut(gap, 0), -gap / h, roundOff);
 }
 
-// What is nearer or deeper than four roundings of both places, of 50 m each, is where it is.
+// Up to four roundings of both places, 50 m each, are no distance; more than that is one.
 TEST(Contacts, FourRoundingsOfTheirPlacesAreNoDistance) {
   constexpr double rounding = 2 * 50 * precision;
   EXPECT_NEAR(velocityFarOut(3 * rounding, 0), 0, 0.1 * rounding / h);
@@ -217,7 +218,7 @@ bool soften(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
   return true;
 }
 
-/// Calls it for a body as long as it lives.
+/// Sets the callback for a body, as long as this lives.
 struct WithPointSoftness {
   WithPointSoftness(btRigidBody& body, const PointSoftness& softness) {
     pointSoftness = softness;
@@ -248,7 +249,7 @@ TEST(Parity, Row15PointSoftnessReplacesEachNumber) {
               softDepth(0.01, 0.4), resting);
 }
 
-// Not even one that names its softness, if that is none.
+// A point that sets a softness of zero is split as well.
 TEST(Parity, Row15OnlyAPointThatGivesIsNotSplit) {
   for (const double cfm : {0.0, 0.01}) {
     DelassusWorld world;

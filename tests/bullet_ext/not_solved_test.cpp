@@ -1,5 +1,4 @@
-/// Islands that end above their tolerance: the report and the listener name the contacts that are
-/// to blame.
+/// Islands that end above their tolerance: report and listener name the contacts that are to blame.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -75,7 +74,7 @@ TEST(NotSolved, IncompatibleContactsAreToldInEveryStep) {
   }
 }
 
-// The same through Bullet's own narrow phase, with friction, on a row of boxes and a bystander.
+// The same through Bullet's own narrow phase, with friction, on a row of boxes beside a bystander.
 TEST(NotSolved, APressThatClosesOnBoxesSaysSoAndTheyStay) {
   BulletWorld world(std::make_unique<btDelassusConstraintSolver>());
   world.addGround();
@@ -106,9 +105,9 @@ TEST(NotSolved, APressThatClosesOnBoxesSaysSoAndTheyStay) {
   EXPECT_GE(said, 10);
 }
 
-// A box 1 cm deep in the ground cannot rise, and whatever else it can do does not help all its
-// corners. Where it can do nothing along a normal nobody feels a push: somebody must be named all
-// the same.
+// A box 1 cm deep in the ground cannot rise, and its other motions do not help all its corners.
+// Where it cannot move along a normal no contact feels a push: some contact must be named all the
+// same.
 TEST(NotSolved, SomebodyIsNamedThoughNobodyCanYield) {
   int said = 0;
   for (const btVector3& linear : {btVector3(1, 0, 1), btVector3(1, 0, 0), btVector3(0, 0, 1)})
@@ -132,9 +131,9 @@ TEST(NotSolved, SomebodyIsNamedThoughNobodyCanYield) {
   EXPECT_GT(said, 0);
 }
 
-// A box in a stack is made static a little too low, be it a millionth of a millimetre: those below
-// are squeezed, and what would lift them is hardly more than nothing. It is told at once, and not
-// looked for in vain. By less than a micrometre they give in, step by step.
+// A box in a stack is made static a little too low, be it a millionth of a millimetre. The boxes
+// below are squeezed, and hardly anything would lift them. That is reported at once, without a long
+// search. By less than a micrometre the boxes give in, step by step.
 TEST(NotSolved, ABodyThatIsFrozenInAStackCostsLittle) {
   for (const double depth : {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-3}) {
     DelassusWorld world;

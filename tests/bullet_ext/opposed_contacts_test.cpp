@@ -1,4 +1,4 @@
-/// What is half way through a mesh, whose triangles push from both sides, and parts that interlock.
+/// Bodies half way through a mesh, whose triangles push from both sides, and parts that interlock.
 
 #include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleMesh.h>
@@ -47,7 +47,7 @@ struct PlankInFloor {
       addHinged(pose);
   }
 
-  /// Of the fastest of what moves.
+  /// The speed of the fastest part.
   double speed() {
     double fastest = 0;
     for (int i = 1; i < world->getNumCollisionObjects(); ++i)
@@ -73,13 +73,14 @@ struct PlankInFloor {
   static btTransform shifted(double x) {
     return btTransform(btQuaternion::getIdentity(), btVector3(btScalar(x), 0, 0));
   }
-  /// The floor is the first.
+  /// The floor is the first object.
   btRigidBody& part(int i) {
     return static_cast<btRigidBody&>(*world->getCollisionObjectArray()[i]);
   }
 };
 
-// Held exactly, what pushes it up and what pushes it down would contradict each other step by step.
+// Held exactly, the triangles that push it up and those that push it down would contradict each
+// other in every step.
 TEST(OpposedContacts, WhatTrianglesPushBothWaysIsSolved) {
   for (const Plank kind : {Plank::OneBox, Plank::TwoHalves, Plank::TwoHinged})
     for (const double height : {-0.01, 0.002, 0.02})
@@ -98,7 +99,7 @@ TEST(OpposedContacts, WhatTrianglesPushBothWaysIsSolved) {
         }
 }
 
-// It leaves on the side where its centre is, or stays.
+// The plank leaves on the side where its centre is, or stays.
 TEST(OpposedContacts, NothingIsPulledThroughTriangles) {
   for (const double lean : {0.03, 0.06})
     for (const double heading : {0.0, 0.5, 1.3}) {
@@ -118,7 +119,7 @@ std::unique_ptr<btCollisionShape> twoBars(btBoxShape& bar, double apart) {
   return bars;
 }
 
-// A third, held between them, overlaps both by a centimetre.
+// A third bar, held between the two, overlaps both by a centimetre.
 TEST(OpposedContacts, PartsThatInterlockAreSolved) {
   constexpr double half = 0.05, overlap = 0.01, apart = 4 * half - 2 * overlap;
   btBoxShape bar(btVector3(1, btScalar(half), btScalar(half)));
@@ -164,7 +165,7 @@ class Groove {
   btBoxShape leaf_{btVector3(1, 6, 2)};
 };
 
-// What is wedged between two faces of one body can leave: nothing contradicts itself there.
+// A body wedged between two faces of another can leave: no demands contradict each other there.
 TEST(OpposedContacts, AWedgeCarriesItsLoadExactly) {
   constexpr double half = 15 * M_PI / 180, radius = 0.5, load = 100;
   for (const bool isMesh : {true, false}) {
@@ -187,7 +188,7 @@ TEST(OpposedContacts, AWedgeCarriesItsLoadExactly) {
   }
 }
 
-// Two fingers on one slide, drawn together by 50 N each, on both sides of a bar.
+// Two fingers on one slide, on both sides of a bar, are drawn together by 50 N each.
 TEST(OpposedContacts, WhatAViceHoldsIsHeldExactly) {
   constexpr double half = 0.1, finger = 0.05, force = 50;
   btTriangleMesh mesh;

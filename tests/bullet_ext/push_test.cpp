@@ -1,4 +1,4 @@
-/// What split impulse pushes out of each other: exactly, unless it is pinched.
+/// Split impulse pushes bodies out of each other exactly, unless they are pinched.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace delassus::test {
 namespace {
 
-/// The furthest that a body between a floor and a shelf goes in one of some steps, m: deep in both,
+/// The longest way, m, that a body makes in one of 20 steps. It is deep in a floor and in a shelf,
 /// which lean against each other.
 double furthestStep(BulletWorld& world, bool isBall, double lean, double depth) {
   constexpr double half = 0.25;
@@ -35,7 +35,7 @@ double furthestStep(BulletWorld& world, bool isBall, double lean, double depth) 
   return furthest;
 }
 
-// Out of a wedge the exact push is in proportion to 1/lean.
+// In a wedge the exact push is in proportion to 1/lean.
 TEST(Push, WhatIsPinchedIsNotThrown) {
   constexpr double depth = 0.06, recovery = 0.2 * depth;
   for (const bool isBall : {true, false})
@@ -52,7 +52,7 @@ TEST(Push, WhatIsPinchedIsReported) {
   EXPECT_EQ(pinched.report().pushSoftened, 1);
 }
 
-// In a plane world, what lies behind a body touches it with a small part of its normal.
+// In a plane world, a thing behind a body touches it with a small part of its normal in the plane.
 TEST(Push, WhatIsBehindAPlaneWorldThrowsNothing) {
   for (const double lean : {1e-5, 1e-3, 1e-2}) {
     SCOPED_TRACE(lean);
@@ -72,7 +72,7 @@ TEST(Push, WhatIsBehindAPlaneWorldThrowsNothing) {
   }
 }
 
-// Those above go as far as all below them together: exactly, since none slips past the others.
+// Each box goes as far as all overlaps below it together: exactly, since no box slips past another.
 TEST(Push, StacksThatOverlapArePushedExactly) {
   constexpr int boxes = 10;
   constexpr double depth = 0.05;
@@ -90,7 +90,8 @@ TEST(Push, StacksThatOverlapArePushedExactly) {
         << i;
 }
 
-// A plate that they lift off a post, deep in it as well, leaves it as fast as it must.
+// The boxes lift a plate off a post, in which it is deep as well. The plate leaves as fast as it
+// must.
 TEST(Push, WhatLeavesIsNoSlip) {
   constexpr int boxes = 15;
   constexpr double depth = 0.05;
@@ -109,7 +110,7 @@ TEST(Push, WhatLeavesIsNoSlip) {
               tolerance(1e-9, 1e-5));
 }
 
-/// What a push does in one step to a cube that leans over and is deep in the ground with an edge.
+/// What a push does in one step to a tilted cube, one edge of which is deep in the ground.
 struct Pushed {
   double rise, turn;
 };

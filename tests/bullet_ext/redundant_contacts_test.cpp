@@ -20,7 +20,7 @@ TEST(Parity, Row33RedundantContactsShareTheLoadEvenly) {
     EXPECT_NEAR(point->m_appliedImpulse, g * h / 4, tolerance(1e-8, 1e-4)) << "the least norm";
 }
 
-/// A plate of 5 kg on balls, at these places under it, without friction.
+/// A plate of 5 kg lies on balls at these places under it, without friction.
 void expectLeastNorm(const std::vector<btVector3>& places) {
   constexpr double mass = 5, half = 0.6, radius = 0.1, thick = 0.05;
   DelassusWorld world;

@@ -1,5 +1,5 @@
-/// Joints that hold the same thing twice, as two hinges of a door do: the rounding of their poses
-/// makes them contradict each other, and what they leave free must stay free.
+/// Joints that hold the same motion twice, as two hinges of a door do. The rounding of their poses
+/// makes them contradict each other; the motions that they leave free must stay free.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace delassus::test {
 namespace {
 
-/// Standing askew, so that no axis is one of the world.
+/// Poses that stand askew, so that no axis is one of the world's.
 class Poses {
  public:
   btTransform next() {
@@ -28,7 +28,7 @@ class Poses {
   std::mt19937_64 random_{1};
 };
 
-/// Tolerances are the defaults of users.
+/// Tolerances are the users' defaults.
 struct OurWorld : BulletWorld {
   OurWorld() : BulletWorld(std::make_unique<btDelassusConstraintSolver>()) {}
 };
@@ -39,7 +39,7 @@ btRigidBody& addPanel(BulletWorld& world, const btTransform& pose) {
                        pose * BulletWorld::at({btScalar(0.5), btScalar(1.1), 0}), 20);
 }
 
-/// Every step is one short walk.
+/// Checks that every step is one short walk.
 void advanceCheaply(OurWorld& world, int steps) {
   for (int i = 0; i < steps; ++i) {
     world.advance();
@@ -48,15 +48,15 @@ void advanceCheaply(OurWorld& world, int steps) {
   }
 }
 
-/// Two joints of that type between the panel and a wall, one above the other; `skew`: of the lower
+/// Two joints of one type between the panel and a wall, one above the other. `skew` turns the lower
 /// one's frame on the wall, rad.
 template <class Joint>
 void addTwo(BulletWorld& world, btRigidBody& panel, btScalar skew,
             std::function<void(Joint&)> set) {
   btRigidBody& wall = world.addCube({-30, 0, 0}, 0);
   for (const btScalar side : {btScalar(0.7), btScalar(-0.7)}) {
-    // The third axis, about which hinges turn, is the panel's upright one; the first is that of
-    // sliders.
+    // The third axis, about which hinges turn, is the upright one of the panel; the first is the
+    // axis of sliders.
     const btTransform inPanel(btQuaternion({1, 0, 0}, -SIMD_HALF_PI), {btScalar(-0.5), side, 0});
     btTransform inWall = wall.getWorldTransform().inverse() * panel.getWorldTransform() * inPanel;
     if (side < 0) inWall.setBasis(inWall.getBasis() * btMatrix3x3(btQuaternion({1, 0, 0}, skew)));
@@ -86,7 +86,7 @@ TEST(RedundantJoints, TwoParallelRailsLeaveTheFallAlongThem) {
   }
 }
 
-/// A second of a door that was pushed.
+/// A door that has been pushed.
 btRigidBody& addDoor(BulletWorld& world, const btTransform& pose, double skew) {
   btRigidBody& door = addPanel(world, pose);
   addTwo<btHingeConstraint>(world, door, btScalar(skew), [](btHingeConstraint&) {});
@@ -112,7 +112,7 @@ TEST(RedundantJoints, ADoorOnTwoHingesSwingsAsInConvergedStock) {
   }
 }
 
-/// Two cubes that are welded together twice and turn about where they touch.
+/// Two cubes that are welded together twice, and turn about the place where they touch.
 class SpinningPair {
  public:
   SpinningPair(BulletWorld& world, const btVector3& place) {
@@ -135,7 +135,7 @@ class SpinningPair {
                                                           from(*cubes_[1])));
     }
   }
-  /// What holds one cube on its circle for a step, N·s.
+  /// The impulse that holds one cube on its circle for a step, N·s.
   double load() const { return mass * spin.length2() * 0.5 * h; }
   double largestImpulse() const {
     double largest = 0;
@@ -151,7 +151,7 @@ class SpinningPair {
   std::vector<btTypedConstraint*> welds_;
 };
 
-// What rounding has them ask of each other is no load, or thresholds would break them.
+// What rounding makes the welds ask of each other must be no load, or thresholds would break them.
 TEST(RedundantJoints, WeldsThatSpinCarryWhatTurnsThemAndLittleMore) {
   for (const btScalar far : {btScalar(0), btScalar(30)}) {
     OurWorld world;
@@ -164,8 +164,8 @@ TEST(RedundantJoints, WeldsThatSpinCarryWhatTurnsThemAndLittleMore) {
   }
 }
 
-// Two boxes at rest, welded, are struck by a ball: what the weld misses is as little as ever beside
-// what it does.
+// A ball strikes two welded boxes at rest: the error of the weld stays as small as ever beside what
+// it bears.
 TEST(RedundantJoints, WhatRestsMayBeStruck) {
   DelassusWorld world;
   world->setGravity({0, 0, 0});
@@ -184,7 +184,7 @@ TEST(RedundantJoints, WhatRestsMayBeStruck) {
   EXPECT_GT(second.getLinearVelocity().x(), 1);
 }
 
-// Two boxes hang together by a pivot and a hinge beside it, which hold two things twice. They are
+// Two boxes hang together by a pivot and a hinge beside it, which hold two motions twice. They are
 // thrown, land and lie: energy is only lost.
 TEST(RedundantJoints, APairThatIsHeldTwiceGainsNothing) {
   constexpr double gain = 0.1;  // J, of the 40 that they begin with

@@ -1,5 +1,5 @@
 /// Hard problems and broken input: redundancy, mass ratios, scales, demands that nothing can meet,
-/// numbers that are none.
+/// NaN.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace delassus::test {
 namespace {
 
 #ifdef __GLIBC__
-// Who has his processor stop at x/0 and numbers that are none means his own code.
+// A user who has the processor stop at x/0 and NaN means his own code, not ours.
 TEST(Robustness, TrapsOfTheUserStayHisOwn) {
   constexpr int traps = FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW;
   for (const int threads : {1, 2}) {
@@ -113,9 +113,9 @@ TEST(Parity, Row35HangingChainKeepsItsLength) {
 }
 
 TEST(Parity, Row35SwingingChainKeepsItsLength) {
-  // Under this load the links vibrate across the chain with 2√(T/(m L)) = 440 rad/s: no solver of
-  // velocities follows that at 60 Hz, stock run to convergence falls as ours does. At 1 kHz the
-  // step is fit for the chain, and the solver is seen.
+  // Under this load the links vibrate across the chain with 2√(T/(m L)) = 440 rad/s. No solver of
+  // velocities follows that at 60 Hz; stock run to convergence falls as ours does. At 1 kHz the
+  // step suits the chain, and the test shows the solver.
   const auto longest = [](BulletWorld& world) {
     const HungChain chain = addChain(world, {1, 0, 0});
     double length = 0;
@@ -132,7 +132,7 @@ TEST(Parity, Row35SwingingChainKeepsItsLength) {
       << "what the test would look like if the rows were not solved";
 }
 
-/// Where two boxes that hang from joints are after a while, in units of `length`.
+/// Where two boxes that hang from joints are after 60 steps, in units of `length`.
 std::vector<double> hungPair(double mass, double length) {
   DelassusWorld world;
   world.info().m_splitImpulse = false;
@@ -156,9 +156,9 @@ std::vector<double> hungPair(double mass, double length) {
   return out;
 }
 
-/// The library of this build solves in double precision whichever Bullet it is for: in single
-/// precision the reactions of ten boxes under 1000 kg, exact where they are found, are rounded once
-/// where they are written.
+/// The library solves in double precision, whatever the precision of Bullet. In single precision
+/// the reactions of ten boxes, the top one of 1000 kg, are exact when they are found, and are
+/// rounded once when they are written.
 TEST(Parity, Row47SolvesInDoubleWhateverThePrecision) {
   DelassusWorld world;
   world.addGround();
@@ -222,7 +222,7 @@ Landed landedPile(double mass, double length, int steps) {
   return landed;
 }
 
-// Powers of two are scaled without rounding: what differs more comes of an absolute number.
+// Powers of two scale without rounding: any larger difference comes from an absolute number.
 TEST(Parity, Row52ScaleOfMassesAndLengthsDoesNotMatterToPiles) {
   for (const int steps : {20, 60, 120}) {  // in motion, landed, at rest
     const Landed reference = landedPile(1, 1, steps);
@@ -233,7 +233,7 @@ TEST(Parity, Row52ScaleOfMassesAndLengthsDoesNotMatterToPiles) {
                      << steps << " steps, mass 2^" << massPower << ", length 2^" << lengthPower);
         const Landed scaled =
             landedPile(std::ldexp(1, massPower), std::ldexp(1, lengthPower), steps);
-        // Of lengths, Bullet's narrow phase has a few absolute numbers, of the size of rounding.
+        // For lengths, Bullet's narrow phase has a few absolute numbers, of the size of rounding.
         const bool exact = lengthPower == 0;
         const double most = exact ? 0 : tolerance(1e-7, 5e-3);
         const double mostImpulse = exact ? 0 : tolerance(1e-4, 5e-2);
@@ -286,7 +286,7 @@ bool breakFriction(btManifoldPoint& point, const btCollisionObjectWrapper*, int,
   return true;
 }
 
-// The usual way to have a motor of constant torque: its target says nothing about the pile that it
+// A motor of constant torque is usually set so. Its target says nothing about the pile that it
 // stands on.
 TEST(Robustness, ATargetOutOfReachLeavesTheRestAsExact) {
   const auto motionOf = [](btScalar target) {
@@ -311,7 +311,7 @@ TEST(Robustness, ATargetOutOfReachLeavesTheRestAsExact) {
         << target;
 }
 
-// A wall 1.5 cm away, that is 1500 m/s in a step of 10 µs, stops nothing that glides along it.
+// A wall 1.5 cm away, i.e. 1500 m/s in a step of 10 µs, does not stop a ball that glides along it.
 TEST(Robustness, OpenPointsStopNothingInShortSteps) {
   constexpr btScalar h = btScalar(1e-5);
   constexpr int steps = 200;

@@ -54,7 +54,7 @@ TEST(Parity, Row32ConstraintsWithoutRowsSolveThemselves) {
   EXPECT_EQ(ours.report().obsoleteConstraints, 1);
 }
 
-// What it leaves alone is not solved again.
+// A body that the constraint leaves alone is not solved again.
 TEST(Joints, AConstraintWithoutRowsThatDoesNothingIsCalledOnce) {
   DelassusWorld world;
   world->setGravity({0, 0, 0});
@@ -65,7 +65,7 @@ TEST(Joints, AConstraintWithoutRowsThatDoesNothingIsCalledOnce) {
   EXPECT_EQ(world.report().obsoleteConstraints, 0);
 }
 
-// The rest of the group keeps its bits, whoever else is in it.
+// The rest of the group keeps its motion, bit for bit, whoever else is in the group.
 TEST(Joints, AConstraintWithoutRowsLeavesOtherIslandsAlone) {
   const auto run = [](bool brakes) {
     DelassusWorld world;
@@ -121,7 +121,7 @@ TEST(Joints, AConstraintWithoutRowsThatDisablesItselfIsCalledOnce) {
   EXPECT_NEAR((velocity - run(stock)).length(), 0, 100 * precision);
 }
 
-// Without a budget four points are trouble, until the constraint lifts the body off them.
+// Without a budget the four points are trouble, until the constraint lifts the body off them.
 TEST(Joints, TroubleThatAConstraintWithoutRowsEndsIsNotTold) {
   Options options;
   options.newtonBudget = options.sweepBudget = 0;

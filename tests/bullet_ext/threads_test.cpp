@@ -1,5 +1,5 @@
-/// Islands that are solved side by side: whatever the number of threads, the bits, the report and
-/// the events are the same.
+/// Islands are solved side by side: the bits, the report and the events are the same for any number
+/// of threads.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 namespace delassus::test {
 namespace {
 
-/// All that a user sees of some steps.
+/// All that a user sees of a number of steps.
 struct History {
   std::vector<btScalar> numbers;
   std::vector<std::string> messages;
@@ -58,7 +58,7 @@ void expectSame(const History& a, const History& b) {
 }
 
 using Build = std::function<void(BulletWorld&)>;
-/// Threads in each step.
+/// The number of threads in each step.
 using Threads = std::function<int(int step)>;
 
 Threads always(int threads) {
@@ -83,7 +83,7 @@ History run(const Build& build, int steps, const Threads& threads, const Options
   return history;
 }
 
-/// Stacks of one to three boxes that are dropped, pushed and turned, each another way.
+/// Stacks of one to three boxes that are dropped, pushed and turned, each in another way.
 void buildStacks(BulletWorld& world) {
   world.addGround();
   for (int stack = 0; stack < 25; ++stack)
@@ -133,7 +133,7 @@ void buildRain(BulletWorld& world) {
         .setLinearVelocity({0, btScalar(-1) - btScalar(0.1) * (i % 9), 0});
 }
 
-/// Boxes that are put into the ground: split impulse moves them out.
+/// Boxes that are put into the ground, out of which split impulse moves them.
 void buildSunk(BulletWorld& world) {
   world.addGround();
   for (int i = 0; i < 20; ++i)
@@ -141,15 +141,15 @@ void buildSunk(BulletWorld& world) {
         {btScalar(3 * (i % 5)), btScalar(0.3) + btScalar(0.01) * i, btScalar(3 * (i / 5))});
 }
 
-/// So many boxes at rest that their check alone is shared.
+/// So many boxes at rest that even their check alone is shared.
 void buildField(BulletWorld& world) {
   world.addGround();
   for (int i = 0; i < 625; ++i)
     world.addCube({btScalar(2 * (i % 25)), btScalar(0.5), btScalar(2 * (i / 25))});
 }
 
-/// A block of spheres that touch, shaken: one island of more than a thousand contacts, on which all
-/// hands work, beside single ones.
+/// A block of touching spheres, shaken, beside single ones: one island of more than a thousand
+/// contacts, on which all hands work.
 void buildBlock(BulletWorld& world) {
   world.addGround();
   for (int i = 0; i < 486; ++i)
@@ -183,8 +183,8 @@ TEST(Threads, AllOfThemSweepALargeIslandWithTheSameMotion) {
   for (int threads : {2, 3}) expectSame(run(buildBlock, 4, always(threads), options), serial);
 }
 
-// What weighs more than three times all else comes first, on the caller's bench; then the others,
-// each once.
+// An island that weighs more than three times all others comes first, on the caller's bench; then
+// the others come, each once.
 TEST(Threads, APredominantIslandComesFirst) {
   constexpr int islands = 20, heavy = 7;
   bullet::Workshop workshop{Options()};
@@ -218,7 +218,7 @@ TEST(Threads, TheirNumberMayChangeBetweenSteps) {
   const History serial = run(buildStacks, 40, always(1));
   expectSame(run(buildStacks, 40, [](int step) { return 1 + step / 3 % 4; }), serial);
   expectSame(run(buildStacks, 40, [](int step) { return 4 - step % 4; }), serial);
-  // Fewer than one is one.
+  // Fewer than one thread counts as one.
   expectSame(run(buildStacks, 40, [](int step) { return step % 2 ? -1 : 0; }), serial);
 }
 

@@ -12,7 +12,7 @@
 namespace delassus::test {
 namespace {
 
-/// Rolls without slip on y = 0.
+/// Makes the ball roll without slip on y = 0.
 void roll(btRigidBody& ball, const Vector2& velocity) {
   ball.setLinearVelocity(vector(velocity[0], 0, velocity[1]));
   ball.setAngularVelocity(vector(velocity[1], 0, -velocity[0]) / btScalar(ballRadius));
@@ -20,8 +20,8 @@ void roll(btRigidBody& ball, const Vector2& velocity) {
 
 double speedOf(const btRigidBody& body) { return body.getLinearVelocity().length(); }
 
-/// What rolling friction takes from a ball in one step, m/s: (I + m R²) Δω = κ m g h with I = 2/5 m
-/// R².
+/// The speed that rolling friction takes from a ball in one step, m/s: (I + m R²) Δω = κ m g h with
+/// I = 2/5 m R².
 double rollingLoss(double kappa) { return 5.0 / 7 * kappa * g / ballRadius * h; }
 
 TEST(Parity, Row24RollingBallStopsAtItsDistance) {
@@ -61,8 +61,8 @@ TEST(Parity, Row24RollingFrictionIsTheSameInAllDirections) {
   }
 }
 
-// One step: afterwards narrow phase keeps a second, open point for a while, and stock's rolling
-// friction acts there too.
+// One step only: afterwards the narrow phase keeps a second, open point for a while, and stock's
+// rolling friction acts there too.
 TEST(Parity, Row24IsThatOfStockOnItsAxesBelowItsCap) {
   for (const Vector2& velocity : {Vector2(1, 0), Vector2(0, 1), Vector2(0.002, 0), Vector2(0, 0)})
     for (double spin : {0.0, 0.01, 3.0}) {
@@ -89,7 +89,7 @@ TEST(Parity, Row24IsThatOfStockOnItsAxesBelowItsCap) {
     }
 }
 
-/// A ball that rolls and spins, as one step of a solver leaves it.
+/// The velocities of a ball that rolls and spins, after one step of a solver.
 struct Turned {
   btVector3 velocity, rotation;
 };
@@ -105,7 +105,7 @@ Turned oneStep(BulletWorld& world, double mass, double rolling, double spinning)
   return {ball.getLinearVelocity(), ball.getAngularVelocity()};
 }
 
-// 6.1 kg weigh 1 N·s a step.
+// Stock bounds the load by 1 N·s a step, the weight of 6.1 kg.
 TEST(Parity, Row24OptionHasTheBoundsOfStock) {
   for (const double mass : {1.0, 6.0, 6.5, 100.0, 10000.0})
     for (const double rolling : {0.01, 0.0})
@@ -128,7 +128,7 @@ TEST(Parity, Row24OptionHasTheBoundsOfStock) {
 }
 
 TEST(Parity, Row24OptionLetsAHeavyBallRollOutAsInStock) {
-  // (I + m R²) Δω = κ · 1 N·s a step, for all loads above.
+  // (I + m R²) Δω = κ · 1 N·s a step, whatever the load above that.
   constexpr double kappa = 0.5, mass = 60;
   constexpr double loss = kappa / (1.4 * mass * ballRadius);
   DelassusWorld world;
@@ -208,7 +208,7 @@ TEST(Parity, Row24FourPointsOfASmoothBoxResistTogether) {
   double rate = 2;
   for (int i = 0; i < 30; ++i) {
     world.advance();
-    double load = 0;  // narrow phase moves the points about, so that it is not always the weight
+    double load = 0;  // not always the weight: the narrow phase moves the points
     for (const btManifoldPoint* point : world.points()) load += point->m_appliedImpulse;
     rate -= kappa * load / inertia;
     EXPECT_NEAR(box.getAngularVelocity().y(), rate, tolerance(1e-6, 1e-4)) << i;
@@ -230,7 +230,7 @@ TEST(Parity, Row24TorqueBelowSpinningFrictionTurnsNothing) {
 }
 
 TEST(Parity, Row24TwoBallsTurnEachOtherAlike) {
-  // In the air, pressed together: what spinning friction takes from one it gives to the other.
+  // In the air, pressed together: spinning friction gives one ball what it takes from the other.
   DelassusWorld world;
   world->setGravity({0, 0, 0});
   btRigidBody& left = world.addSphere(btScalar(ballRadius), vector(-ballRadius, 0, 0));
@@ -245,7 +245,7 @@ TEST(Parity, Row24TwoBallsTurnEachOtherAlike) {
     EXPECT_NEAR(left.getAngularVelocity().x() + 3 * right.getAngularVelocity().x(), 4,
                 tolerance(1e-9, 1e-5));
   }
-  // κ_s = 2 · 0.02 · 0.5, r_n/h = 5 N (to their mass: 5 N on each of both).
+  // κ_s = 2 · 0.02 · 0.5 and r_n/h = 5 N: both balls are pressed with 5 N, whatever their masses.
   const double kappa = 0.02, force = 5;
   EXPECT_NEAR(left.getAngularVelocity().x(), 4 - kappa * force / inertia * 30 * h,
               tolerance(1e-7, 1e-3));
@@ -349,8 +349,8 @@ TEST(Parity, Row25IsThatOfStockOnTheAxes) {
 }
 
 TEST(Parity, Row25CapsuleAndCylinderRollAgainstTheirOwnAxis) {
-  // (I + m R²) Δω = κ m g h, with the inertia that Bullet gives the shape. In the plane, for narrow
-  // phase finds one point of the line that touches, anywhere.
+  // (I + m R²) Δω = κ m g h, with the inertia that Bullet gives the shape. Motion is bound to the
+  // plane, since the narrow phase finds one point anywhere on the line that touches.
   constexpr double kappa = 0.01;
   for (const bool capsule : {true, false}) {
     // In float that point wanders ahead of the cylinder and back.

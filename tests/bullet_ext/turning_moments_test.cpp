@@ -1,4 +1,4 @@
-/// The moments of rolling and spinning friction, as `setTurningListener` tells them.
+/// The moments of rolling and spinning friction that `setTurningListener` reports.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ class Told {
     EXPECT_EQ(events.size(), 1u);
     return events.at(0);
   }
-  /// With its sign: on `body`, whichever it is.
+  /// The value with its sign on `body`, whichever of the two it is.
   static btVector3 on(const btRigidBody& body, const ContactEvent& event, const btVector3& value) {
     const bool first = event.manifold->getBody0() == &body;
     const bool second = event.manifold->getBody1() == &body;
@@ -39,8 +39,8 @@ double kineticEnergy(const btRigidBody& ball) {
          (2 * ball.getInvMass());
 }
 
-// The point of a ball that rolls stands still: what is lost is the moment's work, τ times the mean
-// of the rotation before and after the step.
+// The contact point of a rolling ball stands still. So the energy lost is the work of the moment:
+// τ times the mean of the rotation before and after the step.
 TEST(TurningListener, RollingBallLosesTheMomentsWork) {
   constexpr double kappa = 0.01;
   for (const double mass : {1.0, 50.0}) {
@@ -71,9 +71,9 @@ TEST(TurningListener, RollingBallLosesTheMomentsWork) {
   }
 }
 
-// I Δω = moment + arm × reaction, of each of two balls that are pressed together, spin and roll on
-// each other. What one gets the other loses. (Where they have slid a hair apart there is no contact
-// for a step.)
+// I Δω = moment + arm × reaction, for each of two balls that are pressed together, spin and roll on
+// each other. One gets what the other loses. (In a step where they have slid a hair apart there is
+// no contact.)
 TEST(TurningListener, MomentsAndReactionsMakeTheMotion) {
   DelassusWorld world;
   world->setGravity({0, 0, 0});
@@ -98,7 +98,7 @@ TEST(TurningListener, MomentsAndReactionsMakeTheMotion) {
       btVector3 sum(0, 0, 0);
       for (const ContactEvent& event : told.events) {
         const btManifoldPoint& point = event.manifold->getContactPoint(event.point);
-        // Points are where they were at the start of the step, the ball's centre no longer is.
+        // Points are where they were at the start of the step; the ball's centre is not.
         const btVector3 centre =
             ball->getWorldTransform().getOrigin() - btScalar(h) * ball->getLinearVelocity();
         const bool first = event.manifold->getBody0() == ball;
@@ -138,7 +138,7 @@ TEST(TurningListener, HoldsTheTorqueOfABodyThatRests) {
   }
 }
 
-/// A ball that rolls beside a box that slides, and what was told of them in 40 steps.
+/// A ball that rolls beside a box that slides, and what listeners were told of them in 40 steps.
 struct Traffic {
   int changes = 0, turnings = 0, eventsMade = 0, modeChanges = 0;
 };

@@ -1,4 +1,4 @@
-/// Other worlds and what lives in them: Mt world and solver pool, articulated and soft bodies,
+/// Other worlds and their contents: Mt world and solver pool, articulated and soft bodies,
 /// vehicles, characters.
 
 #include <gtest/gtest.h>
@@ -33,10 +33,10 @@ std::vector<btScalar> motionOf(const std::vector<btRigidBody*>& bodies) {
   return motion;
 }
 
-/// Of the numbers that motionOf gives for each body.
+/// Whether entry i of the numbers that motionOf gives is a velocity.
 bool isVelocity(std::size_t i) { return i % 12 >= 6; }
 
-/// Towers side by side on a ground and on one moving platform, which all of them share.
+/// Towers side by side on one ground and one moving platform, which they all share.
 struct Towers {
   static constexpr int count = 8, storeys = 3;
 
@@ -108,15 +108,15 @@ TEST(Parity, Row48MtWorldWithAPoolOfFour) {
   btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
   towers.run(world);
   const std::vector<btScalar> plain = motionOf(towers.boxes), pooled = motionInMtWorld();
-  // The Mt world hands contacts over in another order: the same up to rounding, and to what the
-  // narrow phase makes of rounding when it picks the points of a box anew: a tower that leans then
-  // jerks by some mm/s for a step.
+  // The Mt world hands contacts over in another order. The motion is the same up to rounding, and
+  // up to what the narrow phase makes of rounding when it picks the points of a box anew: then a
+  // leaning tower jerks by some mm/s for a step.
   for (std::size_t i = 0; i < plain.size(); ++i)
     ASSERT_NEAR(pooled[i], plain[i], isVelocity(i) ? 1e-2 : 1e-3) << i;
   expectSameBits(motionInMtWorld(), pooled);
 }
 
-/// Hands out each tower alone to one of the solvers, in threads or one after the other.
+/// Hands each tower alone to one of the solvers, in threads or one after the other.
 class DealingSolver : public btConstraintSolver {
  public:
   explicit DealingSolver(bool threads) : threads_(threads) {}
@@ -185,7 +185,7 @@ TEST(Parity, Row48FourSolversInFourThreadsShareKinematicAndStaticBodies) {
 }
 
 TEST(Parity, Row49MultiBodyWorldKeepsItsOwnSolver) {
-  // A rigid solver that is set there is never called: its type must not be the one that is cast.
+  // A rigid solver that is set here is never called. Its type must not be the one that is cast.
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher(&configuration);
   btDbvtBroadphase broadphase;
@@ -289,7 +289,7 @@ TEST(Parity, Row51RaycastVehicleDrivesAsInStock) {
   EXPECT_LT((a - b).length(), tolerance(1e-3, 1e-2));
 }
 
-/// The track of a character that walks up to a wall, past boxes.
+/// The path of a character that walks up to a wall, past boxes.
 std::vector<btVector3> walk(BulletWorld& world) {
   world.addGround();
   world.addCube({3, btScalar(0.5), 0}, 0);

@@ -1,4 +1,4 @@
-/// What Bullet and its users read afterwards: impulses, directions, contact modes.
+/// What Bullet and its users read after a step: impulses, directions, contact modes.
 
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ TEST(Parity, Row27LateralImpulsesTimesDirectionsAreTheFriction) {
     EXPECT_NEAR(point->m_lateralFrictionDir1.dot(point->m_lateralFrictionDir2), 0, 10 * precision);
     const btVector3 reaction = point->m_appliedImpulseLateral1 * point->m_lateralFrictionDir1 +
                                point->m_appliedImpulseLateral2 * point->m_lateralFrictionDir2;
-    // Body 0 of the only manifold is the ground or the box, as the broadphase pleases.
+    // Body 0 of the only manifold is the ground or the box, as the broadphase decides.
     friction += reaction;
   }
   const bool groundFirst = world.dispatcher().getManifoldByIndexInternal(0)->getBody1() == &box;

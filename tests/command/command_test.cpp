@@ -68,7 +68,7 @@ TEST_F(Command, NamesTheOptionThatIsUnknownAndThoseThatExist) {
     EXPECT_NE(outcome.err.find("'--no-such-flag'; there are --help"), std::string::npos)
         << outcome.err;
   }
-  // Numbers may be negative, and words that are too many are no options.
+  // Numbers may be negative, and surplus words are not options.
   EXPECT_EQ(call("run one_box --seconds -1").err.find("no option"), std::string::npos);
   EXPECT_EQ(call("scenes extra").err.find("no option"), std::string::npos);
 }
@@ -109,7 +109,7 @@ TEST_F(Command, NamesTheSolversThatExist) {
   EXPECT_EQ(lines(outcome.err), 1);
 }
 
-// A name that was lost on the way, as that of an empty variable.
+// A name that was lost on the way, for example as an empty variable.
 TEST_F(Command, RefusesSolversWithoutName) {
   for (const char* list : {"si:10,,delassus", "si:10,", ",si:10", "''"})
     for (const char* command : {"run one_box --solver ", "render one_box --solver "}) {
@@ -131,7 +131,7 @@ TEST_F(Command, NamesAFileThatCannotBeRead) {
   }
 }
 
-// What cannot be looked at is not what is damaged.
+// A file that cannot be opened is not called damaged.
 TEST_F(Command, SaysWhyAWorldCannotBeOpened) {
   std::filesystem::create_symlink("loop.bullet", file("loop.bullet"));
   const std::string tooLong = folder_.string() + "/" + std::string(300, 'a');
@@ -146,7 +146,7 @@ TEST_F(Command, SaysWhyAWorldCannotBeOpened) {
     }
 }
 
-// A pipe would be waited for without end.
+// The command would wait for a pipe without end.
 TEST_F(Command, RefusesWhatIsNoRegularFile) {
   ASSERT_EQ(mkfifo(file("pipe.bullet").c_str(), 0600), 0);
   const Outcome outcome = call("run " + file("pipe.bullet"), "timeout 20");
@@ -166,7 +166,7 @@ TEST_F(Command, NamesWhatItDoesNotUnderstand) {
   EXPECT_NE(fault("render one_box --out ''").find("--out"), std::string::npos);
   EXPECT_NE(fault("render one_box --plain --timing").find("--plain"), std::string::npos);
   EXPECT_EQ(call("--version").status, 0);
-  // A world whose name tells nobody that it is a file.
+  // A world whose name does not look like a file.
   write("world", "no world");
   const Outcome outcome = call("run world", "cd '" + file("") + "'; ");
   EXPECT_NE(outcome.err.find("./world"), std::string::npos) << outcome.err;
@@ -207,7 +207,7 @@ TEST_F(Command, ExplainsWhatAStepIsMadeOf) {
   for (const char* key :
        {"stiffened", "opposed", "held", "sweeps", "patches", "softened", "push_softened"})
     EXPECT_EQ(explained.value(key, -1.0), 0) << key;
-  // The first step is solved; then the box stands.
+  // The first step is solved; from then on the box stands.
   EXPECT_GT(explained["matrices"], 0);
   EXPECT_LT(explained["matrices"], 0.2);
   EXPECT_GT(explained["islands"]["kept"], 0.8);
@@ -222,12 +222,12 @@ TEST_F(Command, ExplainsWhatAStepIsMadeOf) {
   EXPECT_EQ(rolling["asked_for"]["rolling"], 5);
   EXPECT_EQ(rolling["asked_for"]["spinning"], 0);
   EXPECT_EQ(rolling["asked_for"]["unknowns"], 25);
-  // Bullet's own solvers tell nothing of the kind.
+  // Bullet's own solvers report nothing of the kind.
   ASSERT_TRUE(std::getline(out, line));
   EXPECT_FALSE(json::parse(line).contains("explain"));
 }
 
-// Links of 0.1 kg under 100 kg turn faster than a step of 1/60 s follows.
+// Links of 0.1 kg under 100 kg turn faster than a step of 1/60 s can follow.
 TEST_F(Command, TellsHowManyBodiesAreStiffened) {
   const std::string arguments = "run heavy_ball_chain --hz 60 --seconds 0.3 --explain";
   const json run = json::parse(call(arguments + " --json").out);
@@ -320,7 +320,7 @@ TEST_F(Command, TellsHowFarASceneIsFromItsLaw) {
   EXPECT_EQ(json::parse(lawless.out).count("law_error"), 0U);
 }
 
-// NNCG loses the ragdolls at once. What is left of such a world moves no more and touches nothing.
+// NNCG loses the ragdolls at once. The rest of such a world moves no more and touches nothing.
 TEST_F(Command, CallsALostWorldLost) {
   const std::string arguments = "run ragdolls --solver nncg:1000,delassus --seconds 0.1";
   const Outcome outcome = call(arguments + " --json");
@@ -367,7 +367,7 @@ TEST(ProgressLine, FitsIntoItsTerminal) {
       EXPECT_LT(line.size(), columns + (columns == 0)) << columns;
       EXPECT_TRUE(columns < 20 || line.find(" %") != std::string::npos) << columns << line;
     }
-  // Letters of several bytes are kept whole.
+  // Letters of several bytes stay whole.
   EXPECT_EQ(progressLine("\u00b5\u00b5\u00b5", 0, 4), "\u00b5");
 }
 

@@ -1,4 +1,4 @@
-// A crash of the command: on what it is blamed, and what is not lost.
+// A crash of the command: what is blamed for it, and what is not lost.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -15,13 +15,13 @@ using delassus::test::Outcome;
 
 class Crash : public delassus::test::CommandCall {};
 
-/// What a damaged file breaks may break at any later time.
+/// A damaged file may break something at once or at any later time.
 TEST_F(Crash, IsBlamedOnTheFile) {
   const std::vector<std::filesystem::path> worlds =
       delassus::test::sharedFiles("worlds", {".bullet"});
   if (worlds.empty()) GTEST_SKIP() << delassus::test::noSharedFolder;
   const std::string path = worlds.front();
-  // The signal must find the run begun, which may take its time where other work is done.
+  // The signal must come after the run has begun, which may take time on a busy machine.
   Outcome crash;
   for (const char* delay : {"0.5", "2", "8"}) {
     crash = call("run --seconds 1e4 " + path,
@@ -33,9 +33,9 @@ TEST_F(Crash, IsBlamedOnTheFile) {
   EXPECT_EQ(lines(crash.err), 1) << crash.err;
 }
 
-// What is done is told as if nothing had happened.
+// The output of what was done before is as if nothing had happened.
 TEST_F(Crash, IsBlamedOnTheSolverOfBullet) {
-  // Ours has a millisecond's work; the sweeps of the other one take hours.
+  // Our solver has a millisecond's work; the sweeps of the other one take hours.
   const std::string arguments = "run one_box --seconds 1 --solver delassus,si:10000000,si:1";
   for (const bool json : {false, true}) {
     Outcome crash;

@@ -18,7 +18,7 @@ using delassus::test::read;
 
 class ProblemFiles : public delassus::test::CommandCall {
  protected:
-  /// One ball of W = 1 pressed on a plane with friction: the solution is plain.
+  /// One ball with W = 1 is pressed on a plane with friction: the solution is plain.
   std::string easyProblem() const {
     return write("easy.fc3d",
                  "delassus-problem v1\nname easy\ncontacts 1\nblocks 1\nmu\n0.5\nq\n-1 0.1 0\n"
@@ -41,7 +41,7 @@ TEST_F(ProblemFiles, SolvesAProblem) {
   EXPECT_EQ(read(file("solution")).rfind("solution v1\n", 0), 0U);
 }
 
-// An empty problem is of the kind that its file says.
+// The kind of an empty problem is that of its file's format.
 TEST_F(ProblemFiles, TellsTheKindOfAProblemByItsFormat) {
   const std::string contacts =
       write("none.fc3d", "delassus-problem v1\nname none\ncontacts 0\nblocks 0\nmu\nq\nW\nend\n");
@@ -55,7 +55,7 @@ TEST_F(ProblemFiles, TellsTheKindOfAProblemByItsFormat) {
   EXPECT_NE(call("solve " + contacts).out.find("fc3d, 0 contacts in"), std::string::npos);
 }
 
-// printf may give what is not a number a sign.
+// printf may give NaN a sign.
 TEST_F(ProblemFiles, SaysNanInWordsAndNullInJson) {
   std::string text = read(easyProblem());
   text.replace(text.find("-1 0.1"), 6, "-1e200 0.1");
@@ -77,7 +77,7 @@ TEST_F(ProblemFiles, DoesNotWriteOverItsInput) {
     EXPECT_EQ(read(problem), before);
   }
 
-  // Worlds are told by their name, or by how Bullet's files begin.
+  // Worlds are recognised by their name, or by how Bullet's files begin.
   write("world.bullet", "somebody's");
   write("world", "BULLETd_v287...");
   write("many-3.bullet", "somebody's");
@@ -95,7 +95,7 @@ TEST_F(ProblemFiles, DoesNotWriteOverItsInput) {
   EXPECT_EQ(call("dump one_box --at 0 --out " + file("new.fc3d")).status, 0) << "its own, again";
 }
 
-// Names are bytes; JSON is UTF-8.
+// Names are bytes, but JSON is UTF-8.
 TEST_F(ProblemFiles, TellsAnyNameInJson) {
   const std::string problem = easyProblem();
   std::string text = read(problem);
@@ -106,7 +106,7 @@ TEST_F(ProblemFiles, TellsAnyNameInJson) {
 }
 
 TEST_F(ProblemFiles, EndsWithThreeAboveTheTolerance) {
-  // u = −1 whatever r is: no solution.
+  // u = −1 whatever r is, so there is no solution.
   const std::string hopeless =
       write("hopeless.lcp", "lcp v1\nname hopeless\nsize 1\nentries 1\nq\n-1\nM\n0 0 0\nend\n");
   const Outcome outcome = call("solve " + hopeless + " --json");
@@ -138,8 +138,8 @@ TEST_F(ProblemFiles, DumpsWhatItCanSolve) {
   EXPECT_EQ(json::parse(solved.out)["size"], 40);
 }
 
-// A file that is standard output, or a pipe that is, holds what any other would; what is said about
-// it goes elsewhere.
+// If the file is standard output, or a pipe that is, it holds what any other file would. Messages
+// about it go elsewhere.
 TEST_F(ProblemFiles, WritesToStandardOutputAsToAFile) {
   const std::string problem = easyProblem();
   for (const auto& [command, flag] :
@@ -186,7 +186,7 @@ TEST_F(ProblemFiles, DumpsAnIslandAFile) {
   EXPECT_NE(rolling.err.find("island 4 has rolling or spinning friction"), std::string::npos);
 }
 
-// A name in a problem is one word; a file's need not be.
+// The name in a problem is one word; the name of a file need not be.
 TEST_F(ProblemFiles, DumpsFilesOfAnyName) {
   const std::filesystem::path world = delassus::test::sharedFolder() / "worlds" / "spider.bullet";
   if (!std::filesystem::exists(world)) GTEST_SKIP() << delassus::test::noSharedFolder;

@@ -15,7 +15,7 @@ using delassus::test::lines;
 using delassus::test::Outcome;
 using delassus::test::read;
 
-/// The rows of a CSV file without quotes, each by the names of its columns.
+/// The rows of a CSV file without quotes, each with the names of its columns.
 std::vector<std::map<std::string, std::string>> rowsOf(const fs::path& path) {
   std::ifstream file(path);
   std::vector<std::string> heading;
@@ -46,7 +46,7 @@ class Report : public delassus::test::CommandCall {
     said_ = outcome.out + outcome.err;
     return outcome.status;
   }
-  /// By the last report, on both outputs.
+  /// The output of the last report on both streams.
   const std::string& said() const { return said_; }
 
  private:
@@ -62,7 +62,8 @@ TEST_F(Report, JudgesTheSameProblemBySolvers) {
     EXPECT_LT(std::stod(row["certificate_residual"]), 1e-9);
     EXPECT_LT(std::stod(row["certificate_agreement"]), 1e-6);
     EXPECT_GT(std::stod(row["seconds"]), 0);
-    // The errors that the tolerances promise, and what ten sweeps cannot do in a stack from cold.
+    // The errors that the tolerances promise, and the error that ten sweeps leave in a stack from
+    // cold.
     if (row["method"] == "delassus:1e-8") {
       EXPECT_LT(std::stod(row["error"]), 1e-5) << row["phase"];
     } else if (row["view"] == "cold") {
@@ -70,7 +71,7 @@ TEST_F(Report, JudgesTheSameProblemBySolvers) {
     }
   }
   const std::string page = read(out() / "report.md");
-  // As it was called; what is noted for --resume is the same wherever the folder lies.
+  // The command as it was called. The note for --resume is the same wherever the folder lies.
   const std::string command =
       "report --quick --scenes stack_10 --solvers delassus:1e-8,si:10 "
       "--parts same_problem,persisting --out ";
@@ -83,8 +84,8 @@ TEST_F(Report, JudgesTheSameProblemBySolvers) {
     EXPECT_NE(page.find(words), std::string::npos) << words;
 }
 
-// The samples are those of a world that is watched: with one method more, those of the others stay
-// to the last digit.
+// The samples come from a world that measures only watch. With one more method, the samples of the
+// others stay the same to the last digit.
 TEST_F(Report, MeasuresLeaveTheWorldAsItIs) {
   const auto rows = [&](const std::string& flags) {
     EXPECT_EQ(report("--scenes card_house --parts same_problem" + flags), 0) << said();
@@ -120,7 +121,7 @@ TEST_F(Report, DoesNotMixTwoReports) {
   EXPECT_EQ(report("--scenes one_box,incline --parts own_trajectory --resume"), 1);
   EXPECT_NE(said().find("--scenes one_box"), std::string::npos) << said();
 
-  // Nor two precisions.
+  // Nor reports of two precisions.
   std::string stamp = read(out() / "command.txt");
   ASSERT_NE(stamp.find("double"), std::string::npos) << stamp;
   stamp.replace(stamp.find("double"), 6, "float");
@@ -129,7 +130,7 @@ TEST_F(Report, DoesNotMixTwoReports) {
   EXPECT_NE(said().find("in float precision"), std::string::npos) << said();
 }
 
-// Whoever left them there, and whether or not a command is noted beside them.
+// Whoever left old measures there, and whether or not a command is noted beside them.
 TEST_F(Report, TakesNoOldMeasuresForNewOnes) {
   const std::string what = "--scenes one_box --parts own_trajectory";
   for (const char* leftThere : {"own_trajectory/one_box.csv", "own_trajectory/one_box.svg"}) {
@@ -176,11 +177,11 @@ TEST_F(Report, SaysWhatToDoWhereNoFolderCanBe) {
   EXPECT_NE(said().find("cannot make the folder '" + (out() / "time_step").string()),
             std::string::npos)
       << said();
-  // What is in the way of a measure is not removed with all that it holds.
+  // A folder in the way of a measure is not removed with its contents.
   fs::create_directories(out() / "ablation" / "one_box.csv" / "in the way");
   EXPECT_EQ(report("--scenes one_box --parts ablation"), 1);
   EXPECT_NE(said().find("cannot remove '"), std::string::npos) << said();
-  EXPECT_EQ(lines(said()), 2) << said();  // the other: that --solvers is idle
+  EXPECT_EQ(lines(said()), 2) << said();  // the other one says that --solvers is idle
 }
 
 // NNCG throws the ragdolls out of the numbers at once.
@@ -216,8 +217,8 @@ TEST_F(Report, FindsTheOrderOfTheIntegrator) {
       if (row["method"] == "delassus:1e-8")
         errors[std::stod(row["rate"])] = std::stod(row["error"]);
     ASSERT_EQ(errors.size(), 5U) << scene;
-    // First order: half the step, half the error. At some rates Bullet loses points of a box that
-    // slides, which adds to it.
+    // First order: half the step, half the error. At some rates Bullet loses points of a sliding
+    // box, which adds to the error.
     std::vector<double> perStep;
     for (const auto& [rate, error] : errors) perStep.push_back(rate * error);
     std::sort(perStep.begin(), perStep.end());
@@ -228,7 +229,7 @@ TEST_F(Report, FindsTheOrderOfTheIntegrator) {
   }
 }
 
-// Wedges down to where rounding ends them: both precisions, stock beside ours.
+// Wedges down to the angle where rounding ends them: both precisions, stock beside ours.
 TEST_F(Report, MapsWhatHoldsUpToWhere) {
   ASSERT_EQ(report("--stability --parts angles,wedge_pair"), 0) << said();
   const auto rows = rowsOf(out() / "stability" / "double" / "angles" / "opposite.csv");
@@ -238,7 +239,7 @@ TEST_F(Report, MapsWhatHoldsUpToWhere) {
     if (row["method"] == "delassus:1e-8" && angle > 1e-5) {
       EXPECT_EQ(row["verdict"], "holds") << angle;
       EXPECT_LT(std::stod(row["worst_error"]), std::stod(row["allowed"])) << angle;
-      // Against the answer in extended precision: 1/angle of the residual's digits are lost.
+      // Compared with the answer in extended precision: 1/angle of the residual's digits are lost.
       EXPECT_EQ(row["first_certified"], "1") << angle;
       EXPECT_LT(std::stod(row["first_error"]), 1e-9 / angle) << angle;
       EXPECT_LT(std::stod(row["last_error"]), 1e-7 / angle) << angle;
@@ -272,8 +273,8 @@ TEST_F(Report, MapGoesOnWhereItWasInterrupted) {
   EXPECT_NE(said().find("long_runs"), std::string::npos) << said();
 }
 
-// One economy at a time: more work, the same motion. A part that is named twice is made once, and
-// what it does not look at is told.
+// Without one economy at a time there is more work, but the same motion. A part that is named twice
+// is made once; options that a part does not use are reported.
 TEST_F(Report, TellsWhatEachEconomyIsWorth) {
   ASSERT_EQ(report("--scenes stack_10,ball_off_ball --parts ablation,ablation"), 0) << said();
   EXPECT_NE(said().find("--solvers is for same_problem"), std::string::npos) << said();

@@ -9,7 +9,7 @@
 namespace delassus {
 namespace {
 
-// Whatever the iteration does, also where it begins anew.
+// The image stays L x whatever the iteration does, also where it begins anew.
 TEST(ConjugateGradient, TakesALinearImageAlong) {
   Random random(72);
   constexpr int dimension = 6, imageDimension = 4, steps = 30;
@@ -31,8 +31,8 @@ TEST(ConjugateGradient, TakesALinearImageAlong) {
   EXPECT_LT(begunAnew, steps - 5);
 }
 
-// Affine maps of as many dimensions as steps are remembered: Krylov's subspace is the whole space
-// then.
+// Affine maps with as many dimensions as steps are remembered: then Krylov's subspace is the whole
+// space.
 TEST(Anderson, SolvesSmallAffineMaps) {
   Random random(71);
   constexpr int dimension = 4;
@@ -54,8 +54,8 @@ TEST(Anderson, SolvesSmallAffineMaps) {
   }
 }
 
-// What goes on for ever, as reactions do against demands that nothing can meet, is hurried but not
-// without bound.
+// Iterates may go on for ever, as reactions do against demands that nothing can meet. They are
+// hurried, but not without bound.
 TEST(Anderson, ADriftStaysADrift) {
   const VectorXd drift = VectorXd::Constant(3, 0.5), weights = VectorXd::Ones(3);
   Anderson accelerator;

@@ -1,4 +1,4 @@
-/// Alternating directions alone.
+/// The method of alternating directions alone.
 #include <gtest/gtest.h>
 
 #include "delassus/alternation.h"
@@ -21,8 +21,8 @@ bool alternate(const Problem& problem, double tolerance, int budget, Solution& b
   return Alternation<Motion>(space).alternate(tolerance, budget, best);
 }
 
-// Eight contacts a box squeeze each other, which takes many regions to unravel and hardly any
-// alternation.
+// Eight contacts of each box squeeze each other. A walk needs many regions to unravel them, this
+// method hardly any alternations.
 TEST(Alternating, BringsPyramidsToRest) {
   Random random(121);
   for (const int base : {2, 5, 8}) {
@@ -37,8 +37,8 @@ TEST(Alternating, BringsPyramidsToRest) {
   }
 }
 
-// Whatever moves, with rows, with disks, in either motion space: the answer keeps the cones and is
-// never worse than the start.
+// Whatever moves, with rows, with disks, in either motion space: the answer keeps to the cones and
+// is never worse than the start.
 TEST(Alternating, LosesNothing) {
   Random random(122);
   for (int k = 0; k < 40; ++k) {
@@ -63,8 +63,8 @@ TEST(Alternating, LosesNothing) {
   }
 }
 
-// Where contacts slide, De Saxcé's shift has to find the slip: bodies stay on the ground, and
-// friction is at the edge of its cone.
+// Where contacts slide, De Saxcé's shift has to find the slip: the bodies stay on the ground, and
+// the friction lies at the edge of its cone.
 TEST(Alternating, LetsBodiesSlide) {
   Random random(124);
   for (int k = 0; k < 10; ++k) {
@@ -84,7 +84,7 @@ TEST(Alternating, LetsBodiesSlide) {
   }
 }
 
-// A solution is a fixed point: it is known as one at the first look.
+// A solution is a fixed point, and is recognised at the first look.
 TEST(Alternating, StaysAtASolution) {
   Random random(123);
   for (int k = 0; k < 20; ++k) {

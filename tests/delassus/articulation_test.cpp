@@ -1,4 +1,5 @@
-/// Trees of bodies that move together: the problem of an island against W = J M⁻¹ Jᵀ written out.
+/// Trees of bodies that move together: the problem of an island compared with W = J M⁻¹ Jᵀ, written
+/// out.
 
 #include "delassus/articulation.h"
 
@@ -39,8 +40,8 @@ TEST(Articulation, RootOfInverseMassWithAFixedBase) {
   EXPECT_TRUE(rootOf(MatrixXd::Zero(6, 6)).isZero(0));
 }
 
-/// A tree of eight freedoms with two limbs, a rigid body, and a body apart from them: the limbs lie
-/// on the rigid body and on the ground, and a row pulls a joint towards the rigid body.
+/// A tree of eight freedoms with two limbs, a rigid body, and a body apart from both. The limbs lie
+/// on the rigid body and on the ground; a row pulls a joint towards the rigid body.
 struct Scene {
   static constexpr int freedoms = 8, limb1 = 0, limb2 = 1, rigid = 2, stem = 3, apart = 4;
 
@@ -123,7 +124,7 @@ TEST(Articulation, JoinsIslandsThatATreeCouples) {
   EXPECT_FALSE(scene.articulation.moves(islands[1]));
 }
 
-/// The island of the tree, with a contact between its two limbs, coupled; and the same written out.
+/// The island of the tree with a contact that couples its two limbs; and the same written out.
 struct Coupled {
   static constexpr int n = Scene::freedoms;
 
@@ -134,8 +135,8 @@ struct Coupled {
     const Problem& apart = assembler.assemble(scene.bodies, scene.contacts, scene.rows, island);
     problem = coupling.couple(scene.articulation, apart, island);
 
-    // Unknowns: three of contacts 0 and 3, the normal of contact 1, the row. Freedoms: the tree's,
-    // then the rigid body's.
+    // Unknowns: three each of contacts 0 and 3, the normal of contact 1, the row. Freedoms: those
+    // of the tree, then those of the rigid body.
     const auto at = [&](int contact, bool a) {
       const Contact& c = scene.contacts[contact];
       return Scene::pointJacobian(a ? c.armA : c.armB);

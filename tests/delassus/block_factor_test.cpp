@@ -15,7 +15,7 @@ namespace {
 
 using Edges = std::vector<BlockFactor::Edge>;
 
-/// The matrix that a factor holds, kept densely beside it.
+/// The matrix that a factor holds, kept densely beside the factor.
 class DenseBeside {
  public:
   DenseBeside(BlockFactor& factor, int bodies, const Edges& edges, bool symmetric = false)
@@ -35,8 +35,8 @@ class DenseBeside {
     K_.block<6, 6>(6 * b, 6 * a) += ba;
   }
 
-  /// What a region adds to K: J̃ᵀ G J̃ of one contact between the bodies of `edge`, not symmetric
-  /// where it slides.
+  /// Adds to K what a region adds: J̃ᵀ G J̃ of one contact between the bodies of `edge`, which is
+  /// not symmetric if the contact slides.
   void addContact(int edge, const Mat3& G, Random& random) {
     const auto [a, b] = edges_[edge];
     const Mat36 Ja = normalMatrix(3, 6, random), Jb = normalMatrix(3, 6, random);
@@ -46,7 +46,7 @@ class DenseBeside {
     J.middleCols<6>(6 * b) = Jb;
     K_ += J.transpose() * G * J;
   }
-  /// The same of a contact with the world, which is either of its two bodies.
+  /// The same for a contact with the world, which may be either of the two bodies.
   void addContactWithWorld(int body, bool isFirst, const Mat3& G, Random& random) {
     const Mat36 J = normalMatrix(3, 6, random);
     if (isFirst)
@@ -88,7 +88,7 @@ Mat3 randomStiffness(Random& random) {
   return G;
 }
 
-// Trees, loops, islands in pieces; pairs repeated and reversed, as random draws have them.
+// Trees, loops, islands in pieces; random draws also repeat pairs and reverse them.
 TEST(BlockFactor, AgreesWithDenseEliminationOnRandomGraphs) {
   Random random(11);
   BlockFactor factor;
@@ -111,7 +111,7 @@ TEST(BlockFactor, AgreesWithDenseEliminationOnRandomGraphs) {
   }
 }
 
-// W = J A⁻¹ Jᵀ of rows that see one body, two, or none.
+// W = J A⁻¹ Jᵀ of rows that act on one body, on two, or on none.
 TEST(BlockFactor, CondensesToFewRows) {
   Random random(20);
   BlockFactor factor;
@@ -143,8 +143,8 @@ TEST(BlockFactor, CondensesToFewRows) {
   }
 }
 
-// All bodies touch each other: every column has the rows of the one before it, and there are more
-// than are taken together.
+// All bodies touch each other: every column has the rows of the one before it. There are more such
+// columns than are taken together.
 TEST(BlockFactor, ManyColumnsWithTheSameRows) {
   Random random(19);
   constexpr int bodies = 3 * mostSources;
@@ -163,7 +163,7 @@ TEST(BlockFactor, ManyColumnsWithTheSameRows) {
   }
 }
 
-// Values of any kind, as long as the diagonal outweighs them.
+// Values of any kind, as long as the diagonal outweighs the others.
 TEST(BlockFactor, NonsymmetricValues) {
   Random random(12);
   for (int k = 0; k < 100; ++k) {
@@ -180,7 +180,7 @@ TEST(BlockFactor, NonsymmetricValues) {
   }
 }
 
-// Contacts that stick or open make a symmetric matrix, of which one half need not be worked out.
+// Contacts that stick or open make a symmetric matrix, one half of which need not be computed.
 TEST(BlockFactor, ASymmetricMatrixHasTheSameFactorForHalfTheWork) {
   Random random(18);
   for (int k = 0; k < 100; ++k) {
@@ -222,7 +222,7 @@ TEST(BlockFactor, LosesNoMoreThanTheRootOfTheConditionForStiffContacts) {
   }
 }
 
-// The analysis is kept from step to step; what it is kept from must not show.
+// The analysis is kept from step to step; earlier graphs and values must not show.
 TEST(BlockFactor, HasNoMemoryOfEarlierGraphsAndValues) {
   const Edges chain = {{0, 1}, {1, 2}, {2, 3}}, star = {{0, 1}, {0, 2}, {0, 3}};
   const auto answer = [](BlockFactor& factor, const Edges& edges) {
@@ -242,8 +242,8 @@ TEST(BlockFactor, HasNoMemoryOfEarlierGraphsAndValues) {
   EXPECT_EQ(answer(used, chain), first);
 }
 
-// More graphs in turn than are kept: whether one is known or has been forgotten does not show
-// either.
+// More graphs in turn than can be kept: it must not show either whether a graph is known or has
+// been forgotten.
 TEST(BlockFactor, KeepsWhatManyGraphsAskedFor) {
   constexpr int graphs = 100;
   Random random(15);
@@ -270,7 +270,7 @@ TEST(BlockFactor, KeepsWhatManyGraphsAskedFor) {
   EXPECT_LT(static_cast<double>(used.bytes()), 1.2 * static_cast<double>(bytes));
 }
 
-// A chain has no fill: as many blocks as couplings.
+// A chain has no fill: the factor has as many blocks as the chain has couplings.
 TEST(BlockFactor, EliminatesChainsWithoutFill) {
   const auto bytesOfChain = [](int bodies) {
     BlockFactor factor;
@@ -294,7 +294,7 @@ TEST(BlockFactor, SingularAndBrokenPivotsAreRefused) {
   broken.addDiagonal(0, Mat6::Constant(std::numeric_limits<double>::quiet_NaN()));
   EXPECT_FALSE(factor.factorise());
 
-  // And nothing of it is left.
+  // And nothing of the failure is left.
   Random random(15);
   DenseBeside sound(factor, 2, edges);
   sound.addContact(0, randomStiffness(random), random);
@@ -312,7 +312,7 @@ TEST(BlockFactor, NoBodiesAtAll) {
   EXPECT_EQ(nothing.size(), 0);
 }
 
-// Where one island is larger than all room for patterns, it and the others are not to be analysed
+// One island is larger than all the room for patterns. It and the others must not be analysed again
 // in turns.
 TEST(BlockFactor, TheLargestPatternDrivesOutNoOther) {
   constexpr int many = 6000;

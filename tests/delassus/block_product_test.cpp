@@ -1,5 +1,5 @@
-/// The products of a factorisation against plain loops, bit by bit, and its solutions against dense
-/// matrices.
+/// The products of a factorisation are compared with plain loops, bit by bit, and its solutions
+/// with dense matrices.
 #include "delassus/block_product.h"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@
 namespace delassus {
 namespace {
 
-// However wide the processor is: one rounding after each product and each sum, column by column and
-// k by k.
+// Whatever the width of the processor, each product and each sum is rounded once, column by column
+// and k by k.
 TEST(BlockProduct, HasTheBitsOfPlainLoops) {
   Random random(21);
   const std::vector<int> row = {2, 3, 0, 5, 4}, place = {1, -1, -1, 4, 0, 2};
@@ -70,7 +70,7 @@ TEST(BlockProduct, SingleBlocksAgreeWithTheLibrary) {
   }
 }
 
-// Whatever the scales of its rows, and where no pivot is where it should be: what rounding leaves
+// Rows of any scale, and pivots that are not where they should be: the error that rounding leaves
 // is that of |A⁻¹| |A|.
 TEST(BlockProduct, InvertsWhatIsNotSingular) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -89,7 +89,7 @@ TEST(BlockProduct, InvertsWhatIsNotSingular) {
   }
 }
 
-// Sums of squares need no pivots: weights of all sizes cost what conditions them, and no more.
+// Sums of squares need no pivots: weights of all sizes cost no more digits than the condition does.
 TEST(BlockProduct, InvertsWhatMayBeStiff) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   Random random(25);
@@ -140,8 +140,7 @@ class BlockSolves : public ::testing::Test {
 
   BlockColumns blocks() const { return {columns, begin_.data(), row_.data(), blocks_.data()}; }
 
-  /// matrix⁻¹ x as the dense matrix and as `solve` has it. What is left of the room holds no
-  /// numbers.
+  /// matrix⁻¹ x by the dense matrix and by `solve`. The rest of the room is filled with NaN.
   template <class Solve>
   void compare(const MatrixXd& matrix, Solve solve) {
     const VectorXd x = normalMatrix(24, 1, random_).col(0);

@@ -103,7 +103,7 @@ TEST(MotionBound, HoldsWithALimitOnReactions) {
   for (int k = 0; k < 1000; ++k) {
     const KnownRows known(random, 1 + k % 8, 1 + k % 6, false);
     const VectorXd r = known.allowedReactions(random), u = known.velocity(r);
-    // Algorithms §9.4 with the sharpest limit and with one that also contains r.
+    // Algorithms §9.4, with the sharpest limit and with one that also contains r.
     const MotionBound sharp = motionBound(known.problem, r, u, known.r);
     const VectorXd limit = known.r.cwiseMax(r);
     const MotionBound wide = motionBound(known.problem, r, u, limit);
@@ -136,8 +136,8 @@ TEST(MotionBound, VanishesAtTheSolution) {
   }
 }
 
-/// With penetration the bound speaks of the problem whose demands are relaxed by as much; solved
-/// here by plain sweeps.
+/// With penetration the bound holds for the problem whose demands are relaxed by as much. Plain
+/// sweeps solve that problem here.
 TEST(MotionBound, HoldsForTheRelaxedProblem) {
   Draws random(98);
   for (int k = 0; k < 100; ++k) {

@@ -25,7 +25,7 @@ PileIsland heapOfSpheres(int seed, double friction = 0.5) {
   return PileIsland(makeSphereHeap(200, 4.7, friction, 0.1, random));
 }
 
-/// Threads that are started for each task.
+/// Hands that are new threads for each task.
 class HiredHands final : public Hands {
  public:
   explicit HiredHands(int count) : count_(count) {}
@@ -51,7 +51,7 @@ PileIsland towerOfMixedFriction(int height, Random& random) {
   return PileIsland(pile);
 }
 
-/// A plate on `count` points, each between it and the world: no two of one colour.
+/// A plate on `count` points, each between the plate and the world: no two can have one colour.
 PileIsland plateOnPoints(int count, Random& random) {
   Pile pile;
   pile.bodies.push_back(makeBox(10, 1, normalVector(6, random)));
@@ -107,7 +107,7 @@ TEST(ColouredSweeps, OneContactAloneIsSolved) {
   }
 }
 
-// What sweeps have come to is held against the measure in double precision and against the solver.
+// The result of the sweeps is compared with the measure in double precision and with the solver.
 TEST(ColouredSweeps, ComeToTheAnswerOfTheSolver) {
   for (const double friction : {0.0, 0.1, 0.3}) {
     const PileIsland heap = heapOfSpheres(3, friction);
@@ -120,8 +120,8 @@ TEST(ColouredSweeps, ComeToTheAnswerOfTheSolver) {
   }
 }
 
-// Single precision limits what the sweeps from one start change, not where they end: sliding
-// contacts, whose velocities stay large, included.
+// Single precision limits the change that sweeps from one start make, not where they end. That
+// includes sliding contacts, whose velocities stay large.
 TEST(ColouredSweeps, FromTheirOwnEndGoOnToDoublePrecision) {
   for (const double friction : {0.1, 0.3, 0.5}) {
     const PileIsland heap = heapOfSpheres(3, friction);
@@ -144,14 +144,14 @@ TEST(ColouredSweeps, AreLeftOnceTheirChangesAreSmall) {
     EXPECT_GT(swept.made, before);
     EXPECT_LT(swept.made, 5000);
     before = swept.made;
-    // One more changes no velocity by much more.
+    // One more sweep changes no velocity by much more than `aim`.
     const VectorXd next = sweep(heap.problem, 1, 0, swept.r).r;
     const VectorXd change = heap.problem.W.diagonal().cwiseProduct(next - swept.r);
     EXPECT_LT(change.cwiseAbs().maxCoeff(), 10 * aim);
   }
 }
 
-// What is a solution already is left where it is.
+// Sweeps leave a solution where it is.
 TEST(ColouredSweeps, ASolutionIsAFixedPoint) {
   const PileIsland heap = heapOfSpheres(5);
   const Solution exact = Solver().solve(heap.problem);
@@ -161,7 +161,7 @@ TEST(ColouredSweeps, ASolutionIsAFixedPoint) {
   EXPECT_LT((swept.r - exact.r).norm(), 1e-7 * exact.r.norm());
 }
 
-// The slips of piles with momentum are found sooner than by as many plain sweeps of one each, which
+// With momentum, sweeps find the slips of piles sooner than as many sweeps in calls of one, which
 // begin anew every time.
 TEST(ColouredSweeps, MomentumHurriesThem) {
   const PileIsland heap = heapOfSpheres(3, 0.1);
@@ -172,7 +172,7 @@ TEST(ColouredSweeps, MomentumHurriesThem) {
             0.1 * naturalResidual(heap.problem, plain).rms);
 }
 
-// However many there are, each begins where the last has ended.
+// However many plain sweeps there are, each begins where the last has ended.
 TEST(ColouredSweeps, PlainOnesHaveNoMomentum) {
   const PileIsland heap = heapOfSpheres(3, 0.1);
   NaturalMap map;
@@ -199,7 +199,7 @@ TEST(ColouredSweeps, TheWidthOfTheProcessorDoesNotChangeABit) {
 
 TEST(ColouredSweeps, HandsDoNotChangeABit) {
   Random random(76);
-  // The first has rows too, the second contacts that come one by one.
+  // The first island has rows too; the second has contacts that come one by one.
   for (const PileIsland& island :
        {towerOfMixedFriction(300, random), plateOnPoints(1100, random)}) {
     const Problem& problem = island.problem;
@@ -225,7 +225,7 @@ TEST(ColouredSweeps, HandsDoNotChangeABit) {
   }
 }
 
-// Who calls keeps the numbers below the smallest normal one, which the sweeps take for zero.
+// The sweeps take numbers below the smallest normal one for zero; the caller keeps them.
 TEST(ColouredSweeps, LeaveTheProcessorAsItWas) {
   const PileIsland heap = heapOfSpheres(3);
   volatile float small = 1e-38f;
@@ -242,7 +242,7 @@ TEST(ColouredSweeps, LeaveTheProcessorAsItWas) {
   EXPECT_TRUE(isKept());
 }
 
-// More contacts on one body than there are colours.
+// One body has more contacts than there are colours.
 TEST(ColouredSweeps, ABodyMayHaveHundredsOfContacts) {
   Random random(74);
   const PileIsland plate = plateOnPoints(150, random);
@@ -260,7 +260,7 @@ TEST(ColouredSweeps, NoneMeansNone) {
   EXPECT_LT((swept.r - start).norm(), 1e-14 * start.norm());
 }
 
-// One object for many islands: nothing of the last one shows.
+// One object serves many islands: nothing of the last one shows.
 TEST(ColouredSweeps, HaveNoMemory) {
   const PileIsland large = heapOfSpheres(2), small = heapOfSpheres(4);
   NaturalMap largeMap, smallMap;
@@ -278,8 +278,8 @@ TEST(ColouredSweeps, HaveNoMemory) {
   }
 }
 
-// A joint, a motor of bounded force, and contacts without friction beside others: rows are swept
-// too.
+// A joint, a motor of bounded force, and contacts without friction beside others: the sweeps treat
+// rows too.
 TEST(ColouredSweeps, RowsKeepTheirBoundsAndComeToTheAnswer) {
   Random random(76);
   Pile pile = makeTower({2, 1, 3}, 0.4, 0.3, random);

@@ -1,4 +1,4 @@
-/// The way from compliant bodies to rigid ones.
+/// The path of compliance, which leads from compliant bodies to rigid ones.
 #include "delassus/compliance_path.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ using namespace delassus::test;
 
 constexpr int plenty = 4000;  // factorisations
 
-/// The same where bodies are compliant by `compliance` W_aa.
+/// The same problem with bodies that are compliant by `compliance` W_aa.
 Problem soften(const Problem& problem, double compliance) {
   NaturalMap map;
   map.setProblem(problem);
@@ -28,14 +28,14 @@ Problem soften(const Problem& problem, double compliance) {
   return soft;
 }
 
-/// The same for compliance to what changes at reactions `center`.
+/// The same problem with bodies that are compliant to changes of the reactions from `center`.
 Problem soften(const Problem& problem, double compliance, const VectorXd& center) {
   Problem soft = soften(problem, compliance);
   soft.q -= soft.W.bodySpace().compliance.cwiseProduct(center);
   return soft;
 }
 
-/// A path with all it needs.
+/// A path with all the objects that it needs.
 class Way {
  public:
   explicit Way(const Problem& problem) : problem_(problem) {
@@ -44,7 +44,7 @@ class Way {
     path_.setProblem(space_.lendMotion(), problem_, map_);
   }
 
-  /// Where compliance is to what changes at these reactions.
+  /// Makes compliance count from these reactions.
   void setCenter(const VectorXd& reactions) {
     Solution center;
     center.r = reactions;
@@ -72,8 +72,7 @@ class Way {
   WorkDone count_;
 };
 
-/// Balls in a heap whose friction holds almost anything, and two of them joined by a row with
-/// bounds.
+/// Balls in a heap whose friction holds almost anything. A row with bounds joins two of them.
 Problem wedgedHeap(Random& random) {
   Pile pile = makeHeap(20, 0.9, random);
   Row motor;
@@ -101,7 +100,7 @@ TEST(CompliancePath, KeepsTheLawOfEveryComplianceOnItsWay) {
   }
 }
 
-// The law of rigid bodies is missed by no more than what the contacts give way.
+// The law of rigid bodies is missed by no more than the contacts give way.
 TEST(CompliancePath, LeadsToRigidBodies) {
   Random random(72);
   for (int k = 0; k < 6; ++k) {
@@ -114,7 +113,7 @@ TEST(CompliancePath, LeadsToRigidBodies) {
   }
 }
 
-// From reactions that are all but right in most places: here those of compliant bodies.
+// The start is right in most places, or nearly: here the reactions of compliant bodies.
 TEST(CompliancePath, KeepsTheLawOfComplianceToWhatChanges) {
   Random random(78);
   for (int k = 0; k < 6; ++k) {
@@ -134,7 +133,7 @@ TEST(CompliancePath, KeepsTheLawOfComplianceToWhatChanges) {
   }
 }
 
-// What keeps the law has nothing to give way to.
+// Reactions that keep the law have nothing to give way to.
 TEST(CompliancePath, LeavesAnAnswerWhereItIs) {
   Random random(79);
   const Problem problem = wedgedHeap(random);
@@ -147,8 +146,8 @@ TEST(CompliancePath, LeavesAnAnswerWhereItIs) {
   EXPECT_LT((way.reactions() - answer.r).norm(), 1e-3 * answer.r.norm());
 }
 
-// There are several answers for one compliance. From some, less of it leads back to softness: then
-// the other way is the one that ends at rigid bodies.
+// One compliance has several answers. From some of them, less compliance leads back to softness.
+// Then the other direction is the one that ends at rigid bodies.
 TEST(CompliancePath, ArrivesFromEveryStart) {
   Random random(77);
   for (int k = 0; k < 6; ++k) {
@@ -162,8 +161,8 @@ TEST(CompliancePath, ArrivesFromEveryStart) {
   }
 }
 
-// Where only ever less compliance is tried, Newton's method loses its way, or jumps to another
-// answer: the curve turned back.
+// If compliance may only fall, Newton's method loses its way or jumps to another answer, since the
+// curve of answers has turned back.
 TEST(CompliancePath, GoesOnWhereAnswersForLessComplianceEnd) {
   Random random(73);
   int ends = 0;
@@ -183,8 +182,8 @@ TEST(CompliancePath, GoesOnWhereAnswersForLessComplianceEnd) {
   EXPECT_GT(ends, 5);
 }
 
-// What is squeezed without friction can only be answered by reactions that grow as compliance
-// falls: r ~ 1/c.
+// Only reactions that grow as compliance falls, r ~ 1/c, answer demands that squeeze without
+// friction.
 TEST(CompliancePath, IncompatibleDemandsAreAnsweredEverHarder) {
   Random random(74);
   const PileIsland island(makePressed(3, 0, 0, 0.05, 0.5, random));
@@ -203,7 +202,7 @@ TEST(CompliancePath, EndsWithItsBudget) {
   ASSERT_TRUE(way.setOut(0.1));
   const int before = way.factorisations();
   EXPECT_FALSE(way.descend(1e-7, 10));
-  EXPECT_LE(way.factorisations() - before, 10 + 64);  // a step is not broken off
+  EXPECT_LE(way.factorisations() - before, 10 + 64);  // a step is not interrupted
   EXPECT_TRUE(way.descend(1e-7)) << "it goes on where it ended";
 }
 
@@ -216,7 +215,7 @@ TEST(CompliancePath, DoesNotSetOutFromAnywhere) {
   EXPECT_FALSE(way.setOut(far, 0.1));
 }
 
-// All that is tried before comes to nothing if it may do no work: the path alone is left.
+// With next to no budget all earlier methods fail: the path alone is left.
 TEST(CompliancePath, IsTheSolversLastResort) {
   Random random(77);
   Options walks;
@@ -234,7 +233,7 @@ TEST(CompliancePath, IsTheSolversLastResort) {
   EXPECT_LT(without, 3);
   EXPECT_EQ(with, 6);
 
-  // Less than nothing is none.
+  // A budget of less than nothing is none.
   const Problem problem = wedgedHeap(random);
   const Solution none = Solver(walks).solve(problem);
   walks.pathBudget = -1;

@@ -13,8 +13,8 @@ namespace {
 
 using namespace delassus::test;
 
-/// Three rows that hold the points `armA` of a and `armB` of b together, and closes a gap of
-/// theirs.
+/// Three rows that hold the point `armA` of a and the point `armB` of b together, and close the gap
+/// between them.
 void addBallJoint(Pile& pile, int a, int b, const Vec3& armA, const Vec3& armB, double target) {
   for (int k = 0; k < 3; ++k) {
     const Vec3 axis = Vec3::Unit(k);
@@ -27,8 +27,8 @@ void addBallJoint(Pile& pile, int a, int b, const Vec3& armA, const Vec3& armB, 
   }
 }
 
-/// Boxes in a row on the ground, one joined to the next by a ball joint with a limit to its
-/// bending, some of them on two points, some on four, after one step of gravity and a disturbance.
+/// Boxes in a row on the ground, each joined to the next by a ball joint with a limit to its
+/// bending. Some boxes stand on two points, some on four. One step of gravity and a disturbance.
 Pile makeChain(int links, double friction, double disturbance, double massRatio, Random& random) {
   Pile pile;
   const std::vector<double> masses = randomMasses(links, massRatio, random);
@@ -59,8 +59,8 @@ struct CondensedAttempt {
   Solution solution;
 };
 
-/// Whether it is for this problem, whose rows are within their bounds only where these do not end
-/// at zero.
+/// Whether the method is for this problem. A row counts as within its bounds only if these do not
+/// end at zero.
 bool isFor(const Problem& problem, int most = 60) {
   NaturalMap map;
   map.setProblem(problem);
@@ -102,7 +102,7 @@ TEST(CondensedNewton, ReachedMeansThatTheLawHolds) {
   EXPECT_GE(reached, 0.9 * samples);
 }
 
-// Without friction there is one motion, whatever finds it.
+// Without friction there is one motion, whichever method finds it.
 TEST(CondensedNewton, MovesAsTheWalkDoes) {
   Random random(212);
   int compared = 0;
@@ -125,7 +125,7 @@ TEST(CondensedNewton, MovesAsTheWalkDoes) {
   EXPECT_GE(compared, 90);
 }
 
-// From the answer of a like problem, and from a wrong one, to the same motion.
+// From the answer of a like problem and from a wrong one, it comes to the same motion.
 TEST(CondensedNewton, BeginsAnywhere) {
   Random random(213);
   int compared = 0;
@@ -143,8 +143,8 @@ TEST(CondensedNewton, BeginsAnywhere) {
   EXPECT_GE(compared, 40);
 }
 
-// Two joints in one place, which give by next to nothing: what they share is not told, what they
-// hold is.
+// Two joints in one place, which give by next to nothing: what they hold together is determined,
+// their shares are not.
 TEST(CondensedNewton, JointsThatHoldTheSameTwice) {
   Random random(214);
   int reached = 0;
@@ -189,7 +189,7 @@ TEST(CondensedNewton, LeavesToOthersWhatHasManyContacts) {
   EXPECT_FALSE(isFor(PileIsland(alone).problem));
 }
 
-// Boxes that touch, without a joint, are what is left of themselves.
+// Boxes that touch, without a joint, are left as they are: nothing is eliminated.
 TEST(CondensedNewton, FewContactsWithoutJoints) {
   Random random(219);
   int reached = 0;
@@ -205,8 +205,8 @@ TEST(CondensedNewton, FewContactsWithoutJoints) {
   EXPECT_GE(reached, 0.8 * samples);
 }
 
-// Joints that break, or motors that are strong: rows whose bounds are far away are held where there
-// are many of them.
+// Joints that break, or strong motors, make rows whose bounds are far away. Where there are many of
+// them, they are held.
 TEST(CondensedNewton, HoldsWhatIsWithinItsBounds) {
   Random random(218);
   int reached = 0;
@@ -230,8 +230,8 @@ TEST(CondensedNewton, HoldsWhatIsWithinItsBounds) {
   EXPECT_GE(reached, 15);
 }
 
-// The solver takes it for what sweeps would have to pass along a chain body by body; with few
-// sweeps, too.
+// The solver takes this method where sweeps would have to pass impulses along a chain body by body;
+// also with few sweeps.
 TEST(CondensedNewton, IsWhereTheSolverBegins) {
   Random random(217);
   int first = 0, exact = 0;

@@ -14,8 +14,8 @@ namespace {
 
 using namespace delassus::test;
 
-/// Ties bodies of the pile to each other: equations (some of them twice), limits on either side,
-/// motors, a fixed impulse.
+/// Ties bodies of the pile to each other with equations (some of them twice), limits on either
+/// side, motors, and a fixed impulse.
 void addJoints(Pile& pile, Random& random) {
   const auto bodies = static_cast<int>(pile.bodies.size());
   for (int k = 0; k < 2 * bodies; ++k) {
@@ -36,7 +36,7 @@ void addJoints(Pile& pile, Random& random) {
   }
 }
 
-/// The reactions of the contact form that go with those of the problem.
+/// The reactions of the contact form that belong to those of the problem.
 VectorXd imageOf(const Problem& problem, const VectorXd& r, int contacts) {
   VectorXd image = VectorXd::Zero(3 * contacts);
   int at = 3 * problem.contacts();
@@ -107,7 +107,7 @@ TEST(ContactForm, ARowWithTwoBoundsIsFrictionUnderAFixedLoad) {
   }
 }
 
-// A contact and an equation that feel each other, in units in which the equation is small.
+// A contact and an equation that act on each other, in units in which the equation is small.
 TEST(ContactForm, RefusesAMatrixThatIsNotSymmetric) {
   const auto tied = [](double feltByContact, double feltByEquation) {
     MatrixXd W = MatrixXd::Identity(4, 4);
@@ -131,7 +131,7 @@ TEST(ContactForm, RefusesAMatrixThatIsNotSymmetric) {
 }
 
 TEST(ContactForm, NamesWhatHasNone) {
-  // Two equations of one motion that ask for different velocities.
+  // Two equations for one motion that ask for different velocities.
   Problem problem;
   problem.W = DelassusMatrix(DelassusMatrix::Sparse(MatrixXd(MatrixXd::Ones(2, 2)).sparseView()));
   problem.q = VectorXd::LinSpaced(2, 1, 2);

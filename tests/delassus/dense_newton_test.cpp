@@ -33,8 +33,8 @@ DenseAttempt runWithRoomFor(const Problem& problem, const VectorXd& start, int b
   return attempt;
 }
 
-/// With room for any number of unknowns; and with room for few, if they fit, which goes the same
-/// way.
+/// Solves with room for any number of unknowns, and, if they fit, with room for few: both must go
+/// the same way.
 DenseAttempt run(const Problem& problem, const VectorXd& start, int budget = 100) {
   const DenseAttempt any = runWithRoomFor<Eigen::Dynamic>(problem, start, budget);
   if (problem.size() <= fewUnknowns) {
@@ -46,7 +46,7 @@ DenseAttempt run(const Problem& problem, const VectorXd& start, int budget = 100
   return any;
 }
 
-/// Contacts whose W has full rank, however they are coupled.
+/// Contacts whose W has full rank, whatever couples them.
 Problem makeRegular(int contacts, double mu, Random& random) {
   const int size = 3 * contacts;
   const MatrixXd A = normalMatrix(size, 2 * size, random);
@@ -76,7 +76,7 @@ TEST(DenseNewton, SolvesWhatIsRegularInAFewRegions) {
   EXPECT_LE(regions, 10 * reached);
 }
 
-// Without friction there is one answer: that of the paper's regions.
+// Without friction there is one answer: that of the paper's region.
 TEST(DenseNewton, FindsTheRegionOfThePaper) {
   Random random(132);
   int reached = 0;
@@ -99,8 +99,8 @@ TEST(DenseNewton, FindsTheRegionOfThePaper) {
   EXPECT_GE(reached, 150);
 }
 
-// Four corners of a box at rest: many reactions make the same motion, and it has no reason to take
-// one of them.
+// Four corners of a box at rest: many reactions make the same motion, and the method has no reason
+// to take one of them.
 TEST(DenseNewton, GivesUpWhereReactionsAreNotTold) {
   Random random(133);
   const PileIsland box(makeTower({1}, 0.8, 0, random));

@@ -21,8 +21,8 @@ using test::motionBound;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// Two frictionless contacts, then a disk of two numbers for the first and one of one number for
-/// the second. W is diagonal.
+/// Two frictionless contacts, then a disk of two numbers for the first one and a disk of one number
+/// for the second. W is diagonal.
 Problem twoDisks(const VectorXd& q, const VectorXd& W = VectorXd::Ones(5)) {
   Problem problem;
   problem.W = DelassusMatrix(DelassusMatrix::Sparse(MatrixXd(W.asDiagonal()).sparseView()));
@@ -61,7 +61,7 @@ TEST(Disk, SlidesOnItsRimSticksInsideAndIsOpenAsAPoint) {
   }
 }
 
-// Unequal W: the slip is not opposite to q, but it is to the reaction.
+// With unequal W the slip is not opposite to q, but it is opposite to the reaction.
 TEST(Disk, TurnsItsReactionAgainstTheSlipThatIsLeft) {
   const Problem problem = twoDisks(numbers(-10, -2, 3, 4, 0), numbers(1, 1, 1, 5, 1));
   const Solution s = Solver().solve(problem);
@@ -73,7 +73,7 @@ TEST(Disk, TurnsItsReactionAgainstTheSlipThatIsLeft) {
 
 TEST(Disk, ResidualIsTheDistanceFromTheProjection) {
   const Problem problem = twoDisks(numbers(-10, -2, 3, 4, 0.6), numbers(1, 1, 2, 2, 4));
-  // r_n exact; the disk of radius 1 asked for (−0.6, −0.8) r, the other for −0.15.
+  // r_n is exact. The disk of radius 1 asks for r = (−0.6, −0.8), the other for −0.15.
   const auto residual = [&](double a, double b, double c) {
     return naturalResidual(problem, numbers(10, 2, a, b, c));
   };
@@ -110,7 +110,7 @@ TEST(Disk, ThatNoLawCanBeStatedForIsNamed) {
   Problem gap = twoDisks(q);
   gap.disks[0].unknowns = 1;
   EXPECT_THAT(unfitParts(gap), ElementsAre(2));
-  // Its radius is all the bound that it has, and who names it names an unknown that there is.
+  // The radius is the only bound of a disk, and its unknowns must exist.
   Problem bounded = twoDisks(q);
   bounded.upper[bounded.rows() - 1] = 1;
   EXPECT_THAT(unfitParts(bounded), ElementsAre(4));

@@ -1,4 +1,4 @@
-/// The economies of the core, counted: what is left out, and that the answer does not show it.
+/// The economies of the core, counted: what they leave out, and that the answer does not show it.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -55,7 +55,7 @@ TEST(Economies, NoFactorisationWhereRegionAndWStand) {
     const PileIsland island(makeTower(randomMasses(2 + k % 4, 10, random), 0.7, 0.05, random));
     const Solution lean = solveWith(island.problem, nullptr),
                    lavish = solveWith(island.problem, &Economies::factors);
-    // The same regions in the same order, bit for bit, but each of them factored.
+    // The same regions in the same order, bit for bit, but each one is factored.
     EXPECT_EQ(lean.r, lavish.r);
     EXPECT_EQ(lean.regions, lavish.regions);
     EXPECT_LE(lean.factorisations, lavish.factorisations);
@@ -84,7 +84,7 @@ TEST(Economies, WhatKeepsTheLawIsNotSolvedAgain) {
   }
 }
 
-// Towers, and a pile so large that its start is another.
+// Towers, and a pile so large that it starts in another way.
 TEST(Economies, WhatKeepsTheLawIsSolvedAgainFromNothing) {
   Random random(78);
   for (const int boxes : {1, 4, 60}) {
@@ -134,7 +134,7 @@ Pile makeChain(int length, Random& random) {
   for (int i = 0; i < length; ++i) {
     pile.bodies.push_back(makeBox(uniform(random, 1, 10), 0.5, normalVector(6, random)));
     for (int axis = 0; axis < 3; ++axis) {
-      // Half a unit above this body's centre and as far below the one before.
+      // Half a unit above the centre of this body, and half a unit below that of the one before.
       const Vec3 e = Vec3::Unit(axis), arm(0, 0, 0.5);
       Row row;
       row.a = i;

@@ -1,4 +1,4 @@
-/// The proof that demands are incompatible, or violent.
+/// The proof that demands are incompatible, or need violent motions.
 #include "delassus/farkas.h"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ TEST(Farkas, SelfStressProvesNothing) {
   }
 }
 
-// Nor do walls that come together by no more than the rounding of the velocities.
+// Nor do walls prove anything that come together by no more than the rounding of the velocities.
 TEST(Farkas, RoundingOfDemandsProvesNothing) {
   Random random(207);
   for (const double gap : {0.9, 10.0}) {
@@ -82,7 +82,7 @@ TEST(Farkas, RoundingOfDemandsProvesNothing) {
   }
 }
 
-// Friction, motors and disks ask for nothing that they would not give up.
+// Friction, motors and disks make no demands that they would not give up.
 TEST(Farkas, WhatIsBoundedDemandsNothing) {
   Random random(202);
   Pile pile = makeTower({1, 1}, 0.5, 0.1, random);
@@ -111,8 +111,8 @@ TEST(Farkas, WhatIsBoundedDemandsNothing) {
   }
 }
 
-// Walls that come together, with friction: named at once, all of them, and the boxes stay between
-// them.
+// Walls that come together, with friction: all contacts are named at once, and the boxes stay
+// between the walls.
 TEST(Farkas, PressedBoxesAreIncompatible) {
   Random random(203);
   for (const double friction : {0.3, 1.0})
@@ -126,8 +126,8 @@ TEST(Farkas, PressedBoxesAreIncompatible) {
           EXPECT_LE(infeasibility(island.problem, solution.r), 1e-12 * solution.r.norm());
           EXPECT_LT(solution.regions, 200);
           EXPECT_LT(solution.sweeps, 1000);
-          // Both walls share what is missing with the faces between the boxes. Where it is hardly
-          // anything, what the boxes weigh makes them give as much.
+          // Both walls share the shortfall with the faces between the boxes. Where there is hardly
+          // any, the weight of the boxes makes them give as much.
           const double share = 2 * speed / (height + 1);
           EXPECT_LT(solution.residual, 10 * share) << height << " boxes at " << speed;
           if (speed < 0.01) continue;
@@ -136,7 +136,7 @@ TEST(Farkas, PressedBoxesAreIncompatible) {
         }
 }
 
-/// A pressed box that another one touches, which moves like this. The contacts of that come last.
+/// A pressed box that another box touches, which moves with `velocity`. Its contacts come last.
 Pile makeTouched(const Vec6& velocity, Random& random) {
   Pile pile = makePressed(1, 0.5, 0, 0.1, 1, random);
   pile.bodies.push_back(makeBox(1, 0.5, velocity));
@@ -149,7 +149,7 @@ Pile makeTouched(const Vec6& velocity, Random& random) {
   return pile;
 }
 
-// Those who only lean on what is pressed are not named.
+// Bodies that only lean on what is pressed are not named.
 TEST(Farkas, BystandersAreNotNamed) {
   Random random(205);
   const Pile pile = makeTouched((Vec6() << -1, 0, -0.2, 0, 0, 0).finished(), random);
@@ -160,7 +160,7 @@ TEST(Farkas, BystandersAreNotNamed) {
   EXPECT_EQ(solution.blamed, expected);
 }
 
-// What proves it pushes at demands in their sense: no contact pulls.
+// The reactions of a proof push at demands in the direction that these allow: no contact pulls.
 TEST(Farkas, WhatIsFoundPushesAsItMay) {
   Random random(208);
   int found = 0;
@@ -183,7 +183,7 @@ TEST(Farkas, WhatIsFoundPushesAsItMay) {
   EXPECT_GT(found, 30);
 }
 
-// A wedge that can slip out does.
+// A wedge that can slip out does so.
 TEST(Farkas, WhatCanEscapeIsSolved) {
   Random random(204);
   for (const double tilt : {0.1, 0.3}) {

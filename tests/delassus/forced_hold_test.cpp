@@ -1,4 +1,4 @@
-/// What everything at rest needs: all held at once, and reactions inside their cones.
+/// Piles at rest: all contacts held at once, with reactions inside their cones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using namespace delassus::test;
 
 constexpr int budget = 40;
 
-/// All contacts and rows held, from the reactions of `best` if it has any.
+/// Holds all contacts and rows, from the reactions of `best` if it has any.
 template <class Motion>
 bool holdAll(const Problem& problem, double tolerance, Solution& best) {
   NaturalMap map;
@@ -31,8 +31,8 @@ bool holdAll(const Problem& problem, double tolerance, Solution& best) {
 
 double toleranceOf(const Problem& problem) { return 1e-10 * problem.q.cwiseAbs().maxCoeff(); }
 
-// Eight contacts a box share its load in many ways, most of which pull somewhere: a few steps find
-// one that does not.
+// Eight contacts share the load of a box in many ways, most of which pull somewhere. A few steps
+// find a share that does not.
 TEST(Holding, BringsPyramidsToRestInFewSteps) {
   Random random(131);
   for (const int base : {2, 5, 8, 12}) {
@@ -46,13 +46,13 @@ TEST(Holding, BringsPyramidsToRestInFewSteps) {
   }
 }
 
-// With masses that differ, contacts that give a little, rolling and spinning friction, a motor that
-// is strong enough, and W as entries.
+// Holds masses that differ, contacts that give a little, rolling and spinning friction, a strong
+// enough motor, and W as entries.
 TEST(Holding, HoldsWhatTheSceneHas) {
   Random random(132);
   for (int k = 0; k < 12; ++k) {
-    // Where contacts give, there is but one share of the loads, which in a pyramid asks for more
-    // than friction has.
+    // Where contacts give, the loads have only one share, which in a pyramid asks for more friction
+    // than there is.
     const bool gives = k % 4 == 1;
     Pile pile = gives ? makeTower({1, 3, 2}, 0.6, 0, random)
                       : makePyramid(2 + k % 4, 0.6, 0, k % 3 == 0 ? 10 : 1, random);
@@ -80,8 +80,8 @@ Options hurried() {
   return options;
 }
 
-// One region is what it costs: who allows no more, and next to no sweeps, has piles at rest all the
-// same.
+// Holding costs one region. So even with a budget of one region and next to no sweeps, piles at
+// rest are solved.
 TEST(Holding, IsWithinTheSmallestBudget) {
   Random random(137);
   for (const int base : {3, 5, 12}) {
@@ -93,7 +93,7 @@ TEST(Holding, IsWithinTheSmallestBudget) {
   }
 }
 
-// Where it fails the sweeps are made from where they would have begun without it.
+// Where holding fails, the sweeps begin where they would have begun without it.
 TEST(Holding, TakesNoSweepsFromASmallBudget) {
   Random random(138);
   Pile pile = makePyramid(8, 0.5, 0, 1, random);
@@ -108,7 +108,7 @@ TEST(Holding, TakesNoSweepsFromASmallBudget) {
   EXPECT_LE((tried.r - swept.r).norm(), 1e-12 * swept.r.norm());
 }
 
-// Where rounding keeps it from the tolerance it is the best answer all the same.
+// Where rounding keeps it from the tolerance, it is still the best answer.
 TEST(Holding, IsTakenIfItIsBetterThanSweeps) {
   Random random(139);
   const Problem problem = PileIsland(makePyramid(5, 0.5, 0, 1, random)).problem;
@@ -119,7 +119,7 @@ TEST(Holding, IsTakenIfItIsBetterThanSweeps) {
   EXPECT_EQ(solution.sweeps, hurried().sweepBudget);
 }
 
-// A box that slides, or flies off, cannot be held: that is told soon, and nothing is lost.
+// A box that slides or flies off cannot be held. That is found out soon, and nothing is lost.
 TEST(Holding, GivesUpWhereSomethingGivesWay) {
   Random random(133);
   for (int k = 0; k < 40; ++k) {
@@ -138,7 +138,7 @@ TEST(Holding, GivesUpWhereSomethingGivesWay) {
   }
 }
 
-// What is not held has no reactions, and where that would let bodies meet the answer is not taken.
+// Contacts that are not held have no reactions. Where bodies would meet, the answer is not taken.
 TEST(Holding, LetsGoOfWhatIsOpen) {
   Random random(134);
   Pile pile = makeTower({1, 1}, 0.5, 0, random);

@@ -1,5 +1,5 @@
-/// Heaps of hundreds of contacts and more, large ones (pile_kind.h) or not, whose walk loses its
-/// way: what finds back there (search_find_back.cpp).
+/// Heaps of hundreds of contacts and more, large (pile_kind.h) or not, in which the walk loses its
+/// way, and the methods that find back (search_find_back.cpp).
 #include <gtest/gtest.h>
 
 #include "delassus/residual.h"
@@ -26,7 +26,7 @@ PileIsland makeHeapOfMany(int spheres, int seed) {
   return heap;
 }
 
-/// As a step finds them that comes after one which had little time.
+/// Reactions as a step finds them after a step that had little time.
 VectorXd sweptReactions(const Problem& problem) {
   Options few;
   few.sweepBudget = 200;
@@ -41,7 +41,7 @@ void expectSolved(const Problem& problem, const Options& options, const Solution
   EXPECT_LT(infeasibility(problem, solution.r), 1e-14);
 }
 
-/// Whether plain sweeps by the thousand answer it.
+/// Whether plain sweeps by the thousand solve it.
 bool isOutlasted(const Problem& problem, const VectorXd& start) {
   Options options;
   options.pathBudget = 0;
@@ -51,7 +51,7 @@ bool isOutlasted(const Problem& problem, const VectorXd& start) {
   return true;
 }
 
-/// That of some heaps, in some, the path finds what nothing else does, but for long walks.
+/// In some of these heaps the path solves what nothing else does, except long walks.
 void expectHardened(const std::vector<PileIsland>& heaps) {
   int hardened = 0;
   for (const PileIsland& heap : heaps) {
@@ -67,7 +67,7 @@ void expectHardened(const std::vector<PileIsland>& heaps) {
   EXPECT_GT(hardened, 0);
 }
 
-// From what few sweeps left, and from nothing.
+// From the reactions that few sweeps left, and from none.
 TEST(SmallHeap, IsSolved) {
   int solved = 0;
   for (const int seed : {1, 5, 10}) {
@@ -82,7 +82,7 @@ TEST(SmallHeap, IsSolved) {
   EXPECT_GE(solved, 5) << "of 6";
 }
 
-// What no budget holds, the path of compliance, has none.
+// The budget does not limit the path of compliance, so under a budget there is none.
 TEST(Heaps, CostNoMoreThanIsAllowed) {
   for (const PileIsland& heap : {makeHeapOfHundreds(1), makeHeapOfMany(640, 6)})
     for (const int sweeps : {100, 300, 1000}) {
@@ -94,8 +94,8 @@ TEST(Heaps, CostNoMoreThanIsAllowed) {
     }
 }
 
-// Spoilt reactions, as one sweep leaves them for the next step, cost what can be done no more than
-// none would.
+// The guess is spoilt, as one sweep leaves it for the next step. From it, the sweep may end hardly
+// farther off than from no reactions.
 TEST(Heaps, OneSweepIsNoWorseFromSpoiltReactionsThanFromNone) {
   const PileIsland heap = makeHeapOfMany(640, 6);
   const VectorXd found = sweptReactions(heap.problem);
@@ -108,7 +108,7 @@ TEST(Heaps, OneSweepIsNoWorseFromSpoiltReactionsThanFromNone) {
   EXPECT_LT(errorFrom(found), 0.5 * fromNone);
 }
 
-// What stopped a blow, and is taken for a guess when it has passed, would throw the other way.
+// Reactions that stopped a blow would throw the other way if they were the guess after the blow.
 TEST(Heaps, FewSweepsGainNoEnergyFromWhatStoppedABlow) {
   const PileIsland heap = makeHeapOfMany(640, 6);
   const VectorXd rest = sweptReactions(heap.problem);
@@ -119,8 +119,8 @@ TEST(Heaps, FewSweepsGainNoEnergyFromWhatStoppedABlow) {
     }
 }
 
-// Without plain sweeps by the thousand none of these heaps is solved. With them most are; which
-// ones, and which of the others the path of compliance solves, is a matter of rounding.
+// Without plain sweeps by the thousand none of these heaps is solved. With them most are. Rounding
+// decides which ones, and which of the others the path of compliance solves.
 TEST(LargeHeap, IsOutlasted) {
   const PileIsland heap = makeHeapOfMany(640, 6);
   EXPECT_TRUE(isOutlasted(heap.problem, sweptReactions(heap.problem)));
@@ -139,7 +139,8 @@ TEST(SmallHeap, WhatNothingElseSolvesIsHardened) {
   expectHardened({makeHeapOfHundreds(28), makeHeapOfHundreds(52)});
 }
 
-// Two of five such heaps are not outlasted (1e-3 to 1e-1 m/s are left), and one of ten is hardened.
+// Plain sweeps fail in two of five such heaps (1e-3 to 1e-1 m/s are left); the path solves one of
+// ten.
 TEST(LargeHeap, WhatIsNotOutlastedIsHardenedSlow) {
   expectHardened({makeHeapOfMany(660, 33), makeHeapOfMany(660, 34)});
 }

@@ -1,5 +1,4 @@
-/// Demands that no motion can meet: the least-squares compromise, and the names
-/// of those who asked.
+/// Demands that no motion can meet: the least-squares compromise, and the names of those who asked.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,8 +59,7 @@ TEST_P(Incompatible, TwoJointsThatWantDifferentVelocitiesMeetHalfWay) {
   }
 }
 
-// Least squares in velocities scaled by 1/√W_ii: one demand in other units
-// weighs the same.
+// Least squares in velocities scaled by 1/√W_ii: a demand in other units weighs the same.
 TEST_P(Incompatible, UnitsOfARowDoNotWeigh) {
   Random random(82);
   const PileIsland island =
@@ -72,7 +70,7 @@ TEST_P(Incompatible, UnitsOfARowDoNotWeigh) {
   EXPECT_NEAR(motionOf(island, solution)[0], 2.0 / 3, 1e-5);
 }
 
-// A box between a floor that wants it to rise and a ceiling that wants it down.
+// A box between a floor that asks it to rise and a ceiling that asks it to sink.
 TEST_P(Incompatible, ASqueezedContactIsNamedWithItsOpponent) {
   Random random(83);
   Pile pile;
@@ -91,7 +89,7 @@ TEST_P(Incompatible, ASqueezedContactIsNamedWithItsOpponent) {
   EXPECT_NEAR(motionOf(island, solution)[5], 1, 1e-6);
 }
 
-// What no reaction moves cannot be met, and is named all the same, with friction or without.
+// Where no reaction moves anything a demand cannot be met. It is named, with friction or without.
 TEST(IncompatibleContact, IsNamedWhereItsBodyIsLocked) {
   for (const double friction : {0.0, 0.5}) {
     Pile pile;
@@ -108,8 +106,8 @@ TEST(IncompatibleContact, IsNamedWhereItsBodyIsLocked) {
   }
 }
 
-// The shortfall s of the compromise is normal to all that reactions can do, W s
-// = 0, if rows of equal units are free.
+// The shortfall s of the compromise is normal to all that reactions can do, W s = 0, if rows of
+// equal units are free.
 TEST_P(Incompatible, TheCompromiseIsLeastSquares) {
   Random random(84);
   for (int k = 0; k < 30; ++k) {
@@ -134,8 +132,7 @@ TEST_P(Incompatible, TheCompromiseIsLeastSquares) {
   }
 }
 
-// The blamed are those of one quarrel: other bodies of the island get what they
-// ask.
+// Only the rows of one quarrel are blamed: other bodies of the island get what they ask.
 TEST_P(Incompatible, BystandersAreServed) {
   Random random(85);
   Pile pile = makeTower({1, 2, 3}, 0, 0.1, random);
@@ -170,7 +167,7 @@ TEST_P(Redundant, CompatibleRowsAreSolvedHoweverOftenTheyAreWritten) {
   }
 }
 
-// A full set of twelve joint rows on six freedoms, all of one motion.
+// A full set of twelve joint rows on six freedoms, which all agree with one motion.
 TEST_P(Redundant, MoreRowsThanFreedomsThatAgree) {
   Random random(87);
   for (int k = 0; k < 30; ++k) {
@@ -200,7 +197,7 @@ TEST_P(Redundant, ABoundedRowGivesWay) {
   EXPECT_NEAR(solution.r[1], 3, 1e-7);
 }
 
-// Who meets the stronger of two one-sided demands along one axis meets both.
+// A motion that meets the stronger of two one-sided demands along one axis meets both.
 TEST_P(Redundant, OneSidedDemandsAreNoQuarrel) {
   Random random(89);
   Row limit = axisRow(0, 2, 1);

@@ -1,4 +1,4 @@
-/// The interior point alone, from its cold start.
+/// The interior-point method alone, from its cold start.
 #include "delassus/interior_point.h"
 
 #include <gtest/gtest.h>
@@ -42,8 +42,8 @@ PileIsland mixedTower(int height, double massRatio, double friction, Random& ran
   return PileIsland(pile);
 }
 
-/// Reached means: the law holds, recomputed from r alone, and the reactions are inside their cones
-/// and bounds.
+/// `reached` means that the law holds, computed again from r alone, and that the reactions are
+/// inside their cones and bounds.
 void expectSolved(const Problem& problem, const InteriorAttempt& attempt) {
   EXPECT_LE(naturalResidual(problem, attempt.solution.r).max, 1.01 * attempt.tolerance);
   EXPECT_LE(infeasibility(problem, attempt.solution.r),
@@ -66,8 +66,8 @@ TEST(InteriorPoint, SolvesPilesAtRestInFewFactorisations) {
   EXPECT_LE(factorisations, 20 * reached);
 }
 
-// Where contacts slide, reaction and velocity both lie at the boundary of the cone and the last
-// digits are lost. What is left is what the walk can finish.
+// Where contacts slide, reaction and velocity both lie on the boundary of the cone, and the last
+// digits are lost. The walk can finish from there.
 TEST(InteriorPoint, BringsMovingPilesNearTheLaw) {
   Random random(58);
   int near = 0;
@@ -152,7 +152,7 @@ TEST(InteriorPoint, RowsOfEveryKind) {
   }
 }
 
-// Finite, but so far off that hi − lo overflows: as if there were none.
+// Bounds that are finite, but so far off that hi − lo overflows, act as if there were none.
 TEST(InteriorPoint, BoundsThatNoReactionComesNear) {
   Random random(55);
   constexpr int rows = 6;
@@ -171,7 +171,7 @@ TEST(InteriorPoint, BoundsThatNoReactionComesNear) {
   EXPECT_EQ(bounded.solution.r, run<FactoredMotion>(problem).solution.r);
 }
 
-// W = I, one number each: the rim at −κ r_n, or less where that is enough to stop.
+// W = I, one number each: the reaction is at the rim −κ r_n, or less where that is enough to stop.
 TEST(InteriorPoint, ASpinningParticleInClosedForm) {
   for (const double spin : {0.1, 0.4, 3.0}) {
     Problem problem;
@@ -186,7 +186,7 @@ TEST(InteriorPoint, ASpinningParticleInClosedForm) {
   }
 }
 
-// Both motion spaces are spaces of the same motion; without friction there is only one.
+// Both motion spaces are spaces of the same motion, and without friction there is only one motion.
 TEST(InteriorPoint, FindsTheSameMotionInEitherSpace) {
   Random random(54);
   for (int k = 0; k < 20; ++k) {
@@ -199,8 +199,8 @@ TEST(InteriorPoint, FindsTheSameMotionInEitherSpace) {
   }
 }
 
-// Four corners under a level box: equal shares, as the proximal weight keeps redundant contacts
-// apart evenly.
+// Four corners under a level box have equal shares, since the proximal weight shares evenly between
+// redundant contacts.
 TEST(InteriorPoint, EqualContactsShareEqually) {
   Random random(55);
   const PileIsland island(makeTower({2}, 0.5, 0, random));
@@ -209,7 +209,7 @@ TEST(InteriorPoint, EqualContactsShareEqually) {
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(cold.solution.r[3 * i], 2 * 9.81 / 60 / 4, 1e-6);
 }
 
-// Whatever it is given, and however early it is stopped, what it returns is not worse.
+// Whatever the guess, and however early it is stopped, the answer is not worse than the guess.
 TEST(InteriorPoint, NeverReturnsAWorseAnswerThanItWasGiven) {
   Random random(56);
   for (int k = 0; k < 60; ++k) {
@@ -225,7 +225,7 @@ TEST(InteriorPoint, NeverReturnsAWorseAnswerThanItWasGiven) {
   }
 }
 
-// Its start is cold: the guess is only what it must beat.
+// The start is cold: the guess is only the answer that must be beaten.
 TEST(InteriorPoint, DoesNotDependOnTheGuess) {
   Random random(57);
   for (int k = 0; k < 20; ++k) {

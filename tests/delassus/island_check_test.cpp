@@ -1,4 +1,4 @@
-/// What is seen without W must be what W would have shown.
+/// The check without W must see what W would have shown.
 #include "delassus/island_check.h"
 
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@ namespace {
 
 using namespace delassus::test;
 
-/// Towers whose contacts are of all kinds: with and without friction, soft, some against turning,
-/// with joints on top.
+/// Towers with contacts of all kinds: with and without friction, soft, some with friction against
+/// turning, and with joints on top.
 Pile mixedTower(int height, Random& random) {
   Pile pile = makeTower(randomMasses(height, 10, random), 0.7, 0.02, random);
   mixFriction(pile, 1, random);
@@ -46,7 +46,7 @@ double difference(const std::vector<Body>& a, const std::vector<Body>& b) {
   return largest;
 }
 
-/// On a wall between two regions either name may stand: where r = 0 as u = 0, or on the cone
+/// On a wall between two regions either name is right: where r = 0 and u = 0, or on the cone
 /// without sliding.
 void expectNamesDifferOnWallsOnly(const Problem& problem, const Solution& a, const Solution& b) {
   const double demand = problem.q.cwiseAbs().maxCoeff(), load = b.r.cwiseAbs().maxCoeff();
@@ -60,7 +60,7 @@ void expectNamesDifferOnWallsOnly(const Problem& problem, const Solution& a, con
   }
 }
 
-/// A row along an axis that is locked moves nothing, and has no size of its own.
+/// A row along a locked axis moves nothing, so no size of its reaction is large or small.
 TEST(IslandCheck, KeepsWhatNothingMovesIfItRestsOrItsBoundLetsItBe) {
   const auto isKept = [](double velocity, double lower, double upper, double reaction) {
     Pile pile;
@@ -92,7 +92,7 @@ TEST(IslandCheck, KeepsWhatNothingMovesIfItRestsOrItsBoundLetsItBe) {
   EXPECT_FALSE(isKept(1, -1e-12, 1e-12, 0.5e-12)) << "in whatever unit";
 }
 
-// Spinning friction about an axis that is locked.
+// The same for spinning friction about a locked axis.
 TEST(IslandCheck, KeepsWhatNothingTurnsIfItRests) {
   for (const double spin : {0.0, 1.0}) {
     Pile pile;
@@ -147,7 +147,7 @@ TEST(IslandCheck, KeepsTheReactionsThatTheSolverFound) {
   EXPECT_GT(kept, 90);
 }
 
-// Not even where friction depends on the direction, so that tangents are short and W_aa small.
+// Not even if friction depends on the direction, so that tangents are short and W_aa is small.
 TEST(IslandCheck, TellsNoLessThanTheNaturalResidual) {
   Random random(86);
   Options loose;
@@ -199,8 +199,8 @@ TEST(IslandCheck, RefusesWhatDoesNotKeepTheLawAndLeavesTheBodiesAlone) {
   }
 }
 
-/// A box of 1 kg on its base, with what holds it against gravity, and the velocity that these leave
-/// if it moved at `velocity` before.
+/// A box of 1 kg on its base, with the reactions that hold it against gravity. `moved` has the
+/// velocity that these leave if it moved at `velocity` before.
 struct StandingBox {
   Pile pile;
   std::vector<Body> moved;
@@ -231,7 +231,7 @@ struct StandingBox {
   static constexpr double fall = 0.16;  ///< m/s a step, by gravity
 };
 
-// What is slower than the tolerance is brought to rest, however it moves; a joint is not asked.
+// Motions slower than the tolerance are brought to rest; a box on a joint is left as it is.
 TEST(IslandCheck, WhatIsKeptAtRestIsAtRest) {
   Random random(82);
   const double tolerance = Options().tolerance * StandingBox::fall;
@@ -245,8 +245,8 @@ TEST(IslandCheck, WhatIsKeptAtRestIsAtRest) {
     }
 }
 
-/// A ball of 1 kg and 1 kg m² whose centre is this high above the plane it presses on, kept there,
-/// and the velocity that is left; it may be the second of the two that touch.
+/// The velocity that is left of a ball of 1 kg and 1 kg m². Its centre is at `height` above the
+/// plane, on which its weight presses. It may be the second of the two bodies that touch.
 Vec6 leftOfBall(double height, const Vec6& velocity, double tolerance, bool isSecond = false) {
   const double fall = StandingBox::fall;
   Pile pile;
@@ -269,14 +269,14 @@ Vec6 leftOfBall(double height, const Vec6& velocity, double tolerance, bool isSe
   return moved[0].velocity;
 }
 
-// What spins about the point it stands on moves no point that touches, the less if that is its
-// centre.
+// A ball that spins about the point on which it stands moves no point that touches, even less if
+// that point is its centre.
 TEST(IslandCheck, WhatSpinsIsNotAtRest) {
   for (const double height : {0.5, 0.0})
     EXPECT_EQ(leftOfBall(height, Vec6::Unit(5), 1e-8)[5], 1) << height;
 }
 
-// However slowly its centre is left behind, what touches far out may not be slow.
+// Points far out may not be slow, however slowly the centre moves.
 TEST(IslandCheck, WhatSpinsFarOutIsNotAtRest) {
   constexpr double still = 1e-8 * StandingBox::fall, speed = 0.5 * still;
   for (const bool isSecond : {false, true}) {
@@ -285,13 +285,13 @@ TEST(IslandCheck, WhatSpinsFarOutIsNotAtRest) {
   }
 }
 
-// Where nothing resists it goes on, however loose the tolerance.
+// A ball that nothing resists goes on, however loose the tolerance.
 TEST(IslandCheck, WhatGlidesIsNotAtRest) {
   for (const double tolerance : {1e-10, 1e-8, 1e-3})
     EXPECT_EQ(leftOfBall(0.5, 1e-8 * Vec6::Unit(0), tolerance)[0], 1e-8) << tolerance;
 }
 
-// There the natural residual of an approach is small.
+// In a wide cone the natural residual of an approach is small.
 TEST(IslandCheck, AWideConeHidesNoApproach) {
   Pile pile;
   Body& ball = pile.bodies.emplace_back();
@@ -313,7 +313,7 @@ TEST(IslandCheck, AWideConeHidesNoApproach) {
                                            moved, seen));
 }
 
-// q ≥ 0, and only then: against the natural residual of r = 0.
+// Free means q ≥ 0, and only that. Compared with the natural residual of r = 0.
 TEST(IslandCheck, FreeMeansThatNoReactionIsAskedFor) {
   Random random(83);
   int free = 0;
@@ -341,7 +341,7 @@ TEST(IslandCheck, FreeMeansThatNoReactionIsAskedFor) {
   EXPECT_LT(free, 380);
 }
 
-// However a row moves: there is no way to leave it alone.
+// However such a row moves, it cannot be left alone.
 TEST(IslandCheck, WhatMustPushIsNotFree) {
   for (const auto& [lower, upper] : {std::pair(1.0, 2.0), std::pair(-2.0, -1.0)})
     for (const double velocity : {-1.0, 0.0, 1.0}) {
@@ -384,7 +384,7 @@ TEST(IslandCheck, RoundingIsNoApproach) {
   Pile pile = makeTower({1, 2}, 0.5, 0, random);
   pile.contacts.erase(pile.contacts.begin(), pile.contacts.begin() + 4);  // no ground
   for (int k = 0; k < 50; ++k) {
-    // One rigid motion of both.
+    // One rigid motion of both boxes.
     const Vec3 v = normalVector(3, random), w = normalVector(3, random);
     for (int i = 0; i < 2; ++i) pile.bodies[i].velocity << v + w.cross(Vec3(0, 0, i)), w;
     const PileIsland island(pile);

@@ -80,7 +80,7 @@ VectorXd compliances(const std::vector<Contact>& contacts, const std::vector<Row
   return Eigen::Map<Eigen::VectorXd>(c.data(), static_cast<int>(c.size()));
 }
 
-/// Some bodies with all that the data allow: locked axes, an inertia of rank one, a moving
+/// Some bodies with everything that the data allow: locked axes, an inertia of rank one, a moving
 /// platform, the fixed world.
 struct Step {
   std::vector<Body> bodies;
@@ -114,13 +114,13 @@ TEST(Assemble, QIsTheRelativeVelocityOfTheFreeMotion) {
     const Problem problem = assemble(s.bodies, s.contacts, s.rows, islands[0]);
     const VectorXd truth = relativeVelocity(s.bodies, s.contacts, s.rows, islands[0]);
     EXPECT_LT((problem.q - truth).cwiseAbs().maxCoeff(), 1e-13);
-    // Where the velocities of two bodies cancel in q, this is what their rounding leaves.
+    // Where the velocities of two bodies cancel in q, roundOff says what their rounding leaves.
     EXPECT_GT(problem.roundOff, 0);
     EXPECT_LT(problem.roundOff, 1e-13);
   }
 }
 
-// u = W r + q, seen from the bodies: push them, and look how they move.
+// u = W r + q, seen from the bodies: the reactions push them, and then their motion is read.
 TEST(Assemble, WIsWhatReactionsDoToTheBodies) {
   Random random(32);
   for (int k = 0; k < 50; ++k) {
@@ -135,13 +135,13 @@ TEST(Assemble, WIsWhatReactionsDoToTheBodies) {
     const VectorXd predicted = problem.W * r + problem.q;
     EXPECT_LT((predicted - u).norm(), 1e-13 * (1 + u.norm())) << "sample " << k;
 
-    // What cannot move has not moved.
+    // Bodies that cannot move have not moved.
     EXPECT_EQ(after[5].velocity, s.bodies[5].velocity);
     EXPECT_EQ(after[1].velocity[2], s.bodies[1].velocity[2]);
   }
 }
 
-// W is symmetric and positive semi-definite, and its parts are those of the whole.
+// W is symmetric and positive semi-definite, and its parts agree with the whole.
 TEST(Assemble, WIsOneMatrixHoweverItIsAsked) {
   Random random(33);
   const Step s(random);
@@ -203,7 +203,7 @@ TEST(SplitIslands, ImmovableBodiesAndTheGroundLinkNothing) {
   EXPECT_EQ(islands[1].rows, (std::vector<int>{0}));
 }
 
-// Random graphs against plain reachability.
+// Random graphs compared with plain reachability.
 TEST(SplitIslands, AreTheConnectedComponents) {
   Random random(36);
   for (int k = 0; k < 200; ++k) {
@@ -246,7 +246,7 @@ TEST(SplitIslands, AreTheConnectedComponents) {
   }
 }
 
-// The storage that an Assembler keeps from step to step does not show.
+// An Assembler keeps storage from step to step; that does not show.
 TEST(Assembler, HasNoMemory) {
   Random random(37);
   Assembler assembler;

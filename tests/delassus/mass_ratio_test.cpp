@@ -12,7 +12,7 @@ namespace {
 
 using namespace delassus::test;
 
-/// A pyramid all of whose boxes move and turn, every other layer heavier by the ratio.
+/// A pyramid whose boxes all move and turn; every other layer is heavier by the ratio.
 PileIsland makeMixedPyramid(int layers, double ratio, int seed, double friction = 0.4) {
   constexpr double speed = 0.3;
   Random random(seed);
@@ -36,7 +36,7 @@ TEST(MassRatio, PilesInMotionAreSolved) {
       }
 }
 
-// 1024 and 1652 contacts: what is left goes slowly, and goes.
+// 1024 and 1652 contacts: the residual falls slowly, but it falls.
 TEST(MassRatio, LargePilesAreSolvedByWalksThatGainSlow) {
   Options inVain;
   inVain.newtonBudget = inVain.regionsInVain();
@@ -52,7 +52,7 @@ TEST(MassRatio, LargePilesAreSolvedByWalksThatGainSlow) {
   EXPECT_GE(notInVain, 1);
 }
 
-// Where a walk from no reactions is lost, one from the answer for less friction is not.
+// A walk from no reactions is lost, but one from the answer for less friction is not.
 TEST(MassRatio, PilesWithMuchFrictionAreSolvedFromLess) {
   constexpr double friction = 1;
   Options fromNothing;
@@ -69,8 +69,8 @@ TEST(MassRatio, PilesWithMuchFrictionAreSolvedFromLess) {
   EXPECT_GE(lostFromNothing, 1);
 }
 
-/// The largest eigenvalue, in absolute value, of what an outer step of the walk (ProximalWalk) with
-/// the weight α makes of errors that are small: of
+/// The factor by which an outer step of the walk (ProximalWalk) with the weight α multiplies small
+/// errors: the largest eigenvalue, in absolute value, of
 ///
 ///     (1 + P' l W)⁻¹ P',   l = 1/(α W_aa),   P' = dr/dz at z = r − l u
 double growthNear(const Problem& problem, const Solution& answer, double weight) {
@@ -91,8 +91,8 @@ double growthNear(const Problem& problem, const Solution& answer, double weight)
   return Eigen::EigenSolver<MatrixXd>(step, false).eigenvalues().cwiseAbs().maxCoeff();
 }
 
-// One reason why they are lost: errors grow from step to step, unless the weight is too small to be
-// solved for from afar.
+// One reason why walks are lost: errors grow from step to step, unless the weight is so small that
+// no walk from afar can solve its steps.
 TEST(MassRatio, WithMuchFrictionAnswersMayRepel) {
   constexpr double weight = 1e-2, rounding = 1e-6;
   const auto repel = [](double friction) {

@@ -1,4 +1,4 @@
-/// The Newton matrix of one region after the other, in the space of bodies.
+/// The Newton matrices of one region after another, in the space of bodies.
 #include "delassus/motion_space.h"
 
 #include <gtest/gtest.h>
@@ -11,15 +11,15 @@ namespace {
 
 using namespace delassus::test;
 
-/// Balls thrown together, some of whose contacts resist turning, with a motor.
+/// Balls thrown together, with a motor; some contacts resist turning.
 PileIsland heap(Random& random) {
   Pile pile = makeHeap(20, 0.5, random);
   resistTurning(pile, 0.1, random);
-  pile.rows.insert(pile.rows.begin(), makeWeakMotor());  // those of disks come last
+  pile.rows.insert(pile.rows.begin(), makeWeakMotor());  // those of the disks come last
   return PileIsland(pile);
 }
 
-/// A region in which about this share of the contacts is not open, with derivatives that are not
+/// A region in which about this share of the contacts is not open; its derivatives are not
 /// symmetric.
 Stiffness randomRegion(const Problem& problem, double share, Random& random) {
   Stiffness G;
@@ -54,7 +54,7 @@ VectorXd stiffnessTimes(const Stiffness& G, const Problem& problem, const Vector
   return sum;
 }
 
-// What reactions do to velocities where a region answers: J̃ K⁻¹ J̃ᵀ.
+// The velocities that reactions cause where a region answers: J̃ K⁻¹ J̃ᵀ.
 TEST(BodyMotion, CondensesToSomeUnknowns) {
   Random random(172);
   Pile pile = makeHeap(12, 0.5, random);

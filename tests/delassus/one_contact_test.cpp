@@ -11,7 +11,7 @@
 namespace delassus {
 namespace {
 
-/// How far r is from the law, m/s and N·s brought to one measure by ‖W‖: Signorini, then Coulomb.
+/// How far r is from the law: Signorini's, then Coulomb's. ‖W‖ brings m/s and N·s to one measure.
 double lawViolation(const Mat3& W, const Vec3& q, double mu, const Vec3& r) {
   const Vec3 u = W * r + q;
   const double w = W.norm(), t = std::hypot(r[1], r[2]), speed = std::hypot(u[1], u[2]);
@@ -20,8 +20,7 @@ double lawViolation(const Mat3& W, const Vec3& q, double mu, const Vec3& r) {
   const double cone = w * (t - mu * r[0]);          // ‖r_t‖ ≤ μ r_n
   const double inside = w * (mu * r[0] - t);        // and equal where it slides,
   const double slack = std::min(std::max(inside, 0.0), speed);
-  // with friction against the slip: u_t ‖r_t‖ = −‖u_t‖ r_t. It is looked at in units of the smaller
-  // of the two.
+  // with friction against the slip: u_t ‖r_t‖ = −‖u_t‖ r_t, in units of the smaller of the two.
   const double turned = std::hypot(u[1] * t + speed * r[1], u[2] * t + speed * r[2]) /
                         std::max({t, speed / w, 1e-300});
   return std::max({apart, both, cone, slack, turned});
@@ -85,7 +84,7 @@ TEST(OneContact, PublishedVectors) {
              {0.651442442405, -0.467126218802, 0.231072584697});
 }
 
-// A particle: W = I/m. It rests inside the cone, and outside slides with what friction leaves.
+// A particle, W = I/m. Inside the cone it rests; outside it slides with the rest of its velocity.
 TEST(OneContact, AParticleInClosedForm) {
   const double m = 3, mu = 0.5;
   const Mat3 W = Mat3::Identity() / m;
@@ -95,7 +94,7 @@ TEST(OneContact, AParticleInClosedForm) {
   EXPECT_LT((solveOneContact(W, {-2, 6, -8}, mu) - m * Vec3(2, -0.6, 0.8)).norm(), 1e-14);
 }
 
-// Tangents are a convention: turning them turns the reaction with them.
+// Tangents are a convention: turning them turns the reaction as well.
 TEST(OneContact, DoesNotDependOnTheTangents) {
   Random random(23);
   for (int k = 0; k < 1000; ++k) {
@@ -111,8 +110,8 @@ TEST(OneContact, DoesNotDependOnTheTangents) {
   }
 }
 
-// Whatever reaction the search is told to begin from, also one that has all but vanished or that
-// has nothing to do with the answer.
+// The reaction from which the search begins may be any, even one that has all but vanished or has
+// nothing to do with the answer.
 TEST(OneContact, WhereTheSearchBeginsDoesNotMatter) {
   Random random(23);
   for (int k = 0; k < 3000; ++k) {
@@ -130,7 +129,7 @@ TEST(OneContact, WhereTheSearchBeginsDoesNotMatter) {
   }
 }
 
-// A body that can only rise, or move in a plane: the tangential block is singular or vanishes.
+// Bodies that can only rise, or move in a plane: the tangential block is zero or singular.
 TEST(OneContact, SingularTangentialBlocks) {
   for (const double mu : {0.0, 0.3, 2.0}) {
     const Mat3 rises = Vec3(2, 0, 0).asDiagonal();
@@ -149,7 +148,7 @@ TEST(OneContact, SingularTangentialBlocks) {
   }
 }
 
-// As in worlds that move in a plane: along the third axis nothing moves.
+// In worlds that move in a plane nothing moves along the third axis.
 TEST(OneContact, SticksInAPlane) {
   const Mat3 W = Vec3(2, 1, 0).asDiagonal();
   EXPECT_EQ(solveOneContact(W, {-1, 0.1, 0}, 0.3), Vec3(0.5, -0.1, 0));

@@ -14,7 +14,7 @@ namespace {
 
 using namespace delassus::test;
 
-/// Balls on the ground, some with rolling and spinning friction, and two held together.
+/// Balls on the ground, some with rolling and spinning friction; two are held together.
 Problem heap(int balls, Random& random) {
   Pile pile = makeHeap(balls, 0.4, random);
   Row joint;
@@ -54,7 +54,7 @@ TEST(Patches, WhatIsSettledHasNone) {
   EXPECT_EQ(patches.count(), 0);
 }
 
-// In a tower of 12 boxes the first contact is below the first box, the last below the last.
+// In a tower of 12 boxes the first contact is below the first box, the last one below the last box.
 TEST(Patches, FarApartAreTwo) {
   Random random(64);
   const PileIsland island(makeTower(randomMasses(12, 2, random), 0.5, 0, random));
@@ -63,7 +63,7 @@ TEST(Patches, FarApartAreTwo) {
   residuals[0] = 1;
   patches.find(island.problem, residuals, 0.5);
   ASSERT_EQ(patches.count(), 1);
-  EXPECT_EQ(patches.partsOf(0), 8);  // of the first box, and between it and its neighbour
+  EXPECT_EQ(patches.partsOf(0), 8);  // the first box's, and those between it and its neighbour
   residuals[residuals.size() - 1] = 1;
   patches.find(island.problem, residuals, 0.5);
   ASSERT_EQ(patches.count(), 2);
@@ -71,8 +71,8 @@ TEST(Patches, FarApartAreTwo) {
   EXPECT_EQ(patches.partsOf(1), 8);  // the last two boxes, and between the second and its neighbour
 }
 
-// The others held, a part sees in its patch what it sees in the island: its velocities and so its
-// residual.
+// If the other parts are held, a part has in its patch the same velocities, and so the same
+// residual, as in the island.
 TEST(Patches, SeeTheIslandAsItIs) {
   Random random(62);
   int withDisks = 0;
@@ -99,8 +99,8 @@ TEST(Patches, SeeTheIslandAsItIs) {
   EXPECT_GT(withDisks, 20);
 }
 
-// Solved and put back, a patch keeps the law in the island, where nothing else has changed its
-// reaction.
+// A patch that has been solved and put back keeps the law in the island, if nothing else has
+// changed its reactions.
 TEST(Patches, AreSettledWhenSolved) {
   Random random(63);
   for (int k = 0; k < 40; ++k) {

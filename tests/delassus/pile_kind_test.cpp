@@ -1,4 +1,4 @@
-/// Which islands are taken for heaps, which for piles.
+/// Which islands count as heaps, and which as piles.
 #include "delassus/pile_kind.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ TEST(PileKind, FewSpheresAreASmallHeap) {
   EXPECT_FALSE(isLargeHeap(spheres.problem));
 }
 
-// Four contacts for each box.
+// Four contacts for each box make a pile.
 TEST(PileKind, BoxesAtRestAreAPile) {
   Random random(78);
   const PileIsland tower(makeTower(randomMasses(60, 10, random), 0, 0.3, random));

@@ -27,8 +27,8 @@ unsigned persistingSet(const std::vector<RowState>& rows) {
   return set;
 }
 
-/// Contacts in units that give W a unit diagonal, and walks over their regions from any of them:
-/// `pivot` has but one start, and small problems never walk.
+/// Contacts in units that give W a unit diagonal, and walks over their regions from any of these:
+/// `pivot` has only one start, and does not walk in small problems.
 struct Walks {
   VectorXd inverse;
   BoundedRows rows;
@@ -48,12 +48,12 @@ struct Walks {
   }
 };
 
-/// §8, §11: the 2ⁿ regions fill the space and never overlap; the region found is the one of
+/// §8, §11: the 2ⁿ regions fill the space and never overlap; the region found is that of
 /// enumeration.
 ///
 /// 202 000 random W over n = 1…10, condition numbers 1 to 1e10, half of the q drawn as q = −W f. On
-/// a wall, or nearer to it than round-off, two labels stand for one motion: then the motions must
-/// agree.
+/// a wall, or nearer to it than round-off, two labels belong to one motion: then only the motions
+/// must agree.
 class RegionTheory : public testing::TestWithParam<int> {
  protected:
   static int samples(int n) {
@@ -75,8 +75,8 @@ TEST_P(RegionTheory, TheRegionIsThatOfEnumeration) {
     ASSERT_EQ(answer.status, Status::Solved) << "sample " << k;
     const BruteForce truth = enumerateRegions(W, q);
 
-    // ε √condition is what round-off in q alone does to the motion; the work of the largest
-    // reactions sets the scale.
+    // Round-off in q alone changes the motion by ε √condition; the work of the largest reactions
+    // sets the scale.
     const double size = std::sqrt(std::max(0.0, -q.dot(truth.r)));
     const double tolerance = 1e-10 * std::sqrt(condition) * (size + q.norm());
     if (persistingSet(answer.rows) != truth.persisting) ++otherLabels;
@@ -97,7 +97,7 @@ TEST_P(RegionTheory, TheRegionIsThatOfEnumeration) {
 
 INSTANTIATE_TEST_SUITE_P(Contacts, RegionTheory, testing::Range(1, 11));
 
-/// Algorithms 13c: a 3x3 on which block pivoting without its guard goes round for ever.
+/// Algorithms 13c: a 3x3 W on which block pivoting without its guard cycles for ever.
 class BlockPivotCycle : public testing::Test {
  protected:
   BlockPivotCycle() : W(3, 3), q(3) {
@@ -224,8 +224,8 @@ TEST(Pivoting, SameInputSameBits) {
   EXPECT_EQ(a.rows, b.rows);
 }
 
-// Round-off in q must not decide how much work is done: thousands of contacts at rest on one wall
-// of their regions.
+// Round-off in q must not decide the amount of work, as where thousands of contacts at rest lie on
+// one wall of their regions.
 TEST(Pivoting, TiesAreHarmless) {
   Random random(25);
   for (int k = 0; k < 300; ++k) {
@@ -278,7 +278,7 @@ TEST(Pivoting, NumbersThatAreNotFiniteAreNotPassedOn) {
   EXPECT_TRUE(answer.u.allFinite());
 }
 
-// Two contacts with |W_01| > √(W_00 W_11) are not the same one twice.
+// Two contacts with |W_01| > √(W_00 W_11) are not one contact twice.
 TEST(Pivoting, SolvedIsNotSaidOfWhatIsNot) {
   Random random(28);
   int solved = 0;
@@ -306,7 +306,7 @@ TEST(Pivoting, ASpentBudgetIsSaid) {
   EXPECT_GE(answer.r.minCoeff(), 0);
 }
 
-// What is spent on rows that come first is not there for the others.
+// The budget that is spent on the first rows is not there for the others.
 TEST(Pivoting, NoBudgetLeavesWhatTheBoundsAsk) {
   MatrixXd W = MatrixXd::Zero(4, 4);
   W.topLeftCorner<2, 2>() << 2, 1, 1, 2;
@@ -349,8 +349,8 @@ TEST(Pivoting, ACompromiseHasTheLeastReactions) {
   EXPECT_GT(compromises, 250);
 }
 
-// Problem files hold matrices that are no Delassus matrices. An upper triangular P-matrix on which
-// Murty's least-index rule, one contact at a time, takes 2ⁿ steps.
+// Problem files hold matrices that are not Delassus matrices. This one is an upper triangular
+// P-matrix on which Murty's least-index rule, one contact at a time, takes 2ⁿ steps.
 TEST(Pivoting, NonsymmetricMatricesAreServed) {
   const int n = 8;
   MatrixXd W = MatrixXd::Identity(n, n);
@@ -373,8 +373,7 @@ TEST(Pivoting, NonsymmetricMatricesAreServed) {
   }
 }
 
-// The optimality conditions of a linear program: a skew matrix, all of whose diagonal entries
-// vanish.
+// The optimality conditions of a linear program have a skew matrix, whose diagonal is zero:
 //     minimise cᵀx, A x ≥ b, x ≥ 0:   W = [0 −Aᵀ; A 0],   q = (c, −b)
 TEST(Pivoting, LinearProgramsAreServed) {
   Random random(29);

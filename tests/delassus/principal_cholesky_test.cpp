@@ -124,12 +124,12 @@ TEST(PrincipalCholesky, RedundantRowsAreLeftOut) {
   EXPECT_EQ(static_cast<int>(cholesky.rows().size()), freedoms);
   EXPECT_LT(relativeResidual(cholesky, W, 0, random), 1e-9);
 
-  // Any row outside is redundant, and a refused row leaves the factor as it was.
+  // Any row outside is redundant, and refusing a row leaves the factor as it was.
   const std::vector<int> before = cholesky.rows();
   EXPECT_FALSE(cholesky.append(n - 1));
   EXPECT_EQ(cholesky.rows(), before);
 
-  // Once one row has gone, one of the others is not redundant any more.
+  // Once one row has gone, another one is no longer redundant.
   cholesky.remove(0);
   EXPECT_TRUE(cholesky.append(n - 1));
 }

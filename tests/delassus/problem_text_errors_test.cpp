@@ -22,7 +22,7 @@ using test::withLine;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// A line of one of the sample texts made wrong, and what is said about it.
+/// A line of one of the sample texts made wrong, and the message about it.
 struct BadLine {
   const char* base;
   int line;
@@ -140,7 +140,7 @@ TEST(ProblemTextErrors, HugeCountsAskForNoMemory) {
               HasSubstr("in entry 2 of 2000000000 of 'q', found the end of the text"));
 }
 
-/// A text without end, and a device that fails after a few characters.
+/// A text without an end, and a device that fails after a few characters.
 struct Endless : std::streambuf {
   explicit Endless(char c) : c_(c) { setg(&c_, &c_, &c_ + 1); }
   int_type underflow() override {
@@ -174,8 +174,8 @@ TEST(ProblemTextErrors, EndlessTextsAndFailingDevices) {
   }
 }
 
-/// Whatever happens to a text, it is read or refused with one clear line; and what is read can be
-/// written.
+/// Whatever happens to a text, it is read, or refused with one clear line. A text that is read can
+/// be written.
 TEST(ProblemTextErrors, MutatedTextsAreReadOrRefused) {
   std::mt19937_64 random(20);
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };

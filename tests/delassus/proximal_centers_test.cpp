@@ -1,4 +1,4 @@
-/// Descents that may miss more before they gain, and centers that move as long as that gains.
+/// Descents whose error may grow before it falls, and centers that move as long as that gains.
 #include "delassus/proximal_centers.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace delassus {
 namespace {
 
-/// Steps through given errors, and then none.
+/// Steps through the given errors, and then has no further step.
 struct Script {
   std::vector<double> errors;
   std::size_t at = 0, kept = 0;
@@ -64,7 +64,7 @@ TEST(ProximalCenters, TheBudgetEndsADescent) {
   EXPECT_EQ(script.at, 0U);
 }
 
-/// How many moves are made where they lead to these residuals, one after the other, from 1.
+/// How many moves are made if they lead to these residuals, one after the other, starting from 1.
 std::size_t movesThrough(const std::vector<double>& residuals) {
   Problem problem;
   problem.W = DelassusMatrix(DelassusMatrix::Sparse(MatrixXd::Identity(1, 1).sparseView()));

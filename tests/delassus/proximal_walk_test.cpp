@@ -10,7 +10,7 @@ namespace {
 
 using namespace delassus::test;
 
-/// A walk with all it needs.
+/// A walk with all the objects that it needs.
 template <class Motion>
 class Walk {
  public:
@@ -106,7 +106,7 @@ TEST(ProximalWalk, TheMotionDoesNotDependOnTheStart) {
   }
 }
 
-// A body space has the columns of J̃, a factored W those of its rank: the same walk in either.
+// A body space has the columns of J̃, a factored W those of its rank: the walk is the same in both.
 TEST(ProximalWalk, TheSpaceDoesNotMatter) {
   Random random(64);
   for (int k = 0; k < 20; ++k) {
@@ -121,7 +121,7 @@ TEST(ProximalWalk, TheSpaceDoesNotMatter) {
   }
 }
 
-// The region of the solution, given from the start, is the only one that is factored.
+// If the region of the solution is given at the start, it is the only one that is factored.
 TEST(ProximalWalk, AKnownRegionIsFactoredOnce) {
   Random random(65);
   for (const int height : {1, 4, 10}) {
@@ -134,7 +134,7 @@ TEST(ProximalWalk, AKnownRegionIsFactoredOnce) {
   }
 }
 
-// Corners of a level tower: whatever the guess was, all carry the same.
+// The corners of a level tower all carry the same, whatever the guess was.
 TEST(ProximalWalk, FromTheRegionTheShareIsTheSmoothest) {
   Random random(66);
   const int height = 3;
@@ -151,7 +151,7 @@ TEST(ProximalWalk, FromTheRegionTheShareIsTheSmoothest) {
   }
 }
 
-// The reactions of the last step may hold a self-stress. No demand asks to change it.
+// The reactions of the last step may hold a self-stress, which no demand asks to change.
 TEST(ProximalWalk, ASelfStressThatNothingFeelsIsKept) {
   Random random(67);
   const PileIsland island(makeTower({2, 2, 2}, 0.5, 0, random));
@@ -186,7 +186,6 @@ TEST(ProximalWalk, NeverReturnsAWorseAnswerThanItWasGiven) {
   }
 }
 
-// One object for many islands: nothing of the last one shows.
 // Masses of one and ten thousand kg: it takes more than 100 regions, each of which gains a little.
 TEST(ProximalWalk, GoesOnAsLongAsItGains) {
   Random random(70);
@@ -198,7 +197,7 @@ TEST(ProximalWalk, GoesOnAsLongAsItGains) {
     EXPECT_GT(patient.regions, 100);
     EXPECT_EQ(walk.walkOn(patient, 0, 100), Outcome::Reached);  // is there already
 
-    // And no longer than the patience and what is left of an inner solve.
+    // And no longer than the patience, plus the rest of an inner solve.
     EXPECT_EQ(walk.walkOn(hasty, 10, 10000), Outcome::Lost);
     EXPECT_GE(hasty.regions, 10);
     EXPECT_LT(hasty.regions, patient.regions);
@@ -207,6 +206,7 @@ TEST(ProximalWalk, GoesOnAsLongAsItGains) {
   }
 }
 
+// One object serves many islands: nothing of the last one shows.
 TEST(ProximalWalk, HasNoMemory) {
   Random random(69);
   const PileIsland large = smoothTower(5, 10, random), small = smoothTower(2, 10, random);

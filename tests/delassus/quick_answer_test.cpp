@@ -1,4 +1,4 @@
-/// What few sweeps answer needs no solver.
+/// A few sweeps that find the answer make a solver needless.
 #include "delassus/quick_answer.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 using namespace delassus::test;
 
-// One sweep answers those that approach, and the others are not looked at.
+// One sweep answers the contacts that approach; the others are not looked at.
 TEST(QuickAnswer, LoneContactsNeedOneSweep) {
   Random random(61);
   const Problem problem = loneContacts(200, random);
@@ -47,7 +47,8 @@ TEST(QuickAnswer, WhatDoesNotApproachStaysApart) {
   EXPECT_EQ(solution.activeSet.contacts[0], Mode::Open);
 }
 
-/// Beside what lone contacts feel of themselves, as much of each other as `coupling` says.
+/// Contacts that act on themselves as lone ones do, and on each other as strongly as `coupling`
+/// says.
 Problem coupledContacts(int n, double coupling, Random& random) {
   Problem problem = loneContacts(n, random);
   MatrixXd W = problem.W.dense();
@@ -90,7 +91,7 @@ TEST(QuickAnswer, IsLeftToASolverWhereContactsFeelEachOther) {
   }
 }
 
-// What is told is told of the reactions that are returned, wherever the budget ends.
+// Wherever the budget ends, the residual that is reported is that of the reactions returned.
 TEST(QuickAnswer, TellsTheResidualOfItsReactionsAtAnyBudget) {
   Random random(66);
   Problem problem = coupledContacts(44, 0.02, random);
@@ -113,8 +114,7 @@ TEST(QuickAnswer, TellsTheResidualOfItsReactionsAtAnyBudget) {
   }
 }
 
-// The best that was found comes back, whoever found it: a solver that is left no budget finds
-// nothing.
+// The best answer comes back, whoever found it: a solver without any budget left finds nothing.
 TEST(QuickAnswer, IsTheAnswerWhereItsBudgetWasAll) {
   Random random(68);
   for (const int contacts : {4, 44}) {
@@ -140,7 +140,7 @@ TEST(QuickAnswer, IsTheAnswerWhereItsBudgetWasAll) {
   }
 }
 
-// What it took of the budget is not there for the solver any more.
+// The budget that was used here is not there for the solver any more.
 TEST(QuickAnswer, KeepsToTheBudgetTogetherWithTheSolver) {
   Random random(67);
   for (const int contacts : {4, 12}) {
@@ -157,8 +157,7 @@ TEST(QuickAnswer, KeepsToTheBudgetTogetherWithTheSolver) {
   }
 }
 
-// Nothing moves at such a contact, whatever its reaction: no sweep answers that, and no budget
-// makes it vanish.
+// No reaction moves anything at such a contact. No sweep answers it, and no budget makes it vanish.
 TEST(QuickAnswer, AContactThatMovesNothingIsNotAnswered) {
   Random random(65);
   Problem problem = loneContacts(3, random);

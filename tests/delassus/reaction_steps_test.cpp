@@ -41,8 +41,8 @@ class Attempt {
   ReactionSteps<Motion> steps_{space_};
 };
 
-/// Boxes on each other, with friction that differs from contact to contact, none at some, after a
-/// disturbance.
+/// Boxes on each other after a disturbance. Friction differs from contact to contact; some have
+/// none.
 PileIsland disturbedTower(int height, double massRatio, double disturbance, Random& random) {
   Pile pile = makeTower(randomMasses(height, massRatio, random), 0, disturbance, random);
   mixFriction(pile, 0.5, random);
@@ -67,7 +67,7 @@ TEST(ReactionSteps, ReachedMeansThatTheLawHolds) {
   EXPECT_GE(reached, 0.9 * samples);
 }
 
-// Without friction there is one motion, whoever finds it and from wherever.
+// Without friction there is one motion, whatever finds it and from wherever.
 TEST(ReactionSteps, MovesAsTheWalkDoes) {
   Random random(302);
   for (int k = 0; k < 30; ++k) {
@@ -81,7 +81,8 @@ TEST(ReactionSteps, MovesAsTheWalkDoes) {
   }
 }
 
-// A body space has the columns of J̃, a factored W those of its rank: the same steps in either.
+// A body space has the columns of J̃, a factored W those of its rank: the steps are the same in
+// both.
 TEST(ReactionSteps, TheSpaceDoesNotMatter) {
   Random random(303);
   int both = 0;
@@ -98,7 +99,7 @@ TEST(ReactionSteps, TheSpaceDoesNotMatter) {
   EXPECT_GE(both, 20);
 }
 
-// Reactions that are right but for a few digits have their region right, and need no search.
+// Reactions that are right but for a few digits have the right region, and need no search.
 TEST(ReactionSteps, FewStepsMendWhatIsNearlyRight) {
   Random random(304);
   int few = 0;
@@ -129,7 +130,7 @@ TEST(ReactionSteps, SpendsNoMoreThanItsBudgetAndLosesNothing) {
   }
 }
 
-// It takes the vectors of the walk, and none of it shows there.
+// It uses the vectors of the walk, but the walk does not show it.
 TEST(ReactionSteps, LeaveTheWalkAsItWas) {
   Random random(306);
   const PileIsland island = disturbedTower(4, 10, 0.1, random);

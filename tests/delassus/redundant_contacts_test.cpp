@@ -1,4 +1,4 @@
-/// Redundant contacts (algorithms 5): W is singular, the motion is unique, the reaction is the
+/// Redundant contacts (algorithms 5): W is singular, the motion is unique, and the reaction is the
 /// share of least norm.
 #include <gtest/gtest.h>
 
@@ -16,8 +16,8 @@ PivotResult pivotJoints(const MatrixXd& W, const VectorXd& q) {
   return pivot(W, q, VectorXd::Constant(n, -infinity), VectorXd::Constant(n, infinity));
 }
 
-/// Largest violation of 0 ≤ r ⊥ u ≥ 0. W is positive semi-definite: zero says that the motion is
-/// the one of Gauss' principle.
+/// Largest violation of 0 ≤ r ⊥ u ≥ 0. W is positive semi-definite, so zero means that the motion
+/// is that of Gauss' principle.
 double violation(const PivotResult& result) {
   return result.r.cwiseMin(result.u).cwiseAbs().maxCoeff();
 }
@@ -29,7 +29,7 @@ TEST(RedundantContacts, OneConstraintStatedManyTimesSharesTheLoad) {
     EXPECT_LT((same.r - VectorXd::Constant(n, 1.0 / n)).cwiseAbs().maxCoeff(), 1e-9);
     EXPECT_LT(same.u.cwiseAbs().maxCoeff(), 1e-14);
 
-    // One that asks for more than the others carries all.
+    // A contact that asks for more than the others carries all.
     VectorXd q = VectorXd::Constant(n, -0.5);
     q[0] = -1;
     const PivotResult one = pivotContacts(MatrixXd::Ones(n, n), q);
@@ -52,7 +52,7 @@ TEST(RedundantContacts, TheMotionIsExact) {
 }
 
 TEST(RedundantContacts, TargetsThatDisagreeStillHaveOneMotion) {
-  // Restitution and gaps: q is not J v any more. All normals have a positive component: the demands
+  // Restitution and gaps: q is no longer J v. All normals have a positive component, so the demands
   // are compatible.
   Random random(32);
   for (int k = 0; k < 1000; ++k) {
@@ -65,8 +65,8 @@ TEST(RedundantContacts, TargetsThatDisagreeStillHaveOneMotion) {
   }
 }
 
-// Σ W_ii r_i² is least. The truth: enumeration of W + 1e-9 diag W, whose reaction tends to that of
-// least norm.
+// Σ W_ii r_i² is least. The truth is enumeration of W + 1e-9 diag W, whose reaction tends to that
+// of least norm.
 TEST(RedundantContacts, TheReactionHasLeastNorm) {
   Random random(33);
   for (int k = 0; k < 300; ++k) {
@@ -104,8 +104,8 @@ TEST(RedundantContacts, CornersOfAStackCarryTheirShare) {
   }
 }
 
-// Between floor and ceiling. The floor wants the box to rise by `rise`, the ceiling wants it down
-// by `fall`.
+// A box between floor and ceiling. The floor asks it to rise at `rise`, the ceiling to sink at
+// `fall`.
 class SqueezedBox : public testing::Test {
  protected:
   static MatrixXd jacobian() {
@@ -229,8 +229,8 @@ TEST(RedundantContacts, RowsThatNothingMovesKeepTheirVelocity) {
   EXPECT_EQ(stuck.r, VectorXd(Vec3(0, 0, 0)));
 }
 
-// Corners that disagree by float round-off, as in a world in single precision: still one motion,
-// still finite shares.
+// The corners disagree by float round-off, as in a world in single precision. There is still one
+// motion, with finite shares.
 TEST(RedundantContacts, FloatRoundOffDoesNoHarm) {
   Random random(35);
   for (int k = 0; k < 200; ++k) {

@@ -23,7 +23,7 @@ Matrix2d pair(double a, double c, double d) {
   return W;
 }
 
-/// The common rule that §10 warns of: hold the contacts with a positive forced reaction, drop the
+/// The common rule of which §10 warns: hold the contacts with a positive forced reaction, drop the
 /// others.
 VectorXd currentIdea(const MatrixXd& W, const VectorXd& q) {
   const VectorXd forced = -W.llt().solve(q);
@@ -48,7 +48,8 @@ TEST(Region, OneContactIsKeptWhereItsForcedReactionPushes) {
   EXPECT_EQ(oneContact(2, 0), 0);
 }
 
-// §10, first surprise (algorithms 13a): both forced reactions negative, and yet contact 0 persists.
+// §10, first surprise (algorithms 13a): both forced reactions are negative, and yet contact 0
+// persists.
 TEST(Region, BothForcedReactionsNegativeAndYetOnePersists) {
   const Matrix2d W = pair(1, -0.9, 1);
   const Vector2d q(-0.8, 0.91);
@@ -143,7 +144,7 @@ TEST(Region, ClosedFormsAndRecursionAgree) {
   }
 }
 
-/// Well and badly conditioned W, in units that differ from row to row, against enumeration.
+/// Well and badly conditioned W, in units that differ from row to row, compared with enumeration.
 class SmallRegions : public testing::TestWithParam<int> {};
 
 TEST_P(SmallRegions, AreThoseOfEnumeration) {
@@ -178,7 +179,7 @@ TEST(Region, TheMotionIsContinuousAcrossWalls) {
     VectorXd to = normalVector(n, random);
     const auto at = [&](double t) { return VectorXd(-W * ((1 - t) * from + t * to)); };
 
-    // Bisect to a change of region, if the segment crosses one.
+    // Bisects to a change of region, if the segment crosses one.
     const auto label = [&](double t) { return (solveRegion(W, at(t)).r.array() > 0).eval(); };
     double a = 0, b = 1;
     if ((label(a) == label(b)).all()) continue;
@@ -193,8 +194,8 @@ TEST(Region, TheMotionIsContinuousAcrossWalls) {
   EXPECT_GT(walls, 1400);
 }
 
-// r is the projection of f on the non-negative orthant in the metric of W: it cannot spread two
-// forced motions.
+// r is the projection of f on the non-negative orthant in the metric of W. So two motions are never
+// farther apart than their forced motions.
 TEST(Region, TheMotionIsANonExpansiveFunctionOfTheForcedMotion) {
   Random random(16);
   for (int k = 0; k < 5000; ++k) {
@@ -217,7 +218,7 @@ TEST(Region, OneConstraintStatedTwiceSharesTheLoad) {
   EXPECT_DOUBLE_EQ(firstAsksMore.r[0], 1);
   EXPECT_EQ(firstAsksMore.r[1], 0);
 
-  // In other units: W = [4 2; 2 1], the second row is half the first.
+  // The same in other units: W = [4 2; 2 1], the second row is half the first.
   const RegionAnswer scaled = solveRegion(pair(4, 2, 1), Vector2d(-4, -2));
   EXPECT_LT(scaled.u.norm(), 1e-15);
   EXPECT_DOUBLE_EQ(scaled.r[0] * 2, scaled.r[1] * 1);
@@ -245,7 +246,8 @@ TEST(Region, MoreRedundantContactsAreHandedOn) {
   EXPECT_FALSE(releaseRecursion(Matrix3d::Ones(), Vector3d(-1, -1, -1)));
 }
 
-// Mean leaves of the recursion (3/2)ⁿ⁻¹ (algorithms 3.4): far from the 2ⁿ of enumeration.
+// Mean number of leaves of the recursion: (3/2)ⁿ⁻¹ (algorithms 3.4), far from the 2ⁿ of
+// enumeration.
 TEST(Region, TheRecursionVisitsFewRegions) {
   Random random(17);
   const int samples = 2000, n = 6;

@@ -27,8 +27,8 @@ VectorXd vector(std::initializer_list<double> entries) {
   return Eigen::VectorXd::Map(entries.begin(), static_cast<int>(entries.size()));
 }
 
-// §4: the kinetic energy of the difference p of the free and the forced motion is the form in the
-// forced reactions.
+// §4: let p be the difference of the free and the forced motion. Its kinetic energy is the form in
+// the forced reactions.
 TEST(Release, TheEnergyOfTheDifferenceIsTheFormInTheForcedReactions) {
   Random random(41);
   for (int k = 0; k < 500; ++k) {
@@ -99,7 +99,7 @@ TEST(Release, NoForcedMotionNearerThanTheWallHasAnotherRegion) {
   }
 }
 
-// §11: leaving through a face changes exactly the one contact that vanishes there, always.
+// §11: leaving through a face always changes exactly the one contact that vanishes there.
 TEST(Release, BehindAFaceExactlyOneContactChanges) {
   Random random(45);
   int faces = 0;
@@ -112,8 +112,8 @@ TEST(Release, BehindAFaceExactlyOneContactChanges) {
     ASSERT_EQ(analysis.changing.size(), 1u);
     const int contact = analysis.changing[0];
 
-    // The shortest way to the wall: along W⁻¹ times the gradient of r_i or u_i in q, estimated by
-    // differences.
+    // The shortest way to the wall goes along W⁻¹ times the gradient of r_i or u_i in q, which is
+    // estimated by differences.
     const auto vanishing = [&](const VectorXd& forced) {
       const ReleaseAnalysis there = analyseRelease(W, -W * forced);
       return analysis.persisting[contact] ? there.r[contact] : there.u[contact];
@@ -150,8 +150,8 @@ TEST(Release, OneContact) {
   EXPECT_EQ(released.changing, std::vector<int>{0});
 }
 
-// Independent contacts: the regions are the octants, and the wall is told by how many reactions
-// vanish.
+// Independent contacts: the regions are the octants, and the number of reactions that vanish tells
+// the kind of wall.
 TEST(Release, FaceEdgeAndVertexOfTheOctant) {
   const MatrixXd W = MatrixXd::Identity(3, 3);
   const ReleaseAnalysis face = analyseRelease(W, -vector({0.5, 2, 3}));
@@ -168,22 +168,22 @@ TEST(Release, FaceEdgeAndVertexOfTheOctant) {
   EXPECT_EQ(vertex.wall, Wall::Vertex);
   EXPECT_EQ(vertex.changing, (std::vector<int>{0, 1, 2}));
 
-  // Two faces at the same distance are still two faces: the first is named.
+  // Two faces at the same distance are still two faces; the first one is named.
   const ReleaseAnalysis corner = analyseRelease(W, -vector({1, 1, 5}));
   EXPECT_EQ(corner.wall, Wall::Face);
   EXPECT_EQ(corner.changing, std::vector<int>{0});
 }
 
-// §10-§11: two reactions vanish at the same time. One contact may persist, the other not: the edge
-// does not tell.
+// §10-§11: two reactions vanish at the same time. One contact may persist, the other may not: the
+// edge does not tell.
 TEST(Release, BehindAnEdgeTheRegionMustBeComputed) {
   MatrixXd W(2, 2);
   W << 1, -0.9, -0.9, 1;
   const ReleaseAnalysis edge = analyseRelease(W, vector({0, 0}));
   EXPECT_EQ(edge.wall, Wall::Vertex);  // of two contacts, both
 
-  // Leaving the vertex with both forced reactions negative: neither, the first, or the second
-  // contact persists.
+  // The ways out of the vertex with both forced reactions negative: neither contact persists, or
+  // the first, or the second.
   EXPECT_EQ(regionAt(W, vector({-1, -1})), (std::vector<bool>{false, false}));
   EXPECT_EQ(regionAt(W, vector({-0.1, -1})), (std::vector<bool>{true, false}));
   EXPECT_EQ(regionAt(W, vector({-1, -0.1})), (std::vector<bool>{false, true}));
@@ -217,8 +217,8 @@ TEST(Release, BallInAnAngleFollowsThePlane) {
   }
 }
 
-// Theory §4, rod on two supports: pulled up at one end, supports wider apart than the radius of
-// gyration lose that one.
+// Theory §4, a rod on two supports that is pulled up at one end: supports wider apart than the
+// radius of gyration lose that end.
 TEST(Release, RodOnTwoSupports) {
   const double m = 1, I = 1.0 / 12;
   for (const double a : {0.2, 0.4}) {  // radius of gyration √(1/12) = 0.289
@@ -245,7 +245,7 @@ TEST(Release, RedundantContactsHaveOneMotionAndAShare) {
   EXPECT_GT(resting.distance, 0);
 }
 
-// Where contacts are released at rest, u is their rounding, of either sign.
+// Contacts that are released at rest have u equal to rounding, of either sign.
 TEST(Release, NoWallIsNearerThanHere) {
   Random random(49);
   int here = 0;

@@ -16,7 +16,8 @@
 namespace delassus {
 namespace {
 
-/// An explicit problem; friction one number a contact, bounds one pair a row.
+/// An explicit problem, with one number of friction for each contact and one pair of bounds for
+/// each row.
 Problem problemOf(const MatrixXd& W, const VectorXd& q, const VectorXd& friction,
                   const VectorXd& lower = {}, const VectorXd& upper = {}) {
   Problem problem;
@@ -74,7 +75,7 @@ TEST(NaturalResidual, VanishesAtSolutionsOfOneContactInAllThreeModes) {
     ASSERT_FALSE(solutions.empty()) << "each contact has a solution";
     for (const test::ReferenceContact& solution : solutions) {
       const VelocityResidual residual = naturalResidual(oneContact(W, q, mu), solution.r);
-      // u = W r + q carries the rounding of terms of the size of q.
+      // u = W r + q has the rounding of terms of the size of q.
       EXPECT_LT(residual.max, 1e-14 * W.norm() * (solution.r.norm() + q.norm()));
       EXPECT_EQ(residual.worst, 0);
       ++seen[solution.mode];
@@ -114,20 +115,20 @@ TEST(NaturalResidual, PublishedOneContactVectors) {
 }
 
 TEST(NaturalResidual, IsTheVelocityMissed) {
-  // A body of 2 kg falls on the ground at 3 m/s: without reaction, and with a third of the right
-  // one.
+  // A body of 2 kg falls on the ground at 3 m/s: without reaction, with a third of the right one,
+  // and with the right one.
   const Problem problem = oneContact(Mat3::Identity() / 2, {-3, 0, 0}, 0.5);
   EXPECT_DOUBLE_EQ(naturalResidual(problem, Vec3::Zero()).max, 3);
   EXPECT_DOUBLE_EQ(naturalResidual(problem, Vec3(2, 0, 0)).max, 2);
   EXPECT_DOUBLE_EQ(naturalResidual(problem, Vec3(6, 0, 0)).max, 0);
 }
 
-/// The convex relaxation lets a sliding body lift at μ|u_t|; the judge must not take that for
+/// The convex relaxation lets a sliding body lift at μ|u_t|. The residual must not take that for
 /// Coulomb's law.
 TEST(NaturalResidual, RefusesTheConvexRelaxation) {
   const double mu = 0.5;
   const Vec3 q(-1, 2, 0);
-  // For W = 1: the projection of -q on the cone, r ⟂ u with u in the dual cone.
+  // For W = 1 it is the projection of -q on the cone, with r ⟂ u and u in the dual cone.
   const Vec3 n = Vec3(1, -mu, 0).normalized();
   const Vec3 r = n.dot(-q) * n;
   const Vec3 u = r + q;
@@ -220,7 +221,7 @@ TEST(NaturalResidual, FrictionlessContactIsARow) {
 }
 
 TEST(NaturalResidual, BlocksThatVanishAreJudgedToo) {
-  // A contact between bodies that cannot move, alone and beside one that can.
+  // A contact between bodies that cannot move, alone and beside a contact that can.
   for (const double other : {0.0, 0.5}) {
     MatrixXd W = MatrixXd::Zero(6, 6);
     W.bottomRightCorner<3, 3>() = other * Mat3::Identity();
@@ -246,8 +247,8 @@ TEST(NaturalResidual, BlocksThatVanishAreJudgedToo) {
   EXPECT_GT(naturalResidual(problem, Eigen::Vector2d(1, 2)).max, 0.1) << "not complementary";
 }
 
-// What asks for a velocity that its own reactions cannot give says nothing about how exact the
-// others are to be.
+// A demand for a velocity that its own reactions cannot give says nothing about how exact the
+// others must be.
 TEST(Demand, IsWhatReactionsCanAnswer) {
   const Mat3 W = Mat3::Identity();
   EXPECT_EQ(oneContact(W, {-3, 1, -2}, 0.5).demand(), 3);
@@ -262,7 +263,7 @@ TEST(Demand, IsWhatReactionsCanAnswer) {
   EXPECT_EQ(Problem().demand(), 0);
 }
 
-// They have a step of the unit of the others'.
+// Blocks that vanish get a step in the unit of the other blocks.
 TEST(NaturalResidual, BlocksThatVanishDoNotSetTheUnitOfMass) {
   constexpr double gram = 1024;
   MatrixXd W = MatrixXd::Zero(2, 2);
@@ -299,15 +300,15 @@ TEST(NaturalResidual, NamesTheWorstAndNeverHidesANaN) {
 }
 
 TEST(FclibMeasures, AreTheirFormulas) {
-  // |F(1)| = |q| at r = 0 when -q is inside the cone; s = 3 / trace.
+  // At r = 0, |F(1)| = |q| if -q is inside the cone; s = 3 / trace.
   const Mat3 W = Vec3(1, 2, 3).asDiagonal();
   const Vec3 q(-5, 0, 0);
   const Problem problem = oneContact(W, q, 0.5);
   const FclibMeasures rest = fclibMeasures(problem, Vec3::Zero());
   EXPECT_DOUBLE_EQ(rest.rel, 1);
   EXPECT_DOUBLE_EQ(rest.vel, 1);
-  // Opening although pushed: F(1) = r - P(r - u) = (20,0,0) - (5,0,0), F(s)/s = 2 (20 - (20 -
-  // 15/2)) = 15.
+  // A contact that opens although it is pushed: F(1) = r - P(r - u) = (20,0,0) - (5,0,0),
+  // F(s)/s = 2 (20 - (20 - 15/2)) = 15.
   const FclibMeasures pushed = fclibMeasures(problem, Vec3(20, 0, 0));
   EXPECT_DOUBLE_EQ(pushed.rel, 3);
   EXPECT_DOUBLE_EQ(pushed.vel, 3);
@@ -320,14 +321,14 @@ TEST(FclibMeasures, AreTheirFormulas) {
   EXPECT_EQ(fclibMeasures(oneContact(W, Vec3::Zero(), 0.5), Vec3(1, 0, 0)).rel, infinity);
 }
 
-// A reaction that has grown without end says nothing of how well the demand is met.
+// A reaction that has grown without end does not tell how well the demand is met.
 TEST(NaturalResidual, ALargeReactionHidesNoVelocity) {
   const VectorXd r = VectorXd::Constant(1, 1e20), u = VectorXd::Constant(1, -3);
   for (const double lower : {-infinity, 0.0})
     EXPECT_EQ(naturalResidual(oneRow(0.5, -3, lower, infinity), r, u).max, 3);
 }
 
-/// Of all kinds of blocks: coupled, as those of balls (arms along the normal, up to rounding), of
+/// Blocks of all kinds: coupled, as those of balls (arms along the normal, up to rounding), of
 /// every size, unsymmetric, and with eigenvalues of both signs.
 TEST(ContactSize, IsTheLargestSingularValue) {
   RandomContact random(31);
@@ -339,14 +340,14 @@ TEST(ContactSize, IsTheLargestSingularValue) {
           W.row(0).tail<2>() *= coupling;
           W.col(0).tail<2>() *= coupling;
           W(1, 2) *= 1 + skew;
-          if (k % 2) W(0, 0) *= 100;  // now the normal is the largest, now a tangent
+          if (k % 2) W(0, 0) *= 100;  // makes the normal the largest instead of a tangent
           if (k % 3 == 2) W -= W.trace() * Mat3::Identity();
           const double largest = (W / unit).jacobiSvd().singularValues()[0];
           EXPECT_NEAR(contactSize(W) / unit, largest, 1e-13 * largest) << W;
         }
 }
 
-/// The list of problems states `rel` at r = 0, in two digits, computed by others.
+/// The published list of problems states `rel` at r = 0, in two digits, computed by others.
 TEST(FclibMeasures, AgreeWithThePublishedListAtRest) {
   if (test::sharedFolder().empty()) GTEST_SKIP() << test::noSharedFolder;
   std::ifstream list(test::sharedFolder() / "problems" / "PROBLEMS.md");

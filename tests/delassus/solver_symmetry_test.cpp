@@ -1,5 +1,5 @@
-/// What must not matter: other islands, units, the order of contacts, names, axes, what was solved
-/// before.
+/// Things that must not matter: other islands, units, the order of contacts, names, axes, earlier
+/// solves.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -46,7 +46,7 @@ Pile together(const std::vector<Pile>& piles, Random& random) {
     for (const Contact& c : pile.contacts) all.contacts.push_back(moved(c));
     for (const Row& row : pile.rows) all.rows.push_back(moved(row));
   }
-  // The order within a pile stays: it is the order of its unknowns.
+  // Contacts of one pile keep their order, which is that of its unknowns.
   std::vector<int> owner;
   for (std::size_t p = 0; p < piles.size(); ++p)
     owner.insert(owner.end(), piles[p].contacts.size(), static_cast<int>(p));
@@ -67,7 +67,7 @@ TEST(Solver, IslandsDoNotFeelEachOther) {
     for (int i = 0; i < 5; ++i) piles.push_back(motorTower(1 + (i + k) % 5, random));
     const Pile all = together(piles, random);
 
-    Solver solver;  // one for all: it must not remember either
+    Solver solver;  // one for all: it must not remember earlier islands either
     Assembler assembler;
     assembler.split(all.bodies, all.contacts, all.rows);
     ASSERT_EQ(assembler.islands(), 5);
@@ -84,8 +84,8 @@ TEST(Solver, IslandsDoNotFeelEachOther) {
   }
 }
 
-// Explicit problems of several parts: solve(problem) takes them apart itself, after sweeps over all
-// of them.
+// Explicit problems of several parts: solve(problem) takes them apart itself, after it has swept
+// all of them.
 TEST(Solver, PartsOfAnExplicitProblemDoNotFeelEachOther) {
   Random random(102);
   const Problem a = withEntries(PileIsland(makeTower({1, 2}, 0.5, 0.2, random)).problem);
@@ -109,7 +109,7 @@ TEST(Solver, PartsOfAnExplicitProblemDoNotFeelEachOther) {
   EXPECT_EQ(whole.status, Status::Solved);
 }
 
-/// A step without rows in units that are 1/mass, 1/length and 1/time of the old ones.
+/// A step without rows, in units that are 1/mass, 1/length and 1/time times the old ones.
 Pile inUnits(Pile pile, double mass, double length, double time) {
   const double speed = length / time;
   for (Body& body : pile.bodies) {
@@ -132,15 +132,15 @@ struct Units {
 
 class Scaling : public ::testing::TestWithParam<Units> {};
 
-// Powers of four for mass, since Cholesky takes its root; powers of two for the others: every
-// operation scales exactly.
+// Powers of four for mass, since Cholesky takes its root, and powers of two for the others: then
+// every operation scales exactly.
 TEST_P(Scaling, UnitsChangeReactionsExactlyAndModesNotAtAll) {
   const auto [mass, length, time] = GetParam();
   Random random(103);
   for (int k = 0; k < 40; ++k) {
     SCOPED_TRACE(k);
     Pile pile = motorTower(1 + k % 6, random);
-    pile.rows.clear();  // their rad/s are not the m/s in which the tolerance is read
+    pile.rows.clear();  // their rad/s are not the m/s in which the tolerance counts
     const PileIsland island(pile), scaled(inUnits(pile, mass, length, time));
     const Solution here = Solver().solve(island.problem), there = Solver().solve(scaled.problem);
     EXPECT_TRUE(sameBits(there.r, VectorXd(mass * length / time * here.r)));
@@ -174,7 +174,7 @@ TEST(Solver, TheOrderOfContactsDoesNotChangeTheMotion) {
   }
 }
 
-// Which body is called a and which b, and where north is.
+// It must not matter which body is called a and which b, nor where north is.
 TEST(Solver, NamesAndAxesDoNotChangeTheMotion) {
   Random random(105);
   Options options;
@@ -220,7 +220,7 @@ TEST(Solver, SameInputSameBitsWhateverWasSolvedBefore) {
   }
 }
 
-// A ground that is a body of no inverse mass, and the fixed world.
+// The ground as a body without inverse mass, and as the fixed world.
 TEST(Solver, AnImmovableBodyIsTheFixedWorld) {
   Random random(107);
   for (int k = 0; k < 10; ++k) {

@@ -1,5 +1,5 @@
-/// What `Solved` promises, on piles of boxes with four contacts a face, mass ratios to 1e3 and
-/// frictions to 2.
+/// What `Solved` promises, on piles of boxes with four contacts a face, mass ratios up to 1e3 and
+/// friction up to 2.
 #include "delassus/solver.h"
 
 #include <gtest/gtest.h>
@@ -18,8 +18,8 @@ namespace {
 using namespace delassus::test;
 using test::sameBits;
 
-/// Towers and pyramids; targets as restitution and push-out make them; motors and joints now and
-/// then.
+/// Towers and pyramids with targets as restitution and push-out make them; some also have motors
+/// and joints.
 PileIsland randomIsland(int k, double massRatio, double friction, Random& random) {
   const double disturbance = k % 3 == 0 ? 0 : uniform(random, 0, 1);
   Pile pile = k % 5 == 4
@@ -76,8 +76,8 @@ double momentumError(const PileIsland& island, const VectorXd& r) {
   return error / std::max(size, 1e-300);
 }
 
-/// The identity of the energies, and that contacts which obey their law only lose energy of their
-/// own.
+/// Checks the identity of the energies, and that contacts which obey their law only lose energy of
+/// their own.
 void expectEnergyIdentity(const PileIsland& island, const Solution& solution) {
   const EnergyBalance balance = energyBalance(island.problem, island.target, solution.r);
   const double before = kineticEnergy(island.pile.bodies);
@@ -88,8 +88,8 @@ void expectEnergyIdentity(const PileIsland& island, const Solution& solution) {
   EXPECT_LE(balance.friction, 0);
   EXPECT_LE(balance.impact, 0);
   EXPECT_LE(balance.compliance, 0);
-  // What misses the law by the residual works on the reactions by no more than this. Motors may
-  // only drain.
+  // An error of the law by the residual does no more than this work on the reactions. Motors may
+  // only drain energy.
   const double missed = 10 * solution.residual * solution.r.lpNorm<1>() + 1e-12 * scale;
   EXPECT_LE(balance.complementarity, missed);
   const bool motors = !island.pile.rows.empty();
@@ -136,7 +136,7 @@ TEST_P(Piles, SolvedMeansThatTheLawHolds) {
 
 INSTANTIATE_TEST_SUITE_P(MassRatios, Piles, ::testing::Values(1, 10, 100, 1000));
 
-// However little it may work, what comes back is honest about it.
+// However small its budget, the solver is honest about its answer.
 TEST(Solver, ASpentBudgetIsSaidAndNeverWorseThanTheGuess) {
   Random random(72);
   for (int k = 0; k < 100; ++k) {
@@ -152,7 +152,7 @@ TEST(Solver, ASpentBudgetIsSaidAndNeverWorseThanTheGuess) {
   }
 }
 
-// Nor where no reactions at all are nearer in the mean: what counts is the largest residual.
+// Nor where having no reactions at all is nearer in the mean: the largest residual counts.
 TEST(Solver, ASpentBudgetIsNeverWorseThanAGuessThatIsWrongEverywhere) {
   constexpr int contacts = 1000;
   Problem problem;
@@ -169,8 +169,8 @@ TEST(Solver, ASpentBudgetIsNeverWorseThanAGuessThatIsWrongEverywhere) {
   EXPECT_LE(Solver(options).solve(problem, guess).residual, naturalResidual(problem, guess).max);
 }
 
-// Frictionless: Gauss' principle has one motion. Without disturbance a tower rests: that is
-// another.
+// Without friction Gauss' principle has one motion. A tower without disturbance rests, which is one
+// motion, too.
 TEST(Solver, TheMotionDoesNotDependOnTheGuessWhereItIsUnique) {
   Random random(73);
   Options options;
@@ -203,8 +203,8 @@ TEST(Solver, AGuessThatIsASolutionComesBackWithoutWork) {
     EXPECT_EQ(again.sweeps, 0);
     EXPECT_EQ(again.status, Status::Solved);
     EXPECT_LE((again.r - first.r).norm(), 1e-8 * first.r.norm());
-    // Bit by bit, where round-off has left no reaction outside its cone by the arithmetic of the
-    // solver.
+    // The same bits, if round-off has left no reaction outside its cone in the solver's own
+    // arithmetic.
     VectorXd allowed = first.r;
     makeFeasible(island.problem, allowed);
     if (!sameBits(allowed, first.r)) continue;
@@ -259,7 +259,7 @@ TEST(Solver, ManyExplicitRowsTakeNoDenseMatrix) {
   EXPECT_EQ(solution.factorisations, 0);
 }
 
-// Contacts that rest, slide and open are named so.
+// Contacts that rest, slide and open have the modes of these names.
 TEST(Solver, ModesSayWhatTheMotionDoes) {
   Random random(75);
   int seen[3] = {};
@@ -294,7 +294,7 @@ TEST(Solver, ModesSayWhatTheMotionDoes) {
   for (const int count : seen) EXPECT_GT(count, 50);
 }
 
-// Where few contacts came or went, what was learnt of all the others is worth more than a fresh
+// Where few contacts came or went, what is known of all the others is worth more than a fresh
 // start.
 TEST(Solver, AGuessThatIsFarWrongAtOneContactIsWorthMoreThanNone) {
   Random random(77);
@@ -329,7 +329,7 @@ TEST(Solver, AToleranceThatIsNoNumberIsRefused) {
   EXPECT_THROW(Solver{beyond}, std::invalid_argument);
 }
 
-// However wide the cone is, what approaches is not let pass because it slides too.
+// However wide the cone is, a contact that approaches must not be accepted because it also slides.
 TEST(Solver, AWideConeHidesNoApproach) {
   int solved = 0;
   for (const double tolerance : {1e-8, 1e-3, 1e-2})
@@ -350,7 +350,7 @@ TEST(Solver, AWideConeHidesNoApproach) {
   EXPECT_GE(solved, 12) << "of 15";
 }
 
-// A guess within the tolerance may be made better, and is never made worse.
+// A guess within the tolerance may be improved, and is never made worse.
 TEST(Solver, PolishingNeverLosesWhatTheGuessHad) {
   Random random(78);
   Options options;
@@ -377,8 +377,8 @@ TEST(Solver, PolishingNeverLosesWhatTheGuessHad) {
 }
 
 TEST(Solver, AGuessThatIsNotAllowedIsMovedIntoItsConeAndBounds) {
-  // A sliding contact and a motor at its limit, not coupled. The guess solves them to 1e-10,
-  // outside of what is allowed.
+  // A sliding contact and a motor at its limit, which are not coupled. The guess solves them to
+  // 1e-10, but lies outside of what is allowed.
   Problem problem;
   problem.W = DelassusMatrix(DelassusMatrix::Sparse(MatrixXd::Identity(4, 4).sparseView()));
   problem.q = Eigen::Vector4d(-1, 1, 0, -5);

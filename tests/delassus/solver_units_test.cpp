@@ -1,5 +1,5 @@
-// Units change, regions do not: lengths times 2^a and masses times 2^b, the time as it was, give
-// the same bits.
+// Other units leave the regions as they are. With lengths times 2^a, masses times 2^b and the same
+// time, the bits are the same.
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ Pile inOtherUnits(Pile pile, int lengths, int masses) {
   return pile;
 }
 
-/// Powers of four for masses: their roots are exact too.
+/// Powers of four for masses, since then their roots are exact too.
 void expectSameBits(const Pile& pile, int lengths, int masses) {
   const PileIsland own(pile), other(inOtherUnits(pile, lengths, masses));
   const Solution a = solve(own.problem), b = solve(other.problem);

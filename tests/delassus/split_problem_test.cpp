@@ -78,7 +78,7 @@ TEST(ProblemParts, ADiskIsConnectedToItsGovernor) {
   EXPECT_THAT(parts.problemOf(1).disks, ::testing::ElementsAre(Disk{3, 2, 0, 0.2}));
 }
 
-// Towers need factors; heaps, whose contacts are few, settle by sweeps that are far cheaper.
+// Towers need factors. Heaps, which have few contacts, settle by sweeps, which are far cheaper.
 TEST(SolveParts, AnEasyProblemNeedsNoFactor) {
   Random random(63);
   int factored = 0;

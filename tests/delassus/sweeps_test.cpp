@@ -1,4 +1,4 @@
-/// Block Gauss-Seidel with both accelerations.
+/// Block Gauss-Seidel with both kinds of acceleration.
 #include "delassus/sweeps.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using namespace delassus::test;
 
-/// 0: conjugate gradient; otherwise Anderson's, with the steps that it remembers.
+/// 0: conjugate gradient; otherwise Anderson's acceleration, with so many steps remembered.
 constexpr int memories[] = {0, 4, Anderson::longest};
 
 void sweep(Sweeps& sweeps, int count, int memory, VectorXd& r) {
@@ -31,7 +31,7 @@ VectorXd swept(const Problem& problem, int count, VectorXd r, int memory = 0) {
   return r;
 }
 
-/// A frictional tower with a motor and a joint, each with bounds of its own kind.
+/// A tower with friction, a motor and a joint; both rows have bounds, of different kinds.
 PileIsland towerWithRows(int height, Random& random) {
   Pile pile = makeTower(randomMasses(height, 10, random), 0, 0.3, random);
   mixFriction(pile, 1, random);
@@ -73,8 +73,8 @@ TEST(Sweeps, OneContactAloneNeedsOneSweep) {
   }
 }
 
-// Without friction each row in turn finds the least of ½ rᵀW r + qᵀr along itself (Gauss'
-// principle): a descent.
+// Without friction each row in turn finds the least value of ½ rᵀW r + qᵀr along itself (Gauss'
+// principle). So a sweep descends.
 TEST(Sweeps, OneSweepNeverRaisesTheGaussianCostOfFrictionlessIslands) {
   Random random(43);
   for (int k = 0; k < 60; ++k) {
@@ -92,7 +92,7 @@ TEST(Sweeps, OneSweepNeverRaisesTheGaussianCostOfFrictionlessIslands) {
   }
 }
 
-// What is a solution already is left where it is.
+// Sweeps leave a solution where it is.
 TEST(Sweeps, ASolutionIsAFixedPoint) {
   Random random(44);
   for (int k = 0; k < 20; ++k) {
@@ -143,7 +143,7 @@ TEST(Sweeps, RowsThatNothingMovesAreLeftAlone) {
   }
 }
 
-// One object for many islands, and with any acceleration in turn: nothing of the last one shows.
+// One object serves many islands, with each acceleration in turn: nothing of the last one shows.
 TEST(Sweeps, HaveNoMemory) {
   Random random(48);
   const PileIsland large = towerWithRows(4, random), small = towerWithRows(1, random);
@@ -168,8 +168,8 @@ TEST(Sweeps, HaveNoMemory) {
   }
 }
 
-// Anderson's steps speak of one problem and of the sweeps before: where another hand was in between
-// they are forgotten.
+// Anderson's acceleration remembers steps of one problem and of the sweeps just before. If anything
+// else came in between, it forgets them.
 TEST(Sweeps, AndersonsForgetWhatIsOfAnotherProblemOrOtherSweeps) {
   Random random(50);
   for (int k = 0; k < 10; ++k) {
@@ -196,7 +196,7 @@ TEST(Sweeps, AndersonsForgetWhatIsOfAnotherProblemOrOtherSweeps) {
   }
 }
 
-// Sweeps in one call are accelerated, sweeps in calls of one are not.
+// Sweeps in one call are accelerated; sweeps in calls of one sweep each are not.
 TEST(Sweeps, TheConjugateGradientHurriesThem) {
   Random random(51);
   for (const int height : {4, 8, 16}) {
@@ -229,7 +229,7 @@ TEST(Sweeps, PlainOnesAreOneAfterTheOther) {
       << "hurried ones go elsewhere";
 }
 
-// What one call has learnt the next one uses: in small bites as few sweeps are needed as in one.
+// One call uses what the last one has learnt: in small bites as few sweeps are needed as in one.
 TEST(Sweeps, AndersonsGoOnFromWhatTheyLearnt) {
   Random random(49);
   constexpr int problems = 20, bites = 6, bite = 10, memory = 8;

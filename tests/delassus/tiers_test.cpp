@@ -1,5 +1,5 @@
-/// Every method of the library is asked the same question. Where the motion is unique, all must
-/// name it: frictionless islands (Gauss' principle) and towers at rest.
+/// Every method of the library answers the same question. Where the motion is unique, all must find
+/// it: frictionless islands (Gauss' principle) and towers at rest.
 #include <gtest/gtest.h>
 
 #include "delassus/alternation.h"
@@ -92,7 +92,7 @@ TEST(Tiers, FrictionlessIslandsHaveOneMotion) {
   }
 }
 
-// Large mass ratios are for the direct methods: pivoting, both Newton methods.
+// Large mass ratios are for the direct methods: pivoting and both Newton methods.
 TEST(Tiers, MassRatiosOfAThousand) {
   Random random(92);
   for (int k = 0; k < 2000; ++k) {
@@ -107,7 +107,7 @@ TEST(Tiers, MassRatiosOfAThousand) {
   }
 }
 
-// Everything falls together, and is stopped together: v = 0.
+// All boxes fall together and are stopped together: v = 0.
 TEST(Tiers, TowersWithFrictionComeToRest) {
   Random random(93);
   for (int k = 0; k < 2000; ++k) {
@@ -121,8 +121,8 @@ TEST(Tiers, TowersWithFrictionComeToRest) {
   }
 }
 
-// Up to six contacts on one body whose normals are independent: the regions of the paper
-// themselves.
+// Up to six contacts on one body whose normals are independent: here the answer is the paper's
+// region itself.
 TEST(Tiers, AHandfulOfContactsFindsTheRegionOfThePaper) {
   Random random(94);
   for (int k = 0; k < 4000; ++k) {
@@ -146,7 +146,7 @@ TEST(Tiers, AHandfulOfContactsFindsTheRegionOfThePaper) {
   }
 }
 
-// Both storages of W have their own tiers; the motion is that of the bodies.
+// Each storage of W has methods of its own; the motion is that of the bodies.
 TEST(Tiers, TheStorageOfWDoesNotMatter) {
   Random random(95);
   for (int k = 0; k < 40; ++k) {

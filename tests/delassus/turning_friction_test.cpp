@@ -36,7 +36,7 @@ class BallOnPlane {
   void spin(double rate) { ball_.velocity[5] += rate; }
   void push(const Vec3& torque) { torque_ = torque; }
 
-  /// One step, from the reactions of the last one.
+  /// One step; the search begins with the reactions of the last one.
   void step() {
     std::vector<Body> bodies{ball_};
     bodies[0].velocity.head<3>() += h * gravity_;
@@ -98,7 +98,7 @@ TEST(TurningFriction, BallOnInclineHoldsUpToItsAngle) {
 }
 
 TEST(TurningFriction, BallOnASteepInclineSlidesAndRolls) {
-  // Sliding friction μ m g cos θ turns the ball against κ m g cos θ.
+  // Sliding friction μ m g cos θ turns the ball; κ m g cos θ resists.
   constexpr double kappa = 0.02, mu = 0.1, slope = 1;
   BallOnPlane ball(mu, 0, kappa, slope);
   constexpr int steps = 20;
@@ -144,8 +144,8 @@ TEST(TurningFriction, ResistsATorqueUpToItsBound) {
   }
 }
 
-// Between two walls that close in, of which one resists spinning: no motion meets both, and no spin
-// withstands that grip.
+// A ball between two walls that close in, one of which resists spinning. No motion meets both
+// demands, and no spin withstands such a grip.
 TEST(TurningFriction, ASqueezedBallStopsSpinning) {
   Body ball;
   ball.inverseMass.setConstant(1 / mass);
@@ -181,7 +181,7 @@ TEST(TurningFriction, BallInTheAirTurnsFreely) {
   EXPECT_EQ(solution.activeSet.disks, (std::vector<Mode>{Mode::Open, Mode::Open}));
 }
 
-/// How far r is from the law of the disks: out of its disk, or not opposite to u, N·m·s and J.
+/// How far r is from the law of the disks: outside its disk, or not opposite to u, N·m·s and J.
 void expectLaw(const Problem& problem, const Solution& s, double rounding) {
   for (const Disk& disk : problem.disks) {
     const Vec2 r = disk.of(s.r), u = disk.of(s.u);
@@ -251,8 +251,8 @@ TEST(TurningFriction, BallsInTheAirKeepTheirMomentum) {
   for (const Island& island : splitIslands(apart.bodies, apart.contacts, apart.rows)) {
     const Solution s = solve(assemble(apart.bodies, apart.contacts, apart.rows, island));
     applyReaction(after, apart.contacts, apart.rows, island, s.r);
-    // Moments of disks are pure couples: spin I ω + Σ arm × impulse is balanced by equal and
-    // opposite ones.
+    // Moments of disks are pure couples: equal and opposite ones balance
+    // spin I ω + Σ arm × impulse.
     Vec3 couples = Vec3::Zero();
     const int begin = island.unknowns() - static_cast<int>(island.rows.size());
     for (std::size_t k = 0; k < island.rows.size(); ++k) {
@@ -298,7 +298,7 @@ TEST(TurningFriction, AgreesWithManySweeps) {
     Sweeps sweeps;
     sweeps.setProblem(island.problem, map);
     VectorXd slow = VectorXd::Zero(island.problem.size());
-    // One at a time: plain Gauss-Seidel, without its acceleration.
+    // One sweep at a time: plain Gauss-Seidel, without its acceleration.
     for (int i = 0; i < 4000; ++i) sweeps.sweep(1, slow);
     ASSERT_LT(naturalResidual(island.problem, slow).max, 1e-7) << k;
     const Solution s = solve(island.problem);

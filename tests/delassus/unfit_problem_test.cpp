@@ -1,4 +1,4 @@
-/// Problems that no law can be stated for, and what the answer says of problems that are not
+/// Problems for which no law can be stated, and what the answer says of problems that are not
 /// solved.
 
 #include <gmock/gmock.h>
@@ -78,8 +78,8 @@ TEST(UnfitProblem, IsNamedAndGetsNoReactions) {
   }
 }
 
-// Contacts alone, with entries, are looked at all at once first: what is wrong with one of them
-// must not drown in a sum.
+// Contacts alone, with entries, are first checked all at once. A fault in one of them must not
+// drown in a sum.
 TEST(UnfitProblem, IsNamedAmongContactsAlone) {
   const auto contactsAlone = [] {
     Problem problem;
@@ -92,17 +92,17 @@ TEST(UnfitProblem, IsNamedAmongContactsAlone) {
   ASSERT_THAT(unfitParts(contactsAlone()), IsEmpty());
   for (const Unfit& c : unfit()) {
     SCOPED_TRACE(c.what);
-    if (c.first == 6) continue;  // of the row
+    if (c.first == 6) continue;  // a fault of the row
     Problem problem = contactsAlone();
     c.breakIt(problem);
     EXPECT_THAT(unfitParts(problem), ElementsAre(c.first));
     EXPECT_THAT(solve(problem).blamed, ElementsAre(c.first));
   }
-  // Many that are fit may sum up to what one alone must not.
+  // The sum of many fit entries may exceed what one entry must not.
   Problem large = contactsAlone();
   large.q.setConstant(3e99);
   EXPECT_THAT(unfitParts(large), IsEmpty());
-  // What is less than nothing must not be made up for by others.
+  // Other entries must not make up for a negative one.
   Problem made = contactsAlone();
   made.friction << -1e-3, 2, 2;
   EXPECT_THAT(unfitParts(made), ElementsAre(0));
@@ -118,7 +118,7 @@ TEST(UnfitProblem, SpoilsOnlyThePartThatItIsCoupledTo) {
   EXPECT_NEAR(solution.r[6], 1, 1e-8);
 }
 
-// They cannot be taken apart by it.
+// Such a disk does not say to which part its unknown belongs.
 TEST(UnfitProblem, ADiskThatPointsOutOfIt) {
   for (const int governor : {-1, 3, 4, 1000}) {  // 4: a tangent
     SCOPED_TRACE(governor);
@@ -152,7 +152,7 @@ TEST(UnfitProblem, InAPartOfAnArticulatedBody) {
   EXPECT_THAT(unfitParts(problem), ElementsAre(6));
 }
 
-// It must not pass for a contact without friction on its way from the bodies.
+// It must not pass for a contact without friction when the problem is assembled from bodies.
 TEST(UnfitProblem, AContactGivenWithAFrictionThatIsNone) {
   Random random(3);
   for (const double friction : {notANumber, -0.5}) {
@@ -172,7 +172,7 @@ TEST(UnfitProblem, AContactGivenWithAFrictionThatIsNone) {
     EXPECT_EQ(solution.status, Status::NonFinite);
     EXPECT_THAT(solution.blamed, ElementsAre(6));
 
-    // Nor are reactions kept that would do with friction, or with none at that contact.
+    // Nor are reactions kept that would be right with friction, or with none at that contact.
     for (const VectorXd& r : {reactions, withoutIt}) {
       solution.r = r;
       std::vector<Body> moved = pile.bodies;

@@ -1,4 +1,4 @@
-/// Walls of the regions on straight lines.
+/// Walls of the regions along straight lines.
 #include "delassus/wall.h"
 
 #include <gtest/gtest.h>
@@ -12,13 +12,13 @@
 namespace delassus {
 namespace {
 
-/// As `reactionTo` has it, without friction too, where all that touches slides.
+/// The mode by `reactionTo`, also without friction, where every closed contact slides.
 Mode modeAt(const Vec3& z, double mu) {
   if (z[0] <= 0) return Mode::Open;
   return mu > 0 && lengthOf(z[1], z[2]) <= mu * z[0] ? Mode::Stick : Mode::Slide;
 }
 
-/// Goes along the line from wall to wall and looks a little before and behind each of them.
+/// Goes along a line from wall to wall, and looks a little before and behind each wall.
 TEST(Wall, ModesOfAContactChangeThereAndNowhereElse) {
   Random random(5);
   int walls = 0, most = 0;

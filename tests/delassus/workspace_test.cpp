@@ -1,5 +1,5 @@
-/// What a workspace has solved before does not show in what it solves next: islands may fall to any
-/// of them.
+/// What a workspace has solved before does not show in what it solves next: any workspace may get
+/// any island.
 #include <gtest/gtest.h>
 
 #include "delassus/solver.h"

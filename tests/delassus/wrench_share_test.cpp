@@ -11,8 +11,7 @@
 namespace delassus {
 namespace {
 
-/// Four points under a body, at the corners of a square that lies askew, and reactions inside their
-/// cones.
+/// Four points under a body, at the corners of a tilted square, with reactions inside their cones.
 struct Touched {
   std::vector<FeltPoint> points;
   std::vector<Vec3> reactions;
@@ -51,7 +50,7 @@ TEST(WrenchShare, ReactionsThatMakeTheWrenchStay) {
   }
 }
 
-// Where no cone is left: the normal equations of least change say that it is Jᵀ of one wrench.
+// No cone is left, so by the normal equations of least change the change is Jᵀ of one wrench.
 TEST(WrenchShare, MakesTheWrenchByTheLeastChange) {
   Random random(2);
   for (int k = 0; k < 50; ++k) {
@@ -79,7 +78,7 @@ TEST(WrenchShare, StaysInTheConesAndComesAsNearAsTheyAllow) {
   Random random(3);
   for (int k = 0; k < 50; ++k) {
     const Touched body(random);
-    // From shares that are far off, to a wrench that some reactions inside the cones make.
+    // From shares that are far off to a wrench that some reactions inside the cones make.
     std::vector<Vec3> r(4, Vec3::Zero());
     r[k % 4] = Vec3(8, 0, 0);
     const Vec6 wanted = body.wrench(body.reactions);
@@ -91,7 +90,7 @@ TEST(WrenchShare, StaysInTheConesAndComesAsNearAsTheyAllow) {
   }
 }
 
-// Three points that lie nearly on a line, as on the rim of a barrel, have hardly a moment about it.
+// Points that lie nearly on a line, as on the rim of a barrel, have hardly a moment about it.
 TEST(WrenchShare, ForcesDoNotGrowForMomentsThatPointsHardlyMake) {
   Random random(6);
   for (int k = 0; k < 50; ++k) {

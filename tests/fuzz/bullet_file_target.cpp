@@ -1,10 +1,10 @@
-/// Damaged .bullet files, taken as `delassus run FILE.bullet` takes them: each is refused in one
+/// Damaged .bullet files, read as `delassus run FILE.bullet` reads them: each is refused in one
 /// line, or steps.
 ///
-/// Bullet's importer trusts what it reads and may crash. The command rehearses in a process of its
-/// own for that reason, and so does this target, since it loads files by the same call. What is
-/// asked here is that nothing passes the rehearsal and crashes, or hangs, afterwards. Bullet's own
-/// second reading may, since it reads where it should not: the command tells that (blameCrashesOn),
+/// Bullet's importer trusts what it reads and may crash. For that reason the command rehearses in a
+/// process of its own, and so does this target, since it loads files by the same call. The target
+/// asks that nothing passes the rehearsal and then crashes or hangs. Bullet's own second reading
+/// may still crash, since it reads where it should not: the command reports that (blameCrashesOn);
 /// here it ends the run.
 
 #include <unistd.h>
@@ -33,7 +33,7 @@ std::string seed(Random&) {
   return whole;
 }
 
-/// A few bytes of the file changed: anywhere, or four at once by a number that is likely to hurt.
+/// The bytes of the file with a few changes: anywhere, or four at once by a number likely to hurt.
 std::string mutated(std::string bytes, Random& random) {
   constexpr std::size_t least = 16;
   for (int change = pick(random, 1, 4); change > 0 && bytes.size() >= least; --change) {

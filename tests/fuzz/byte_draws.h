@@ -1,5 +1,5 @@
 #pragma once
-/// Random numbers drawn from the bytes of an input: whoever changes a byte changes a choice.
+/// Random numbers drawn from the bytes of an input: to change a byte is to change a choice.
 
 #include <cstdint>
 #include <random>
@@ -13,7 +13,7 @@ class ByteDraws {
  public:
   explicit ByteDraws(std::string bytes) : bytes_(std::move(bytes)) {}
 
-  /// The next one; past the end those of a generator that always begins alike.
+  /// The next byte; past the end those of a generator that always begins alike.
   std::uint8_t byte() {
     if (at_ < bytes_.size()) return static_cast<std::uint8_t>(bytes_[at_++]);
     return static_cast<std::uint8_t>(pastEnd_() >> 8);
@@ -30,7 +30,7 @@ inline double uniform(ByteDraws& draws, double from, double to) {
   for (int i = 0; i < 4; ++i) number = number << 8 | draws.byte();
   return from + (to - from) * (number / 4294967296.0);
 }
-/// Of at most 256 numbers.
+/// From at most 256 numbers.
 inline int pick(ByteDraws& draws, int from, int to) {
   return from + draws.byte() % (to - from + 1);
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// What random drivers share. Every round has its own seed: a failure names it, and it alone brings
-/// the case back.
+/// What random drivers share. Every round has its own seed: a failure names it, and it alone
+/// reproduces the case.
 
 #include <cmath>
 #include <cstdlib>
@@ -17,10 +17,10 @@ inline int fuzzRounds(int usual) {
   return factor ? static_cast<int>(usual * std::strtod(factor, nullptr)) : usual;
 }
 
-/// True in a long run: then shares are worth printing.
+/// True in a long run, where the shares are worth printing.
 inline bool isLongFuzz() { return std::getenv("DELASSUS_FUZZ") != nullptr; }
 
-/// Another seed for each of the first numbers; DELASSUS_FUZZ_FROM moves the numbers on.
+/// Each round has another seed; DELASSUS_FUZZ_FROM shifts the numbers of the rounds.
 inline Random fuzzRandom(int round) {
   const char* from = std::getenv("DELASSUS_FUZZ_FROM");
   return Random(1000003u * (from ? std::strtoull(from, nullptr, 10) : 0) + round);

@@ -1,4 +1,4 @@
-/// A target as libFuzzer drives it. How to build and run it is told in CMakeLists.txt.
+/// A target as libFuzzer drives it. CMakeLists.txt says how to build and run it.
 
 #include <pthread.h>
 #include <sanitizer/common_interface_defs.h>
@@ -15,8 +15,8 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 
 namespace {
 
-/// Work in a process apart may crash: its parent says what that means. What libFuzzer makes of
-/// crashes is its own.
+/// Work in a process apart may crash, and its parent says what that means. libFuzzer must not
+/// report such crashes.
 void dieWithoutReport() {
   for (const int fatal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) std::signal(fatal, SIG_DFL);
   __sanitizer_set_death_callback(nullptr);

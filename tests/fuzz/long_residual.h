@@ -1,6 +1,6 @@
 #pragma once
-/// The natural residual in extended precision, from the problem alone: what certificates are
-/// checked against.
+/// The natural residual in extended precision, from the problem alone. Certificates are checked
+/// against it.
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -16,9 +16,9 @@ using Long = long double;
 using LongVector = Eigen::Matrix<Long, Eigen::Dynamic, 1>;
 using LongMatrix = Eigen::Matrix<Long, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// W with all its digits: the entries as given, or J̃ J̃ᵀ + diag(compliance) multiplied out in
-/// extended precision. `sizes` is |W| or |J̃| |J̃|ᵀ + diag(compliance): what round-off is in
-/// proportion to.
+/// W with all its digits: the entries as given, or J̃ J̃ᵀ + diag(compliance), multiplied out in
+/// extended precision. `sizes` is |W| or |J̃| |J̃|ᵀ + diag(compliance), to which round-off is in
+/// proportion.
 inline LongMatrix longDense(const Problem& problem, LongMatrix& sizes) {
   const int n = problem.size();
   if (!problem.W.inBodySpace()) {
@@ -48,8 +48,8 @@ inline LongMatrix longDense(const Problem& problem, LongMatrix& sizes) {
 
 struct LongResidual {
   Long max = 0;  ///< natural residual of the reactions, m/s
-  /// Of a residual that is computed in double: ε (Σ |W_ij| |r_j| + |q_i| + |W_ii| |r_i|), times the
-  /// terms of a sum, times 1 + μ for the corrected velocity.
+  /// Round-off of a residual in double: ε (Σ |W_ij| |r_j| + |q_i| + |W_ii| |r_i|), times the number
+  /// of terms of a sum, times 1 + μ for the corrected velocity.
   Long roundOff = 0;
   /// Largest distance of a reaction to its cone or bounds, relative to the largest reaction.
   Long outside = 0;

@@ -46,7 +46,7 @@ std::string anyWord(Random& random) {
   return words[pick(random, 0, int(std::size(words)) - 1)];
 }
 
-/// Splits at every blank and line end, which stay at the end of their word.
+/// Splits after every blank and line end, which stay at the end of their word.
 std::vector<std::string> wordsOf(const std::string& text) {
   std::vector<std::string> words(1);
   for (const char c : text) {

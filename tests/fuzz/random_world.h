@@ -1,9 +1,9 @@
 #pragma once
-/// Worlds that nobody would build: any shapes, masses over twelve decades, joints anyhow, flags,
-/// broken numbers.
+/// Worlds that nobody would build: any shapes, masses over twelve decades, joints of any kind,
+/// flags, broken numbers.
 ///
-/// Of the arguments of a call at most one is drawn, or the call has braces: compilers differ in
-/// their order, and the same bytes are to make the same world.
+/// At most one argument of a call is drawn, or the call has braces. Compilers evaluate arguments in
+/// different orders, and the same bytes must make the same world.
 
 #include <limits>
 #include <memory>
@@ -14,12 +14,12 @@
 
 namespace delassus::test {
 
-/// What a world is, so that laws that need it are asked of it alone.
+/// Traits of a world, so that a law is asked only of worlds for which it holds.
 struct WorldTraits {
   bool joints = false;      ///< their rows may feed energy in
   bool lockedAxes = false;  ///< momentum along them goes nowhere
   bool bounces = false;     ///< restitution feeds energy in
-  bool broken = false;      ///< some number is none
+  bool broken = false;      ///< some number is NaN or absurd
 };
 
 class RandomWorld {
@@ -41,7 +41,7 @@ class RandomWorld {
   const WorldTraits& traits() const { return traits_; }
   btScalar timeStep() const { return timeStep_; }
 
-  /// Puts a number that is none, or absurd, somewhere.
+  /// Makes some number NaN or absurd.
   void breakSomething() {
     traits_.broken = true;
     const btScalar bad[] = {std::numeric_limits<btScalar>::quiet_NaN(),
@@ -125,7 +125,7 @@ class RandomWorld {
     }
   }
 
-  /// Each axis free or locked.
+  /// Locks each axis or leaves it free.
   btVector3 someLocks() {
     const int locks = pick(random_, 0, 7);
     return {btScalar(locks & 1), btScalar(locks >> 1 & 1), btScalar(locks >> 2 & 1)};

@@ -17,7 +17,7 @@ namespace {
 
 struct Case {
   Problem problem;
-  bool solvable = false;  ///< a motion is known that meets all demands
+  bool solvable = false;  ///< a known motion meets all demands
 };
 
 void addLaws(Case& c, int contacts, int rows, Random& random) {
@@ -50,7 +50,7 @@ void addLaws(Case& c, int contacts, int rows, Random& random) {
   }
 }
 
-/// Velocities that some motion has, plus margins that every law allows; or anything.
+/// Velocities of some motion, plus margins that every law allows; or any velocities.
 void addDemands(Case& c, const VectorXd& ofAMotion, Random& random) {
   Problem& p = c.problem;
   p.q = ofAMotion;
@@ -70,7 +70,7 @@ void addDemands(Case& c, const VectorXd& ofAMotion, Random& random) {
   }
 }
 
-/// W = J Jᵀ of any rank, with a spread of singular values or of masses, with ties on purpose.
+/// W = J Jᵀ of any rank, with a spread of singular values or of masses; ties are deliberate.
 Case explicitCase(Random& random) {
   Case c;
   const int n = pick(random, 1, 60);
@@ -93,7 +93,8 @@ Case explicitCase(Random& random) {
   VectorXd v = normalVector(freedoms, random);
   if (chance(random, 0.2)) v = v.array().round().matrix();
   addDemands(c, J * v, random);
-  // Beyond, rounding W to double turns the demands of a motion into demands that no motion meets.
+  // Beyond this, rounding W to double turns the demands of a motion into demands that no motion
+  // meets.
   c.solvable &= spread < 3;
   return c;
 }
@@ -103,7 +104,7 @@ Vec3 direction(Random& random) {
   return normalVector(3, random).normalized();
 }
 
-/// Bodies with masses over nine decades, contacts and rows between them, assembled as worlds are.
+/// Bodies with masses over nine decades, with contacts and rows, assembled as those of worlds are.
 Case bodyCase(Random& random) {
   Case c;
   const int count = pick(random, 1, 10);
@@ -118,7 +119,7 @@ Case bodyCase(Random& random) {
     if (chance(random, 0.1)) body.inverseInertia.setZero();
     body.velocity = normalVector(6, random);
     if (chance(random, 0.3)) body.velocity = Vec6::Unit(1) * -0.1;
-    // What a locked axis does cannot be stopped: standing still would be no answer.
+    // Motion along a locked axis cannot be stopped: then standing still would be no answer.
     body.velocity.head<3>() = body.inverseMass.array().sign() * body.velocity.head<3>().array();
     if (!body.inverseInertia.any()) body.velocity.tail<3>().setZero();
   }
@@ -174,12 +175,12 @@ void writeCase(const Problem& problem, const std::string& path) {
   writeProblem(out, text);
 }
 
-/// What is wrong with the answer to a problem, or null: what must hold whatever the problem.
+/// The fault in the answer to a problem, or null. Asks for what must hold whatever the problem.
 const char* faultOf(const Case& c, const Solution& s, const Options& options) {
   const Problem& p = c.problem;
   if (s.r.size() != p.size() || !s.r.allFinite() || !s.u.allFinite()) return "not finite";
   if (s.status == Status::NonFinite) return "called non-finite";
-  // Rows are pivoted first, then walked: twice the budget at most.
+  // Rows are pivoted first, then walked: at most twice the budget.
   if (s.regions > 2 * options.newtonBudget + 64) return "more regions than the budget";
   if (s.sweeps > 2 * options.sweepBudget) return "more sweeps than the budget";
 
@@ -234,8 +235,8 @@ void fuzz(const char* name, Case (*make)(Random&), int usualRounds) {
 
 TEST(SolveFuzz, ExplicitMatrices) { fuzz("entries", explicitCase, 300); }
 
-/// W nearly singular: reactions grow long, as against demands that no motion meets. Some were
-/// called incompatible, one ended as no number.
+/// W is nearly singular: reactions grow long, as they do against demands that no motion meets. Some
+/// such problems were once called incompatible, and one ended as NaN.
 TEST(SolveFuzz, LongReactionsAreNotTakenForIncompatibleDemands) {
   Tally tally;
   for (const int round : {14747, 43374, 49458, 50724, 72024})

@@ -1,7 +1,7 @@
 #pragma once
-/// What is fuzzed, and how it is asked. Each fuzz program is one target and one of two drivers:
+/// What is fuzzed, and how. Each fuzz program is one target and one of two drivers:
 /// target_test.cpp, a short run that needs no special compiler, or libfuzzer.cpp, which searches
-/// for as long as it is let.
+/// for as long as it may.
 
 #include <map>
 #include <set>
@@ -21,15 +21,15 @@ struct Target {
   const char* name;
   Outcome (*ask)(const std::string& bytes);
   std::string (*seed)(Random& random);
-  /// A few changes that are likelier to hurt than those of single bytes.
+  /// A few changes that are likelier to hurt than changes of single bytes.
   std::string (*mutated)(std::string bytes, Random& random);
-  int usualRounds;  ///< of the short run
-  /// Counts that a run reaches at least, each round on average: a target that refuses everything
-  /// tests nothing.
+  int usualRounds;  ///< in the short run
+  /// Least counts of a run, each per round on average. A target that refuses everything tests
+  /// nothing.
   std::map<std::string, double> least;
 };
 
-/// The one of this program.
+/// The target of this program.
 extern const Target target;
 
 }  // namespace delassus::test

@@ -1,4 +1,4 @@
-/// The short run of a target: its seed, changed in each round, and the inputs that once broke it.
+/// The short run of a target: its seed, mutated in each round, and the inputs that once broke it.
 
 #include "tests/fuzz/target.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Looks on while a world is solved, and asks the laws of every group, from the velocities and
-/// impulses that were written, independently of what the solver says of itself.
+/// Watches while a world is solved, and checks the laws of every group. It uses the velocities and
+/// impulses that were written, whatever the solver says of itself.
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -23,7 +23,7 @@ class WatchingSolver : public btConstraintSolver {
   WatchingSolver(btDelassusConstraintSolver& inner, const WorldTraits& traits)
       : inner_(inner), traits_(traits) {}
 
-  /// What is wrong, one line each; empty if nothing is.
+  /// The broken laws, one line each; empty if there are none.
   const std::set<std::string>& faults() const { return faults_; }
 
   void prepareSolve(int bodies, int manifolds) override { inner_.prepareSolve(bodies, manifolds); }
@@ -102,11 +102,11 @@ class WatchingSolver : public btConstraintSolver {
            cross * group_.bodies[body].inverseInertia * cross;
   }
 
-  /// Reactions in their cones; the law of each contact as well as the report says.
+  /// Reactions are in their cones, and each contact keeps its law as well as the report says.
   void askContacts() {
     const double said = inner_.report().residualMax, largest = largestReaction();
-    // The walk leaves round-off of the largest reactions, joints' as well, in those that carry
-    // nothing; the compromise between incompatible demands leaves more.
+    // The walk leaves round-off of the largest reactions, also of joints, in reactions that carry
+    // nothing. The compromise between incompatible demands leaves more.
     const double digits = inner_.report().solved == inner_.report().islands ? 1e-12 : 1e-10;
     const double noise = std::max(digits, rounding) * std::max(largest, largestMomentum());
     for (std::size_t i = 0; i < group_.contacts.size(); ++i) {
@@ -123,12 +123,12 @@ class WatchingSolver : public btConstraintSolver {
       Vec3 u = c.frame.transpose() * (pointVelocity(c.a, c.armA) - pointVelocity(c.b, c.armB)) -
                c.target;
       u += Vec3(c.compliance, c.slipCompliance, c.slipCompliance).cwiseProduct(r);
-      if (c.friction == 0) u.tail<2>().setZero();  // no law for them
+      if (c.friction == 0) u.tail<2>().setZero();  // no law holds for them
       const Vec3 v = correctedVelocity(u, c.friction);
       const double residual = size * (r - projectOnCone(r - v / size, c.friction)).norm();
       const double speed = pointSpeed(c.a, c.armA) + pointSpeed(c.b, c.armB) + c.target.norm();
-      // Joints that contradict each other pull at a body with far more than moves it; where its
-      // axes are locked, without end and unheard, so that what is rounded of an inertia of infinity
+      // Joints that contradict each other pull at a body with far more than moves it. Along locked
+      // axes they pull without end and without effect, so the rounding of an infinite inertia
       // counts.
       const double pull = std::max(pullOn(c.a), pullOn(c.b));
       const double slack = rounding * (1 + c.friction) * (speed + size * std::max(largest, pull));
@@ -156,7 +156,7 @@ class WatchingSolver : public btConstraintSolver {
     return largest;
   }
 
-  /// Σ m (v − v_f) is what the immovable world gives.
+  /// Σ m (v − v_f) is the impulse that the immovable world gives.
   void askMomentum() {
     Vec3 gain = Vec3::Zero(), given = Vec3::Zero();
     double scale = 0;
@@ -177,8 +177,8 @@ class WatchingSolver : public btConstraintSolver {
     if (!((gain - given).norm() <= rounding * scale)) faults_.insert("momentum is not conserved");
   }
 
-  /// E(v) − E(v_f) ≤ Σ r·target: reactions feed in nothing but what was asked for (algorithms 9.5).
-  /// What stands still by itself and what is driven, kinematic bodies, do work too.
+  /// E(v) − E(v_f) ≤ Σ r·target: reactions feed in only what was asked for (algorithms 9.5). Bodies
+  /// that do not move by themselves, and driven (kinematic) ones, do work too.
   void askEnergy() {
     double gain = 0, fed = 0, scale = 0;
     for (std::size_t i = 0; i < after_.size(); ++i) {
@@ -202,7 +202,7 @@ class WatchingSolver : public btConstraintSolver {
       fed += reactions_[i].dot(c.target);
       scale += std::abs(reactions_[i].dot(c.target));
       scale += reactions_[i].norm() * (pointSpeed(c.a, c.armA) + pointSpeed(c.b, c.armB));
-      // What an answer that is not exact may add.
+      // The energy that an inexact answer may add.
       fed += 2 * (1 + c.friction) * reactions_[i].norm() * inner_.report().residualMax;
     }
     if (!(gain <= fed + rounding * scale)) faults_.insert("energy is gained");
@@ -213,7 +213,7 @@ class WatchingSolver : public btConstraintSolver {
   bullet::Group group_;
   std::vector<Vec6> after_;
   std::vector<Vec3> reactions_;
-  std::vector<double> pulls_;  ///< of each body, the largest impulse of a joint on it
+  std::vector<double> pulls_;  ///< the largest impulse of a joint on each body
   std::set<std::string> faults_;
 };
 

@@ -1,5 +1,5 @@
 /// Random worlds, stepped: the laws hold in every step, the status is honest, the same input gives
-/// the same bits, and numbers that are none stay where they are.
+/// the same bits, and NaN stays where it is.
 
 #include <cstring>
 
@@ -68,7 +68,7 @@ std::string randomBytes(Random& random, int count) {
 
 std::string seed(Random& random) { return randomBytes(random, 1500); }
 
-/// All that is chosen after some point, chosen anew.
+/// Draws anew everything that is chosen after some point.
 std::string mutated(std::string bytes, Random& random) {
   if (bytes.empty()) return seed(random);
   const int kept = pick(random, 0, int(bytes.size()) - 1);

@@ -1,5 +1,4 @@
-// Two contacts pressed onto one body: the region in which both persist, found by the installed
-// core.
+// Two contacts press on one body: the installed core finds the region in which both persist.
 #include <cstdlib>
 
 #include "delassus/release.h"

@@ -11,7 +11,7 @@ namespace {
 
 using demos::Ending;
 
-/// A solver in the form in which it was seen to reach the tolerance.
+/// A solver with the settings with which it reached the tolerance.
 struct Candidate {
   std::string name;
   Contestant contestant;
@@ -25,13 +25,13 @@ struct Trial {
   Ending ending = Ending::Done;  ///< of the last solve
 };
 
-/// The coarsest of a solver's own tolerances with which it meets that of the comparison: a finer
-/// one walks the same way and further.
+/// Finds the coarsest own tolerance with which a solver meets that of the comparison. A finer one
+/// walks the same way, only further.
 Trial findTolerance(const Problem& problem, const std::string& name,
                     const std::function<Contestant(double ownTolerance)>& with, double tolerance,
                     double secondsLimit) {
   constexpr int coarsest = 4, finest = 14;  // decades
-  constexpr double glance = 2e-3;           // seconds of repeats: this only chooses who has turns
+  constexpr double glance = 2e-3;           // seconds of repeats: this only chooses who takes turns
   Trial trial;
   for (int decade = coarsest; decade <= finest; ++decade) {
     const Contestant contestant = with(std::pow(10.0, -decade));
@@ -43,18 +43,18 @@ Trial findTolerance(const Problem& problem, const std::string& name,
       trial.candidate = Candidate{name, contestant, median(measured.seconds)};
       break;
     }
-    // What it cannot reach, or not in time, it cannot exceed.
+    // What the solver cannot reach, or not in time, it cannot exceed with a finer tolerance.
     if (measured.ending != Ending::Done || !measured.satisfied) break;
   }
   return trial;
 }
 
-/// In the storage in which it is fastest.
+/// The solver in the storage in which it is fastest.
 Trial findStorage(const Problem& problem, const Peer& peer, const Conditions& conditions) {
   Trial all;
   std::optional<Candidate>& best = all.candidate;
   for (const std::string& storage : peer.storages(problem)) {
-    // From here on a storage is of use only if it is faster; a process apart takes some time of its
+    // From here on a storage is of use only if it is faster. A process apart takes some time of its
     // own.
     constexpr double overhead = 0.5;  // seconds
     const double secondsLimit = best ? std::min(conditions.secondsLimit, best->seconds + overhead)
@@ -66,13 +66,13 @@ Trial findStorage(const Problem& problem, const Peer& peer, const Conditions& co
     const std::optional<Candidate>& found = trial.candidate;
     all.left = std::min(all.left, trial.left);
     if (found && (!best || found->seconds < best->seconds)) best = found;
-    // It loses its way whatever the storage, and not for want of a few seconds.
+    // The solver loses its way in any storage, and not because a few seconds are missing.
     if (!best && trial.ending == Ending::TimeLimit) break;
   }
   return all;
 }
 
-/// Those that may turn out to be the fastest, when they have turns with us.
+/// The solvers that may turn out to be the fastest when they take turns with us.
 std::vector<Candidate> chooseFinalists(std::vector<Candidate> candidates) {
   constexpr double nearlyAsFast = 1.5;
   constexpr std::size_t most = 3;
@@ -85,8 +85,8 @@ std::vector<Candidate> chooseFinalists(std::vector<Candidate> candidates) {
   return candidates;
 }
 
-/// Median seconds of each; nothing of one that missed the tolerance in any of its turns. In turn,
-/// so that what else the machine does hits them alike.
+/// Median seconds of each; none for one that missed the tolerance in any of its turns. They take
+/// turns, so that other work on the machine hits them alike.
 std::vector<std::optional<double>> takeTurns(const Problem& problem,
                                              const std::vector<Contestant>& contestants,
                                              const Conditions& conditions) {

@@ -1,16 +1,16 @@
-/// `delassus solve` beside the best general friction solvers of others, on problem files, or (with
-/// `--piles`) on piles of light and heavy boxes. From the root of the project:
+/// Compares `delassus solve` with the best general friction solvers of others, on problem files, or
+/// (with `--piles`) on piles of light and heavy boxes. From the root of the project:
 ///
 ///     bash .ci/setup.sh peers && cmake --preset peers && cmake --build --preset peers
 ///     taskset -c 1 build-peers/tests/peers/delassus_peers ../shared/problems
 ///         --out renders/report/peers.md   (one line)
 ///
-/// Every solve is cold: reactions zero, nothing known of the problem but W, q and μ. Its time is
-/// that of the solve with all that is derived from these, without reading the file, in milliseconds
-/// of the processor. All are judged by our measures. Each runs with the tolerance of its own, and
-/// the peers in the storage of W, that make it fastest, tried out beforehand and not counted. Quote
-/// the ratios: both sides of one were measured in turn. One thread each; twenty minutes for the
-/// forty problems.
+/// Every solve is cold: reactions are zero, and only W, q and μ are known of the problem. The time
+/// is that of the solve with all that is derived from these, without reading the file, in
+/// milliseconds of the processor. Our measures judge all solvers. Each runs with that tolerance of
+/// its own, and the peers with that storage of W, that make it fastest; these are tried out
+/// beforehand and not counted. Quote the ratios: both sides of one were measured in turn. One
+/// thread each; twenty minutes for the forty problems.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -39,7 +39,7 @@ struct Arguments {
   std::string out;
 };
 
-/// The smallest first: most of the table is there soon.
+/// The smallest come first, so that most of the table is there soon.
 std::vector<Problem> readProblems(const std::string& folder) {
   std::vector<Problem> problems;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -55,7 +55,7 @@ std::vector<Problem> readProblems(const std::string& folder) {
   return problems;
 }
 
-/// A problem, and our solver for it.
+/// A problem, with our solver for it.
 struct Subject {
   Problem problem;
   std::function<Contestant(double ownTolerance)> ours;
@@ -73,7 +73,7 @@ std::vector<Subject> subjectsOf(const Arguments& arguments) {
   return subjects;
 }
 
-/// What is said goes to standard output, and to a file if one is named.
+/// Writes to standard output, and to a file if one is named.
 class Page {
  public:
   explicit Page(const std::string& path) {

@@ -11,8 +11,8 @@ namespace {
 
 using demos::Ending;
 
-/// Counts the time of the processor that this process takes: others on the machine interrupt long
-/// solves more often than short ones.
+/// Counts the processor time of this process: other work on the machine interrupts long solves more
+/// often than short ones.
 class Stopwatch {
  public:
   double seconds() const { return now() - start_; }
@@ -27,8 +27,8 @@ class Stopwatch {
   double start_ = now();
 };
 
-/// Seconds of one solve, the mean of a few that are made ready first and then run one after the
-/// other: to ask the time takes as long as the shortest of them.
+/// Seconds of one solve: the mean of a few that are made ready first and then run one after the
+/// other. Asking for the time takes as long as the shortest of them.
 double timeBatch(const Problem& problem, const Contestant& contestant, int count) {
   std::vector<Attempt> attempts;
   attempts.reserve(std::size_t(count));

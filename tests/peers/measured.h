@@ -7,21 +7,21 @@
 
 namespace delassus::peers {
 
-/// One contestant on one problem, as the judge of all of them saw it.
+/// One contestant on one problem, as the common judge saw it.
 struct Measured {
   demos::Ending ending = demos::Ending::Crashed;
   double rel = 0, vel = 0;      ///< as `delassus solve` measures them
-  bool satisfied = false;       ///< the solver says that it has reached what it was asked for
-  std::vector<double> seconds;  ///< of the processor, of single solves
-  double secondsInAll = 0;      ///< of the clock, with all that is around them
+  bool satisfied = false;       ///< the solver says that it reached what it was asked for
+  std::vector<double> seconds;  ///< processor time of single solves
+  double secondsInAll = 0;      ///< clock time, with all that is around them
 
   bool meets(double tolerance) const;
 };
 
 double median(std::vector<double> numbers);
 
-/// Solves in a process apart, where a crash or an endless loop costs nothing else, and there again
-/// and again from rest for so long as `repeatFor` seconds.
+/// Solves in a process apart, where a crash or an endless loop does no other harm. Then solves
+/// again and again from rest for `repeatFor` seconds.
 Measured measure(const Problem& problem, const Contestant& contestant, double secondsLimit,
                  double repeatFor);
 

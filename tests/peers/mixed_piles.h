@@ -6,8 +6,8 @@
 
 namespace delassus::peers {
 
-/// Square pyramids of 14, 55 and 140 boxes, 116 to 1652 contacts, every other layer 1e3 and 1e6
-/// times as heavy, all in motion; in body space.
+/// Square pyramids of 14, 55 and 140 boxes, with 116 to 1652 contacts, all in motion, in body
+/// space. Every other layer is 1e3 or 1e6 times as heavy.
 std::vector<Problem> mixedPiles();
 
 }  // namespace delassus::peers

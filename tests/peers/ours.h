@@ -4,9 +4,9 @@
 
 namespace delassus::peers {
 
-/// What `delassus solve` does, from nothing; it stops on a measure of its own, as the peers do.
+/// Solves as `delassus solve` does, from nothing; stops on a measure of its own, as the peers do.
 Contestant ours(double ownTolerance);
-/// The same, given the problem in another form: as `own`.
+/// The same, with the problem given in another form: `own`.
 Contestant oursOn(const Problem& own, double ownTolerance);
 
 }  // namespace delassus::peers

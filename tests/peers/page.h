@@ -11,11 +11,11 @@ namespace delassus::peers {
 std::string prefaceOfFiles();
 std::string prefaceOfPiles();
 
-/// The comparisons as a table of Markdown, line by line, so that it can be watched as it grows.
+/// The comparisons as a table of Markdown, line by line, so that one can watch it grow.
 std::string tableHeading(int peers);
 std::string tableRow(const Comparison& comparison);
 
-/// On how many problems we are solved, and faster, and by how much.
+/// How many problems we solved, how many of them faster, and by how much.
 std::string summary(const std::vector<Comparison>& comparisons, const Conditions& conditions);
 
 }  // namespace delassus::peers

@@ -26,7 +26,7 @@ constexpr Named solvers[] = {
     {"VI_EG", SICONOS_FRICTION_3D_VI_EG},
 };
 
-/// So many that the time limit decides, but for problems whose iterations take microseconds.
+/// So many that the time limit decides, except for problems with iterations of microseconds.
 constexpr int enoughIterations = 1000000;
 
 SiconosOptions siconosOptions(int solver, double tolerance) {
@@ -38,8 +38,8 @@ SiconosOptions siconosOptions(int solver, double tolerance) {
   return options;
 }
 
-/// What one call of Siconos reads and writes. Made anew for every call: solvers keep work in the
-/// options, and other forms of W beside the one they are given.
+/// What one call of Siconos reads and writes. It is made anew for every call, since solvers keep
+/// work in the options, and keep other forms of W beside the one they are given.
 struct Call {
   SiconosProblem problem;
   SiconosOptions options;
@@ -59,7 +59,7 @@ Contestant contestant(int solver, Storage storage, double tolerance) {
   };
 }
 
-/// Solvers that factorise take a hundred times as long over the blocks of the smallest problems.
+/// On the smallest problems, solvers that factorise take a hundred times as long with blocks.
 std::vector<std::string> storages(const Problem& problem) {
   constexpr int fewUnknowns = 300;
   if (problem.size() <= fewUnknowns) return {"dense", "blocks"};

@@ -4,11 +4,11 @@
 
 namespace delassus::peers {
 
-/// The general solvers of Siconos' numerics (INRIA, Apache-2.0) for contact with Coulomb friction,
-/// with their own settings but for tolerance, iterations and, in NSGS, the local solver.
+/// The general solvers for contact with Coulomb friction of Siconos' numerics (INRIA, Apache-2.0),
+/// with their own settings except tolerance, iterations and, in NSGS, the local solver.
 std::vector<Peer> siconosSolvers();
 
-/// One thread for the BLAS that Siconos calls, as for our solver.
+/// Has the BLAS that Siconos calls use one thread, as our solver does.
 void useOneThread();
 
 }  // namespace delassus::peers

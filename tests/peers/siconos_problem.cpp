@@ -41,8 +41,8 @@ NumericsMatrix* denseMatrix(const DelassusMatrix::Sparse& W) {
   return M;
 }
 
-/// Columns of the blocks that are not zero, one row of blocks after the other; row a's begin at
-/// begin[a].
+/// Columns of the blocks that are not zero, one row of blocks after the other. Those of row a begin
+/// at begin[a].
 struct Pattern {
   std::vector<std::size_t> begin{0}, columns;
 

@@ -8,8 +8,8 @@
 
 namespace delassus::peers {
 
-/// How W is stored for Siconos: its 3x3 blocks that are not zero, or all of it. Compressed columns,
-/// the third form it knows, were slower than one of these wherever they were tried.
+/// How W is stored for Siconos: only the 3x3 blocks that are not zero, or all of it. Its third
+/// form, compressed columns, was slower than one of these wherever it was tried.
 enum class Storage { Blocks, Dense };
 
 using SiconosProblem =

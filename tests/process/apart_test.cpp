@@ -56,7 +56,7 @@ int statusOf(pid_t child) {
   return 0;
 }
 
-// Whoever kills a process with work apart does not know of the work.
+// Whoever kills a process with work apart does not know of that work: it must end as well.
 TEST(RunApart, EndsWithItsParent) {
   int ends[2];
   ASSERT_EQ(pipe(ends), 0);

@@ -62,7 +62,7 @@ TEST_F(RenderCommand, FolderThatCannotBeWritten) {
 }
 
 TEST_F(RenderCommand, NoContextIsTold) {
-  // Mesa then offers less than the 3.3 core profile that is asked for.
+  // Mesa then offers less than the requested 3.3 core profile.
   expectOneLine(
       render("one_box --at 0 --size 160x90 --out " + file("a"), "MESA_GL_VERSION_OVERRIDE=2.1"),
       "no OpenGL");
@@ -82,7 +82,7 @@ TEST_F(RenderCommand, RefusesRunsWithoutEnd) {
   }
 }
 
-// Before anything is simulated: that would take minutes.
+// Before anything is simulated, since that would take minutes.
 TEST_F(RenderCommand, TellsAtOnceWhichSizesCannotBe) {
   const std::string slow = "stack_40 --at 300 --out " + file("a");
   for (const char* small :

@@ -1,5 +1,5 @@
 #pragma once
-/// Pictures that were written, read and compared.
+/// Pictures that were written, read back and compared.
 #include <png.h>
 
 #include <stdexcept>

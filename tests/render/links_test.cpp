@@ -1,4 +1,4 @@
-// Articulated bodies: each link is drawn where its joints put it.
+// Articulated bodies: each link is drawn at the place that its joints give it.
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
@@ -51,8 +51,8 @@ class Pendulum {
   void swing(double seconds) {
     for (int i = 0; i < int(seconds * 240); ++i) world_.stepSimulation(btScalar(1.0 / 240), 0);
   }
-  /// Takes the links' collision objects out of the world that moved them, into the one that is
-  /// drawn.
+  /// Takes the links' collision objects out of the world that moved them, and puts them into the
+  /// one that is drawn.
   void showIn(btCollisionWorld& world) {
     for (const auto& collider : colliders_) {
       shownIn_->removeCollisionObject(collider.get());

@@ -1,4 +1,4 @@
-// Files, framing, words, and the pictures that were looked at.
+// Files, framing, words, and the pictures that somebody has looked at.
 #include "demos/render/picture.h"
 
 #include <gtest/gtest.h>
@@ -110,7 +110,7 @@ TEST(Film, MarksCarryTheWeight) {
 }
 
 TEST(Film, TellsReleasedContactsInTheirStep) {
-  // A bead below a plane leaves it in the first step (paper, 6).
+  // A bead below a plane leaves the plane in the first step (paper, 6).
   const Film film = filmOf("bead_under_plane", "delassus", 1.0 / 60);
   ASSERT_EQ(film.frames[0].contacts.size(), 1u);
   EXPECT_EQ(film.frames[0].contacts[0].mode, delassus::Mode::Open);
@@ -125,7 +125,7 @@ TEST(Film, JointsShowWhatHangsOnThem) {
   EXPECT_GT(film.frames[0].joints[0].force.y(), 0);
 }
 
-// A stock solver can throw bodies out of the numbers: they are not drawn, and the caption says so.
+// A stock solver can throw bodies out of the numbers. They are not drawn; the caption says so.
 TEST(Film, SaysThatAWorldIsLost) {
   const auto world = findScene("stack_10").build();
   const btScalar lost = std::numeric_limits<btScalar>::quiet_NaN();

@@ -14,7 +14,7 @@ constexpr Size small{240, 135};
 
 btVector3 toBullet(const Eigen::Vector3d& v) { return vec3(v.x(), v.y(), v.z()); }
 
-/// Bullet's ray, through planes: from behind they are glass.
+/// Bullet's ray, which passes through planes: from behind they are glass.
 struct RayThroughPlanes : btCollisionWorld::ClosestRayResultCallback {
   using ClosestRayResultCallback::ClosestRayResultCallback;
   bool needsCollision(btBroadphaseProxy* proxy) const override {
@@ -23,8 +23,8 @@ struct RayThroughPlanes : btCollisionWorld::ClosestRayResultCallback {
   }
 };
 
-/// The number that Bullet's ray through the pixel expects there (at the sample that tells the
-/// number). 0: it meets nothing.
+/// The number that Bullet's ray through the pixel expects there (at the sample that gives the
+/// number). 0: the ray meets nothing.
 std::uint32_t numberByRay(const Shot& shot, int x, int y) {
   const Size size = shot.drawing.image.size;
   const Eigen::Matrix4d fromClip =
@@ -51,7 +51,7 @@ bool isDrawnAt(const Shot& shot, int x, int y, std::uint32_t number) {
   return false;
 }
 
-/// Of all pixels where Bullet's ray finds a thing that moves, the share that shows it.
+/// The share of the pixels that show the moving thing which Bullet's ray finds there.
 double agreement(const Shot& shot) {
   shot.world->dynamics().updateAabbs();
   int agreed = 0, seen = 0;
@@ -78,7 +78,7 @@ TEST_P(EveryScene, IsSeenWhereTheWorldHasIt) {
     }
   EXPECT_GE(numbers.size(), 1u);
   EXPECT_GT(brightness.size(), 20u) << "the picture is nearly of one tone";
-  // Less than one, for what is only a pixel wide: the limbs of benchmark_ragdolls.
+  // Less than one, because of things only a pixel wide: the limbs of benchmark_ragdolls.
   EXPECT_GT(agreement(shot), 0.97);
 }
 
@@ -114,7 +114,7 @@ TEST(Painter, DepthIsThatOfTheProjectedPoint) {
 }
 
 TEST(Painter, ShadowFallsAwayFromTheSun) {
-  // The ground beside a box is darker than the same ground without it.
+  // The ground beside a box is darker than it is without the box.
   const auto build = [](bool box) {
     auto world = std::make_unique<World>();
     world->add(0, world->box(vec3(50, 1, 50)), at(0, -1, 0), {});

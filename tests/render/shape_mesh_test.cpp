@@ -77,7 +77,7 @@ std::vector<Sample> samples() {
 TEST(ShapeMesh, ConvexShapesHaveTheirVolume) {
   for (const Sample& sample : samples()) {
     const auto parts = shapeParts(*sample.shape, segments);
-    // Polygons inscribed in circles and rounded edges take away a little, never add.
+    // Polygons inscribed in circles and rounded edges take away a little, and never add.
     EXPECT_LE(volume(parts), sample.volume * 1.0001) << sample.name;
     EXPECT_GE(volume(parts), sample.volume * 0.975) << sample.name;
   }
@@ -94,7 +94,7 @@ TEST(ShapeMesh, ConvexShapesReachAsFarAsBulletSays) {
       const btVector3 support = sample.shape->localGetSupportingVertex(
           btVector3(btScalar(direction.x()), btScalar(direction.y()), btScalar(direction.z())));
       const double expected = double(direction.dot(toFloat(support)));
-      // Rounded edges: five per cent of the smallest half size, 1 m or less here. Margins: 0.04 m.
+      // Rounded edges: five per cent of the smallest half size, here at most 1 m. Margins: 0.04 m.
       EXPECT_NEAR(reach(parts, direction), expected, 0.09) << sample.name;
     }
   }

@@ -1,4 +1,4 @@
-// Least thickness of arches, by what is known of it.
+// The least thickness of arches, compared with what is known of it.
 #include "demos/report/stability/arch_limit.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace demos::report::stability {
 namespace {
 
-// Milankovitch 1907: t/R = 0.1075 for ever more joints.
+// Milankovitch 1907: t/R tends to 0.1075 for ever more joints.
 TEST(ArchLimit, OfManyVoussoirsIsMilankovitchs) {
   EXPECT_NEAR(leastArchThickness(400, 1), 0.1075, 5e-4);
 }

@@ -1,4 +1,4 @@
-// Mechanics that the report compares with, judged by laws that its own code does not use.
+// The mechanics with which the report compares, judged by laws that its own code does not use.
 #include "demos/report/closed_form.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ TEST(BallOffBall, KeepsItsEnergyOnTheBallAndInTheAir) {
 
 TEST(BallOffBall, LeavesAtTwoThirdsOfItsHeight) {
   const double start = 0.05;
-  // On the ball the distance is one, and never less.
+  // On the ball the distance is one; it is never less.
   for (double t = 0.01; t < 2; t += 0.01) {
     const Plane p = ballOffBallAt(t, 1, start);
     const double distance = std::hypot(p.x, p.y);
@@ -59,7 +59,7 @@ TEST(SlidingLadder, MovesOnWithConstantSpeedFromTheWall) {
   while (slidingLadderAt(left, 1, start, j).y > 2.0 / 3 * std::sin(start)) left += 0.01;
   const double dt = 0.02;
   EXPECT_NEAR(x(left + 2 * dt) - x(left + dt), x(left + dt) - x(left), 1e-9);
-  // Before that it gained speed all the time.
+  // Before it left the wall it gained speed all the time.
   EXPECT_LT(x(left - 0.1) - x(left - 0.1 - dt), x(left - 0.05) - x(left - 0.05 - dt));
 }
 

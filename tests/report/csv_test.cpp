@@ -1,4 +1,4 @@
-// CSV files: what is written is read, and a file is whole or not there.
+// CSV files: what is written can be read, and a file is either whole or not there.
 #include "demos/report/csv.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST_F(Csv, LeavesNothingUnfinishedBehind) {
   EXPECT_THROW(CsvTable({"a"}).write(folder_ / "no" / "t.csv"), std::runtime_error);
 }
 
-// A folder in the way of a file: all is written but for the last step.
+// A folder is in the way of the file: everything is written but for the last step.
 TEST_F(Csv, LeavesNothingUnfinishedBehindWhenItFails) {
   std::filesystem::create_directories(folder_ / "t.csv" / "in the way");
   EXPECT_THROW(CsvTable({"a"}).write(folder_ / "t.csv"), std::runtime_error);

@@ -1,4 +1,4 @@
-// Figures: what a script says is what is meant.
+// Figures: the words of a script mean what they say.
 #include "demos/report/figure.h"
 
 #include <gtest/gtest.h>

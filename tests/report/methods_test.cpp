@@ -13,7 +13,7 @@ namespace {
 
 constexpr double h = 1.0 / 60;
 
-/// Shows a step of a scene to `look`, as our solver comes to it: the one after so many.
+/// Shows `look` the step after `stepsBefore` steps of a scene, as our solver gets it.
 template <class Look>
 void lookAtStep(const char* scene, int stepsBefore, const Look& look) {
   const std::unique_ptr<World> world = findScene(scene).build();
@@ -55,7 +55,7 @@ TEST(Method, BeginsFromWhatThePointsCarry) {
   });
 }
 
-// Joints are known again by the impulse that they were left with.
+// Joints are recognised by the impulse with which they were left.
 TEST(StepProblem, LeavesJointsAsTheyAre) {
   int joints = 0;
   lookAtStep("ragdolls", 20, [&joints](const CapturedStep& step) {

@@ -1,4 +1,4 @@
-// Fronts of cost and error, and the places where one family is not on or below the others.
+// Fronts of cost and error, and the places where one family is above another.
 #include "demos/report/pareto.h"
 
 #include <gtest/gtest.h>
@@ -58,8 +58,8 @@ TEST(Cheapest, IsAsGoodAsAskedAndNoneIsCheaper) {
   }
 }
 
-// Wherever some other family is cheaper at some error, a corner of the list shows it: compared with
-// a dense scan.
+// Wherever some other family is cheaper at some error, a corner of the list shows it. The list is
+// compared with a dense scan.
 TEST(Defeats, FindEveryErrorAtWhichAnotherIsCheaper) {
   std::mt19937_64 random(4);
   for (int sample = 0; sample < 50; ++sample) {

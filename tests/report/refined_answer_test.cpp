@@ -28,7 +28,7 @@ Body block(double mass, const Vec3& velocity) {
   return body;
 }
 
-/// Normal along e_y, through the centres.
+/// A contact with its normal along e_y, through the centres.
 Contact under(int body, int below, double mu) {
   Contact contact;
   contact.a = body;
@@ -43,7 +43,7 @@ struct Step {
   std::vector<Contact> contacts;
   std::vector<Row> rows;
 
-  /// From the answer of double precision, every reaction wrong by 1e-6 of it.
+  /// Refines the answer of double precision after every reaction has been made wrong by 1e-6 of it.
   RefinedAnswer refined() const {
     const Island island = delassus::splitIslands(bodies, contacts, rows).front();
     const VectorXd r = delassus::solve(delassus::assemble(bodies, contacts, rows, island)).r;
@@ -67,7 +67,7 @@ TEST(RefinedAnswer, AColumnUnderAWeightOfABillionStands) {
 }
 
 TEST(RefinedAnswer, ABlockSlidesAsCoulombSays) {
-  // Its centre is the point of touch, so that nothing turns it: v_t loses μ g h.
+  // The centre is the point of touch, so nothing turns the block: v_t loses μ g h.
   const double mu = 0.3, speed = 2, heading = 0.7;
   Step step;
   step.bodies = {block(3, {speed * std::cos(heading), -fall, speed * std::sin(heading)})};
@@ -90,12 +90,12 @@ TEST(RefinedAnswer, RedundantPointsStillGiveOneMotion) {
     }
   const RefinedAnswer answer = step.refined();
   EXPECT_TRUE(answer.certified());
-  // 0.1 m/s is less than what friction takes: it stands.
+  // The speed of 0.1 m/s is less than what friction takes: the block stands.
   EXPECT_LT(answer.motion.cwiseAbs().maxCoeff(), 1e-18);
 }
 
 TEST(RefinedAnswer, RowsEndAtTheirBounds) {
-  // A motor asks for 2 m/s along e_x, with no more than 0.5 N·s.
+  // A motor asks for 2 m/s along e_x, with at most 0.5 N·s.
   Step step;
   step.bodies = {block(4, Vec3::Zero())};
   Row motor;
@@ -112,7 +112,7 @@ TEST(RefinedAnswer, RowsEndAtTheirBounds) {
 }
 
 TEST(RefinedAnswer, ContradictionsAreNotCertified) {
-  // Between two floors that close on it.
+  // A block between two floors that close on it.
   Step step;
   step.bodies = {block(1, Vec3::Zero())};
   step.contacts = {under(0, delassus::fixedWorld, 0), under(0, delassus::fixedWorld, 0)};

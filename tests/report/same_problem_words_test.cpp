@@ -1,4 +1,4 @@
-// What the page says of the measures on the same problem.
+// What the page says of the measures on one and the same problem.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A scene's file, all that is measured being 1; v* is known as well as `agreements` say, one a
-/// sample.
+/// Writes a scene's file in which every measure is 1. Each of `agreements` says how well v* is
+/// known in one sample.
 void writeMeasures(const fs::path& file, const std::vector<const char*>& agreements) {
   const char* phases[] = {"cold", "impact", "settling", "resting"};
   CsvTable table = sameProblemTable();
@@ -25,7 +25,7 @@ void writeMeasures(const fs::path& file, const std::vector<const char*>& agreeme
   table.write(file);
 }
 
-// A table of the samples that are left would be taken for one of all.
+// Without a remark, a table of the samples that are left would be taken for a table of all.
 TEST(SameProblemWords, TellOfHowManySamplesTheMotionIsKnown) {
   const fs::path folder =
       fs::temp_directory_path() / ("delassus_same_problem_words_" + std::to_string(getpid()));

@@ -9,13 +9,13 @@
 namespace demos {
 namespace {
 
-/// The residual that 99 % of the steps must keep: of the law, and of what single precision can say
-/// of positions.
+/// The residual, of the law and of what single precision can say of positions, that 99 % of the
+/// steps must keep.
 constexpr double residualTolerance = 1e-6;  // m/s
 
 using Build = std::function<std::unique_ptr<World>()>;
 
-/// Bodies that end in or under what cannot move.
+/// The number of bodies that end in or under immovable ones.
 int throughInStock(const Build& build, int steps, double hz) {
   const auto world = build();
   Tunnelling tunnelling(*world);
@@ -26,15 +26,14 @@ int throughInStock(const Build& build, int steps, double hz) {
   return tunnelling.bodies();
 }
 
-/// Steps a world and checks that the law was solved, by our solver alone, that the numbers stay
-/// numbers, and that nothing goes through what does not go through in stock (its narrow phase keeps
-/// one point of a thin rod that lies on a plane). `ofSeconds`: of a longer run, of which these are
-/// the first steps. `unsolvable`: the share of steps in which a scene asks for what no motion
-/// gives.
+/// Steps a world and checks that our solver alone solved the law, that the numbers stay finite, and
+/// that no more bodies go through others than in stock (Bullet's narrow phase keeps one point of a
+/// thin rod that lies on a plane). `ofSeconds`: the length of a run of which these are the first
+/// steps. `unsolvable`: the share of steps in which a scene asks for what no motion gives.
 void expectLawKept(const Build& build, double seconds, double hz = 60, double ofSeconds = 0,
                    double unsolvable = 0) {
-  // Of the steps of all seconds that may end above it. In float positions are rounded until
-  // contacts contradict each other.
+  // The share of the steps of the whole run that may end above the tolerance. In float positions
+  // are rounded until contacts contradict each other.
   constexpr double share = sizeof(btScalar) == sizeof(double) ? 0.01 : 0.02;
   const int steps = int(std::lround(seconds * hz));
   OnRegions run(build());
@@ -92,8 +91,8 @@ std::vector<std::string> sceneNames() {
   return names;
 }
 
-/// Those whose first steps alone take seconds, or in whose first steps nothing touches yet, are
-/// left to the slow tests.
+/// The slow tests take the scenes whose first steps alone take seconds, or in whose first steps
+/// nothing touches yet.
 std::vector<std::string> quickSceneNames() {
   std::vector<std::string> names = sceneNames();
   for (const char* slow : {"pyramid_100", "benchmark_boxes", "benchmark_hulls"})
@@ -106,11 +105,11 @@ std::string byName(const testing::TestParamInfo<std::string>& info) { return inf
 INSTANTIATE_TEST_SUITE_P(catalogue, EveryScene, testing::ValuesIn(quickSceneNames()), byName);
 INSTANTIATE_TEST_SUITE_P(catalogue, WholeScene, testing::ValuesIn(sceneNames()), byName);
 
-// Nothing drives these scenes and nothing bounces in them.
+// Scenes that nothing drives and in which nothing bounces.
 class PassiveScene : public testing::TestWithParam<std::string> {};
 
-// What is lifted out of a penetration by the erp gains height; that is the only source of energy,
-// and a small one.
+// The erp lifts bodies out of a penetration, and so they gain height. That is the only source of
+// energy, and a small one.
 TEST_P(PassiveScene, GainsNoEnergy) {
   OnRegions run(GetParam());
   double weight = 0;
@@ -150,8 +149,8 @@ class EveryWorld : public testing::TestWithParam<std::string> {
   }
 };
 
-// The boxes of `slope` touch nothing for two seconds. What may end above the tolerance is a share
-// of all five.
+// The boxes of `slope` touch nothing for two seconds. The steps that may end above the tolerance
+// are a share of all five seconds.
 TEST_P(EveryWorld, KeepsTheLawInItsFirstSteps) {
   expectLawKept([this] { return loadBulletFile(path()).world; }, GetParam() == "slope" ? 2.25 : 0.5,
                 60, seconds);

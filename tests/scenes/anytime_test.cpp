@@ -1,5 +1,5 @@
-/// A budget is never spent in vain: what it buys is, to a tenth, at least what stock's sequential
-/// impulses make of the same step with as many sweeps.
+/// A budget is never spent in vain. Its result is, to a tenth, at least as good as that of stock's
+/// sequential impulses on the same step with as many sweeps.
 #include <gtest/gtest.h>
 
 #include "demos/scenes/builders.h"
@@ -11,8 +11,8 @@
 namespace demos {
 namespace {
 
-/// The residual of the solver called `name` in the step after `steps` exact ones: all see the same
-/// world and the same impulses of the step before.
+/// The residual of the solver called `name` in the step after `steps` exact ones. All solvers see
+/// the same world and the same impulses of the step before.
 StepResidual judgeStep(const SceneDescription& scene, int steps, const std::string& name) {
   const auto world = scene.build();
   NamedSolver exact("delassus"), tried(name);
@@ -45,7 +45,7 @@ TEST_P(OneStep, IsNoWorseThanAsManySweepsOfSequentialImpulses) {
   for (const int sweeps : {1, 2, 3, 5, 10, 50}) expectNoWorseThanStock(sweeps);
 }
 
-// Not `rolling_balls`, which after three sweeps is up to 2.3 times as far from our law of rolling
+// Not `rolling_balls`: after three sweeps it is up to 2.3 times as far from our law of rolling
 // friction as after three of stock.
 INSTANTIATE_TEST_SUITE_P(catalogue, OneStep,
                          testing::Values("sliding_ladder", "incline", "box_headings", "stack_10",
@@ -53,8 +53,8 @@ INSTANTIATE_TEST_SUITE_P(catalogue, OneStep,
                                          "arch", "card_house", "domino_run", "heavy_ball_chain",
                                          "ragdolls", "gripper"));
 
-// Step after step, what one leaves the next one has to mend: errors must not feed each other. With
-// full reactions to start from they do: a pile swings for ever.
+// Each step has to mend what the last one left, so errors must not feed each other. They do if
+// steps start from full reactions: then a pile swings for ever.
 TEST(Anytime, IsNoWorseInTheLongRun) {
   for (const char* scene : {"stack_40", "arch", "wall_and_ball"})
     for (const char* sweeps : {"10", "40"}) {
@@ -67,7 +67,7 @@ TEST(Anytime, IsNoWorseInTheLongRun) {
   EXPECT_LE(runFor(buildPyramid(10), "delassus/40", 3).kineticEnergy, byPrecision(0.01, 0.1));
 }
 
-// What rests needs no budget: it is held in the first step, and kept.
+// A scene at rest needs no budget: it is held in the first step, and kept.
 TEST(Anytime, WhatRestsIsExactOnTheSmallestBudget) {
   for (const char* scene :
        {"one_box", "stack_10", "stack_10_heavy_top", "stack_40", "pyramid_10", "wall_20x10"}) {

@@ -1,4 +1,4 @@
-// Bullet's benchmark scenes: as many bodies as there, set up soundly; and the vehicle.
+// Bullet's benchmark scenes have as many bodies as there, and are set up soundly; and the vehicle.
 #include "demos/scenes/benchmarks.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace demos {
 namespace {
 
-/// How deep bodies are in each other at the start, m.
+/// The largest depth of bodies in each other at the start, m.
 double firstOverlap(World& world) {
   world.dynamics().performDiscreteCollisionDetection();
   return deepestPenetration(world.dynamics());
@@ -37,7 +37,7 @@ TEST(BenchmarkScenes, DollsHangTogether) {
   EXPECT_LT(largestJointError(world->dynamics()), byPrecision(1e-9, 1e-4));
 }
 
-/// The cells are cut out of a cube of 6 m: together they fill it, but for the gaps that Bullet's
+/// The cells are cut out of a cube of 6 m. Together they fill it, except for the gaps that Bullet's
 /// margin fills.
 TEST(VoronoiCells, FillTheirBlock) {
   constexpr double half = 3, height = 1, density = 100, allowed = 0.08;
@@ -56,13 +56,13 @@ TEST(VoronoiCells, FillTheirBlock) {
     }
     const double whole = std::pow(2 * half, 3);
     EXPECT_LT(volume, whole) << count;
-    // Gaps of twice the margin of 4 cm between pieces of some 6/∛count m.
+    // The gaps are twice the margin of 4 cm, between pieces of some 6/∛count m.
     EXPECT_GT(volume, whole * std::pow(1 - allowed * std::cbrt(count) / (2 * half), 3) * 0.95)
         << count;
   }
 }
 
-// Falling together they do not push each other: free flight to the ground.
+// The cells fall together and do not push each other: free flight to the ground.
 TEST(VoronoiCells, FallAsOne) {
   OnRegions run(buildVoronoiCells(12, 1));
   const int steps = 20;  // at 0.45 s it would land
@@ -86,7 +86,7 @@ TEST(VoronoiCells, LandOnTheGroundAndStayOnIt) {
   EXPECT_NEAR(reactionOverWeight(*run.world, 1 / hz), 1, 0.05);
 }
 
-/// Where the vehicle is after `seconds`, and how far the planks have gone.
+/// Where the vehicle is after `seconds`, and how far the planks have moved.
 struct Drive {
   btVector3 chassis;
   double planks = 0;
@@ -107,7 +107,7 @@ TEST(VehicleOnPlanks, CrossesAsInStock) {
   OnRegions run("vehicle_on_planks");
   const Drive ours = drive(*run.world, 10);
   EXPECT_LT(ours.chassis.x(), -10) << "it has crossed";
-  // In single precision the sums of Bullet's vehicle steer it by centimetres.
+  // In single precision the sums in Bullet's vehicle steer it off by centimetres.
   EXPECT_NEAR(ours.chassis.z(), 0, byPrecision(1e-3, 0.2));
   EXPECT_LT(ours.planks, byPrecision(1e-6, 1e-4));
 

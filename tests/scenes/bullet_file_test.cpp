@@ -11,7 +11,7 @@
 namespace demos {
 namespace {
 
-/// A folder of its own for each test, gone after it.
+/// Each test has a folder of its own, which is removed after it.
 class BulletFile : public testing::Test {
  protected:
   std::filesystem::path folder_ =
@@ -70,8 +70,8 @@ TEST_F(BulletFile, KeepsGravityButNotTheSolverSettingsAndSaysSo) {
   EXPECT_NE(notes.find("erp2 0.8"), std::string::npos) << notes;
 }
 
-// Found by fuzzing: Bullet reads from nowhere when something comes near such a shape, some steps
-// later.
+// Found by fuzzing: some steps later, when something comes near such a shape, Bullet reads from
+// nowhere.
 TEST_F(BulletFile, RefusesShapesWithoutPoints) {
   btConvexHullShape hull;
   btCompoundShape compound;

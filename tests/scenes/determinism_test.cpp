@@ -1,4 +1,4 @@
-// Same input, same bits: between runs, batch sizes and threads.
+// The same input gives the same bits, whatever the run, the batch size and the number of threads.
 #include <thread>
 
 #include "demos/scenes/builders.h"
@@ -9,7 +9,7 @@ namespace {
 
 using State = std::vector<btScalar>;
 
-/// Several islands, joints and contacts of all modes, small enough to be stepped often.
+/// Several islands, with joints and contacts of all modes, small enough to be stepped often.
 std::unique_ptr<World> buildMixture(int kind) {
   switch (kind) {
     case 0:

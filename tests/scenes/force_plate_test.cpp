@@ -1,4 +1,4 @@
-// What force plates under the feet of a table read, against statics.
+// The readings of force plates under the feet of a table, compared with statics.
 #include "demos/scenes/force_plate.h"
 
 #include <gtest/gtest.h>
@@ -17,16 +17,17 @@ TEST(ForcePlate, ReadsForceAndMomentsOfStatics) {
   for (int step = 0; step < 300; ++step) {
     run.world->step(h);
     ASSERT_LT(footForceError(*run.world, h), byPrecision(1e-6, 1e-3)) << step;
-    // Four rigid feet: in single precision the rounding of their heights says which of them carry.
+    // Four rigid feet: in single precision the rounding of their heights decides which of them
+    // carry.
     if (!doublePrecision) continue;
     for (const double force : measuredFootForces(*run.world, h)) ASSERT_GT(force, 0) << step;
   }
-  // The load has gone from one side to the other.
+  // The load has moved from one side to the other.
   EXPECT_NEAR(run.body(1).getWorldTransform().getOrigin().x(), 0.5, byPrecision(1e-9, 1e-3));
 }
 
-// What statics leaves open between four feet is shared by least norm where no reactions are
-// remembered: none of it is self-stress.
+// Statics leaves the share between four feet open. Where no reactions are remembered it is that of
+// least norm, so none of it is self-stress.
 TEST(ForcePlate, SharesByLeastNormAtFirst) {
   OnRegions run("force_plate");
   run.world->step(h);

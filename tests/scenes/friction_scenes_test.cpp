@@ -20,12 +20,12 @@ TEST(Incline, HoldsOneDegreeBelowTheFrictionAngle) {
   EXPECT_LT(drift.largest(), byPrecision(1e-6, 1e-4));
 }
 
-/// One step of a box sliding down a slope, in m/s².
+/// One step of a box that slides down a slope, in m/s².
 struct SlidingStep {
   double acceleration;  ///< along the fall line
   double fromLaw;       ///< distance of the acceleration from g sin θ e_fall − μ g cos θ v/|v|
   double disturbance;   ///< spin and velocity off the slope at the end of the step, rad/s and m/s
-  int points;           ///< that carried the box
+  int points;           ///< points that carried the box
   double residual;      ///< m/s
 };
 
@@ -50,10 +50,10 @@ std::vector<SlidingStep> slide(double angle, double heading, double seconds) {
 }
 
 // a = g (sin θ − μ cos θ) along the fall line, whatever the heading of the box: within a thousandth
-// in every step that the box begins and ends flat on the slope (where a spell has turned its way,
-// friction is along the new one). Now and then Bullet's narrow phase leaves two points under the
-// box, which then tips on to the missing ones: such a spell begins with the points, while the law
-// goes on being solved.
+// in every step that the box begins and ends flat on the slope. (Where a spell has turned its path,
+// friction is along the new one.) Now and then Bullet's narrow phase leaves two points under the
+// box, which then tips on to the missing ones. Such a spell begins with the points; the law is
+// solved all the time.
 TEST(Incline, AcceleratesByTheLawAboveTheFrictionAngle) {
   const double angle = frictionAngle() + degree;
   const double expected = 9.81 * (std::sin(angle) - usualFriction * std::cos(angle));
@@ -96,7 +96,7 @@ TEST(BoxHeadings, StopOnOneCircle) {
   }
 }
 
-// The same with rolling friction: 5/7 κ g/R in the place of μ g, and no part for the mass.
+// The same with rolling friction: 5/7 κ g/R instead of μ g; the mass has no influence.
 TEST(RollingBalls, RollOutAfterTheirDistance) {
   constexpr double speed = 3;
   const std::vector<RollingBall> balls{{0.2, 1}, {0.1, 1}, {0.06, 1}, {0.06, 100}};

@@ -1,4 +1,4 @@
-// Scenes with joints, whose bodies these hold, and with a press.
+// Scenes whose bodies are held by joints, and one with a press.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@ TEST(Gripper, LiftsTheBoxWithoutSlip) {
   OnRegions run("gripper");
   btRigidBody& box = run.body(0);
   btRigidBody& palm = run.body(1);
-  run.world->run(1, hz);  // closed, and on the way up
+  run.world->run(1, hz);  // closed, and moving up
   const double below =
       palm.getWorldTransform().getOrigin().y() - box.getWorldTransform().getOrigin().y();
   run.world->run(3, hz);
@@ -21,7 +21,7 @@ TEST(Gripper, LiftsTheBoxWithoutSlip) {
               below, 1e-3);
 }
 
-// The shut bin has room for all boxes, but only if they climb onto each other.
+// The shut bin has room for all boxes only if they climb onto each other.
 TEST(Compactor, JamsAndThrowsNoBox) {
   constexpr double halfLength = 2, halfWidth = 1.5;  // of the open bin, m
   constexpr double slowEnough = 20;                  // m/s; the wall closes at 0.5
@@ -90,9 +90,9 @@ TEST(NewtonCradle, GainsNoEnergyButTheIntegrators) {
   EXPECT_LT(*std::max_element(energy.begin(), energy.end()), 0.02 * cradleSwing);
 }
 
-// At other rates the first blow finds the balls a few millimetres inside each other, and the erp of
-// Bullet's contact law pushes them apart: the law's energy, which stock run to convergence gains to
-// the same joule.
+// At other rates, the first blow finds the balls a few millimetres inside each other, and the erp
+// of Bullet's contact law pushes them apart. That energy comes from the law; stock run to
+// convergence gains the same energy to the joule.
 TEST(NewtonCradle, HasTheEnergyOfStockRunToConvergence) {
   for (const double rate : {60., 120., 240.}) {
     const std::vector<double> ours = energyOfCradle(rate, nullptr);

@@ -1,5 +1,4 @@
-// The bodies of Delassus' paper: what Bullet's world does on our solver is what the region theory
-// says beforehand.
+// The bodies of Delassus' paper: on our solver Bullet's world does what the region theory predicts.
 #include <Eigen/Dense>
 #include <random>
 
@@ -17,7 +16,7 @@ using delassus::bullet::toCore;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Rows: the normals of the planes that the bead touches, as Bullet has rounded them.
+/// Each row is the normal of a plane that the bead touches, as Bullet has rounded it.
 MatrixXd planeNormals(const World& world) {
   std::vector<Eigen::Vector3d> normals;
   const btCollisionObjectArray& objects = world.dynamics().getCollisionObjectArray();
@@ -31,7 +30,7 @@ MatrixXd planeNormals(const World& world) {
   return rows;
 }
 
-/// Steps the bead once and compares with the region of  W = N Nᵀ, q = h N F  (1 kg).
+/// Steps the bead once and compares it with the region of W = N Nᵀ, q = h N F (1 kg).
 void expectPredictedOutcome(std::unique_ptr<World> built) {
   OnRegions run(std::move(built));
   const MatrixXd normals = planeNormals(*run.world);
@@ -40,8 +39,8 @@ void expectPredictedOutcome(std::unique_ptr<World> built) {
   const ReleaseAnalysis predicted = analyseRelease(W, h * normals * force);
   run.world->step(h);
 
-  // In single precision a plane and the bead on it are apart by up to an ulp of the radius, which
-  // the step may close.
+  // In single precision up to an ulp of the radius is between a plane and the bead on it, and the
+  // step may close that.
   const double speed = h * beadForce, tolerance = byPrecision(1e-9, 1e-4) * speed;
   const VectorXd u = normals * toCore(run.body().getLinearVelocity());
   for (int i = 0; i < u.size(); ++i) {
@@ -66,7 +65,7 @@ TEST_P(BeadInAngle, KeepsWhatTheRegionSaysInAllDirections) {
 INSTANTIATE_TEST_SUITE_P(narrowAndWide, BeadInAngle,
                          testing::Values(-0.5, -0.99, -0.9999, 0.5, 0.9));
 
-// Paper §10: dropping every contact with a negative forced reaction is wrong in both ways.
+// Paper §10: to drop every contact with a negative forced reaction is wrong in both ways.
 TEST(BeadInAngle, RefutesTheCurrentIdea) {
   const auto analyse = [](const std::string& scene) {
     OnRegions run(scene);
@@ -107,8 +106,8 @@ TEST(BeadUnderPlane, FallsFreelyFromTheFirstStep) {
   }
 }
 
-// Rod of mass m, inertia I, supports at ±a: A = 1/m + a²/I on the diagonal, B = 1/m − a²/I beside
-// it (theory §4).
+// A rod of mass m and inertia I on supports at ±a: A = 1/m + a²/I on the diagonal, B = 1/m − a²/I
+// beside it (theory §4).
 TEST(RodOnSupports, LiftsOffWhereTheRegionSays) {
   for (const double a : {0.4, 0.8, 1.5, 1.9})
     for (const double pull : {2.0, 4.0, 6.0, 8.0, 20.0, 60.0}) {
@@ -148,8 +147,8 @@ void runUntilReleased(OnRegions& run, const btCollisionObject* support, double h
   ASSERT_LT(run.world->time(), 5);
 }
 
-/// Errors at doubled rates must be halved, up to the half step in which the release falls at
-/// random, and in single precision up to what rounded positions shift it.
+/// If the rate is doubled the error must be halved, up to the half step in which the release falls
+/// at random, and in single precision up to the shift by rounded positions.
 void expectProportionalToStep(const std::vector<double>& errors) {
   const double rounding = byPrecision(0, 1e-3);
   EXPECT_LT(errors.back(), 1.5 * errors.front() / std::pow(2, errors.size() - 1) + rounding);

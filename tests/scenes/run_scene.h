@@ -34,7 +34,7 @@ struct OnRegions {
   btRigidBody& body(int i = 0) const { return *world->movableBodies()[std::size_t(i)]; }
 };
 
-/// What `delassus run` would say of a world on the solver of this name at 60 steps a second.
+/// What `delassus run` would report of a world on the solver of this name at 60 steps a second.
 inline RunSummary runFor(World& world, const std::string& solver, double seconds) {
   NamedSolver named(solver);
   return simulate(world, named, {seconds, 60}, [](double) {});
@@ -44,7 +44,7 @@ inline RunSummary runFor(const std::unique_ptr<World>& world, const std::string&
   return runFor(*world, solver, seconds);
 }
 
-/// Every number that says where the bodies are and how they move.
+/// All numbers that say where the bodies are and how they move.
 inline std::vector<btScalar> stateOf(const World& world) {
   std::vector<btScalar> state;
   for (const btRigidBody* body : world.movableBodies()) {

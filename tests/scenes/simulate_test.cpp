@@ -1,4 +1,4 @@
-/// What a run tells of the parts that it could not take or solve.
+/// What a run reports of the parts that it could not take or could not solve.
 
 #include "demos/scenes/simulate.h"
 
@@ -33,7 +33,7 @@ TEST(Simulate, TellsNothingOfASoundWorld) {
   EXPECT_EQ(run.tunnelled, 0);
 }
 
-// Bullet leaves a body that is nowhere out of all contacts: what is left of the world looks
+// Bullet leaves a body without a place out of all contacts: then the rest of the world looks
 // perfect.
 TEST(Simulate, CallsALostWorldLost) {
   for (const char* solver : {"si:10", "delassus"}) {
@@ -61,7 +61,7 @@ TEST(Simulate, LosesAWorldFromTheStepInWhichItIsLost) {
   EXPECT_TRUE(std::isnan(run.driftMax));
 }
 
-// Whoever goes on with the world must not meet what looked on, nor the settings of another solver.
+// Later users of the world must not meet the watching solver, nor the settings of another solver.
 TEST(Simulate, GivesTheWorldItsOwnSolverBackWhateverEndsTheRun) {
   for (const char* solver : {"si2:37", "dantzig:1e-6", "delassus"}) {
     const auto world = buildStack(3, 1);
@@ -103,8 +103,8 @@ TEST(Tunnelling, CountsWhatIsBehindASurfaceOrFellOutBelow) {
   EXPECT_EQ(tunnelling.bodies(), 0);
 }
 
-// Of a slab of 2 m: the first box lands, the second dips in and is pushed out, the third is nearer
-// to the lower side.
+// Boxes on a slab of 2 m: the first one lands, the second dips in and is pushed out, the third is
+// nearer to the lower side.
 TEST(Simulate, CountsWhatFallsThrough) {
   for (const double speed : {1.0, 100.0, 150.0}) {
     const auto world = buildGridOfBoxes(2, 3);

@@ -18,7 +18,7 @@ TEST_P(EveryName, HoldsABox) {
   EXPECT_EQ(run.steps, 30);
   EXPECT_EQ(run.bodies, 1);
   EXPECT_EQ(run.contactsMax, 4);
-  // Lemke's method gives wrong answers for redundant contacts as if they were right.
+  // For redundant contacts Lemke's method gives wrong answers as if they were right.
   if (GetParam() != "lemke") {
     EXPECT_LT(run.driftMax, 1e-3);
     EXPECT_NEAR(run.reactionOverWeight, 1, 0.05);
@@ -99,7 +99,7 @@ TEST(NamedSolver, KeepsToItsBudget) {
 }
 
 TEST(NamedSolver, CountsFallbacks) {
-  // Redundant contacts are what Dantzig's method cannot take without CFM.
+  // Without CFM, Dantzig's method cannot take redundant contacts.
   EXPECT_GT(runFor(buildStack(10, 1), "dantzig", 1).fallbacks, 0);
   EXPECT_EQ(runFor(buildStack(10, 1), "si:10", 0.1).fallbacks, 0);
 }
@@ -111,8 +111,8 @@ TEST(SplitNames, SplitsAtCommas) {
   EXPECT_EQ(splitNames(""), (std::vector<std::string>{""}));
 }
 
-// Boxes that slide in many places: a large pile, in which the path of compliance would take
-// thousands of factorisations in vain.
+// A large pile whose boxes slide in many places. There the path of compliance would take thousands
+// of factorisations in vain.
 TEST(PileFromStock, ComesNearTheLawAndTakesNoPath) {
   NamedSolver stock("si:10");
   OnRegions run(buildPyramid(8));
@@ -128,7 +128,7 @@ TEST(PileFromStock, ComesNearTheLawAndTakesNoPath) {
   EXPECT_LE(report.factorisations, report.regions + otherFactors);
 }
 
-// The judge: a stock solver run long comes to the same law, run short it does not.
+// The judge: a stock solver comes to the same law in a long run, but not in a short one.
 TEST(Judge, SeesSequentialImpulsesConverge) {
   const double few = runFor(buildStack(5, 1), "si2:2", 0.5).residualMax;
   const double many = runFor(buildStack(5, 1), "si2:2000", 0.5).residualMax;
@@ -137,17 +137,17 @@ TEST(Judge, SeesSequentialImpulsesConverge) {
 }
 
 TEST(Judge, TellsTheRowsOfJointsApart) {
-  // Frictionless and free: the rows of point joints and of hinges alone, warm from nothing.
+  // Frictionless and free: only the rows of point joints and of hinges, warm from nothing.
   const double few = runFor(buildNewtonCradle(1), "si:2", 0.5).residualMax;
   const double many = runFor(buildNewtonCradle(1), "si:3000", 0.5).residualMax;
   EXPECT_GT(few, 100 * many);
-  // Two strings a ball are a loop: the law that judges has them give by bullet::loopSoftness.
+  // Two strings for each ball are a loop: the judge's law has them give by bullet::loopSoftness.
   EXPECT_LT(many, byPrecision(10 * delassus::bullet::loopSoftness, 1e-2));
 }
 
 TEST(Judge, AgreesWithOurOwnReport) {
-  // Budgets leave residuals that are far above what single precision makes of what is written into
-  // Bullet.
+  // Budgets leave residuals far above the rounding of what is written into Bullet in single
+  // precision.
   for (const char* name : {"delassus", "delassus/1"}) {
     NamedSolver named(name);
     const auto world = buildStack(10, 1000);
@@ -172,8 +172,7 @@ TEST(Judge, AgreesWithOurOwnReport) {
   }
 }
 
-// Where a ball touches in several points, Bullet tells nothing of how they share its rolling
-// friction.
+// Where a ball touches in several points, Bullet does not say how these share its rolling friction.
 TEST(Judge, FindsTheShareOfRollingFrictionThatKeepsTheLaw) {
   NamedSolver named("delassus");
   const auto world = findScene("rolling_balls").build();
@@ -187,7 +186,7 @@ TEST(Judge, FindsTheShareOfRollingFrictionThatKeepsTheLaw) {
 }
 
 TEST(Judge, ChangesNothing) {
-  // Joints begin from their last reactions only if they are recognised.
+  // Joints begin with their last reactions only if they are recognised.
   NamedSolver alone("delassus"), watched("delassus");
   const auto first = findScene("ragdolls").build(), second = findScene("ragdolls").build();
   JudgedSolver judged(watched.solver(), second->dynamics().getSolverInfo().m_globalCfm);

@@ -1,4 +1,4 @@
-// Corners of the stability map: what it says holds.
+// Corners of the stability map: what the map says holds.
 #include "demos/scenes/builders.h"
 #include "tests/scenes/run_scene.h"
 
@@ -25,7 +25,7 @@ TEST(Stability, ATowerOfTwoHundredStandsSlow) {
   EXPECT_LT(driftIn(*run.world, 300, 1.0 / 60), byPrecision(1e-6, 1e-3));
 }
 
-// W has a condition of 1e12, and neither plane's demand contradicts the other's.
+// W has a condition number of 1e12, and the demands of the two planes do not contradict each other.
 TEST(Stability, ABallIsHeldInAWedgeOfAMicroradian) {
   constexpr double angle = 1e-6;
   const double c = std::cos(angle), s = std::sin(angle);
@@ -51,8 +51,8 @@ TEST(Stability, ACubeStaysWhereItIsForAnHourSlow) {
   EXPECT_LT(driftIn(*run.world, 3600 * 60, 1.0 / 60), 1e-6);
 }
 
-/// Bullet's narrow phase knows no masses, and powers of four have exact roots: the same bits, step
-/// after step.
+/// Bullet's narrow phase does not use masses, and powers of four have exact roots: the same bits,
+/// step after step.
 TEST(Stability, MassesInOtherUnitsMoveTheSameSlow) {
   std::vector<btScalar> usual;
   for (const double unit : {1.0, std::ldexp(1, 20), std::ldexp(1, -20)}) {
@@ -63,7 +63,7 @@ TEST(Stability, MassesInOtherUnitsMoveTheSameSlow) {
                          btVector3(1, 1, 1) / inverse * btScalar(unit));
       body->updateInertiaTensor();
       body->setGravity(run.world->dynamics().getGravity());
-      // Not at rest only: the top row is thrown about.
+      // Not only at rest: the top row is thrown about.
       if (body->getWorldTransform().getOrigin().y() > 3)
         body->setLinearVelocity(btVector3(1, 0, btScalar(0.5)));
     }

@@ -1,4 +1,4 @@
-// What should stand stands, on the ground that carries it.
+// Scenes that should stand do stand, on the ground that carries them.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -37,7 +37,7 @@ TEST(Stack, OfOneToTenBoxesStandsForASecond) {
 }
 
 TEST(Pyramid, OfTenStandsForASecond) { expectStanding(buildPyramid(10), 1, stackTolerance); }
-// In a tall pile the largest residual stays for long where it is while loads go down layer by
+// In a tall pile the largest residual stays where it is for long, while loads go down layer by
 // layer.
 TEST(Pyramid, OfAHundredRowsIsBroughtToRestByAlternationsSlow) {
   OnRegions run("pyramid_100");
@@ -47,8 +47,8 @@ TEST(Pyramid, OfAHundredRowsIsBroughtToRestByAlternationsSlow) {
 }
 TEST(Wall, OfFiveRowsStandsForASecond) { expectStanding(buildWall(5, 5), 1, stackTolerance); }
 
-// Rounding is no motion: it would grow from step to step, and the pile would be solved again for
-// ever.
+// Rounding must not count as motion: it would grow from step to step, and the pile would be solved
+// again for ever.
 TEST(Standing, IsTheSameToTheLastBit) {
   for (const char* scene : {"islands_100", "stack_40", "pyramid_20", "wall_20x10"}) {
     SCOPED_TRACE(scene);
@@ -63,8 +63,8 @@ TEST(Standing, IsTheSameToTheLastBit) {
   }
 }
 
-// Nor is it in piles that have been disturbed, once they are at rest again; but Bullet, which takes
-// every pose apart and puts it together again, turns what does not turn by its last digits: in
+// Nor must it in piles that have been disturbed, once they are at rest again. But Bullet takes
+// every pose apart and puts it together again, and so turns resting bodies by their last digits: in
 // float one step in ten may be solved, whatever the blow was.
 TEST(Standing, IsNotSolvedAgainWhereABlowHasPassed) {
   constexpr int blows = 8, steps = 60;
@@ -89,23 +89,23 @@ TEST(Standing, IsNotSolvedAgainWhereABlowHasPassed) {
   EXPECT_LE(solved, byPrecision(0, blows * steps / 10));
 }
 
-/// The largest distance of any body of a stack from its start in ten seconds, on the solver of this
-/// name, m.
+/// The largest distance, m, of any body of a stack from its start in ten seconds, on the solver of
+/// this name.
 double driftOfStack(const std::string& solver, int boxes, double topMass) {
   NamedSolver named(solver);  // outlives the world
   const std::unique_ptr<World> world = buildStack(boxes, topMass);
   return simulate(*world, named, {10, hz}, [](double) {}).driftMax;
 }
 
-/// Stands for ten seconds on ours, and falls on ten sweeps of stock.
+/// The stack stands for ten seconds on our solver, and falls on ten sweeps of stock.
 void expectStandingUnlikeStock(int boxes, double topMass) {
   expectStanding(buildStack(boxes, topMass), 10, stackTolerance);
   EXPECT_GT(driftOfStack("si:10", boxes, topMass), 1);
 }
 
 TEST(Stack, OfTenWithAHeavyTopStandsForTenSeconds) { expectStandingUnlikeStock(10, 1000); }
-// Impulses of 1e8 N·s on boxes of 1 kg, which hear of differences of 1e-8: a step must keep the
-// digits that reactions lose.
+// Impulses of 1e8 N·s act on boxes of 1 kg, to which differences of 1e-8 matter: a step must keep
+// the digits that reactions lose.
 TEST(Stack, UnderABillionTimesTheWeightOfABoxIsSolvedInAFewRegions) {
   OnRegions run(buildStack(10, 1e9));
   for (int i = 0; i < 120; ++i) {
@@ -116,8 +116,8 @@ TEST(Stack, UnderABillionTimesTheWeightOfABoxIsSolvedInAFewRegions) {
 }
 TEST(Stack, OfFortyStandsForTenSeconds) { expectStandingUnlikeStock(40, 1); }
 
-/// Joints of an arch may open by what the erp of its contacts leaves: it stands if it comes to rest
-/// near where it was.
+/// Joints of an arch may open by what the erp of its contacts leaves. The arch stands if it comes
+/// to rest near its first place.
 void expectResting(const std::string& scene, double seconds, double tolerance) {
   OnRegions run(scene);
   const Drift drift(*run.world);
@@ -127,8 +127,8 @@ void expectResting(const std::string& scene, double seconds, double tolerance) {
 }
 
 /// The same from three starts that differ in little but the rounding, because a manifold may throw
-/// one of them off: none may fall, the middle one stays where it was. Where the narrow phase tells
-/// of an overlap that cannot be, a start ends.
+/// one of them off. None may fall, and the middle drift must be within `tolerance`. A start ends
+/// where the narrow phase reports an overlap that cannot be.
 void expectMostlyResting(const std::string& scene, double seconds, double tolerance, double fall) {
   std::vector<double> drifts;
   const int steps = int(seconds * hz);
@@ -157,13 +157,13 @@ void expectMostlyResting(const std::string& scene, double seconds, double tolera
 
 TEST(Arch, StandsForASecond) { expectResting("arch", 1, 0.02); }
 
-// In float, Bullet's narrow phase tells of two stones that they overlap by 0.6 m or all their
-// thickness, 1 m, for a step: one of 12 starts, and three of six of the thin arch.
+// In float, Bullet's narrow phase says for a step that two stones overlap by 0.6 m or by all their
+// thickness, 1 m: in one of 12 starts, and in three of six of the thin arch.
 TEST(Arch, StandsForTenSecondsSlow) { expectMostlyResting("arch", 10, 0.02, 0.2); }
 
-// Bullet keeps four points of a joint, one of which is new in each step. Where two that the thrust
-// needs replace each other for ever, that stone creeps, some centimetres in ten seconds: from two
-// of 69 starts.
+// Bullet keeps four points of a joint, one of which is new in each step. Where two points that the
+// thrust needs replace each other for ever, that stone creeps some centimetres in ten seconds: in
+// two of 69 starts.
 TEST(Arch, ThinStandsForTenSeconds) { expectMostlyResting("arch_thin", 10, 0.02, 0.2); }
 
 TEST(CardHouse, StandsForTenSeconds) { expectResting("card_house", 10, 0.01); }

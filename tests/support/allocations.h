@@ -2,7 +2,7 @@
 
 namespace delassus::test {
 
-/// How often this thread has asked for memory; counted by allocation_test.cpp.
+/// How often this thread has asked for memory; allocation_test.cpp counts.
 extern thread_local long allocations;
 
 }  // namespace delassus::test

@@ -23,13 +23,13 @@ Contact makeRestingPoint(int above, int below, const Vec3& armAbove, const Vec3&
 /// Turns body 0 at 1 rad/s about the vertical with at most 0.1 N·m·s.
 Row makeWeakMotor();
 
-/// A tower of unit boxes on the ground, four corners each, after one step of gravity; `masses` from
-/// the bottom up. Random velocities of up to `disturbance` m/s (rad/s) are added.
+/// A tower of unit boxes on the ground, each on four corners, after one step of gravity; `masses`
+/// from the bottom up. Random velocities of up to `disturbance` m/s (rad/s) are added.
 Pile makeTower(const std::vector<double>& masses, double friction, double disturbance,
                std::mt19937_64& random);
 
-/// A square pyramid in 3D: base x base boxes, each upper one on the four below it, four points a
-/// pair (quarters overlap).
+/// A square pyramid in 3D of base x base boxes. Each upper box lies on the four below it, with four
+/// points a pair (quarters overlap).
 Pile makePyramid(int base, double friction, double disturbance, double massRatio,
                  std::mt19937_64& random);
 

@@ -15,7 +15,8 @@ struct BruteForce {
 /// All 2ⁿ regions of u = W r + q, 0 ≤ r ⊥ u ≥ 0, for W symmetric positive definite.
 BruteForce enumerateRegions(const MatrixXd& W, const VectorXd& q);
 
-/// All 3ⁿ regions of rows with bounds: reactions of the region that violates its own signs least.
+/// All 3ⁿ regions of rows with bounds. Returns the reactions of the region that violates its own
+/// signs least.
 VectorXd enumerateBoundedRegions(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
                                  const VectorXd& upper);
 

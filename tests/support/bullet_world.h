@@ -11,7 +11,7 @@
 
 namespace delassus::test {
 
-/// Rounding of the Bullet library under test: tolerances are multiples of it.
+/// Rounding of the Bullet library under test; tolerances are multiples of it.
 constexpr double precision = SIMD_EPSILON;
 constexpr btScalar notANumber = std::numeric_limits<btScalar>::quiet_NaN();
 constexpr bool isDouble = sizeof(btScalar) == sizeof(double);
@@ -24,9 +24,9 @@ constexpr double tolerance(double inDouble, double inFloat) {
 /// A tolerance that poses and velocities of this precision can meet from step to step.
 Options optionsOfPrecision();
 
-constexpr double friction = 0.5;  ///< of two bodies, where a test says nothing else
+constexpr double friction = 0.5;  ///< of two bodies, where a test does not say otherwise
 
-/// A world that owns all that is in it: gravity 9.81 along −y, 60 Hz, bodies of friction 0.5 that
+/// A world that owns everything in it: gravity 9.81 along −y, 60 Hz, bodies with friction 0.5 that
 /// never sleep.
 template <class World, class Solver>
 class OwningWorld {
@@ -49,7 +49,7 @@ class OwningWorld {
   World& operator*() { return world_; }
   btContactSolverInfo& info() { return world_.getSolverInfo(); }
   btCollisionDispatcher& dispatcher() { return dispatcher_; }
-  /// Of a world that was made with our solver.
+  /// The solver of a world that was made with ours.
   btDelassusConstraintSolver& delassus() {
     return dynamic_cast<btDelassusConstraintSolver&>(*solver_);
   }
@@ -78,8 +78,8 @@ class OwningWorld {
   btRigidBody& addSphere(btScalar radius, const btVector3& position, btScalar mass = 1) {
     return addBody(std::make_unique<btSphereShape>(radius), at(position), mass);
   }
-  /// A wide static slab with its top at y = 0 and friction 1, so that a pair has the friction of
-  /// the other body.
+  /// A wide static slab with its top at y = 0. Its friction is 1, so that a pair has the friction
+  /// of the other body.
   btRigidBody& addGround() {
     btRigidBody& ground = addBox(btVector3(100, 1, 100), btVector3(0, -1, 0), 0);
     ground.setFriction(1);

@@ -20,7 +20,7 @@ MotionBound motionBound(const Problem& problem, const VectorXd& r, const VectorX
     if (!contains(allowed, r[i]) || std::isnan(u[i])) return nothingKnown;
     if (u[i] == 0) continue;
 
-    // How far the true reaction can lie on the side where it makes u_i (r_i − r*_i) positive.
+    // How far the true reaction can be on the side where it makes u_i (r_i − r*_i) positive.
     double reach = u[i] > 0 ? r[i] - allowed.lower : allowed.upper - r[i];
     if (largestReaction.size() > 0)
       reach = std::clamp(largestReaction[i] + (u[i] > 0 ? r[i] : -r[i]), 0.0, reach);

@@ -10,13 +10,12 @@ inline bool contains(const Interval& allowed, double reaction) {
   return allowed.lower <= reaction && reaction <= allowed.upper;
 }
 
-/// How far the motion v that reactions r make can be from the motion v* that takes place
-/// (algorithms §9.4):
+/// How far the motion v that the reactions r make can be from the true motion v* (algorithms §9.4):
 ///
 ///     |v − v*|²_M + |r − r*|²_R  ≤  squared
 ///
-/// holds for the problem as given if `relaxation` is 0, and otherwise for the problem in which the
-/// demands that r misses are relaxed, each by at most `relaxation`: q_i + δ_i in place of q_i,
+/// holds for the problem as given if `relaxation` is 0. Otherwise it holds for the problem in which
+/// the demands that r misses are relaxed, each by at most `relaxation`: q_i + δ_i in place of q_i,
 /// |δ_i| ≤ relaxation.
 ///
 /// Valid if all of these hold (then, and only then, is a finite number returned):
@@ -24,8 +23,8 @@ inline bool contains(const Interval& allowed, double reaction) {
 ///     bound is false for it;
 ///   - the reactions are allowed: lower ≤ r ≤ upper, to the last bit; tangential reactions of μ = 0
 ///     are zero.
-/// It is also understood that u = W r + q, that the symmetric part of W is positive semi-definite,
-/// and that the problem bounded has a solution. Round-off in u, about ε (|W||r| + |q|) an entry, is
+/// It is assumed, too, that u = W r + q, that the symmetric part of W is positive semi-definite,
+/// and that the bounded problem has a solution. Round-off in u, about ε (|W||r| + |q|) an entry, is
 /// not counted.
 struct MotionBound {
   double squared = 0;     ///< kg (m/s)², twice an energy; ∞ where the bound is not valid
@@ -38,9 +37,9 @@ struct MotionBound {
 ///     squared = Σ_{u_i > 0} u_i (r_i − lower_i) + Σ_{u_i < 0} |u_i| (upper_i − r_i)
 ///
 /// For unilateral rows with u ≥ 0 that is r·u. An entry whose bound is infinite is relaxed by |u_i|
-/// instead. `largestReaction`, if not empty, states |r*_i| ≤ largestReaction_i and narrows the
-/// bounds: then nothing is relaxed, and for unilateral rows `squared` is r·u +
-/// largestReaction·max(0, −u), as long as r is within the statement too.
+/// instead. `largestReaction`, if not empty, states |r*_i| ≤ largestReaction_i and so narrows the
+/// bounds: then nothing is relaxed. For unilateral rows `squared` is then
+/// r·u + largestReaction·max(0, −u), as long as r keeps to the statement too.
 MotionBound motionBound(const Problem& problem, const VectorXd& r, const VectorXd& u,
                         const VectorXd& largestReaction = {});
 
@@ -49,7 +48,7 @@ MotionBound motionBound(const Problem& problem, const VectorXd& r, const VectorX
 ///
 ///     E(v) − E(v_f) = targets + friction + complementarity + compliance + impact
 ///
-/// `change` is computed from the free velocity, the right side from u, so that comparing them tests
+/// `change` is computed from the free velocity, the right side from u. So comparing them tests
 /// u = W r + q.
 struct EnergyBalance {
   double change = 0;   ///< E(v) − E(v_f) = r·(q + target) + ½ |v − v_f|²_M
@@ -63,8 +62,7 @@ struct EnergyBalance {
   double sum() const { return targets + friction + complementarity + compliance + impact; }
 };
 
-/// `target` in the order of q, m/s. R is known for W in body space; entries of an explicit W count
-/// as R = 0.
+/// `target` in the order of q, m/s. R is known for W in body space; an explicit W counts as R = 0.
 EnergyBalance energyBalance(const Problem& problem, const VectorXd& target, const VectorXd& r);
 
 }  // namespace delassus::test

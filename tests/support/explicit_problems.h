@@ -8,7 +8,7 @@ namespace delassus::test {
 
 DelassusMatrix matrix(const MatrixXd& W);
 
-/// Contacts that nothing couples, of all modes.
+/// Contacts of all modes that nothing couples.
 Problem loneContacts(int n, Random& random);
 
 }  // namespace delassus::test

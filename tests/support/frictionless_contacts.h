@@ -7,7 +7,7 @@
 
 namespace delassus {
 
-/// 0 ≤ r ⊥ W r + q ≥ 0 by pivoting: contacts without friction and nothing else.
+/// Solves 0 ≤ r ⊥ W r + q ≥ 0 by pivoting: only contacts without friction.
 inline PivotResult pivotContacts(const MatrixXd& W, const VectorXd& q) {
   const auto n = q.size();
   return pivot(W, q, VectorXd::Zero(n), VectorXd::Constant(n, infinity));

@@ -5,7 +5,7 @@
 
 namespace delassus::test {
 
-/// Along x and z, the plane of the ground.
+/// Vectors along x and z, the plane of the ground.
 using Vector2 = Eigen::Vector2d;
 using Matrix2 = Eigen::Matrix2d;
 

@@ -6,8 +6,8 @@
 
 namespace delassus::test {
 
-/// A planar chain on a fixed base at the origin: joint axes along z, links of 1 m along x at rest,
-/// masses 2, 3, ... kg in their middles.
+/// A planar chain on a fixed base at the origin. Joint axes are along z; links of 1 m lie along x
+/// at rest, with masses 2, 3, ... kg in their middles.
 struct Chain {
   static constexpr btScalar inertia = btScalar(0.1);
   static btScalar mass(int link) { return btScalar(2 + link); }

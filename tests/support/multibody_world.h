@@ -57,7 +57,7 @@ class MultiBodyWorld : public OwningWorld<btMultiBodyDynamicsWorld, btMultiBodyC
   void finish(btMultiBody& tree) {
     tree.finalizeMultiDof();
     world().addMultiBody(&tree);
-    // Bullet hands on the constraints of links with colliders only.
+    // Bullet passes on constraints only of links that have colliders.
     for (int link = 0; link < tree.getNumLinks(); ++link)
       if (!tree.getLinkCollider(link)) addCollider(tree, link, std::make_unique<btEmptyShape>());
     place(tree);

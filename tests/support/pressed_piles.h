@@ -5,8 +5,8 @@
 
 namespace delassus::test {
 
-/// A tower of boxes whose floor rises and whose ceiling, tilted by so much, comes down at that
-/// speed. Its corners alone touch.
+/// A tower of boxes between a floor that rises and a ceiling that comes down, both at `speed`. The
+/// ceiling is tilted by `tilt`. Only the corners of the boxes touch.
 Pile makePressed(int height, double friction, double tilt, double disturbance, double speed,
                  Random& random);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What tests of reading and writing do with problem texts.
+/// What tests of reading and writing share for problem texts.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 namespace delassus::test {
 
-/// What reading `text` complains about; empty if it does not.
+/// The complaint about `text` when it is read; empty if there is none.
 inline std::string complaint(const std::string& text) {
   try {
     fromText(text);
@@ -20,7 +20,7 @@ inline std::string complaint(const std::string& text) {
   return "";
 }
 
-/// The same problem, bit for bit, with the same stored entries.
+/// The problems are the same, bit for bit, with the same stored entries.
 inline void expectSame(const Problem& a, const Problem& b) { EXPECT_EQ(difference(a, b), ""); }
 
 /// `text` with line `line` (from 1) replaced.

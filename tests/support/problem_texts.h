@@ -1,5 +1,5 @@
 #pragma once
-/// Two small problem texts; texts to problems and back; and whether two problems are the same, bit
+/// Two small problem texts, texts to problems and back, and whether two problems are the same, bit
 /// for bit.
 
 #include <cstring>
@@ -9,8 +9,8 @@
 
 namespace delassus::test {
 
-// Two contacts, the first block off the diagonal absent. Line numbers matter to the tests of
-// errors.
+// Two contacts; the first block off the diagonal is absent. The tests of errors use the line
+// numbers.
 inline const char* const contactText =
     "delassus-problem v1\n"         // 1
     "# where it comes from\n"       // 2
@@ -59,7 +59,8 @@ inline bool sameBits(const VectorXd& a, const VectorXd& b) {
   return a.size() == b.size() && sameBits(a.data(), b.data(), a.size());
 }
 
-/// In what two problems differ, stored entries and all; empty if they are the same, bit for bit.
+/// The difference of two problems in words, stored entries included; empty if they are the same,
+/// bit for bit.
 std::string difference(const Problem& a, const Problem& b);
 
 }  // namespace delassus::test

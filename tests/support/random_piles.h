@@ -26,7 +26,7 @@ struct PileIsland {
 /// Masses whose quotients are log-uniform in [1/ratio, ratio].
 std::vector<double> randomMasses(int n, double ratio, Random& random);
 
-/// Every contact its own friction in [0, largest]; one in ten has none.
+/// Gives every contact its own friction in [0, largest]; one in ten has none.
 void mixFriction(Pile& pile, double largest, Random& random);
 
 /// The same step without friction.
@@ -41,7 +41,7 @@ double kineticEnergy(const std::vector<Body>& bodies);
 /// How far two motions of the same bodies are apart: √(Δv·M Δv / v·M v), v the free motion.
 double motionDistance(const PileIsland& pile, const VectorXd& r, const VectorXd& s);
 
-/// A solution that is yet to be improved: reactions r, with what they are worth.
+/// A solution that is yet to be improved: reactions r, with their residuals.
 Solution startFrom(const Problem& problem, const NaturalMap& map, const VectorXd& r);
 
 /// Largest distance of a reaction to its cone, bounds or disk, N·s (N·m·s).

@@ -39,8 +39,8 @@ MatrixXd boxStackJacobian(int boxes, double massRatio) {
     const double mass = std::pow(massRatio, box);
     for (int corner = 0; corner < 4; ++corner) {
       const double x = corner & 1 ? 0.5 : -0.5, y = corner & 2 ? 0.5 : -0.5;
-      // Rise, and rotation about the two horizontal axes (I = m/6), all normalised by the square
-      // root of inertia.
+      // Rise, and rotation about the two horizontal axes (I = m/6), each divided by the square root
+      // of its inertia.
       const Vec3 row(1, y * std::sqrt(6.0), -x * std::sqrt(6.0));
       J.block<1, 3>(4 * box + corner, 3 * box) = row.transpose() / std::sqrt(mass);
       if (box > 0)

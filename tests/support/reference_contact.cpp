@@ -8,7 +8,7 @@
 namespace delassus::test {
 namespace {
 
-/// Slip seen from its direction: d = (cos θ, sin θ) is where u_t points, so that with μ > 0
+/// Slip by its direction: d = (cos θ, sin θ) is the direction of u_t, so that with μ > 0
 ///
 ///     r = r_n (1, −μ d),   u_n = 0  =>  r_n = −q_n / a,   a = W_nn − μ W_nt d
 ///
@@ -37,7 +37,7 @@ class SlipDirections {
         angles.push_back(bisect(a, b));
       } else if (!oppositeSigns(g[i + 1], g[i + 2]) && std::abs(g[i + 1]) <= std::abs(g[i]) &&
                  std::abs(g[i + 1]) <= std::abs(g[i + 2])) {
-        // Two zeros between a and c, or none: they are on either side of the extremum.
+        // There are two zeros between a and c, or none: if two, the extremum is between them.
         const Real top = extremum(a, c);
         if (!oppositeSigns(g[i], G(top))) continue;
         angles.push_back(bisect(a, top));
@@ -63,7 +63,7 @@ class SlipDirections {
     return std::cos(angle) * u[2] - std::sin(angle) * u[1];
   }
 
-  /// Central difference, wide enough for the sign of the slope and narrow against a cell.
+  /// Central difference, wide enough to give the sign of the slope and narrow against a cell.
   Real slope(Real angle) const { return G(angle + 1e-7L) - G(angle - 1e-7L); }
 
   static bool oppositeSigns(Real a, Real b) { return (a > 0) != (b > 0); }
@@ -92,7 +92,7 @@ class SlipDirections {
       const Vector r = rn * d;
       Vector u = W_ * r + q_;
       const Real speed = u[1] * std::cos(angle) + u[2] * std::sin(angle);
-      // A zero of G is also where u_t points against d: friction that drives is none.
+      // G is also zero where u_t points against d: friction that drives is no solution.
       if (!(rn > 0) || !std::isfinite(rn) || speed < 0) continue;
       u[0] = 0;
       slips.push_back({speed / (mu_ * rn), {Mode::Slide, r.cast<double>(), u.cast<double>()}});

@@ -1,6 +1,6 @@
 #pragma once
-/// One contact with Coulomb friction, solved by looking everywhere: slow, sure, and sharing no
-/// formula with the library.
+/// One contact with Coulomb friction, solved by looking everywhere: slow, reliable, and without any
+/// formula of the library.
 
 #include <vector>
 
@@ -15,11 +15,11 @@ struct ReferenceContact {
 };
 
 /// All solutions of u = W r + q, K_μ ∋ r ⟂ u + μ|u_t| n ∈ K_μ*, in the order take-off, stick, slip
-/// by ascending |u_t| / |r_t|. W positive definite; not every W has exactly one solution
-/// (algorithms §6.2), but each has one.
+/// by ascending |u_t| / |r_t|. W positive definite. Each W has a solution, but not every W has
+/// exactly one (algorithms §6.2).
 std::vector<ReferenceContact> allContactSolutions(const Mat3& W, const Vec3& q, double mu);
 
-/// The first of them.
+/// The first of these solutions.
 ReferenceContact referenceContact(const Mat3& W, const Vec3& q, double mu);
 
 }  // namespace delassus::test

@@ -8,7 +8,7 @@
 
 namespace delassus::test {
 
-/// Not equal numbers, but the same ones: 0 and −0 differ.
+/// Expects the same numbers, not just equal ones: 0 and −0 differ.
 inline void expectSameBits(const std::vector<btScalar>& a, const std::vector<btScalar>& b) {
   ASSERT_EQ(a.size(), b.size());
   EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(btScalar)), 0);

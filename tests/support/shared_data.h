@@ -7,11 +7,11 @@
 
 namespace delassus::test {
 
-/// The folder with problems/ and worlds/: environment variable DELASSUS_SHARED, else the one given
-/// when the tests were built. Empty if there is none.
+/// The folder with problems/ and worlds/: environment variable DELASSUS_SHARED, or else the one
+/// given when the tests were built. Empty if there is none.
 std::filesystem::path sharedFolder();
 
-/// What a test that skips for want of the folder says.
+/// What a test says that skips because there is no such folder.
 inline constexpr const char* noSharedFolder =
     "No folder with problem files: set DELASSUS_SHARED to the one that holds problems/ and "
     "worlds/.";

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double radius = 0.5, rate = 60;
 
-/// Centres of spheres that fell, pushed each other away, and were kept between the walls, many
-/// times over.
+/// Centres of spheres that fell, pushed each other away and were kept between the walls, many times
+/// over.
 std::vector<Vec3> pour(int count, double side, Random& random) {
   constexpr int rounds = 400, pushes = 4;
   constexpr double firstFall = 0.02, looseness = 2;
@@ -39,7 +39,7 @@ std::vector<Vec3> pour(int count, double side, Random& random) {
   return centres;
 }
 
-/// n points from what sphere `a` touches to it.
+/// A contact in which n points from the other thing to sphere `a`.
 Contact touch(int a, int b, const Vec3& n, double gap, double friction) {
   constexpr double recovery = 0.2;
   Contact c;

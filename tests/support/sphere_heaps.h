@@ -6,9 +6,9 @@
 namespace delassus::test {
 
 /// Spheres of 1 kg and diameter 1 m, poured into a square bin of that side and pressed a little
-/// into each other: as many contacts as motions, wedged in many places. One step of gravity at 60
-/// Hz, penetrations to be recovered at a fifth a step, and random velocities of up to `disturbance`
-/// m/s (rad/s).
+/// into each other. There are as many contacts as motions, and many wedged places. One step of
+/// gravity at 60 Hz, penetrations to be recovered at a fifth a step, and random velocities of up to
+/// `disturbance` m/s (rad/s).
 Pile makeSphereHeap(int count, double side, double friction, double disturbance, Random& random);
 
 }  // namespace delassus::test

@@ -9,10 +9,10 @@ namespace delassus::test {
 
 TurningFriction aboutTangents(const Contact& c, double spinning, double rolling);
 
-/// Some contacts of the pile resist rolling, some spinning, some both, some neither.
+/// Lets some contacts of the pile resist rolling, some spinning, some both, some neither.
 void resistTurning(Pile& pile, double largest, Random& random);
 
-/// Balls of radius ½ thrown together, all on the ground, contacts along the lines of centres.
+/// Balls of radius ½ thrown together, all on the ground; contacts along the lines of centres.
 Pile makeHeap(int balls, double friction, Random& random);
 
 }  // namespace delassus::test

@@ -1,5 +1,5 @@
-/// A taut chain ends where ω h = 2 with ω² = 12 T/(m l), whatever the solver; with remedies it does
-/// not.
+/// A taut chain fails where ω h = 2 with ω² = 12 T/(m l), whatever the solver; with remedies it
+/// does not.
 #include "demos/report/stability/hung_chain.h"
 
 #include <gtest/gtest.h>

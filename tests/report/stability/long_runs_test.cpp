@@ -1,4 +1,4 @@
-/// What stands or runs keeps to its place for as long as it is watched.
+/// Scenes that stand or run keep to their place for as long as they are watched.
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -17,7 +17,7 @@ Sweep sweepOf(const std::string& name) {
 
 void expectToLast(const std::string& name, double seconds) {
   const Sweep sweep = sweepOf(name);
-  // Wandering is slow: looked at once in ten steps.
+  // Wandering is slow, so one look in ten steps is enough.
   EXPECT_LT(worstError(sweep.build(seconds), 10), sweep.allowed);
 }
 
@@ -30,10 +30,10 @@ TEST(LongRunsSlow, CubeSlow) { expectToLast("cube", 36000); }
 // One hour.
 TEST(LongRunsSlow, ConveyorSlow) { expectToLast("conveyor", 3600); }
 TEST(LongRunsSlow, StackOfFortySlow) { expectToLast("stack_40_long", 3600); }
-// Two minutes: its hour takes three to twenty of the processor.
+// Two minutes, since an hour of it takes three to twenty hours of the processor.
 TEST(LongRunsSlow, ArchSlow) { expectToLast("arch_long", 120); }
 
-// What moves the arch is the recovery of depths that the narrow phase brings in.
+// Only the recovery of depths that the narrow phase brings in moves the arch.
 TEST(LongRunsSlow, ArchWithoutRecoveryStaysWhereItSettledSlow) {
   constexpr double settled = 20, rate = 60;
   NamedSolver named("delassus");

@@ -7,7 +7,7 @@
 
 namespace demos::report::stability {
 
-/// The largest error of a trial that `delassus` steps, looked at once in `every` steps and at the
+/// The largest error of a trial that `delassus` steps. It looks once in `every` steps and at the
 /// end.
 inline double worstError(Trial trial, int every = 1) {
   NamedSolver named("delassus");

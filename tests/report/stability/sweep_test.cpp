@@ -1,4 +1,4 @@
-/// The errors that the stability map is drawn from.
+/// The errors from which the stability map is drawn.
 #include "demos/report/stability/sweep.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 // A lost body has neither a place nor an energy: no error may call that rest.
 TEST(Sweep, ALostBodyIsNotAtRest) {
   const btScalar notANumber = std::numeric_limits<btScalar>::quiet_NaN();
-  for (const int lost : {0, 2}) {  // the first and the last that is looked at
+  for (const int lost : {0, 2}) {  // the first and the last body that are looked at
     Trial drift = drifting(buildStack(3, 1), 1), gain = gaining(buildStack(3, 1), 1);
     for (Trial* trial : {&drift, &gain}) {
       EXPECT_EQ(trial->error(0), 0);
