@@ -99,7 +99,7 @@ void answerSoftened(const Group& group, const Island& island, Bench& bench, Answ
 
 void answerHeldBack(const Group& group, const Island& island, const TargetWork& exact,
                     bool contactsThrow, Bench& bench, Answer& answer, IslandResult& result) {
-  constexpr double aim = 0.9, enough = 0.5;  // of what is fair
+  constexpr double aim = 0.9, enough = 0.5, little = 0.01;  // of what is fair
   constexpr int mostTries = 4;
   const ShortSearch search(bench.solver);
   Solution& solution = bench.solution;
@@ -127,10 +127,12 @@ void answerHeldBack(const Group& group, const Island& island, const TargetWork& 
       std::tie(isFound, done) = solve(std::sqrt(square));
     }
     if (!fitsBullet(solution.r)) return;
-    if (isLast || (done <= exact.fair && (done >= enough * exact.fair || tries == mostTries)))
-      break;
-    (done > exact.fair ? unfair : fair) = square;
-    (done > exact.fair ? doneUnfair : doneFair) = done;
+    const bool isFair = done <= exact.fair;
+    const bool isStuck = tries > 1 && std::abs(done - doneFair) <= little * exact.fair;
+    const bool isEnough = done >= enough * exact.fair || tries == mostTries || isStuck;
+    if (isLast || (isFair && isEnough)) break;
+    (isFair ? fair : unfair) = square;
+    (isFair ? doneFair : doneUnfair) = done;
   }
   take(group, island, solution, residualOf(group, island, solution.r, bench), answer, result);
 }
@@ -158,8 +160,16 @@ bool answerJam(const Group& group, const Island& island, double most, Bench& ben
     VelocityResidual residual = residualOf(group, island, solution.r, bench);
     if (residual.max > most) continue;
     take(group, island, solution, residual, answer, result);
-    if (contactsThrowOne(group, island, demand, answer, suspectReach) && isFound(1, guess))
+    double given = share;
+    if (contactsThrowOne(group, island, demand, answer, suspectReach) && isFound(1, guess)) {
+      given = 1;
       take(group, island, solution, residualOf(group, island, solution.r, bench), answer, result);
+    }
+    // An exact answer that throws by its joints looks like a jam where its search was in vain.
+    const Problem& soft = softProblem(group, island, given, bench);
+    const TargetWork work =
+        workOfTargets(group, bench.softContacts, group.rows, island, soft, solution);
+    if (work.done > work.allowed) answerHeldBack(group, island, work, true, bench, answer, result);
     mark(group, island, result).isJammed = true;
     return true;
   }

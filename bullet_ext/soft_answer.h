@@ -41,9 +41,9 @@ void answerHeldBack(const Group& group, const Island& island, const TargetWork& 
 ///
 /// An island that jams is answered, and marked as jammed, unless the answer misses the law by more
 /// than `most`, m/s. In this answer contacts give by a tenth to a millionth of what they give where
-/// bodies are thrown (`soften`): as little as reveals the jam. Where that would throw a body they
-/// give by all of it. The search begins with `bench.guess`. Otherwise nothing changes, and false is
-/// returned.
+/// bodies are thrown (`soften`): as little as reveals the jam. Where contacts would throw a body
+/// they give by all of it; joints that would throw one are held back, too. The search begins with
+/// `bench.guess`. Otherwise nothing changes, and false is returned.
 bool answerJam(const Group& group, const Island& island, double most, Bench& bench, Answer& answer,
                IslandResult& result);
 

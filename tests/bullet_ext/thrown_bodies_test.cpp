@@ -1,4 +1,5 @@
 /// What is pinched is not thrown, whatever the exact answer is; and what is not pinched keeps it.
+#include <BulletDynamics/ConstraintSolver/btFixedConstraint.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -232,6 +233,34 @@ TEST(ThrownBodies, ABridgeOfPlanksCarriesALoad) {
     }
     EXPECT_LT(fastestOf(world), 1e-3);
     EXPECT_EQ(world.report().incompatible, 0);
+  }
+}
+
+// A light arm that a servo turns, limits being set to where it shall be, with 500 times its mass at
+// its end. Most of the work of the joints goes into the load's height: it is no throw.
+TEST(ThrownBodies, AServoLiftsALoad) {
+  constexpr double rate = 0.3, load = 500;  // rad/s
+  for (const double hz : {60.0, 240.0}) {
+    SCOPED_TRACE(testing::Message() << hz << " Hz");
+    DelassusWorld world;
+    btRigidBody& arm = world.addBox({1, btScalar(0.05), btScalar(0.05)}, {1, 0, 0}, 1);
+    btRigidBody& weight =
+        world.addBox({btScalar(0.2), btScalar(0.2), btScalar(0.2)}, {btScalar(2.2), 0, 0}, load);
+    auto& servo = world.addJoint<btHingeConstraint>(arm, btVector3(0, 0, 0), btVector3(0, 0, 1));
+    btTransform inArm = btTransform::getIdentity(), inWeight = btTransform::getIdentity();
+    inArm.setOrigin({1, 0, 0});
+    inWeight.setOrigin({btScalar(-0.2), 0, 0});
+    world.addJoint<btFixedConstraint>(arm, weight, inArm, inWeight);
+    const double from = servo.getHingeAngle();
+    double turned = 0;
+    for (int step = 0; step < 4 * hz; ++step) {
+      turned += rate / hz;
+      servo.setLimit(btScalar(from + turned), btScalar(from + turned));
+      world->stepSimulation(btScalar(1 / hz), 0);
+      ASSERT_EQ(world.report().softened, 0) << step;
+    }
+    const btVector3 along = arm.getWorldTransform().getBasis().getColumn(0);
+    EXPECT_NEAR(std::atan2(along.y(), along.x()), turned, 0.1);
   }
 }
 
