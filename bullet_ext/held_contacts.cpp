@@ -214,8 +214,8 @@ double HeldContacts::leftOf(const Group& group, const Impulse& push, bool withLi
   return left;
 }
 
-/// `asked`: the speed at which the contact is to part, m/s. Sets `apart` to that at which its joints
-/// ask it to.
+/// `asked`: the speed at which the contact is to part, m/s. Sets `apart` to the speed at which its
+/// joints ask it to.
 HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contact, double asked,
                                        double h, double& apart) {
   const Impulse push = impulseOf(group, contact);

@@ -37,8 +37,8 @@ struct TargetWork {
   ///   - ½ target²/W_ii over all targets, which is what each would take alone,
   ///   - the work of what drives joints, in either direction: motors, limits and springs, which
   ///     have bounds and may do all that these allow (a breaking threshold is no such bound),
-  ///   - twice the work of forces: the energy that they take from the bodies in this step, as from a
-  ///     load that is lifted, or would give them from rest. It takes once as much to go on as
+  ///   - twice the work of forces: the energy that they take from the bodies in this step, as from
+  ///     a load that is lifted, or would give them from rest. It takes once as much to go on as
   ///     before, and the other half makes the bodies faster.
   double fair = 0;
   /// An answer with more work throws a body: timesAlone times the first two, or the energy that the
