@@ -167,8 +167,8 @@ double HeldContacts::extend(const Group& group, const Hold& hold, const Impulse&
 }
 
 /// The part of (push, push) that the mechanism takes up: by rows that hold both ways, or also by
-/// limits that the push would cross and `step` of it reaches in this step, each tried once, in their
-/// order. Adds to `apart` the speed at which these ask the contact to part, m/s.
+/// limits that the push would cross and that `step` of it reaches in this step, each tried once, in
+/// their order. Adds to `apart` the speed at which these ask the contact to part, m/s.
 double HeldContacts::takenUp(const Group& group, const Impulse& push, Mechanism& mechanism,
                              bool withLimits, double step, double& apart) {
   ImpulseSpan& span = spanOf(group, mechanism);
