@@ -106,8 +106,8 @@ TEST(Parity, Row30FeedbackIsTheWeight) {
   EXPECT_EQ(feedback.m_appliedForceBodyA.y(), 0) << "cleared when the joint is disabled";
 }
 
-// A beam that sticks out of a wall bears no moment about its own centre; the wall, whose origin is
-// that of the world, bears all.
+// A beam that sticks out of a wall bears about its own centre only what the torque on it asks for;
+// the wall, whose origin is that of the world, bears the moment of its weight, too.
 TEST(Parity, Row30FeedbackHasTheMomentsAboutTheBodies) {
   DelassusWorld world;
   constexpr double mass = 3, torque = 4;

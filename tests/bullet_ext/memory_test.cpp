@@ -163,7 +163,7 @@ TEST(Memory, ALonePointTakesOverTheForce) {
   }
 }
 
-// They do so even where a fresh point has come nearer to the place where they were.
+// They do so even where a fresh point has come close to the place where they were.
 TEST(Memory, PointsThatStayClaimTheirOwnPast) {
   Touch touch({corners[0], corners[2]});
   const std::vector<Vec3> last{{0, 0, 0}, {5, 1, 0}};

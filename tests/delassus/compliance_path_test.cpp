@@ -215,7 +215,7 @@ TEST(CompliancePath, DoesNotSetOutFromAnywhere) {
   EXPECT_FALSE(way.setOut(far, 0.1));
 }
 
-// With next to no budget all earlier methods fail: the path alone is left.
+// With next to no budget the earlier methods fail, as a rule: the path alone is left.
 TEST(CompliancePath, IsTheSolversLastResort) {
   Random random(77);
   Options walks;

@@ -46,8 +46,8 @@ TEST(Holding, BringsPyramidsToRestInFewSteps) {
   }
 }
 
-// Holds masses that differ, contacts that give a little, rolling and spinning friction, a strong
-// enough motor, and W as entries.
+// Holds masses that differ, contacts that give a little, rolling and spinning friction, and W as
+// entries.
 TEST(Holding, HoldsWhatTheSceneHas) {
   Random random(132);
   for (int k = 0; k < 12; ++k) {

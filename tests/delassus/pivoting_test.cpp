@@ -224,8 +224,8 @@ TEST(Pivoting, SameInputSameBits) {
   EXPECT_EQ(a.rows, b.rows);
 }
 
-// Round-off in q must not decide the amount of work, as where thousands of contacts at rest lie on
-// one wall of their regions.
+// Round-off in q must not decide the amount of work where many contacts lie on walls of their
+// regions, as contacts at rest do.
 TEST(Pivoting, TiesAreHarmless) {
   Random random(25);
   for (int k = 0; k < 300; ++k) {

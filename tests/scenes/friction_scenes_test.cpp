@@ -50,8 +50,8 @@ std::vector<SlidingStep> slide(double angle, double heading, double seconds) {
 }
 
 // a = g (sin θ − μ cos θ) along the fall line, whatever the heading of the box: within a thousandth
-// in every step that the box begins and ends flat on the slope. (Where a spell has turned its path,
-// friction is along the new one.) Now and then Bullet's narrow phase leaves two points under the
+// (in float a tenth) in every step that the box begins and ends flat on the slope. (Where a spell
+// has turned its path, friction is along the new one.) Now and then Bullet's narrow phase leaves two points under the
 // box, which then tips on to the missing ones. Such a spell begins with the points; the law is
 // solved all the time.
 TEST(Incline, AcceleratesByTheLawAboveTheFrictionAngle) {

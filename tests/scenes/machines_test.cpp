@@ -92,7 +92,7 @@ TEST(NewtonCradle, GainsNoEnergyButTheIntegrators) {
 
 // At other rates, the first blow finds the balls a few millimetres inside each other, and the erp
 // of Bullet's contact law pushes them apart. That energy comes from the law; stock run to
-// convergence gains the same energy to the joule.
+// convergence gains the same energy.
 TEST(NewtonCradle, HasTheEnergyOfStockRunToConvergence) {
   for (const double rate : {60., 120., 240.}) {
     const std::vector<double> ours = energyOfCradle(rate, nullptr);
