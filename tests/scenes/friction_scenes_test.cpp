@@ -51,9 +51,9 @@ std::vector<SlidingStep> slide(double angle, double heading, double seconds) {
 
 // a = g (sin θ − μ cos θ) along the fall line, whatever the heading of the box: within a thousandth
 // (in float a tenth) in every step that the box begins and ends flat on the slope. (Where a spell
-// has turned its path, friction is along the new one.) Now and then Bullet's narrow phase leaves two points under the
-// box, which then tips on to the missing ones. Such a spell begins with the points; the law is
-// solved all the time.
+// has turned its path, friction is along the new one.) Now and then Bullet's narrow phase leaves
+// two points under the box, which then tips on to the missing ones. Such a spell begins with the
+// points; the law is solved all the time.
 TEST(Incline, AcceleratesByTheLawAboveTheFrictionAngle) {
   const double angle = frictionAngle() + degree;
   const double expected = 9.81 * (std::sin(angle) - usualFriction * std::cos(angle));
