@@ -15,8 +15,8 @@ enum class Status : unsigned char {
   Solved,        ///< the natural residual is within the tolerance, or within rounding
   OutOfBudget,   ///< best answer found within the budget; see its residual
   Incompatible,  ///< no motion meets all demands: a compromise was taken; see `blamed`
-  /// The problem holds numbers that are not finite, or that overflow: the parts that they touch get
-  /// no reactions.
+  /// The problem holds numbers that are not finite or that overflow, or parts for which no law can
+  /// be stated (μ < 0, crossed bounds): there are no reactions, and these parts are blamed.
   NonFinite,
 };
 
