@@ -6,6 +6,7 @@
 
 #include "bullet_ext/solve_group.h"
 #include "bullet_ext/thrown_bodies.h"
+#include "delassus/contact_motion.h"
 #include "delassus/residual.h"
 
 namespace delassus::bullet {
@@ -46,26 +47,25 @@ const Problem& softProblem(const Group& group, const Island& island, double shar
 }
 
 /// The island's problem if joints that hold, and contacts that are to part, ask for this share of
-/// what they ask for now, and contacts perhaps give. Soft ones stretch in the same measure: their
-/// force is theirs, whatever they ask for.
+/// what they ask for now, and contacts perhaps give. Springs, and contacts that are as soft, ask for
+/// all: what they ask for is their force.
 const Problem& heldBackProblem(const Group& group, const Island& island, double share,
                                bool contactsGive, Bench& bench) {
+  constexpr double asSoftAsSprings = 1e-3;  // of the response
   bench.softRows.resize(group.rows.size());
   for (const int k : island.rows) {
     Row& row = bench.softRows[k];
     row = group.rows[k];
     if (row.governor >= 0 || drives(group, k, row.target > 0)) continue;
-    row.target *= share;
-    if (isSoft(group, k)) row.compliance *= share;
+    if (row.compliance < asSoftAsSprings * diagonal(group.bodies, row)) row.target *= share;
   }
   bench.softContacts.resize(group.contacts.size());
   island.eachContact([&](int i) {
     Contact& contact = bench.softContacts[i];
     contact = group.contacts[i];
-    if (contact.target[0] > 0) {
-      contact.target[0] *= share;
-      contact.compliance *= share;
-    }
+    double& asked = contact.target[0];
+    if (asked > 0 && contact.compliance < asSoftAsSprings * diagonal(group.bodies, contact, 0))
+      asked *= share;
     if (contactsGive) soften(group.bodies, contact);
   });
   return bench.assembler.assemble(group.bodies, bench.softContacts, bench.softRows, island);
@@ -145,11 +145,13 @@ bool answerJam(const Group& group, const Island& island, double most, Bench& ben
   search.takeAnyNear();
   Solution& solution = bench.solution;
   double demand = 0;
+  TargetWork work;
   const auto isFound = [&](double share, const VectorXd& guess) {
     const Problem& problem = softProblem(group, island, share, bench);
     bench.solver.solve(problem, guess, solution);
     bench.counts.add(solution);
     demand = problem.demand();
+    work = workOfTargets(group, bench.softContacts, group.rows, island, problem, solution);
     return solution.residual <= roughly * demand && fitsBullet(solution.r);
   };
   VectorXd& guess = bench.guess;
@@ -160,16 +162,11 @@ bool answerJam(const Group& group, const Island& island, double most, Bench& ben
     VelocityResidual residual = residualOf(group, island, solution.r, bench);
     if (residual.max > most) continue;
     take(group, island, solution, residual, answer, result);
-    double given = share;
-    if (contactsThrowOne(group, island, demand, answer, suspectReach) && isFound(1, guess)) {
-      given = 1;
+    // Joints that throw look like a jam, too, where the search for the exact answer was in vain.
+    if (work.done > work.allowed)
+      answerHeldBack(group, island, work, true, bench, answer, result);
+    else if (contactsThrowOne(group, island, demand, answer, suspectReach) && isFound(1, guess))
       take(group, island, solution, residualOf(group, island, solution.r, bench), answer, result);
-    }
-    // An exact answer that throws by its joints looks like a jam where its search was in vain.
-    const Problem& soft = softProblem(group, island, given, bench);
-    const TargetWork work =
-        workOfTargets(group, bench.softContacts, group.rows, island, soft, solution);
-    if (work.done > work.allowed) answerHeldBack(group, island, work, true, bench, answer, result);
     mark(group, island, result).isJammed = true;
     return true;
   }

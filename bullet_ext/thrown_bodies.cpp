@@ -48,20 +48,16 @@ double askedByTurns(const Group& group, const Island& island) {
   return turn * arm;
 }
 
-/// The joint of this row; null if no joint has asked for the row.
-const JointSource* jointOf(const Group& group, int row) {
+/// The impulse at which the joint of this row breaks; infinite if no joint has asked for the row.
+double breakingImpulseOf(const Group& group, int row) {
   const auto after =
       std::upper_bound(group.joints.begin(), group.joints.end(), row,
                        [](int k, const JointSource& joint) { return k < joint.firstRow; });
-  if (after == group.joints.begin()) return nullptr;
+  if (after == group.joints.begin()) return infinity;
   const JointSource& joint = *std::prev(after);
-  return row < joint.firstRow + joint.rowCount ? &joint : nullptr;
-}
-
-/// The impulse at which its joint breaks.
-double breakingImpulseOf(const Group& group, int row) {
-  const JointSource* joint = jointOf(group, row);
-  return joint ? toCoreBound(joint->constraint->getBreakingImpulseThreshold()) : infinity;
+  return row < joint.firstRow + joint.rowCount
+             ? toCoreBound(joint.constraint->getBreakingImpulseThreshold())
+             : infinity;
 }
 
 /// The largest impulse that may push the row up, or down.
@@ -163,11 +159,6 @@ bool contactsThrowOne(const Group& group, const Island& island, double demand, c
       after = std::max(after, fasterOf(answer.bodies, group.contacts[k]));
   });
   return after > times * before && after > times * (before + askedByTurns(group, island));
-}
-
-bool isSoft(const Group& group, int row) {
-  const JointSource* joint = jointOf(group, row);
-  return joint && joint->isSoft;
 }
 
 bool drives(const Group& group, int row, bool up) {

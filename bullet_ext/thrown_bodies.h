@@ -53,8 +53,6 @@ constexpr double timesAlone = 30;
 TargetWork workOfTargets(const Group& group, const std::vector<Contact>& contacts,
                          const std::vector<Row>& rows, const Island& island, const Problem& problem,
                          const Solution& solution);
-/// Whether the row belongs to a joint with a softness of its own.
-bool isSoft(const Group& group, int row);
 /// Whether a push of the row up, or down, drives or brakes it, with a bounded force. A bound at
 /// which the joint breaks does not count: until then the joint holds.
 bool drives(const Group& group, int row, bool up);
