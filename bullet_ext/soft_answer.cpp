@@ -47,8 +47,8 @@ const Problem& softProblem(const Group& group, const Island& island, double shar
 }
 
 /// The island's problem if joints that hold, and contacts that are to part, ask for this share of
-/// what they ask for now, and contacts perhaps give. Springs, and contacts that are as soft, ask for
-/// all: what they ask for is their force.
+/// what they ask for now, and contacts perhaps give. Springs, and contacts that are as soft, ask
+/// for all: what they ask for is their force.
 const Problem& heldBackProblem(const Group& group, const Island& island, double share,
                                bool contactsGive, Bench& bench) {
   constexpr double asSoftAsSprings = 1e-3;  // of the response

@@ -119,7 +119,7 @@ TEST(ThrowingJoints, AMotorOnATautChainKeepsItsSpeed) {
   EXPECT_GT(softened, 20);
 }
 
-/// How far a spring on the chain's first plank is stretched that is pulled along the chain with 1 N.
+/// How far 1 N along the chain stretches a spring on one of its planks.
 double stretchOn(const TautChain& chain, int& softened) {
   DelassusWorld world;
   addTautChain(world, chain);
