@@ -81,7 +81,7 @@ const char* reasonOf(const IslandResult& result) {
     case Status::OutOfBudget:
       return ": the budget of its island ended above the tolerance; the error is largest here";
     case Status::Incompatible:
-      return ": no motion meets its demand; the nearest one is taken";
+      return ": no motion meets its demand; a compromise is taken";
     case Status::NonFinite:
       return ": its island is left without reactions: the numbers do not stay finite";
     case Status::Solved:

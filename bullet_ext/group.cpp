@@ -1,5 +1,8 @@
 #include "bullet_ext/group.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "delassus/bytes.h"
 
 namespace delassus::bullet {
@@ -30,6 +33,15 @@ std::size_t Group::bytes() const {
                  rowGuess, joints, multiBodyRows, asked) +
          obsolete.capacity() * sizeof(void*) + indexOf.bytes() + joined.bytes() + loops.bytes() +
          opposed.bytes() + held.bytes() + articulation.bytes();
+}
+
+const JointSource* jointOf(const Group& group, int row) {
+  const auto after =
+      std::upper_bound(group.joints.begin(), group.joints.end(), row,
+                       [](int k, const JointSource& joint) { return k < joint.firstRow; });
+  if (after == group.joints.begin()) return nullptr;
+  const JointSource& joint = *std::prev(after);
+  return row < joint.firstRow + joint.rowCount ? &joint : nullptr;
 }
 
 }  // namespace delassus::bullet

@@ -60,18 +60,27 @@ struct JointSource {
 struct IslandMarks {
   bool isRestless = false;  ///< its reactions changed the motion
   bool isJammed = false;    ///< soft_answer.h
-  int lostSteps = 0;        ///< steps in a row that ended out of budget
-  double lost = 0;          ///< residual, m/s, that the last whole search of these steps left
-  bool any() const { return isRestless || isJammed || lostSteps > 0; }
+  /// Steps in a row that quarrelled (quarrels.h) and whose exact answer was not found, or not
+  /// sought.
+  int quarrelSteps = 0;
+  int loadedSteps = 0;  ///< steps in a row that looked like a quarrel and were none
+  int lostSteps = 0;    ///< steps in a row that ended out of budget
+  double lost = 0;      ///< residual, m/s, that the last whole search of these steps left
+  bool any() const {
+    return isRestless || isJammed || quarrelSteps > 0 || loadedSteps > 0 || lostSteps > 0;
+  }
   void add(const IslandMarks& other) {
     isRestless |= other.isRestless;
     isJammed |= other.isJammed;
+    quarrelSteps = std::max(quarrelSteps, other.quarrelSteps);
+    loadedSteps = std::max(loadedSteps, other.loadedSteps);
     if (other.lostSteps == 0) return;
     lost = lostSteps == 0 ? other.lost : std::min(lost, other.lost);
     lostSteps = std::max(lostSteps, other.lostSteps);
   }
   bool operator==(const IslandMarks& other) const {
     return isRestless == other.isRestless && isJammed == other.isJammed &&
+           quarrelSteps == other.quarrelSteps && loadedSteps == other.loadedSteps &&
            lostSteps == other.lostSteps && lost == other.lost;
   }
 };
@@ -132,5 +141,8 @@ struct Group {
   bool movable(int body) const { return body >= 0 && bodies[body].movable(); }
   bool isLimb(int body) const { return body >= 0 && !bodySources[body].rigid; }
 };
+
+/// The joint that has asked for this row; null if none has.
+const JointSource* jointOf(const Group& group, int row);
 
 }  // namespace delassus::bullet

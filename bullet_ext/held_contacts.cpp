@@ -11,7 +11,6 @@
 #include "bullet_ext/response.h"
 #include "bullet_ext/softness.h"
 #include "delassus/contact_motion.h"
-#include "delassus/one_contact.h"
 
 namespace delassus::bullet {
 namespace {
@@ -241,7 +240,7 @@ HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contac
     if (withLimits) return Held::ByLimit;
     return isWhollyHeld(group, contact) ? Held::Wholly : Held::Along;
   }
-  return asked > 0 && isHeldByFriction(group, contact, asked) ? Held::ByFriction : Held::No;
+  return Held::No;
 }
 
 /// Whether the joints leave the two bodies no relative motion at all.
@@ -256,35 +255,6 @@ bool HeldContacts::isWhollyHeld(const Group& group, const Contact& contact) {
   for (const int axis : {0, 1, 2})
     if (!isHeld(turnOf(group, contact, axis))) return false;
   return true;
-}
-
-/// Whether it takes about as hard a press to part the contact as if the joints left its bodies no
-/// motion. That is told by the exact reaction, with friction, for the part of W_aa that the joints
-/// leave and `share` of all of it.
-bool HeldContacts::isHeldByFriction(const Group& group, const Contact& contact, double asked) {
-  constexpr double about = 0.1;
-  if (!(contact.friction > 0)) return false;
-  Impulse axes[3];
-  for (int i = 0; i < 3; ++i) axes[i] = impulseOf(group, contact, i);
-  Mat3 W;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) W(i, j) = ImpulseSpan::product(group.bodies, axes[i], axes[j]);
-  const double size = W(0, 0);
-  W *= 1 + share;
-  int first = none;
-  for (const int body : {axes[0].a, axes[0].b}) {
-    if (body == none || mechanismOf(body) == first) continue;
-    first = mechanismOf(body);
-    const ImpulseSpan& span = spanOf(group, mechanisms_[first]);
-    ofAxes_.resize(span.size(), 3);
-    for (int i = 0; i < 3; ++i) {
-      span.coordinates(group.bodies, axes[i], ofPush_);
-      ofAxes_.col(i) = Eigen::Map<const Eigen::VectorXd>(ofPush_.data(), span.size());
-    }
-    W -= ofAxes_.transpose() * ofAxes_;
-  }
-  const Vec3 r = solveOneContact(W, {-asked, 0, 0}, contact.friction);
-  return r[0] * share * size >= about * asked;
 }
 
 int HeldContacts::soften(Group& group, double h) {
@@ -308,7 +278,7 @@ int HeldContacts::soften(Group& group, double h) {
     else
       asked = std::min(asked, held == Held::Wholly ? apart : 0);
     push = 0;
-    if (held == Held::ByFriction || held == Held::Wholly) continue;
+    if (held == Held::Wholly) continue;
     const double give = held == Held::Along ? softness : joinedSoftness;
     contact.compliance = std::max(contact.compliance, give * lesserResponse(group, contact));
   }

@@ -28,8 +28,6 @@ struct Group;
 ///     and shares the load with them.
 ///   - Only a limit blocks it that the bodies reach in this step: they can go the other way. The
 ///     contact gives by joinedSoftness and is not split, as contacts of bodies that a joint links.
-///   - The joints leave it free to part, but only if it slides, and friction does not let it (a
-///     ramp that lies on the floor, hinged at its edge): the contact asks for no more than rest.
 ///
 /// A contact is not held where something drives the bodies together by more than `still` of the arm
 /// a step: the joints themselves, or the place where they are fixed, or anything kinematic. So a
@@ -53,7 +51,7 @@ class HeldContacts {
 
  private:
   using Impulse = ImpulseSpan::Impulse;
-  enum class Held { No, ByFriction, ByLimit, Along, Wholly };
+  enum class Held { No, ByLimit, Along, Wholly };
   /// A row that holds.
   struct Hold {
     int row, a, b;  ///< the row and its bodies that can move; −1: none
@@ -80,7 +78,6 @@ class HeldContacts {
                 double& apart);
   Held judge(const Group& group, const Contact& contact, double asked, double h, double& apart);
   bool isWhollyHeld(const Group& group, const Contact& contact);
-  bool isHeldByFriction(const Group& group, const Contact& contact, double asked);
 
   DisjointSets links_;
   std::vector<Hold> holds_;
@@ -89,8 +86,7 @@ class HeldContacts {
   std::vector<int> candidates_;     ///< contacts
   std::vector<ImpulseSpan> spans_;  ///< storage is used again
   int spansUsed_ = 0;
-  std::vector<double> ofPush_, ofRow_;                               ///< coordinates
-  Eigen::Matrix<double, Eigen::Dynamic, 3, 0, mostRows, 3> ofAxes_;  ///< the same, of all three
+  std::vector<double> ofPush_, ofRow_;  ///< coordinates
 };
 
 }  // namespace delassus::bullet

@@ -4,6 +4,9 @@
 #include <tuple>
 #include <utility>
 
+#include "bullet_ext/quarrels.h"
+#include "bullet_ext/response.h"
+#include "bullet_ext/softness.h"
 #include "bullet_ext/solve_group.h"
 #include "bullet_ext/thrown_bodies.h"
 #include "delassus/contact_motion.h"
@@ -51,24 +54,50 @@ const Problem& softProblem(const Group& group, const Island& island, double shar
 /// for all: what they ask for is their force.
 const Problem& heldBackProblem(const Group& group, const Island& island, double share,
                                bool contactsGive, Bench& bench) {
-  constexpr double asSoftAsSprings = 1e-3;  // of the response
   bench.softRows.resize(group.rows.size());
   for (const int k : island.rows) {
     Row& row = bench.softRows[k];
     row = group.rows[k];
     if (row.governor >= 0 || drives(group, k, row.target > 0)) continue;
-    if (row.compliance < asSoftAsSprings * diagonal(group.bodies, row)) row.target *= share;
+    if (!isSpring(group, row)) row.target *= share;
   }
   bench.softContacts.resize(group.contacts.size());
   island.eachContact([&](int i) {
     Contact& contact = bench.softContacts[i];
     contact = group.contacts[i];
     double& asked = contact.target[0];
-    if (asked > 0 && contact.compliance < asSoftAsSprings * diagonal(group.bodies, contact, 0))
-      asked *= share;
+    if (asked > 0 && !isSpring(group, contact)) asked *= share;
     if (contactsGive) soften(group.bodies, contact);
   });
   return bench.assembler.assemble(group.bodies, bench.softContacts, bench.softRows, island);
+}
+
+/// Solves a problem as the trial, and returns whether that has a solution. Any motion that is near
+/// to it will do as a recovery.
+bool solveTrial(const Problem& problem, bool isRecovery, Bench& bench) {
+  ShortSearch search(bench.solver);
+  if (isRecovery) search.takeAnyNear();
+  bench.solver.solve(problem, VectorXd(), bench.trial);
+  bench.counts.add(bench.trial);
+  return bench.trial.status == Status::Solved && fitsBullet(bench.trial.r);
+}
+
+/// The same, whether this solution strains the island by no more than `most`, m/s, and tells of no
+/// quarrel.
+bool relieves(const Group& group, const Island& island, const Problem& problem, double most,
+              Bench& bench) {
+  return solveTrial(problem, false, bench) && strainOf(group, island, bench.trial) <= most &&
+         quarrelOf(group, island, problem.demand(), bench.trial) == Quarrel::None;
+}
+
+/// Whether the trial gives the bodies more energy than there is.
+bool throwsBodies(const Group& group, const Island& island, Bench& bench) {
+  constexpr double times = 2;  // what the bodies have, and what recovery gives
+  std::vector<Body>& bodies = bench.trialBodies;
+  bodies.resize(group.bodies.size());
+  for (const int body : island.bodies) bodies[body] = group.bodies[body];
+  applyReaction(bodies, group.contacts, group.rows, island, bench.trial.r);
+  return energyOf(island, bodies) > times * energyAtHand(group, island);
 }
 
 /// The energy that contacts take up as they give, J; less what the residual of their law leaves
@@ -135,6 +164,51 @@ void answerHeldBack(const Group& group, const Island& island, const TargetWork& 
     (isFair ? doneFair : doneUnfair) = done;
   }
   take(group, island, solution, residualOf(group, island, solution.r, bench), answer, result);
+}
+
+bool answerRecovering(const Group& group, const Island& island, double mostStrain, double leastCut,
+                      Bench& bench, Answer& answer, IslandResult& result) {
+  const Solution& trial = bench.trial;
+  if (!solveTrial(recoveryProblem(group, island, bench), true, bench)) return false;
+  recover(group, island, trial.r, bench);
+  for (const Friction friction : {Friction::OfAllSlip, Friction::OfOtherSlip}) {
+    const Problem& problem = recoveringProblem(group, island, friction, bench);
+    if (shareCut(group, island, problem.demand(), bench) < leastCut) return false;
+    if (!relieves(group, island, problem, mostStrain, bench)) continue;
+    const TargetWork work =
+        workOfTargets(group, bench.softContacts, bench.softRows, island, problem, trial);
+    if (work.done > work.allowed || throwsBodies(group, island, bench)) continue;
+    take(group, island, trial, residualOf(group, island, trial.r, bench), answer, result);
+    result.isSoftened = false;
+    return true;
+  }
+  return false;
+}
+
+bool answerUnwedged(const Group& group, const Island& island, double mostStrain, Bench& bench,
+                    Answer& answer, IslandResult& result) {
+  bench.softContacts.resize(group.contacts.size());
+  const auto assemble = [&](const auto& change) -> const Problem& {
+    island.eachContact([&](int i) {
+      bench.softContacts[i] = group.contacts[i];
+      change(bench.softContacts[i]);
+    });
+    return bench.assembler.assemble(group.bodies, bench.softContacts, group.rows, island);
+  };
+  // A load strains without friction, too.
+  const Problem& slippery = assemble([](Contact& contact) { contact.friction = 0; });
+  if (!relieves(group, island, slippery, mostStrain, bench)) return false;
+  // By the lesser response: a heavy body does not sink into a light one.
+  const Problem& problem = assemble([&](Contact& contact) {
+    contact.compliance += joinedSoftness * lesserResponse(group, contact);
+  });
+  if (!relieves(group, island, problem, mostStrain, bench)) return false;
+  const Solution& trial = bench.trial;
+  const TargetWork work =
+      workOfTargets(group, bench.softContacts, group.rows, island, problem, trial);
+  take(group, island, trial, residualOf(group, island, trial.r, bench), answer, result);
+  if (work.done > work.allowed) answerHeldBack(group, island, work, true, bench, answer, result);
+  return true;
 }
 
 bool answerJam(const Group& group, const Island& island, double most, Bench& bench, Answer& answer,

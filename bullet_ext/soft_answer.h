@@ -10,8 +10,8 @@ struct Group;
 struct IslandResult;
 struct TargetWork;
 
-// Answers as if contacts gave a little, or joints asked for less. They are reported as
-// incompatible, with the residual of the law as it stands.
+// Answers as if contacts gave a little, or contacts and joints asked for less. They are reported
+// as incompatible, with the residual of the law as it stands.
 
 /// Takes back the exact answer, whose contacts throw a body (thrown_bodies.h), and finds the answer
 /// for contacts that give a little.
@@ -25,6 +25,20 @@ void answerSoftened(const Group& group, const Island& island, Bench& bench, Answ
 /// throw, too, or where nothing is found soon without that.
 void answerHeldBack(const Group& group, const Island& island, const TargetWork& exact,
                     bool contactsThrow, Bench& bench, Answer& answer, IslandResult& result);
+
+/// Answers an island that quarrels (quarrels.h), if it does so because it asks for more recovery
+/// than any motion gives: it then asks for what a compromise reaches. That is an answer if contacts
+/// and joints strain each other by no more than `mostStrain`, m/s, if `leastCut` of the most that
+/// is asked for is cut, and if it throws no body. Returns whether it is; otherwise nothing changes.
+bool answerRecovering(const Group& group, const Island& island, double mostStrain, double leastCut,
+                      Bench& bench, Answer& answer, IslandResult& result);
+
+/// Answers an island that quarrels as if contacts gave a little, as those of bodies that a joint
+/// links, if this relieves its joints as far. It does where a body lands so that its joint and
+/// friction at one corner wedge it, but not under a load. Returns whether it does; otherwise
+/// nothing changes.
+bool answerUnwedged(const Group& group, const Island& island, double mostStrain, Bench& bench,
+                    Answer& answer, IslandResult& result);
 
 /// Answers an island that jams. An island jams if a body that squeezes it does not give way, such
 /// as a kinematic wall. Rigid bodies then have no motion at all, or only one that flings out what

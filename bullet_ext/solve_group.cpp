@@ -8,6 +8,7 @@
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "bullet_ext/group.h"
 #include "bullet_ext/names.h"
+#include "bullet_ext/quarrels.h"
 #include "bullet_ext/soft_answer.h"
 #include "bullet_ext/thrown_bodies.h"
 #include "delassus/bytes.h"
@@ -41,29 +42,6 @@ Trouble troubleOf(Status status) {
       break;
   }
   return Trouble::None;
-}
-
-/// The contact or the row whose first unknown is `unknown`; the other is −1. Turning friction
-/// counts as its contact.
-struct Part {
-  int contact = -1, row = -1;
-};
-Part partAt(const Group& group, const Island& island, int unknown) {
-  const auto contacts = static_cast<int>(island.frictional.size());
-  const auto frictionless = static_cast<int>(island.frictionless.size());
-  const int scalar = unknown - 3 * contacts;
-  if (scalar < 0) return {island.frictional[unknown / 3], -1};
-  if (scalar < frictionless) return {island.frictionless[scalar], -1};
-  const int row = island.rows[scalar - frictionless];
-  const int governor = group.rows[row].governor;
-  return governor >= 0 ? Part{governor, -1} : Part{-1, row};
-}
-
-/// The marks of the island's contacts.
-IslandMarks marksOf(const Group& group, const Island& island) {
-  IslandMarks marks;
-  if (!group.marks.empty()) island.eachContact([&](int i) { marks.add(group.marks[i]); });
-  return marks;
 }
 
 /// The share of the tolerance within which reactions are kept. Reactions that have just been found
@@ -121,14 +99,16 @@ bool isFarOff(const Solution& solution, double demand) {
   return solution.status == Status::OutOfBudget && solution.residual > share * demand;
 }
 
+/// Of steps in a row, those in which a whole search is due: each comes after twice as many.
+bool isTurnOfWhole(int steps) { return (steps & (steps - 1)) == 0; }
+
 /// Whether the answer of a short search will do. If whole searches have been in vain step after
 /// step, the next whole one comes after twice as many steps each time. In between, a short search
 /// will do if it leaves not much more.
 bool willDo(const Solution& solution, const IslandMarks& last) {
   constexpr double times = 4;
-  const int steps = last.lostSteps + 1;
-  const bool isTurnOfWhole = (steps & (steps - 1)) == 0;
-  return last.lostSteps > 0 && !isTurnOfWhole && solution.residual <= times * last.lost;
+  return last.lostSteps > 0 && !isTurnOfWhole(last.lostSteps + 1) &&
+         solution.residual <= times * last.lost;
 }
 
 /// Puts on the bench the island's problem as it stands, and the guess from which its search begins.
@@ -172,12 +152,44 @@ SearchEnd searchFor(const Group& group, const Island& island, bool mayJam, const
   return SearchEnd::Whole;
 }
 
+constexpr double muchCut = 0.1;  ///< of recovery, that tells of a quarrel
+
 void markLost(const Group& group, const Island& island, bool afterWhole, double residual,
               IslandResult& result) {
   const IslandMarks last = marksOf(group, island);
   IslandMarks& marks = mark(group, island, result);
   marks.lostSteps = last.lostSteps + 1;
   marks.lost = afterWhole ? residual : last.lost;
+}
+
+void markQuarrel(const Group& group, const Island& island, IslandResult& result) {
+  mark(group, island, result).quarrelSteps = marksOf(group, island).quarrelSteps + 1;
+}
+
+/// Answers an island whose exact answer, on the bench, tells of a quarrel. If less recovery does
+/// not relieve it, loads strain it, and are likely to do so in the next steps: then it is looked at
+/// only now and then.
+bool answerQuarrel(const Group& group, const Island& island, double demand, Bench& bench,
+                   Answer& answer, IslandResult& result) {
+  constexpr double relieved = 0.1;
+  const Quarrel quarrel = quarrelOf(group, island, demand, bench.solution);
+  if (quarrel == Quarrel::None) return false;
+  const int steps = marksOf(group, island).loadedSteps + 1;
+  if (isTurnOfWhole(steps)) {
+    const double strain = relieved * strainOf(group, island, bench.solution);
+    // Friction may strain what can recover.
+    const double leastCut = quarrel == Quarrel::Strained ? 0 : muchCut;
+    if (answerRecovering(group, island, strain, leastCut, bench, answer, result)) {
+      result.marks = {};
+      if (bench.solution.status == Status::OutOfBudget) markQuarrel(group, island, result);
+      return true;
+    }
+    if (quarrel == Quarrel::Strained && !island.rows.empty() &&
+        answerUnwedged(group, island, strain, bench, answer, result))
+      return true;
+  }
+  mark(group, island, result).loadedSteps = steps;
+  return false;
 }
 
 void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& bench,
@@ -208,6 +220,7 @@ void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& 
       workOfTargets(group, group.contacts, group.rows, island, problem, solution);
   const bool jointsThrow = work.done > work.allowed;
   const bool isLost = end == SearchEnd::Whole && isFarOff(solution, demand);
+  if (answerQuarrel(group, island, demand, bench, answer, result)) return;
   bench.guess.resize(0);
   if (mayJam && !jointsThrow && (isLost || contactsHurry) &&
       answerJam(group, island, isLost ? nearly * solution.residual : infinity, bench, answer,
@@ -219,6 +232,7 @@ void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& 
     answerSoftened(group, island, bench, answer, result);
 }
 
+/// Where an island quarrels and its exact answer was not found, that is sought only now and then.
 /// An island that jammed in the last step is likely to jam again, with much the same reactions.
 /// Where work is bounded there is none for this.
 void solveIsland(const Group& group, const Island& island, Bench& bench, Answer& answer,
@@ -229,7 +243,15 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
     collectGuess(island, answer, bench.guess);
     return answerJam(group, island, infinity, bench, answer, result);
   };
-  if (!mayJam || !marksOf(group, island).isJammed || !stillJams())
+  const IslandMarks last = marksOf(group, island);
+  const auto stillQuarrels = [&] {
+    if (last.quarrelSteps == 0 || isTurnOfWhole(last.quarrelSteps + 1) ||
+        !answerRecovering(group, island, infinity, muchCut, bench, answer, result))
+      return false;
+    markQuarrel(group, island, result);
+    return true;
+  };
+  if (!stillQuarrels() && !(mayJam && last.isJammed && stillJams()))
     solveExactly(group, island, mayJam, bench, answer, result);
   for (int unknown : result.blamed)
     if (const int contact = partAt(group, island, unknown).contact; contact >= 0)
@@ -309,6 +331,23 @@ void note(const Solution& solution, const Island& island, IslandResult& result) 
   result.isAnswered = true;
   result.isSoftened = false;
   result.blamed = solution.blamed;
+}
+
+Part partAt(const Group& group, const Island& island, int unknown) {
+  const auto contacts = static_cast<int>(island.frictional.size());
+  const auto frictionless = static_cast<int>(island.frictionless.size());
+  const int scalar = unknown - 3 * contacts;
+  if (scalar < 0) return {island.frictional[unknown / 3], -1};
+  if (scalar < frictionless) return {island.frictionless[scalar], -1};
+  const int row = island.rows[scalar - frictionless];
+  const int governor = group.rows[row].governor;
+  return governor >= 0 ? Part{governor, -1} : Part{-1, row};
+}
+
+IslandMarks marksOf(const Group& group, const Island& island) {
+  IslandMarks marks;
+  if (!group.marks.empty()) island.eachContact([&](int i) { marks.add(group.marks[i]); });
+  return marks;
 }
 
 IslandMarks& mark(const Group& group, const Island& island, IslandResult& result) {

@@ -4,7 +4,6 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "bullet_ext/convert.h"
@@ -14,6 +13,8 @@
 
 namespace delassus::bullet {
 namespace {
+
+constexpr double asSoftAsSprings = 1e-3;  ///< of the response
 
 /// The speed of the body, or of its point at `arm` if that is faster, m/s.
 double speedOf(const std::vector<Body>& bodies, int body, const Vec3& arm) {
@@ -50,14 +51,8 @@ double askedByTurns(const Group& group, const Island& island) {
 
 /// The impulse at which the joint of this row breaks; infinite if no joint has asked for the row.
 double breakingImpulseOf(const Group& group, int row) {
-  const auto after =
-      std::upper_bound(group.joints.begin(), group.joints.end(), row,
-                       [](int k, const JointSource& joint) { return k < joint.firstRow; });
-  if (after == group.joints.begin()) return infinity;
-  const JointSource& joint = *std::prev(after);
-  return row < joint.firstRow + joint.rowCount
-             ? toCoreBound(joint.constraint->getBreakingImpulseThreshold())
-             : infinity;
+  const JointSource* joint = jointOf(group, row);
+  return joint ? toCoreBound(joint->constraint->getBreakingImpulseThreshold()) : infinity;
 }
 
 /// The largest impulse that may push the row up, or down.
@@ -110,29 +105,6 @@ Hold holdOf(const Group& group, const std::vector<Contact>& contacts, const std:
   return sum;
 }
 
-/// The energy of the turns of the island's bodies, about the axes about which they may turn, J.
-double energyOfTurns(const Group& group, const Island& island) {
-  double sum = 0;
-  for (const int body : island.bodies) {
-    const Mat3 inertia =
-        group.bodies[body].inverseInertia.completeOrthogonalDecomposition().pseudoInverse();
-    const Vec3 turn = group.bodies[body].velocity.tail<3>();
-    sum += 0.5 * turn.dot(inertia * turn);
-  }
-  return sum;
-}
-
-/// The energy of the island's bodies, J, if each that may leave its place went at least so fast.
-double energyOf(const Group& group, const Island& island, double leastSpeed) {
-  double sum = energyOfTurns(group, island);
-  for (const int body : island.bodies) {
-    const double inverse = group.bodies[body].inverseMass.maxCoeff();
-    const double speed = std::max(group.bodies[body].velocity.head<3>().norm(), leastSpeed);
-    if (inverse > 0) sum += 0.5 / inverse * speed * speed;
-  }
-  return sum;
-}
-
 /// The energy that forces take from the island's bodies in this step, or would give them from rest
 /// if that is more, J.
 double workOfForces(const Group& group, const Island& island) {
@@ -161,6 +133,13 @@ bool contactsThrowOne(const Group& group, const Island& island, double demand, c
   return after > times * before && after > times * (before + askedByTurns(group, island));
 }
 
+bool isSpring(const Group& group, const Contact& contact) {
+  return contact.compliance >= asSoftAsSprings * diagonal(group.bodies, contact, 0);
+}
+bool isSpring(const Group& group, const Row& row) {
+  return row.compliance >= asSoftAsSprings * diagonal(group.bodies, row);
+}
+
 bool drives(const Group& group, int row, bool up) {
   const double bound = boundOf(group.rows[row], up);
   return std::isfinite(bound) && bound < breakingImpulseOf(group, row);
@@ -178,8 +157,22 @@ TargetWork workOfTargets(const Group& group, const std::vector<Contact>& contact
   if (work.done <= work.allowed) return work;  // as most do: the energy is expensive
   const double forces = 2 * workOfForces(group, island);
   work.fair += forces;
-  work.allowed = std::max(work.allowed, energyOf(group, island, 0) + forces);
+  work.allowed = std::max(work.allowed, energyOf(island, group.bodies) + forces);
   return work;
+}
+
+double energyOf(const Island& island, const std::vector<Body>& bodies, double leastSpeed) {
+  double sum = 0;
+  for (const int k : island.bodies) {
+    const Body& body = bodies[k];
+    const Mat3 inertia = body.inverseInertia.completeOrthogonalDecomposition().pseudoInverse();
+    const Vec3 turn = body.velocity.tail<3>();
+    sum += 0.5 * turn.dot(inertia * turn);
+    const double inverse = body.inverseMass.maxCoeff();
+    const double speed = std::max(body.velocity.head<3>().norm(), leastSpeed);
+    if (inverse > 0) sum += 0.5 / inverse * speed * speed;
+  }
+  return sum;
 }
 
 double driveOf(const Group& group, const Island& island) {
@@ -198,7 +191,7 @@ double energyAtHand(const Group& group, const Island& island) {
   for (const int k : island.rows)
     if (const Row& row = group.rows[k]; row.governor < 0 && !turns(row))
       drive = std::max(drive, std::abs(row.target));
-  return energyOf(group, island, drive + askedByTurns(group, island));
+  return energyOf(island, group.bodies, drive + askedByTurns(group, island));
 }
 
 void soften(const std::vector<Body>& bodies, Contact& contact, double share) {

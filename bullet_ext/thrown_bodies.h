@@ -53,12 +53,18 @@ constexpr double timesAlone = 30;
 TargetWork workOfTargets(const Group& group, const std::vector<Contact>& contacts,
                          const std::vector<Row>& rows, const Island& island, const Problem& problem,
                          const Solution& solution);
+/// Whether the contact, or the row, is as soft as a spring: what it asks for is its force.
+bool isSpring(const Group& group, const Contact& contact);
+bool isSpring(const Group& group, const Row& row);
 /// Whether a push of the row up, or down, drives or brakes it, with a bounded force. A bound at
 /// which the joint breaks does not count: until then the joint holds.
 bool drives(const Group& group, int row, bool up);
 
 /// The largest speed of bodies that touch the island and do not give way, m/s.
 double driveOf(const Group& group, const Island& island);
+/// The energy of the island's bodies, J, if each that may leave its place went at least so fast.
+/// They turn about the axes about which they may turn.
+double energyOf(const Island& island, const std::vector<Body>& bodies, double leastSpeed = 0);
 /// The energy that the bodies of the island would have, J, if each went at least as fast as what
 /// drives there: bodies that do not give way, targets of contacts and joints.
 double energyAtHand(const Group& group, const Island& island);

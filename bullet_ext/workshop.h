@@ -27,13 +27,15 @@ struct Bench {
   Assembler assembler;
   Coupling coupling;
   VectorXd guess;
-  Solution solution;
+  Solution solution, trial;
+  std::vector<Body> softBodies, trialBodies;
   std::vector<Contact> softContacts;
   std::vector<Row> softRows;
 
   std::size_t bytes() const {
     return solver.bytes() + check.bytes() + assembler.bytes() + coupling.bytes() +
-           solution.bytes() + bytesOf(guess, softContacts, softRows);
+           solution.bytes() + trial.bytes() +
+           bytesOf(guess, softBodies, trialBodies, softContacts, softRows);
   }
 
   /// The work done here since the last Workshop::takeCounts().

@@ -229,29 +229,6 @@ TEST(HeldContacts, WhatIsWeldedStillRestsOnTheFloor) {
   }
 }
 
-// A ramp that lies on the floor, and a bit in it, with a hinge just behind its edge. To rise it has
-// to slide, and friction does not let it: no reaction, however large, would mend the overlap.
-TEST(HeldContacts, WhatFrictionHoldsOnTheFloorIsNotPressedOutOfIt) {
-  constexpr double mass = 1, halfHeight = 0.2, behind = 0.05;
-  for (const double overlap : {1e-5, 1e-4, 1e-3}) {
-    SCOPED_TRACE(testing::Message() << overlap << " m");
-    DelassusWorld world;
-    world.addGround();
-    btRigidBody& ramp = world.addBox({btScalar(0.25), btScalar(halfHeight), btScalar(0.2)},
-                                     {0, btScalar(halfHeight - overlap), 0}, btScalar(mass));
-    auto& hinge = world.addJoint<btHingeConstraint>(ramp, btVector3(btScalar(-0.25 - behind), 0, 0),
-                                                    btVector3(0, 0, 1));
-    hinge.setBreakingImpulseThreshold(btScalar(100 * mass * g * h));
-    for (int step = 0; step < 60; ++step) {
-      world.advance();
-      ASSERT_EQ(world.report().incompatible + world.report().outOfBudget, 0) << step;
-      for (const btManifoldPoint* point : world.points())
-        ASSERT_LT(point->getAppliedImpulse(), 10 * mass * g * h) << step;
-    }
-    EXPECT_TRUE(hinge.isEnabled());
-  }
-}
-
 // What a kinematic press drives against a weld still breaks it.
 TEST(HeldContacts, AWeldBreaksUnderAPress) {
   DelassusWorld world;

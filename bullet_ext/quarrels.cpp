@@ -1,0 +1,195 @@
+#include "bullet_ext/quarrels.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "bullet_ext/group.h"
+#include "bullet_ext/response.h"
+#include "bullet_ext/thrown_bodies.h"
+#include "bullet_ext/workshop.h"
+#include "delassus/contact_motion.h"
+
+namespace delassus::bullet {
+namespace {
+
+/// Whether the row is of a joint that is no spring.
+bool isHard(const Group& group, int row) {
+  const JointSource* joint = group.rows[row].governor < 0 ? jointOf(group, row) : nullptr;
+  return joint && !joint->isSoft && !isSpring(group, group.rows[row]);
+}
+
+/// Whether this reaction of the row is that of a joint that holds: neither that of a spring nor of
+/// what drives the joint.
+bool holds(const Group& group, int row, double reaction) {
+  return isHard(group, row) && !drives(group, row, reaction > 0);
+}
+
+/// Calls use(row, its reaction).
+template <class Use>
+void eachRow(const Island& island, const VectorXd& r, const Use& use) {
+  auto at = static_cast<int>(r.size() - island.rows.size());
+  for (const int k : island.rows) use(k, r[at++]);
+}
+
+double strainOfContacts(const Group& group, const Island& island, const VectorXd& r) {
+  double furthest = 0;
+  int at = 0;
+  const auto look = [&](int k, int unknowns) {
+    furthest = std::max(furthest, r[at] * diagonal(group.bodies, group.contacts[k], 0));
+    at += unknowns;
+  };
+  for (const int k : island.frictional) look(k, 3);
+  for (const int k : island.frictionless) look(k, 1);
+  return furthest;
+}
+
+double strainOfJoints(const Group& group, const Island& island, const VectorXd& r) {
+  double furthest = 0;
+  eachRow(island, r, [&](int k, double reaction) {
+    if (holds(group, k, reaction))
+      furthest = std::max(furthest, std::abs(reaction) * diagonal(group.bodies, group.rows[k]));
+  });
+  return furthest;
+}
+
+/// Whether a row that holds reaches the threshold at which its joint breaks.
+bool breaksJoints(const Group& group, const Island& island, const VectorXd& r) {
+  constexpr double rounding = 1e-9;
+  bool breaks = false;
+  eachRow(island, r, [&](int k, double reaction) {
+    const double bound = reaction > 0 ? group.rows[k].upper : -group.rows[k].lower;
+    if (reaction != 0 && std::abs(reaction) >= (1 - rounding) * bound)
+      breaks |= holds(group, k, reaction);
+  });
+  return breaks;
+}
+
+bool isMotor(const Group& group, int row) {
+  return drives(group, row, true) && drives(group, row, false);
+}
+
+/// The largest velocity of recovery that a contact or joint asks for, m/s or rad/s.
+double mostAsked(const Group& group, const Island& island) {
+  double most = 0;
+  island.eachContact([&](int k) { most = std::max(most, group.contacts[k].target[0]); });
+  for (const int k : island.rows)
+    if (isHard(group, k) && !isMotor(group, k))
+      most = std::max(most, std::abs(group.rows[k].target));
+  return most;
+}
+
+/// Whether a body of the island may not go or turn about an axis.
+bool hasLockedAxes(const Group& group, const Island& island) {
+  return std::any_of(island.bodies.begin(), island.bodies.end(), [&](int k) {
+    const Body& body = group.bodies[k];
+    return body.inverseMass.minCoeff() == 0 || body.inverseInertia.determinant() == 0;
+  });
+}
+
+}  // namespace
+
+double strainOf(const Group& group, const Island& island, const Solution& solution) {
+  const double ofContacts = strainOfContacts(group, island, solution.r);
+  return island.rows.empty() ? ofContacts
+                             : std::min(ofContacts, strainOfJoints(group, island, solution.r));
+}
+
+Quarrel quarrelOf(const Group& group, const Island& island, double demand,
+                  const Solution& solution) {
+  constexpr double times = 1e3;
+  const bool hasJoints = !island.rows.empty();
+  if (!island.hasContacts()) return Quarrel::None;
+  if (solution.status == Status::Incompatible)
+    return hasJoints || driveOf(group, island) == 0 ? Quarrel::Strained : Quarrel::None;
+  // Contacts first: in most islands they are not strained.
+  if (strainOfContacts(group, island, solution.r) > times * demand &&
+      (hasJoints ? strainOfJoints(group, island, solution.r) > times * demand
+                 : hasLockedAxes(group, island)))
+    return Quarrel::Strained;
+  return breaksJoints(group, island, solution.r) ? Quarrel::Breaking : Quarrel::None;
+}
+
+const Problem& recoveryProblem(const Group& group, const Island& island, Bench& bench) {
+  // In the end, bodies rather leave their joints than lie in each other, as with stock.
+  constexpr double contactSoftness = 1e-3, jointSoftness = 1e-2;
+  // What belongs to other islands is not read.
+  bench.softBodies.resize(group.bodies.size());
+  bench.softContacts.resize(group.contacts.size());
+  bench.softRows.resize(group.rows.size());
+  const auto stop = [&](int body) {
+    if (body == fixedWorld) return;
+    bench.softBodies[body] = group.bodies[body];
+    bench.softBodies[body].velocity.setZero();
+  };
+  island.eachContact([&](int k) {
+    Contact& contact = bench.softContacts[k];
+    contact = group.contacts[k];
+    contact.friction = 0;
+    contact.compliance += contactSoftness * lesserResponse(group, contact);
+    stop(contact.a);
+    stop(contact.b);
+  });
+  for (const int k : island.rows) {
+    Row& row = bench.softRows[k];
+    row = group.rows[k];
+    if (row.governor >= 0) {
+      row.upper = 0;
+    } else if (isMotor(group, k)) {
+      row.lower = row.upper = 0;
+    } else if (isHard(group, k)) {
+      row.compliance += jointSoftness * diagonal(group.bodies, row);
+      // No joint breaks as it recovers.
+      if (!drives(group, k, true)) row.upper = infinity;
+      if (!drives(group, k, false)) row.lower = -infinity;
+    }
+    stop(row.a);
+    stop(row.b);
+  }
+  return bench.assembler.assemble(bench.softBodies, bench.softContacts, bench.softRows, island);
+}
+
+void recover(const Group& group, const Island& island, const VectorXd& r, Bench& bench) {
+  std::vector<Body>& bodies = bench.softBodies;
+  applyReaction(bodies, bench.softContacts, bench.softRows, island, r);
+  const double energy = energyOf(island, bodies), atHand = energyAtHand(group, island);
+  if (energy <= atHand) return;
+  const double share = std::sqrt(atHand / energy);
+  for (const int body : island.bodies) bodies[body].velocity *= share;
+}
+
+const Problem& recoveringProblem(const Group& group, const Island& island, Friction friction,
+                                 Bench& bench) {
+  island.eachContact([&](int k) {
+    Contact& contact = bench.softContacts[k];
+    contact = group.contacts[k];
+    if (isSpring(group, contact)) return;
+    const Vec3 reached = contact.frame.transpose() * slip(bench.softBodies, contact);
+    contact.target[0] = std::min(contact.target[0], reached[0]);
+    if (friction == Friction::OfOtherSlip) contact.target.tail<2>() += reached.tail<2>();
+  });
+  for (const int k : island.rows) {
+    Row& row = bench.softRows[k];
+    row = group.rows[k];
+    if (!isHard(group, k) || isMotor(group, k)) continue;
+    const double reached = row.target + relativeVelocity(bench.softBodies, row);
+    const bool isMet =
+        row.lower == 0 ? reached > row.target : row.upper == 0 && reached < row.target;
+    if (!isMet) row.target = reached;
+  }
+  return bench.assembler.assemble(group.bodies, bench.softContacts, bench.softRows, island);
+}
+
+double shareCut(const Group& group, const Island& island, double demand, const Bench& bench) {
+  constexpr double negligible = 1e-5;
+  double cut = 0;
+  island.eachContact([&](int k) {
+    cut = std::max(cut, group.contacts[k].target[0] - bench.softContacts[k].target[0]);
+  });
+  for (const int k : island.rows)
+    if (isHard(group, k) && !isMotor(group, k))
+      cut = std::max(cut, std::abs(group.rows[k].target - bench.softRows[k].target));
+  return cut > 0 ? cut / std::max(mostAsked(group, island), negligible * demand) : 0;
+}
+
+}  // namespace delassus::bullet

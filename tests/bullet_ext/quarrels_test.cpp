@@ -1,0 +1,200 @@
+/// Contacts and joints that contradict each other recover as far as they can, and press with loads.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "tests/support/bullet_world.h"
+
+namespace delassus::test {
+namespace {
+
+using testing::Each;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+/// A plate of 1 kg, 1 m by 1 m, `overlap` deep in the floor. A point joint pins it to the world
+/// `behind` one of its edges, in the middle of that edge.
+struct PinnedPlate {
+  static constexpr double halfThickness = 0.1;
+  DelassusWorld world;
+  btRigidBody& plate;
+  btPoint2PointConstraint& pin;
+  btJointFeedback feedback;
+
+  PinnedPlate(double overlap, double behind, double mu)
+      : plate((world.addGround(), world.addBox({0.5, btScalar(halfThickness), 0.5},
+                                               {0, btScalar(halfThickness - overlap), 0}))),
+        pin(world.addJoint<btPoint2PointConstraint>(
+            plate, btVector3(btScalar(behind - 0.5), btScalar(halfThickness), 0))) {
+    plate.setFriction(btScalar(mu));
+    pin.setJointFeedback(&feedback);
+  }
+  double height() const { return plate.getWorldTransform().getOrigin().y(); }
+};
+
+constexpr double weight = 9.81;
+
+// Wherever the pin is, some corner can rise only if another one sinks. What the plate presses with
+// is its weight, and what it takes to recover.
+TEST(Quarrels, APlateThatIsPinnedInTheFloorPressesWithItsWeight) {
+  for (const double overlap : {1e-3, 0.01, 0.03})
+    for (const double behind : {0.02, 0.05, 0.2, 0.5})
+      for (const double mu : {0.0, 0.7}) {
+        SCOPED_TRACE(testing::Message() << overlap << " m deep, " << behind << " m, mu " << mu);
+        constexpr double erp = 0.2;  // of Bullet's worlds
+        const double most = 2 * (weight + erp * overlap / (h * h));
+        PinnedPlate pinned(overlap, behind, mu);
+        double lowest = pinned.height();
+        for (int step = 0; step < 60; ++step) {
+          pinned.world.advance();
+          ASSERT_LT(pinned.feedback.m_appliedForceBodyA.length(), most) << step;
+          for (const btManifoldPoint* point : pinned.world.points())
+            ASSERT_LT(point->getAppliedImpulse(), most * pinned.world.step) << step;
+          ASSERT_EQ(pinned.world.report().incompatible, 1) << step;
+          ASSERT_EQ(pinned.world.report().outOfBudget, 0) << step;
+          ASSERT_GE(pinned.height(), lowest - tolerance(1e-9, 1e-6)) << step;
+          lowest = pinned.height();
+        }
+        EXPECT_LT(pinned.plate.getLinearVelocity().length(), tolerance(1e-5, 1e-4));
+        EXPECT_LT(pinned.feedback.m_appliedForceBodyA.length(), 1.1 * weight);
+        EXPECT_THAT(pinned.world.report().messages, Each(HasSubstr("no motion meets its demand")));
+        EXPECT_THAT(pinned.world.report().messages, Not(IsEmpty()));
+      }
+}
+
+// A ramp that lies on the floor, and a bit in it, with a hinge just behind its edge. To rise it has
+// to slide, and friction would not let it, however hard it is pressed.
+TEST(Quarrels, WhatFrictionHoldsInTheFloorRisesAsIfThereWereNone) {
+  constexpr double halfHeight = 0.2, behind = 0.05;
+  for (const double overlap : {1e-5, 1e-4, 1e-3}) {
+    SCOPED_TRACE(testing::Message() << overlap << " m");
+    DelassusWorld world;
+    world.addGround();
+    btRigidBody& ramp = world.addBox({btScalar(0.25), btScalar(halfHeight), btScalar(0.2)},
+                                     {0, btScalar(halfHeight - overlap), 0});
+    auto& hinge = world.addJoint<btHingeConstraint>(ramp, btVector3(btScalar(-0.25 - behind), 0, 0),
+                                                    btVector3(0, 0, 1));
+    hinge.setBreakingImpulseThreshold(btScalar(100 * weight * world.step));
+    for (int step = 0; step < 60; ++step) {
+      world.advance();
+      ASSERT_EQ(world.report().outOfBudget, 0) << step;
+      for (const btManifoldPoint* point : world.points())
+        ASSERT_LT(point->getAppliedImpulse(), 10 * weight * world.step) << step;
+    }
+    EXPECT_TRUE(hinge.isEnabled());
+    EXPECT_GT(ramp.getWorldTransform().getOrigin().y(), halfHeight - 0.1 * overlap);
+  }
+}
+
+// A slider along a floor that it overlaps. Each corner may rise alone, by a turn about the axis,
+// but not all of them.
+TEST(Quarrels, WhatMayNotRiseSlidesOn) {
+  for (const double overlap : {1e-6, 1e-5, 1e-3}) {
+    SCOPED_TRACE(testing::Message() << overlap << " m");
+    DelassusWorld world;
+    world.addGround();
+    btRigidBody& sledge = world.addBox({btScalar(0.2), btScalar(0.1), btScalar(0.2)},
+                                       {0, btScalar(0.1 - overlap), 0});
+    sledge.setFriction(btScalar(0.05));
+    world.addJoint<btSliderConstraint>(sledge, btTransform::getIdentity(), true);
+    sledge.setLinearVelocity({1, 0, 0});
+    world.advance(60);
+    // No weight presses it to the floor: the slider carries all.
+    EXPECT_NEAR(sledge.getWorldTransform().getOrigin().x(), 1, tolerance(0.01, 0.02));
+    EXPECT_EQ(world.report().outOfBudget, 0);
+  }
+}
+
+// Beyond its edge the pin leaves the plate a way out of the floor.
+TEST(Quarrels, APlateThatIsPinnedBesideTheFloorRises) {
+  PinnedPlate pinned(0.01, -0.3, 0.7);
+  pinned.world.advance(60);
+  EXPECT_EQ(pinned.world.report().incompatible, 0);
+  EXPECT_GT(pinned.height(), pinned.halfThickness);
+}
+
+// What lies in the same island without a quarrel of its own rises as it would without the pin.
+TEST(Quarrels, OnlyWhoQuarrelsDoesWithoutRecovery) {
+  constexpr double overlap = 0.01;
+  PinnedPlate pinned(overlap, 0.2, 0.7);
+  const double top = 2 * pinned.halfThickness - overlap;
+  btRigidBody& crate =
+      pinned.world.addBox({0.2, 0.2, 0.2}, {0.2, btScalar(top + 0.2 - overlap), 0}, 1);
+  int quarrels = 0;
+  for (int step = 0; step < 120; ++step) {
+    pinned.world.advance();
+    quarrels += pinned.world.report().incompatible;
+  }
+  EXPECT_GT(quarrels, 110);
+  const double bottom = crate.getWorldTransform().getOrigin().y() - 0.2;
+  EXPECT_GT(bottom, pinned.height() + pinned.halfThickness - 0.1 * overlap);
+}
+
+// Friction opposes the slip of bodies, not what the recovery moves.
+TEST(Quarrels, FrictionBrakesAsEver) {
+  constexpr double overlap = 0.01, speed = 1, time = 10 * h;
+  PinnedPlate pinned(overlap, 0.5, 0.7);
+  btRigidBody& crate = pinned.world.addBox(
+      {btScalar(0.1), btScalar(0.1), btScalar(0.1)},
+      {btScalar(-0.3), btScalar(2 * pinned.halfThickness - overlap + 0.1), 0}, 1);
+  crate.setFriction(btScalar(0.5));
+  crate.setLinearVelocity({btScalar(speed), 0, 0});
+  for (int step = 0; step < 10; ++step) {
+    pinned.world.advance();
+    ASSERT_EQ(pinned.world.report().incompatible, 1) << step;
+  }
+  const double brake = crate.getFriction() * pinned.plate.getFriction() * g;
+  EXPECT_NEAR(crate.getLinearVelocity().x(), speed - brake * time, 0.05 * speed);
+}
+
+// What a spring asks for is its force: it is no recovery.
+TEST(Quarrels, SpringsKeepTheirForce) {
+  constexpr double sag = 0.05;
+  PinnedPlate pinned(0.01, 0.5, 0.7);
+  btRigidBody& crate =
+      pinned.world.addBox({btScalar(0.2), btScalar(0.2), btScalar(0.2)}, {0, btScalar(0.4), 0}, 1);
+  const double stiffness = weight / sag / 4;  // of each of four points
+  crate.setContactStiffnessAndDamping(btScalar(stiffness), btScalar(2 * std::sqrt(stiffness)));
+  pinned.world.advance(240);
+  EXPECT_EQ(pinned.world.report().incompatible, 1);
+  const double bottom = crate.getWorldTransform().getOrigin().y() - 0.2;
+  EXPECT_NEAR(pinned.height() + pinned.halfThickness - bottom, sag, 0.1 * sag);
+}
+
+// Once nothing contradicts, the exact answer is back.
+TEST(Quarrels, EndWithThePin) {
+  PinnedPlate pinned(0.01, 0.2, 0.7);
+  pinned.world.addBox({btScalar(0.2), btScalar(0.2), btScalar(0.2)}, {0, btScalar(0.39), 0}, 50);
+  pinned.world.advance(60);
+  EXPECT_EQ(pinned.world.report().incompatible, 1);
+  pinned.world.remove(pinned.pin);
+  pinned.world.advance();
+  for (int step = 0; step < 60; ++step) {
+    pinned.world.advance();
+    EXPECT_EQ(pinned.world.report().incompatible, 0) << step;
+  }
+}
+
+// A bar of ten grams carries a tonne: its joint is strained, but by the load.
+TEST(Quarrels, ALoadIsNoQuarrel) {
+  constexpr double overlap = 0.01;
+  DelassusWorld world;
+  btRigidBody& bar = world.addBox({1, btScalar(0.05), btScalar(0.05)}, {0, 0, 0}, btScalar(0.01));
+  bar.setAngularFactor(0);
+  world.addJoint<btPoint2PointConstraint>(bar, btVector3(0, 0, 0));
+  btRigidBody& load = world.addCube({0, btScalar(0.55 - overlap), 0}, 1000);
+  load.setLinearFactor({0, 1, 0});
+  load.setAngularFactor(0);
+  for (int step = 0; step < 120; ++step) {
+    world.advance();
+    ASSERT_EQ(world.report().incompatible, 0) << step;
+  }
+  EXPECT_GT(load.getWorldTransform().getOrigin().y(), 0.55 - 0.1 * overlap);
+}
+
+}  // namespace
+}  // namespace delassus::test
