@@ -44,6 +44,29 @@ Trouble troubleOf(Status status) {
   return Trouble::None;
 }
 
+/// The contact or the row whose first unknown is `unknown`; the other is −1. Turning friction
+/// counts as its contact.
+struct Part {
+  int contact = -1, row = -1;
+};
+Part partAt(const Group& group, const Island& island, int unknown) {
+  const auto contacts = static_cast<int>(island.frictional.size());
+  const auto frictionless = static_cast<int>(island.frictionless.size());
+  const int scalar = unknown - 3 * contacts;
+  if (scalar < 0) return {island.frictional[unknown / 3], -1};
+  if (scalar < frictionless) return {island.frictionless[scalar], -1};
+  const int row = island.rows[scalar - frictionless];
+  const int governor = group.rows[row].governor;
+  return governor >= 0 ? Part{governor, -1} : Part{-1, row};
+}
+
+/// The marks of the island's contacts.
+IslandMarks marksOf(const Group& group, const Island& island) {
+  IslandMarks marks;
+  if (!group.marks.empty()) island.eachContact([&](int i) { marks.add(group.marks[i]); });
+  return marks;
+}
+
 /// The share of the tolerance within which reactions are kept. Reactions that have just been found
 /// also stopped what moved, and would set it in motion the other way if they came again. So they
 /// are kept only once they are the reactions of rest.
@@ -246,6 +269,7 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
   const IslandMarks last = marksOf(group, island);
   const auto stillQuarrels = [&] {
     if (last.quarrelSteps == 0 || isTurnOfWhole(last.quarrelSteps + 1) ||
+        group.articulation.moves(island) ||
         !answerRecovering(group, island, infinity, muchCut, bench, answer, result))
       return false;
     markQuarrel(group, island, result);
@@ -331,23 +355,6 @@ void note(const Solution& solution, const Island& island, IslandResult& result) 
   result.isAnswered = true;
   result.isSoftened = false;
   result.blamed = solution.blamed;
-}
-
-Part partAt(const Group& group, const Island& island, int unknown) {
-  const auto contacts = static_cast<int>(island.frictional.size());
-  const auto frictionless = static_cast<int>(island.frictionless.size());
-  const int scalar = unknown - 3 * contacts;
-  if (scalar < 0) return {island.frictional[unknown / 3], -1};
-  if (scalar < frictionless) return {island.frictionless[scalar], -1};
-  const int row = island.rows[scalar - frictionless];
-  const int governor = group.rows[row].governor;
-  return governor >= 0 ? Part{governor, -1} : Part{-1, row};
-}
-
-IslandMarks marksOf(const Group& group, const Island& island) {
-  IslandMarks marks;
-  if (!group.marks.empty()) island.eachContact([&](int i) { marks.add(group.marks[i]); });
-  return marks;
 }
 
 IslandMarks& mark(const Group& group, const Island& island, IslandResult& result) {

@@ -74,16 +74,8 @@ void solveIslands(Group& group, const btContactSolverInfo& info, Workshop& works
 /// What one island was solved for: unknowns in the order of the island.
 void keepReactions(const Island& island, const Solution& solution, Answer& answer);
 void note(const Solution& solution, const Island& island, IslandResult& result);
-/// The marks of the island's contacts, from the last step.
-IslandMarks marksOf(const Group& group, const Island& island);
 /// The marks of the island in `result`, to be known again by the contacts of one of its bodies.
 IslandMarks& mark(const Group& group, const Island& island, IslandResult& result);
-/// The contact or the row whose first unknown is `unknown`; the other is −1. Turning friction
-/// counts as its contact.
-struct Part {
-  int contact = -1, row = -1;
-};
-Part partAt(const Group& group, const Island& island, int unknown);
 bool fitsBullet(const VectorXd& r);  ///< finite in Bullet's precision
 
 /// How messages call the contact or joint whose first unknown this is, in one of the islands.
