@@ -16,6 +16,7 @@
 #include "bullet_ext/push.h"
 #include "bullet_ext/saturating_sum.h"
 #include "bullet_ext/solve_group.h"
+#include "bullet_ext/solve_island.h"
 #include "bullet_ext/workshop.h"
 #include "bullet_ext/write_back.h"
 #include "delassus/bytes.h"
@@ -75,7 +76,8 @@ void countTier(Tier tier, StepReport& report) {
 /// The reason that messages give after the name of a blamed contact or joint.
 const char* reasonOf(const IslandResult& result) {
   if (result.isSoftened)
-    return ": rigid bodies have no answer here, or one that would throw a body; the one taken is "
+    return ": rigid bodies have no answer here, or one that would throw a body or wedge it; the "
+           "one taken is "
            "as if contacts gave a little, or joints asked for less";
   switch (result.status) {
     case Status::OutOfBudget:

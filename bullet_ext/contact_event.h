@@ -13,8 +13,8 @@ enum class Trouble : unsigned char {
   LeftOut,  ///< its numbers, or those of one of its bodies, are not finite or absurd
   /// The budget ended above the tolerance, and in its island the error is largest here.
   OutOfBudget,
-  /// No motion meets its demand together with those of others, and the nearest motion is taken; or
-  /// the motion that meets them would throw a body (thrown_bodies.h).
+  /// No motion meets its demand together with those of others, and a compromise is taken; or
+  /// the motion that meets them would throw or wedge a body (soft_answer.h).
   Incompatible,
 };
 

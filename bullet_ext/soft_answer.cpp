@@ -8,6 +8,7 @@
 #include "bullet_ext/response.h"
 #include "bullet_ext/softness.h"
 #include "bullet_ext/solve_group.h"
+#include "bullet_ext/solve_island.h"
 #include "bullet_ext/thrown_bodies.h"
 #include "delassus/contact_motion.h"
 #include "delassus/residual.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "bullet_ext/contact_event.h"
@@ -70,15 +69,5 @@ void checkIslands(const Group& group, Workshop& workshop, Answer& answer);
 /// used up.
 void solveIslands(Group& group, const btContactSolverInfo& info, Workshop& workshop, Answer& answer,
                   StepReport& report);
-
-/// What one island was solved for: unknowns in the order of the island.
-void keepReactions(const Island& island, const Solution& solution, Answer& answer);
-void note(const Solution& solution, const Island& island, IslandResult& result);
-/// The marks of the island in `result`, to be known again by the contacts of one of its bodies.
-IslandMarks& mark(const Group& group, const Island& island, IslandResult& result);
-bool fitsBullet(const VectorXd& r);  ///< finite in Bullet's precision
-
-/// How messages call the contact or joint whose first unknown this is, in one of the islands.
-std::string nameOf(const Group& group, const Island& island, int unknown);
 
 }  // namespace delassus::bullet

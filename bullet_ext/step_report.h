@@ -31,8 +31,9 @@ struct StepReport {
   double residualMax = 0;
   double residualRms = 0;  ///< m/s, over contacts and rows
   int solved = 0, outOfBudget = 0, incompatible = 0, nonFinite = 0;  ///< islands by status
-  /// Islands that jam, or whose exact answer would throw a body: they are solved as if contacts
-  /// gave a little, or joints asked for less (soft_answer.h), and count as incompatible, too.
+  /// Islands that jam, or whose exact answer would throw or wedge a body: they are solved as if
+  /// contacts gave a little, or joints asked for less (soft_answer.h), and count as incompatible,
+  /// too.
   int softened = 0;
   /// Bodies, contacts, rows and steps with numbers that are not finite or absurd; the rest is
   /// solved as if they were not there.

@@ -27,10 +27,13 @@ struct Bench {
   Assembler assembler;
   Coupling coupling;
   VectorXd guess;
-  Solution solution, trial;
-  std::vector<Body> softBodies, trialBodies;
+  Solution solution;
+  /// Of easier problems (soft_answer.h): what they are made of, and an answer beside `solution`.
+  std::vector<Body> softBodies;
   std::vector<Contact> softContacts;
   std::vector<Row> softRows;
+  Solution trial;
+  std::vector<Body> trialBodies;
 
   std::size_t bytes() const {
     return solver.bytes() + check.bytes() + assembler.bytes() + coupling.bytes() +

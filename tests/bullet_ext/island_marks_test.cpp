@@ -1,5 +1,6 @@
 /// What a step leaves to the next about an island: reactions that stopped something are kept once
 /// they are the reactions of rest, and searches in vain grow rarer.
+
 #include <gtest/gtest.h>
 
 #include "bullet_ext/group.h"
@@ -20,22 +21,30 @@ struct Falling {
   Answer answer;
 
   /// `load`, kg: of a body that falls on top of it; 0: there is none.
-  Falling(double error, const IslandMarks& before, const Options& options = {}, double load = 0) {
+  Falling(double error, const IslandMarks& before, const Options& options = {}, double load = 0)
+      : Falling(error) {
+    if (load > 0) addLoad(load);
+    solve(before, options);
+  }
+
+ protected:
+  explicit Falling(double error = 0) {
     Body& body = group.bodies.emplace_back();
     body.inverseMass.setOnes();
     body.inverseInertia.setIdentity();
     body.velocity[0] = -1;
-    group.bodySources.push_back({nullptr, body.velocity});
+    group.bodySources.push_back({&rigid_, body.velocity});
     for (const Vec3& arm : {Vec3(-1, 1, 0), Vec3(-1, -0.5, 0.8), Vec3(-1, -0.5, -0.8)}) {
       Contact& contact = group.contacts.emplace_back();
       contact.a = 0;
       contact.armA = arm;
       contact.friction = 0.5;
-      group.contactSources.push_back({nullptr, 0});
+      group.contactSources.push_back({&manifold_, 0});
       group.guess.push_back({(1 + error) / 3, 0, 0});
       group.pushes.push_back(0);
     }
-    if (load > 0) addLoad(load);
+  }
+  void solve(const IslandMarks& before, const Options& options = {}) {
     if (before.any()) group.marks.assign(group.contacts.size(), before);
     Options forWorlds = options;
     forWorlds.guessShare = polishedShare;
@@ -50,21 +59,28 @@ struct Falling {
     Body& body = group.bodies.emplace_back(group.bodies.front());
     body.inverseMass /= mass;
     body.inverseInertia /= mass;
-    group.bodySources.push_back({nullptr, body.velocity});
+    rigidLoad_.setMassProps(btScalar(mass), {1, 1, 1});
+    group.bodySources.push_back({&rigidLoad_, body.velocity});
     for (int i = 0; i < 3; ++i) {
       Contact contact = group.contacts[i];
       contact.a = 1;
       contact.b = 0;
       contact.armB = contact.armA + Vec3(2, 0, 0);
       group.contacts.push_back(contact);
-      group.contactSources.push_back({nullptr, 0});
+      group.contactSources.push_back({&manifold_, 0});
       group.guess.push_back(Vec3::Zero());
       group.pushes.push_back(0);
     }
   }
+
+ public:
   bool isKept() const { return answer.results[0].tier == Tier::Kept; }
   const IslandMarks& marks() const { return answer.results[0].marks; }
   bool isRestless() const { return marks().isRestless; }
+
+ protected:
+  btRigidBody rigid_{1, nullptr, nullptr, {1, 1, 1}}, rigidLoad_{1, nullptr, nullptr, {1, 1, 1}};
+  btPersistentManifold manifold_{&rigid_, &rigidLoad_, 0, btScalar(0.02), btScalar(0.02)};
 };
 
 IslandMarks marksOf(bool isRestless) {
@@ -127,6 +143,79 @@ TEST(JammedIslands, AreSolvedExactlyWhereNothingSqueezes) {
     EXPECT_FALSE(falling.answer.results[0].isSoftened) << load;
     EXPECT_EQ(falling.answer.results[0].status, Status::Solved) << load;
     EXPECT_FALSE(falling.marks().isJammed) << load;
+  }
+}
+
+/// A body of 1 kg that falls with 1 m/s between a floor and a ceiling that overlap it: each asks it
+/// to part at 0.1 m/s. What it loads is the floor.
+struct Squeezed : Falling {
+  Squeezed(const IslandMarks& before, bool isLimb) {
+    const std::size_t floor = group.contacts.size();
+    for (std::size_t i = 0; i < floor; ++i) {
+      group.contacts[i].target[0] = 0.1;
+      Contact above = group.contacts[i];
+      above.armA[0] = 1;
+      above.frame = Eigen::DiagonalMatrix<double, 3>(-1, -1, 1).toDenseMatrix();
+      group.contacts.push_back(above);
+      group.contactSources.push_back({&manifold_, 0});
+      group.guess.push_back(Vec3::Zero());
+      group.pushes.push_back(0);
+    }
+    if (isLimb) {
+      const MatrixXd unit = MatrixXd::Identity(6, 6);
+      group.articulation.trees.push_back({unit});
+      group.articulation.limbs.push_back({0, 0, unit});
+    }
+    solve(before);
+  }
+  double pressure(std::size_t from) const {
+    return answer.contacts[from][0] + answer.contacts[from + 1][0] + answer.contacts[from + 2][0];
+  }
+  double onFloor() const { return pressure(0); }
+  double onCeiling() const { return pressure(3); }
+};
+
+IslandMarks quarrelled(int steps) {
+  IslandMarks marks;
+  marks.quarrelSteps = steps;
+  return marks;
+}
+
+TEST(QuarrellingIslands, PressWithTheirLoads) {
+  for (const int steps : {0, 2, 3}) {
+    const Squeezed squeezed(quarrelled(steps), false);
+    EXPECT_EQ(squeezed.answer.results[0].status, Status::Incompatible) << steps;
+    EXPECT_FALSE(squeezed.answer.results[0].isSoftened) << steps;
+    EXPECT_NEAR(squeezed.onFloor(), 1, 1e-3) << steps;
+    EXPECT_NEAR(squeezed.onCeiling(), 0, 1e-3) << steps;
+    EXPECT_NEAR(squeezed.answer.results[0].residualMax, 0.1, 0.02) << "what they still ask for";
+    // Every step that is no power of two begins with the recovery.
+    EXPECT_EQ(squeezed.marks().quarrelSteps, steps == 2 ? 3 : 0) << steps;
+  }
+}
+
+TEST(QuarrellingIslands, AreSolvedExactlyOnceNothingQuarrels) {
+  const Falling falling(bad, quarrelled(2));
+  EXPECT_EQ(falling.answer.results[0].status, Status::Solved);
+  EXPECT_EQ(falling.marks().quarrelSteps, 0);
+}
+
+// A recovery knows single bodies: a tree is answered by what moves all of it.
+TEST(QuarrellingIslands, OfArticulatedBodiesMoveTheTree) {
+  const Squeezed squeezed(quarrelled(2), true);
+  ASSERT_EQ(squeezed.answer.gains.of.size(), 1u);
+  EXPECT_NEAR(squeezed.answer.gains.of[0][0], 1, 1e-3) << "its fall is stopped";
+}
+
+// If less recovery did not relieve the island, it is tried again after twice as many steps.
+TEST(LoadedIslands, AreLookedAtEverLessOften) {
+  for (int steps = 1; steps <= 16; ++steps) {
+    IslandMarks marks;
+    marks.loadedSteps = steps - 1;
+    const Squeezed squeezed(marks, false);
+    const bool isLookedAt = (steps & (steps - 1)) == 0;
+    EXPECT_EQ(squeezed.onCeiling() < 1e-3, isLookedAt) << steps;
+    EXPECT_EQ(squeezed.marks().loadedSteps, isLookedAt ? 0 : steps);
   }
 }
 

@@ -196,5 +196,26 @@ TEST(Quarrels, ALoadIsNoQuarrel) {
   EXPECT_GT(load.getWorldTransform().getOrigin().y(), 0.55 - 0.1 * overlap);
 }
 
+// Boxes in a plane, a centimetre in each other, under one that is two thousand times as heavy:
+// their locked axes are strained by the load, too.
+TEST(Quarrels, APileInAPlaneStandsUnderAHeavyBox) {
+  constexpr int rows = 6;
+  constexpr double overlap = 0.02;
+  DelassusWorld world;
+  world.addGround();
+  btRigidBody* top = nullptr;
+  for (int row = 0; row < rows; ++row)
+    for (int k = 0; k < rows - row; ++k) {
+      top = &world.addBox({btScalar(0.25), btScalar(0.25), btScalar(0.25)},
+                          {btScalar((k - (rows - 1 - row) / 2.0) * 0.52),
+                           btScalar(0.25 + (0.5 - overlap) * row), 0},
+                          row == rows - 1 ? 2000 : 1);
+      top->setLinearFactor({1, 1, 0});
+      top->setAngularFactor({0, 0, 1});
+    }
+  world.advance(60);
+  EXPECT_NEAR(top->getWorldTransform().getOrigin().y(), 0.25 + 0.5 * (rows - 1), 0.02);
+}
+
 }  // namespace
 }  // namespace delassus::test
