@@ -43,7 +43,7 @@ bool DenseNewton<Most>::judge(const Problem& problem, const NaturalMap& map, dou
   allowed_ = candidate_.r;
   steps_.multiply(allowed_, felt_);
   candidate_.u = problem.q + felt_;
-  const VelocityResidual residual = map.residual(candidate_.r, candidate_.u);
+  const VelocityResidual residual = map.error(candidate_.r, candidate_.u);
   if (!(residual.max <= tolerance)) return false;
   best.r = candidate_.r;
   best.u = candidate_.u;

@@ -298,7 +298,7 @@ bool InteriorPoint<Motion>::solve(Motion& motion, const Problem& problem, const 
     const double length = std::min(1.0, toBoundary * longestStep());
     advance(problem, length);
 
-    const VelocityResidual measured = map.residual(r_, u_);
+    const VelocityResidual measured = map.error(r_, u_);
     const double now = measured.max;
     if (!std::isfinite(now)) return false;
     const bool halved = now < 0.5 * mark;

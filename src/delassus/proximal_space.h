@@ -41,7 +41,7 @@ class ProximalSpace {
   /// grows with the governor.
   void answerOfDisk(const Disk& disk, int k, Mode mode, const Vec2& direction, double turn,
                     bool grows, Stiffness& G) const;
-  /// The natural residual of r; also computes u.
+  /// The error of r; also computes u.
   VelocityResidual measure(const VectorXd& r, VectorXd& u) { return map_->measure(r, felt, u); }
 
   std::size_t bytes() const {

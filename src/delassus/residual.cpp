@@ -108,15 +108,24 @@ double squareOfContact(const Vec3& r, const Vec3& u, double mu, double size) {
   return Vec3(x[0] - n, x[1] - share * z[1], x[2] - share * z[2]).squaredNorm();
 }
 
+/// (‖G‖/ρ)² of a contact with 1/ρ = size.
+double squareOfLawsApart(const Vec3& r, const Vec3& u, double mu, double size) {
+  const Vec2 x = size * r.tail<2>(), slip = u.tail<2>(), z = x - slip;
+  const double normal = std::min(size * r[0], u[0]), most = mu * size * r[0], t = z.norm();
+  const Vec2 tangential = t > most ? Vec2(x - most / t * z) : slip;
+  return normal * normal + tangential.squaredNorm();
+}
+
 /// Calls `visit(k, first, (‖F‖/ρ)²)` with F = r − P(r − ρ v), 1/ρ = size(k), for each contact and
-/// then each row k, or disk whose first row is k; its first unknown is `first`.
-template <class Size, class Visit>
+/// then each row k, or disk whose first row is k; its first unknown is `first`. Of a contact,
+/// `ofContact(r, u, μ, size)` stands for (‖F‖/ρ)².
+template <class Size, class OfContact, class Visit>
 void visitNaturalMap(const Problem& problem, const VectorXd& r, const VectorXd& u, Size size,
-                     Visit visit) {
+                     OfContact ofContact, Visit visit) {
   const int n = problem.contacts();
   for (int a = 0; a < n; ++a)
     visit(a, 3 * a,
-          squareOfContact(r.segment<3>(3 * a), u.segment<3>(3 * a), problem.friction[a], size(a)));
+          ofContact(r.segment<3>(3 * a), u.segment<3>(3 * a), problem.friction[a], size(a)));
   const int plainRows = problem.disksBegin() - 3 * n;
   for (int i = 0; i < plainRows; ++i) {
     const int at = 3 * n + i;
@@ -142,6 +151,7 @@ void NaturalMap::setProblem(const Problem& problem) {
   problem.W.diagonal(blocks_, diagonal_);
   blockSizes(
       problem, diagonal_, [&](int a) { return spectralNorm(blocks_[a]); }, sizes_);
+  isGrippy_ = false;
 }
 
 void NaturalMap::setProblem(const Problem& problem, std::vector<Mat3> blocks,
@@ -153,6 +163,13 @@ void NaturalMap::setProblem(const Problem& problem, std::vector<Mat3> blocks,
   for (int a = 0; a < problem.contacts(); ++a) diagonal_.segment<3>(3 * a) = blocks_[a].diagonal();
   blockSizes(
       problem, diagonal_, [&](int a) { return norms[a]; }, sizes_);
+  isGrippy_ = false;
+}
+
+void NaturalMap::aimAt(double tolerance) {
+  constexpr double times = 1e3;
+  isGrippy_ = problem_->contacts() > 0 && problem_->friction.maxCoeff() > 1;
+  near_ = times * tolerance;
 }
 
 void NaturalMap::meanDiagonal(VectorXd& mean) const {
@@ -174,12 +191,14 @@ double NaturalMap::roundOff(const VectorXd& r) const {
          diagonal_.cwiseProduct(r).cwiseAbs().maxCoeff();
 }
 
-VelocityResidual NaturalMap::residual(const VectorXd& r, const VectorXd& u) const {
+template <class OfContact>
+VelocityResidual NaturalMap::summary(const VectorXd& r, const VectorXd& u,
+                                     OfContact ofContact) const {
   assert(r.size() == problem_->size() && u.size() == problem_->size() && "one number an unknown");
   VelocityResidual residual;
   double largest = 0, sum = 0;
   const auto size = [&](int k) { return sizes_[k]; };
-  visitNaturalMap(*problem_, r, u, size, [&](int, int first, double square) {
+  visitNaturalMap(*problem_, r, u, size, ofContact, [&](int, int first, double square) {
     // A NaN is the worst of all: it must not pass for a small residual.
     if (residual.worst < 0 || square > largest || std::isnan(square)) {
       largest = square;
@@ -192,6 +211,20 @@ VelocityResidual NaturalMap::residual(const VectorXd& r, const VectorXd& u) cons
   return residual;
 }
 
+VelocityResidual NaturalMap::residual(const VectorXd& r, const VectorXd& u) const {
+  return summary(r, u, squareOfContact);
+}
+
+VelocityResidual NaturalMap::error(const VectorXd& r, const VectorXd& u) const {
+  if (!isGrippy_) return residual(r, u);
+  const double most = near_ * near_;
+  return summary(r, u, [&](const Vec3& own, const Vec3& velocity, double mu, double size) {
+    const double square = squareOfContact(own, velocity, mu, size);
+    return mu > 1 ? std::max(std::min(square, most), squareOfLawsApart(own, velocity, mu, size))
+                  : square;
+  });
+}
+
 VelocityResidual NaturalMap::measure(const VectorXd& r, VectorXd& y, VectorXd& u) const {
   if (r.any()) {
     problem_->W.multiply(r, y, u);
@@ -199,13 +232,13 @@ VelocityResidual NaturalMap::measure(const VectorXd& r, VectorXd& y, VectorXd& u
   } else {
     u = problem_->q;
   }
-  return residual(r, u);
+  return error(r, u);
 }
 
 void NaturalMap::residuals(const VectorXd& r, const VectorXd& u, VectorXd& each) const {
   each.setZero(sizes_.size());
   const auto size = [&](int k) { return sizes_[k]; };
-  visitNaturalMap(*problem_, r, u, size,
+  visitNaturalMap(*problem_, r, u, size, squareOfContact,
                   [&](int k, int, double square) { each[k] = std::sqrt(square); });
 }
 
@@ -237,10 +270,10 @@ FclibMeasures fclibMeasures(const Problem& problem, const VectorXd& r) {
 
   double unscaled2 = 0, velocity2 = 0;
   visitNaturalMap(
-      problem, r, u, [](int) { return 1.0; },
+      problem, r, u, [](int) { return 1.0; }, squareOfContact,
       [&](int, int, double square) { unscaled2 += square; });
   visitNaturalMap(
-      problem, r, u, [&](int k) { return size[k]; },
+      problem, r, u, [&](int k) { return size[k]; }, squareOfContact,
       [&](int, int, double square) { velocity2 += square; });
 
   const double q = problem.q.norm();

@@ -26,7 +26,20 @@ class NaturalMap {
   /// The same for contacts alone, if their W_aa and ‖W_aa‖ are known.
   void setProblem(const Problem& problem, std::vector<Mat3> blocks, const VectorXd& norms);
 
+  /// The tolerance, m/s, within which a search is to bring the residual. Without it, errors are
+  /// residuals.
+  void aimAt(double tolerance);
+
   VelocityResidual residual(const VectorXd& r, const VectorXd& u) const;
+  /// The errors by which searches compare answers: the residuals, except of contacts with friction
+  /// above 1. Of these, ‖F‖ hides an approach by a factor of μ: one that slips, and nears without
+  /// reaction, misses the law by −u_n but may have ‖F‖/ρ = −u_n/√(1+μ²); and what sticks with a
+  /// slip u_t has ‖F‖/ρ > μ‖u_t‖. So bodies would rather sink than slip. Of such a contact it is
+  /// the larger of the two numbers
+  ///
+  ///     ‖F‖/ρ, but no more than 1000 times the tolerance,
+  ///     ‖G‖/ρ,  G = (min(r_n, ρ u_n), r_t − P(r_t − ρ u_t)),  P projects on the disk of radius μ r_n
+  VelocityResidual error(const VectorXd& r, const VectorXd& u) const;
   /// The same, and computes u = W r + q; `y` is storage for the motion of the bodies.
   VelocityResidual measure(const VectorXd& r, VectorXd& y, VectorXd& u) const;
   /// ‖F‖/ρ one by one, m/s: first of the contacts, then of the rows (a disk stands in the place of
@@ -42,13 +55,20 @@ class NaturalMap {
   /// and 1 where all W is zero: an unknown that moves nothing (W_ii = 0) can do nothing, so any
   /// finite number is harmless.
   void meanDiagonal(VectorXd& mean) const;
+  /// Whether a contact has friction above 1, so that errors are not residuals.
+  bool isGrippy() const { return isGrippy_; }
   std::size_t bytes() const { return bytesOf(sizes_, diagonal_, blocks_); }
 
  private:
+  template <class OfContact>
+  VelocityResidual summary(const VectorXd& r, const VectorXd& u, OfContact ofContact) const;
+
   const Problem* problem_ = nullptr;
   VectorXd sizes_;     ///< ‖W_aa‖ per contact and row
   VectorXd diagonal_;  ///< one per unknown
   std::vector<Mat3> blocks_;
+  bool isGrippy_ = false;
+  double near_ = 0;  ///< residuals above this do not count as errors where friction is above 1, m/s
 };
 
 /// One-off use, with u = W r + q.

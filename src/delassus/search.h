@@ -58,9 +58,11 @@ class Search {
   Search() = default;
 
   /// Call it first. Keeps a pointer to `problem`, which must outlive the search for its reactions.
-  void setProblem(const Problem& problem) {
+  /// The residual is to be brought within the tolerance, m/s.
+  void setProblem(const Problem& problem, double tolerance) {
     problem_ = &problem;
     map_.setProblem(problem);
+    map_.aimAt(tolerance);
   }
   const NaturalMap& map() const { return map_; }
   /// The threads that help from now on; null: none.

@@ -87,7 +87,7 @@ bool Search::proveIncompatible(double tolerance, int regionBudget, Solution& bes
   for (int at = 0; at < problem_->size(); ++at)
     if (felt_[at] > least) best.blamed.push_back(at);
   // A part that cannot be moved at all does not show here.
-  if (best.blamed.empty()) best.blamed.push_back(map_.residual(best.r, best.u).worst);
+  if (best.blamed.empty()) best.blamed.push_back(map_.error(best.r, best.u).worst);
   return true;
 }
 

@@ -47,7 +47,7 @@ void Search::sweepAll(const Task& task, double tolerance, Solution& best) {
   };
   const auto errorFrom = [&](double share) {
     beginFrom(share);
-    return map_.residual(trial_.r, trial_.u).rms;
+    return map_.error(trial_.r, trial_.u).rms;
   };
   double share =
       task.guess && best.sweeps == 0 && !(best.residual < best.startResidual) ? trusted : 1;
@@ -185,7 +185,7 @@ bool Search::mendPatches(const Task& task, double tolerance, double outstanding,
     few.options.newtonBudget = static_cast<int>(std::min(mostRegions, regionsLeft / factorShare));
     few.options.sweepBudget = static_cast<int>(std::min(mostSweeps, sweepsLeft / share));
     patches_.cutOut(k, *problem_, unsettled.r, unsettled.u, patch_, patchStart_);
-    patchSearch_->setProblem(patch_);
+    patchSearch_->setProblem(patch_, few.tolerance);
     patchAnswer_.start(patch_.q);
     patchSearch_->offer(patchStart_, patchAnswer_);
     patchSearch_->walk(few, patchAnswer_);

@@ -20,7 +20,7 @@ void Search::vary() {
 /// Solves varied_ from variedStart_; the answer is in variedAnswer_.
 Outcome Search::answerVaried(const Task& task, Solution& best) {
   if (!variedSearch_) variedSearch_.reset(new Search(machines()));
-  variedSearch_->setProblem(varied_);
+  variedSearch_->setProblem(varied_, task.tolerance);
   variedAnswer_.start(varied_.q);
   variedSearch_->offer(variedStart_, variedAnswer_);
   const Outcome outcome = variedSearch_->walk(task, variedAnswer_);

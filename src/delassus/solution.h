@@ -55,6 +55,7 @@ struct Solution : WorkDone {
   ActiveSet activeSet;
   Status status = Status::Solved;
   Tier tier = Tier::Free;
+  // In a search, errors stand in the place of residuals (NaturalMap::error).
   double startResidual = 0;  ///< natural residual of the guess, m/s; infinite without one
   double residual = 0;       ///< natural residual, largest over contacts, rows and disks, m/s
   double residualRms = 0;    ///< its root mean square, m/s

@@ -65,8 +65,8 @@ void Solver::solve(const Problem& problem, const VectorXd& guess, Solution& best
   const QuietArithmetic quiet;
   best.start(problem.q);
   if (isUnfit(problem, best)) return;
-  search_->setProblem(problem);
   const Aim aim = aimOf(problem);
+  search_->setProblem(problem, aim.tolerance);
   const bool isWarm = takeGuess(problem, guess, aim, best);
   const Outcome outcome = answer(problem, isWarm ? &guess : nullptr, aim, best);
   conclude(problem, aim, outcome, best);
@@ -126,6 +126,7 @@ Outcome Solver::answer(const Problem& problem, const VectorXd* guess, const Aim&
 void Solver::conclude(const Problem& problem, const Aim& aim, Outcome outcome,
                       Solution& best) const {
   const NaturalMap& map = search_->map();
+  if (map.isGrippy()) best.setResidual(map.residual(best.r, best.u));
   // An answer that misses no demand by more than the tolerance, or than rounding, is no compromise.
   const double attainable = std::max(aim.tolerance, map.roundOff(best.r));
   best.status = best.residual <= attainable        ? Status::Solved

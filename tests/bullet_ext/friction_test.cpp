@@ -39,6 +39,39 @@ void tilt(BulletWorld& world, btRigidBody& body, double angle, double heading) {
   body.setGravity(gravity);
 }
 
+/// How deep boxes with a friction of 10 lie in each other at most, as they fall on a heap, m.
+double deepestOverlapOfRoughBoxes(BulletWorld& world) {
+  constexpr int boxes = 12;
+  world.addGround();
+  for (int i = 0; i < boxes; ++i) {
+    const double turn = 2.4 * i;
+    btRigidBody& box = world.addBox(
+        {0.5, 0.5, 0.5},
+        {btScalar(0.6 * std::cos(turn)), btScalar(2 + 1.3 * i), btScalar(0.6 * std::sin(turn))});
+    const btQuaternion turned(btVector3(btScalar(std::sin(turn)), 1, btScalar(std::cos(2 * turn))),
+                              btScalar(turn));
+    box.setWorldTransform(btTransform(turned, box.getWorldTransform().getOrigin()));
+    box.setFriction(10);
+  }
+  double deepest = 0;
+  for (int step = 0; step < 240; ++step) {
+    world.advance();
+    for (const btManifoldPoint* point : world.points())
+      deepest = std::max(deepest, -double(point->getDistance()));
+  }
+  return deepest;
+}
+
+// Much friction must not make an answer that lets bodies sink look as good as one that lets them
+// slip.
+TEST(FewSweeps, DoNotLetRoughBoxesSink) {
+  constexpr double most = 0.5;  // m, half a box; stock's, and all sweeps, let them sink 0.2 m
+  for (const int sweeps : {5, 10}) {
+    DelassusWorld world(Options::bounded(sweeps));
+    EXPECT_LT(deepestOverlapOfRoughBoxes(world), most) << sweeps;
+  }
+}
+
 TEST(Parity, Row17SticksBelowTheFrictionAngle) {
   for (double heading : {0.0, 0.5, 1.2}) {
     DelassusWorld world;

@@ -9,6 +9,7 @@
 #include <random>
 #include <sstream>
 
+#include "delassus/cone.h"
 #include "delassus/problem_text.h"
 #include "tests/support/reference_contact.h"
 #include "tests/support/shared_data.h"
@@ -121,6 +122,47 @@ TEST(NaturalResidual, IsTheVelocityMissed) {
   EXPECT_DOUBLE_EQ(naturalResidual(problem, Vec3::Zero()).max, 3);
   EXPECT_DOUBLE_EQ(naturalResidual(problem, Vec3(2, 0, 0)).max, 2);
   EXPECT_DOUBLE_EQ(naturalResidual(problem, Vec3(6, 0, 0)).max, 0);
+}
+
+/// The errors of these reactions, for a search that aims at a residual of 1e-8 m/s.
+VelocityResidual errorOf(const Problem& problem, const VectorXd& r) {
+  NaturalMap map;
+  map.setProblem(problem);
+  map.aimAt(1e-8);
+  return map.error(r, problem.W * r + problem.q);
+}
+
+// A body of 1 kg nears the ground at 1 m/s, and slips.
+TEST(SearchErrors, HideNoApproachBehindFriction) {
+  for (const double mu : {0.5, 2.0, 10.0, 1000.0}) {
+    const Problem problem = oneContact(Mat3::Identity(), {-1, 1 / mu, 0}, mu);
+    EXPECT_GE(errorOf(problem, Vec3::Zero()).max, 0.8) << mu;
+  }
+  const Problem problem = oneContact(Mat3::Identity(), {-1, 0.1, 0}, 10);
+  EXPECT_LT(naturalResidual(problem, Vec3::Zero()).max, 0.1);
+}
+
+// Far from an answer they say nothing of residuals; the nearer it is, the more they do.
+TEST(SearchErrors, AreResidualsNearAnAnswer) {
+  RandomContact random(5);
+  for (int i = 0; i < 100; ++i) {
+    const Mat3 W = random.W();
+    const Vec3 q = random.q();
+    for (const double mu : {0.9, 1.0, 1.1, 10.0}) {
+      const Problem problem = oneContact(W, q, mu);
+      const Vec3 r = test::referenceContact(W, q, mu).r;
+      EXPECT_LT(errorOf(problem, r).max, 1e-12);
+      for (const double off : {1e-10, 1e-7, 1e-1}) {
+        const Vec3 near = projectOnCone(r + off * random.q(), mu);
+        const double error = errorOf(problem, near).max;
+        const double residual = naturalResidual(problem, near).max;
+        if (mu <= 1)
+          EXPECT_EQ(error, residual);
+        else
+          EXPECT_GE(error, std::min(residual, 1e-5)) << mu << " " << off;
+      }
+    }
+  }
 }
 
 /// The convex relaxation lets a sliding body lift at μ|u_t|. The residual must not take that for

@@ -8,7 +8,8 @@ Options optionsOfPrecision() {
   return options;
 }
 
-DelassusWorld::DelassusWorld() : BulletWorld(std::make_unique<btDelassusConstraintSolver>()) {}
+DelassusWorld::DelassusWorld(const Options& options)
+    : BulletWorld(std::make_unique<btDelassusConstraintSolver>(options)) {}
 
 StockWorld::StockWorld(int sweeps)
     : BulletWorld(std::make_unique<btSequentialImpulseConstraintSolver>()) {

@@ -158,7 +158,7 @@ constexpr double g = BulletWorld::gravity, h = BulletWorld::step;
 
 /// A world with our solver.
 struct DelassusWorld : BulletWorld {
-  DelassusWorld();
+  explicit DelassusWorld(const Options& options = {});
 };
 
 /// A world with Bullet's own solver, run until it has converged: the measure of parity.
