@@ -136,12 +136,17 @@ void answerHeldBack(const Group& group, const Island& island, const TargetWork& 
   bool contactsGive = contactsThrow;
   const auto solve = [&](double share) {
     const Problem& problem = heldBackProblem(group, island, share, contactsGive, bench);
-    bench.solver.solve(problem, solution.r, solution);
-    bench.counts.add(solution);
-    const bool isFound = solution.residual <= roughly * problem.demand();
-    const TargetWork work =
-        workOfTargets(group, bench.softContacts, bench.softRows, island, problem, solution);
-    return std::make_pair(isFound, work.done);
+    const auto workFrom = [&](const VectorXd& guess) {
+      bench.solver.solve(problem, guess, solution);
+      bench.counts.add(solution);
+      return workOfTargets(group, bench.softContacts, bench.softRows, island, problem, solution)
+          .done;
+    };
+    const auto isFound = [&] { return solution.residual <= roughly * problem.demand(); };
+    double done = workFrom(solution.r);
+    // With little work allowed, the search may not leave reactions that threw a body.
+    if (!isFound() && done > exact.fair) done = workFrom(VectorXd());
+    return std::make_pair(isFound(), done);
   };
   // The squares of a share that is fair and of one that is not, with their work, which is about
   // linear in between.

@@ -79,6 +79,11 @@ Hold holdOf(const Group& group, const std::vector<Contact>& contacts, const std:
     sum.asked += r[at] * target;
     sum.alone += 0.5 * target * target / response;
   };
+  // Of what drives: more than that only comes to it from what throws.
+  const auto aloneOf = [&](int at, const Row& row) {
+    return std::abs(r[at] * (problem.q[at] + row.target)) +
+           0.5 * r[at] * r[at] * diagonal(group.bodies, row);
+  };
   bool jointsHold = false;
   const auto contactsEnd = static_cast<int>(r.size() - island.rows.size());
   for (std::size_t i = 0; i < island.rows.size(); ++i) {
@@ -87,7 +92,7 @@ Hold holdOf(const Group& group, const std::vector<Contact>& contacts, const std:
     if (row.governor >= 0 || r[at] == 0) continue;
     const bool up = r[at] > 0;
     if (std::abs(r[at]) >= boundOf(row, up) || drives(group, island.rows[i], up)) {
-      sum.drive += std::abs(workOf(at, row.target));
+      sum.drive += std::min(std::abs(workOf(at, row.target)), aloneOf(at, row));
       continue;
     }
     add(at, row.target, diagonal(group.bodies, row));
@@ -149,15 +154,16 @@ TargetWork workOfTargets(const Group& group, const std::vector<Contact>& contact
                          const std::vector<Row>& rows, const Island& island, const Problem& problem,
                          const Solution& solution) {
   const Hold hold = holdOf(group, contacts, rows, island, problem, solution);
+  constexpr double ofEnergy = 0.25;
   TargetWork work;
   // Without rounding the work would be no more than what is asked for.
   work.done = std::min(hold.work, hold.asked);
   work.fair = hold.alone + hold.drive;
-  work.allowed = timesAlone * work.fair;
+  work.allowed = timesAlone * hold.alone + 2 * hold.drive;
   if (work.done <= work.allowed) return work;  // as most do: the energy is expensive
   const double forces = 2 * workOfForces(group, island);
   work.fair += forces;
-  work.allowed = std::max(work.allowed, energyOf(island, group.bodies) + forces);
+  work.allowed = std::max(work.allowed, ofEnergy * energyOf(island, group.bodies) + forces);
   return work;
 }
 

@@ -36,15 +36,16 @@ struct TargetWork {
   ///
   ///   - ½ target²/W_ii over all targets, which is what each would take alone,
   ///   - the work of what drives joints, in either direction: motors, limits and springs, which
-  ///     have bounds and may do all that these allow (a breaking threshold is no such bound),
+  ///     have bounds and may do all that these allow (a breaking threshold is no such bound), but
+  ///     no more than the same impulse does on its two bodies alone,
   ///   - twice the work of forces: the energy that they take from the bodies in this step, as from
   ///     a load that is lifted, or would give them from rest. It takes once as much to go on as
   ///     before, and the other half makes the bodies faster.
   double fair = 0;
-  /// An answer with more work throws a body: timesAlone times the first two, or the energy that the
-  /// island has and the third, if that is more. Limbs in a heap take up to 20 times what they would
-  /// take alone; limbs that are wedged, or a chain that is too short, take hundreds and thousands
-  /// of times as much.
+  /// An answer with more work throws a body: timesAlone times the first and twice the second, or a
+  /// quarter of the energy that the island has and the third, if that is more. Limbs in a heap take
+  /// up to 20 times what they would take alone; limbs that are wedged, or a chain that is too
+  /// short, take hundreds and thousands of times as much.
   double allowed = 0;
 };
 constexpr double timesAlone = 30;
