@@ -57,14 +57,33 @@ double placesOf(const Group& group, const Island& island) {
   return places;
 }
 
+/// The velocity that the reaction of a row would give its bodies alone, m/s or rad/s.
+double pushOf(const Group& group, const Answer& answer, int row) {
+  return std::abs(answer.rows[row]) * diagonal(group.bodies, group.rows[row]);
+}
+
+/// Whether no more than what drives joints, and pushes with all its force, loads this row. It may
+/// have a longer arm.
+bool isDriven(const Group& group, const Island& island, int row, const Answer& answer) {
+  constexpr double times = 10;
+  double drive = 0;
+  for (const int k : island.rows) {
+    const double r = answer.rows[k];
+    if (group.rows[k].governor >= 0) continue;
+    if (r >= group.rows[k].upper || r <= group.rows[k].lower) drive += pushOf(group, answer, k);
+  }
+  return pushOf(group, answer, row) <= times * drive;
+}
+
 /// Makes the island of this row incompatible, and blames the row by its place among the unknowns.
-void blame(int row, double missed, Answer& answer) {
+void blame(const Group& group, int row, double missed, Answer& answer) {
   for (int i = 0; i < answer.islands.count(); ++i) {
     const Island& island = answer.islands[i];
     const auto found = std::find(island.rows.begin(), island.rows.end(), row);
     if (found == island.rows.end()) continue;
     IslandResult& result = answer.results[i];
     if (result.status != Status::Solved) return;  // the island is already blamed for more
+    if (isDriven(group, island, row, answer)) return;
     result.status = Status::Incompatible;
     result.residualMax = std::max(result.residualMax, missed);
     result.blamed = {static_cast<int>(3 * island.frictional.size() + island.frictionless.size() +
@@ -99,7 +118,7 @@ void judgeJoint(const Group& group, const JointSource& joint, double h, Answer& 
   const double missed = missedBy(worst);
   if (missed > share * speedOf(group, answer, group.rows[worst]) &&
       missed > askedByRounding(placesOf(joint), h) && missed > share * askedBy(group, joint))
-    blame(worst, missed, answer);
+    blame(group, worst, missed, answer);
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ struct Group;
 /// c |r|, and the law of rows that give is kept. But no motion meets what the joints ask. So if a
 /// row gives by more than a tenth of what its joint asks for and of the speed of its bodies, its
 /// island is incompatible with the residual c |r|, and the row is blamed. (Joints with a softness
-/// of their own are not judged.)
+/// of their own are not judged, nor those that a motor, or another drive at its bound, may load as
+/// much: a body that is welded to the world does not follow a mouse.)
 ///
 /// Velocities that the rounding of poses alone asks for, ε |x|/h, are no contradiction:
 /// incompatible islands that miss no more than that count as solved.

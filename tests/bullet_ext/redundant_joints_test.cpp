@@ -151,6 +151,26 @@ class SpinningPair {
   std::vector<btTypedConstraint*> welds_;
 };
 
+// A box that is welded to the world, and drawn at with a force that has a bound.
+TEST(RedundantJoints, AWeldThatHoldsAgainstADriveContradictsNothing) {
+  for (const double grip : {0.03, 30.0}) {
+    OurWorld world;
+    world->setGravity({0, 0, 0});
+    btRigidBody& box = world.addBox({0.5, 0.5, 0.5}, {4, 0, 0});
+    world.addJoint<btFixedConstraint>(box, btTypedConstraint::getFixedBody(),
+                                      BulletWorld::at({0, 0, 0}), BulletWorld::at({4, 0, 0}));
+    auto& drag = world.addJoint<btPoint2PointConstraint>(
+        box, btVector3(btScalar(0.2), btScalar(0.1), btScalar(0.5)));
+    drag.m_setting.m_impulseClamp = btScalar(grip);
+    for (int step = 0; step < 30; ++step) {
+      drag.setPivotB(btVector3(btScalar(4.2 + 0.1 * step), btScalar(0.1 * step), 0.5));
+      world.advance();
+      EXPECT_EQ(world.report().incompatible, 0) << grip << " at step " << step;
+    }
+    EXPECT_LT((box.getWorldTransform().getOrigin() - btVector3(4, 0, 0)).length(), 1e-3);
+  }
+}
+
 // What rounding makes the welds ask of each other must be no load, or thresholds would break them.
 TEST(RedundantJoints, WeldsThatSpinCarryWhatTurnsThemAndLittleMore) {
   for (const btScalar far : {btScalar(0), btScalar(30)}) {
