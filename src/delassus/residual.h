@@ -38,7 +38,8 @@ class NaturalMap {
   /// the larger of the two numbers
   ///
   ///     ‖F‖/ρ, but no more than 1000 times the tolerance,
-  ///     ‖G‖/ρ,  G = (min(r_n, ρ u_n), r_t − P(r_t − ρ u_t)),  P projects on the disk of radius μ r_n
+  ///     ‖G‖/ρ,  G = (min(r_n, ρ u_n), r_t − P(r_t − ρ u_t));
+  ///             P projects on the disk of radius μ r_n
   VelocityResidual error(const VectorXd& r, const VectorXd& u) const;
   /// The same, and computes u = W r + q; `y` is storage for the motion of the bodies.
   VelocityResidual measure(const VectorXd& r, VectorXd& y, VectorXd& u) const;
