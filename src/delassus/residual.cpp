@@ -108,6 +108,8 @@ double squareOfContact(const Vec3& r, const Vec3& u, double mu, double size) {
   return Vec3(x[0] - n, x[1] - share * z[1], x[2] - share * z[2]).squaredNorm();
 }
 
+constexpr double muchFriction = 2;
+
 /// (‖G‖/ρ)² of a contact with 1/ρ = size.
 double squareOfLawsApart(const Vec3& r, const Vec3& u, double mu, double size) {
   const Vec2 x = size * r.tail<2>(), slip = u.tail<2>(), z = x - slip;
@@ -168,7 +170,7 @@ void NaturalMap::setProblem(const Problem& problem, std::vector<Mat3> blocks,
 
 void NaturalMap::aimAt(double tolerance) {
   constexpr double times = 1e3;
-  isGrippy_ = problem_->contacts() > 0 && problem_->friction.maxCoeff() > 1;
+  isGrippy_ = problem_->contacts() > 0 && problem_->friction.maxCoeff() > muchFriction;
   near_ = times * tolerance;
 }
 
@@ -220,8 +222,8 @@ VelocityResidual NaturalMap::error(const VectorXd& r, const VectorXd& u) const {
   const double most = near_ * near_;
   return summary(r, u, [&](const Vec3& own, const Vec3& velocity, double mu, double size) {
     const double square = squareOfContact(own, velocity, mu, size);
-    return mu > 1 ? std::max(std::min(square, most), squareOfLawsApart(own, velocity, mu, size))
-                  : square;
+    if (mu <= muchFriction) return square;
+    return std::max(std::min(square, most), squareOfLawsApart(own, velocity, mu, size));
   });
 }
 

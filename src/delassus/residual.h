@@ -32,7 +32,7 @@ class NaturalMap {
 
   VelocityResidual residual(const VectorXd& r, const VectorXd& u) const;
   /// The errors by which searches compare answers: the residuals, except of contacts with friction
-  /// above 1. Of these, ‖F‖ hides an approach by a factor of μ: one that slips, and nears without
+  /// above 2. Of these, ‖F‖ hides an approach by a factor of μ: one that slips, and nears without
   /// reaction, misses the law by −u_n but may have ‖F‖/ρ = −u_n/√(1+μ²); and what sticks with a
   /// slip u_t has ‖F‖/ρ > μ‖u_t‖. So bodies would rather sink than slip. Of such a contact it is
   /// the larger of the two numbers
@@ -56,7 +56,7 @@ class NaturalMap {
   /// and 1 where all W is zero: an unknown that moves nothing (W_ii = 0) can do nothing, so any
   /// finite number is harmless.
   void meanDiagonal(VectorXd& mean) const;
-  /// Whether a contact has friction above 1, so that errors are not residuals.
+  /// Whether a contact has friction above 2, so that errors are not residuals.
   bool isGrippy() const { return isGrippy_; }
   std::size_t bytes() const { return bytesOf(sizes_, diagonal_, blocks_); }
 
@@ -69,7 +69,7 @@ class NaturalMap {
   VectorXd diagonal_;  ///< one per unknown
   std::vector<Mat3> blocks_;
   bool isGrippy_ = false;
-  double near_ = 0;  ///< residuals above this do not count as errors where friction is above 1, m/s
+  double near_ = 0;  ///< residuals above this do not count as errors where friction is above 2, m/s
 };
 
 /// One-off use, with u = W r + q.

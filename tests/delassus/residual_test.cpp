@@ -136,7 +136,7 @@ VelocityResidual errorOf(const Problem& problem, const VectorXd& r) {
 TEST(SearchErrors, HideNoApproachBehindFriction) {
   for (const double mu : {0.5, 2.0, 10.0, 1000.0}) {
     const Problem problem = oneContact(Mat3::Identity(), {-1, 1 / mu, 0}, mu);
-    EXPECT_GE(errorOf(problem, Vec3::Zero()).max, 0.8) << mu;
+    EXPECT_GE(errorOf(problem, Vec3::Zero()).max, 0.44) << mu;  // 1/√5 where friction is 2
   }
   const Problem problem = oneContact(Mat3::Identity(), {-1, 0.1, 0}, 10);
   EXPECT_LT(naturalResidual(problem, Vec3::Zero()).max, 0.1);
@@ -148,7 +148,7 @@ TEST(SearchErrors, AreResidualsNearAnAnswer) {
   for (int i = 0; i < 100; ++i) {
     const Mat3 W = random.W();
     const Vec3 q = random.q();
-    for (const double mu : {0.9, 1.0, 1.1, 10.0}) {
+    for (const double mu : {0.9, 2.0, 2.1, 10.0}) {
       const Problem problem = oneContact(W, q, mu);
       const Vec3 r = test::referenceContact(W, q, mu).r;
       EXPECT_LT(errorOf(problem, r).max, 1e-12);
@@ -156,7 +156,7 @@ TEST(SearchErrors, AreResidualsNearAnAnswer) {
         const Vec3 near = projectOnCone(r + off * random.q(), mu);
         const double error = errorOf(problem, near).max;
         const double residual = naturalResidual(problem, near).max;
-        if (mu <= 1)
+        if (mu <= 2)
           EXPECT_EQ(error, residual);
         else
           EXPECT_GE(error, std::min(residual, 1e-5)) << mu << " " << off;
