@@ -73,21 +73,25 @@ const Problem& heldBackProblem(const Group& group, const Island& island, double 
   return bench.assembler.assemble(group.bodies, bench.softContacts, bench.softRows, island);
 }
 
-/// Solves a problem as the trial, and returns whether that has a solution. Any motion that is near
-/// to it will do as a recovery.
-bool solveTrial(const Problem& problem, bool isRecovery, Bench& bench) {
+/// Solves a problem as the trial, and returns whether that has a solution, or whether one is found
+/// with a residual of at most `mostMissed`, m/s. Any motion that is near to it will do as a
+/// recovery.
+bool solveTrial(const Problem& problem, bool isRecovery, double mostMissed, Bench& bench) {
   ShortSearch search(bench.solver);
   if (isRecovery) search.takeAnyNear();
+  const Solution& trial = bench.trial;
   bench.solver.solve(problem, VectorXd(), bench.trial);
-  bench.counts.add(bench.trial);
-  return bench.trial.status == Status::Solved && fitsBullet(bench.trial.r);
+  bench.counts.add(trial);
+  const bool isFound = trial.status == Status::Solved ||
+                       (trial.status == Status::OutOfBudget && trial.residual <= mostMissed);
+  return isFound && fitsBullet(trial.r);
 }
 
-/// The same, whether this solution strains the island by no more than `most`, m/s, and tells of no
-/// quarrel.
-bool relieves(const Group& group, const Island& island, const Problem& problem, double most,
-              Bench& bench) {
-  return solveTrial(problem, false, bench) && strainOf(group, island, bench.trial) <= most &&
+/// The same, whether this solution strains the island no more than it may, and tells of no quarrel.
+bool relieves(const Group& group, const Island& island, const Problem& problem,
+              const Relief& relief, Bench& bench) {
+  return solveTrial(problem, false, relief.mostMissed, bench) &&
+         strainOf(group, island, bench.trial) <= relief.mostStrain &&
          quarrelOf(group, island, problem.demand(), bench.trial) == Quarrel::None;
 }
 
@@ -172,15 +176,16 @@ void answerHeldBack(const Group& group, const Island& island, const TargetWork& 
   take(group, island, solution, residualOf(group, island, solution.r, bench), answer, result);
 }
 
-bool answerRecovering(const Group& group, const Island& island, double mostStrain, double leastCut,
-                      Bench& bench, Answer& answer, IslandResult& result) {
+bool answerRecovering(const Group& group, const Island& island, const Relief& relief,
+                      double leastCut, Bench& bench, Answer& answer, IslandResult& result) {
   const Solution& trial = bench.trial;
-  if (!solveTrial(recoveryProblem(group, island, bench), true, bench)) return false;
+  const Problem& recovery = recoveryProblem(group, island, bench);
+  if (!solveTrial(recovery, true, roughly * recovery.demand(), bench)) return false;
   recover(group, island, trial.r, bench);
   for (const Friction friction : {Friction::OfAllSlip, Friction::OfOtherSlip}) {
     const Problem& problem = recoveringProblem(group, island, friction, bench);
     if (shareCut(group, island, problem.demand(), bench) < leastCut) return false;
-    if (!relieves(group, island, problem, mostStrain, bench)) continue;
+    if (!relieves(group, island, problem, relief, bench)) continue;
     const TargetWork work =
         workOfTargets(group, bench.softContacts, bench.softRows, island, problem, trial);
     if (work.done > work.allowed || throwsBodies(group, island, bench)) continue;
@@ -191,7 +196,7 @@ bool answerRecovering(const Group& group, const Island& island, double mostStrai
   return false;
 }
 
-bool answerUnwedged(const Group& group, const Island& island, double mostStrain, Bench& bench,
+bool answerUnwedged(const Group& group, const Island& island, const Relief& relief, Bench& bench,
                     Answer& answer, IslandResult& result) {
   bench.softContacts.resize(group.contacts.size());
   const auto assemble = [&](const auto& change) -> const Problem& {
@@ -203,12 +208,12 @@ bool answerUnwedged(const Group& group, const Island& island, double mostStrain,
   };
   // A load strains without friction, too.
   const Problem& slippery = assemble([](Contact& contact) { contact.friction = 0; });
-  if (!relieves(group, island, slippery, mostStrain, bench)) return false;
+  if (!relieves(group, island, slippery, relief, bench)) return false;
   // By the lesser response: a heavy body does not sink into a light one.
   const Problem& problem = assemble([&](Contact& contact) {
     contact.compliance += joinedSoftness * lesserResponse(group, contact);
   });
-  if (!relieves(group, island, problem, mostStrain, bench)) return false;
+  if (!relieves(group, island, problem, relief, bench)) return false;
   const Solution& trial = bench.trial;
   const TargetWork work =
       workOfTargets(group, bench.softContacts, group.rows, island, problem, trial);

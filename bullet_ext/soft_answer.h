@@ -26,18 +26,26 @@ void answerSoftened(const Group& group, const Island& island, Bench& bench, Answ
 void answerHeldBack(const Group& group, const Island& island, const TargetWork& exact,
                     bool contactsThrow, Bench& bench, Answer& answer, IslandResult& result);
 
-/// Answers an island that quarrels (quarrels.h), if it does so because it asks for more recovery
-/// than any motion gives: it then asks for what a compromise reaches. That is an answer if contacts
-/// and joints strain each other by no more than `mostStrain`, m/s, if `leastCut` of the most that
-/// is asked for is cut, and if it throws no body. Returns whether it is; otherwise nothing changes.
-bool answerRecovering(const Group& group, const Island& island, double mostStrain, double leastCut,
-                      Bench& bench, Answer& answer, IslandResult& result);
+/// What relieves an island that quarrels (quarrels.h).
+struct Relief {
+  double mostStrain;  ///< by which contacts and joints may strain each other still, m/s
+  /// Residual that an answer may leave where the budget ends before it is exact, m/s: that of the
+  /// answer in whose place it comes.
+  double mostMissed;
+};
+
+/// Answers an island that quarrels, if it does so because it asks for more recovery than any motion
+/// gives: it then asks for what a compromise reaches. That is an answer if it is a relief, if
+/// `leastCut` of the most that is asked for is cut, and if it throws no body. Returns whether it
+/// is; otherwise nothing changes.
+bool answerRecovering(const Group& group, const Island& island, const Relief& relief,
+                      double leastCut, Bench& bench, Answer& answer, IslandResult& result);
 
 /// Answers an island that quarrels as if contacts gave a little, as those of bodies that a joint
-/// links, if this relieves its joints as far. It does where a body lands so that its joint and
+/// links, if this is a relief. It does where a body lands so that its joint and
 /// friction at one corner wedge it, but not under a load. Returns whether it does; otherwise
 /// nothing changes.
-bool answerUnwedged(const Group& group, const Island& island, double mostStrain, Bench& bench,
+bool answerUnwedged(const Group& group, const Island& island, const Relief& relief, Bench& bench,
                     Answer& answer, IslandResult& result);
 
 /// Answers an island that jams. An island jams if a body that squeezes it does not give way, such

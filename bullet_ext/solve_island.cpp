@@ -188,16 +188,17 @@ bool answerQuarrel(const Group& group, const Island& island, double demand, Benc
   if (quarrel == Quarrel::None) return false;
   const int steps = marksOf(group, island).loadedSteps + 1;
   if (isTurnOfWhole(steps)) {
-    const double strain = relieved * strainOf(group, island, bench.solution);
+    const Relief relief{relieved * strainOf(group, island, bench.solution),
+                        bench.solution.residual};
     // Friction may strain what can recover.
     const double leastCut = quarrel == Quarrel::Strained ? 0 : muchCut;
-    if (answerRecovering(group, island, strain, leastCut, bench, answer, result)) {
+    if (answerRecovering(group, island, relief, leastCut, bench, answer, result)) {
       result.marks = {};
       if (bench.solution.status == Status::OutOfBudget) markQuarrel(group, island, result);
       return true;
     }
     if (quarrel == Quarrel::Strained && !island.rows.empty() &&
-        answerUnwedged(group, island, strain, bench, answer, result))
+        answerUnwedged(group, island, relief, bench, answer, result))
       return true;
   }
   mark(group, island, result).loadedSteps = steps;
@@ -267,7 +268,7 @@ void solveIsland(const Group& group, const Island& island, Bench& bench, Answer&
   const auto stillQuarrels = [&] {
     if (last.quarrelSteps == 0 || isTurnOfWhole(last.quarrelSteps + 1) ||
         group.articulation.moves(island) ||
-        !answerRecovering(group, island, infinity, muchCut, bench, answer, result))
+        !answerRecovering(group, island, {infinity, 0}, muchCut, bench, answer, result))
       return false;
     markQuarrel(group, island, result);
     return true;

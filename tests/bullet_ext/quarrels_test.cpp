@@ -196,6 +196,32 @@ TEST(Quarrels, ALoadIsNoQuarrel) {
   EXPECT_GT(load.getWorldTransform().getOrigin().y(), 0.55 - 0.1 * overlap);
 }
 
+// Two plates that lie in the floor, linked to each other and pinned at both ends. With few sweeps
+// neither the exact answer nor a compromise is found to the end; the compromise is the better one.
+TEST(Quarrels, PlatesBetweenPinsPressLittleWithFewSweeps) {
+  constexpr double half = 0.3, overlap = 0.03, most = 10;  // m, m, N·s
+  for (const int sweeps : {5, 10})
+    for (const double behind : {0.05, 0.15}) {
+      DelassusWorld world(Options::bounded(sweeps));
+      world.addGround();
+      const auto addPlate = [&](double x) -> btRigidBody& {
+        return world.addBox({btScalar(half), btScalar(0.1), btScalar(half)},
+                            {btScalar(x), btScalar(0.1 - overlap), 0});
+      };
+      btRigidBody &left = addPlate(0), &right = addPlate(2 * half);
+      const btVector3 pin(btScalar(half - behind), 0, 0), edge(btScalar(half), 0, 0);
+      world.addJoint<btPoint2PointConstraint>(left, -pin);
+      world.addJoint<btPoint2PointConstraint>(left, right, edge, -edge);
+      world.addJoint<btPoint2PointConstraint>(right, pin);
+      for (int step = 0; step < 60; ++step) {
+        world.advance();
+        for (const btManifoldPoint* point : world.points())
+          ASSERT_LT(point->getAppliedImpulse(), most)
+              << sweeps << " sweeps, " << behind << " m, step " << step;
+      }
+    }
+}
+
 // Boxes in a plane, a centimetre in each other, under one that is two thousand times as heavy:
 // their locked axes are strained by the load, too.
 TEST(Quarrels, APileInAPlaneStandsUnderAHeavyBox) {
