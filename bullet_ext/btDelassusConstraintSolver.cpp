@@ -77,8 +77,7 @@ void countTier(Tier tier, StepReport& report) {
 const char* reasonOf(const IslandResult& result) {
   if (result.isSoftened)
     return ": rigid bodies have no answer here, or one that would throw a body or wedge it; the "
-           "one taken is "
-           "as if contacts gave a little, or joints asked for less";
+           "one taken is as if contacts gave a little, or joints asked for less";
   switch (result.status) {
     case Status::OutOfBudget:
       return ": the budget of its island ended above the tolerance; the error is largest here";

@@ -56,9 +56,10 @@ struct Solution : WorkDone {
   Status status = Status::Solved;
   Tier tier = Tier::Free;
   // In a search, errors stand in the place of residuals (NaturalMap::error).
-  double startResidual = 0;  ///< natural residual of the guess, m/s; infinite without one
-  double residual = 0;       ///< natural residual, largest over contacts, rows and disks, m/s
-  double residualRms = 0;    ///< its root mean square, m/s
+  /// Of the guess, m/s; infinite without one. Where friction is above 2, its error.
+  double startResidual = 0;
+  double residual = 0;     ///< natural residual, largest over contacts, rows and disks, m/s
+  double residualRms = 0;  ///< its root mean square, m/s
   /// First unknowns of the contacts and rows that keep the problem from being solved: those with
   /// incompatible demands or non-finite numbers; if out of budget, the one with the largest
   /// residual.
