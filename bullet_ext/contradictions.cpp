@@ -15,17 +15,20 @@ namespace delassus::bullet {
 namespace {
 
 /// The largest speed of a row's bodies, before the reactions or after them, since a resting body
-/// may be struck; m/s and rad/s.
-double speedOf(const Group& group, const Answer& answer, const Row& row) {
+/// may be struck, m/s; turns along the row's arc.
+double speedOf(const Group& group, const Answer& answer, int row) {
   double largest = 0;
-  for (const int body : {row.a, row.b})
+  for (const int body : {group.rows[row].a, group.rows[row].b})
     if (body >= 0)
-      for (const std::vector<Body>* bodies : {&group.bodies, &answer.bodies})
-        largest = std::max(largest, (*bodies)[body].velocity.cwiseAbs().maxCoeff());
+      for (const std::vector<Body>* bodies : {&group.bodies, &answer.bodies}) {
+        const Vec6 speed = (*bodies)[body].velocity.cwiseAbs();
+        largest = std::max(
+            {largest, speed.head<3>().maxCoeff(), group.arcOf(row) * speed.tail<3>().maxCoeff()});
+      }
   return largest;
 }
 
-/// The largest change of relative velocity that the joint's rows ask for, m/s and rad/s.
+/// The largest change of relative velocity that the joint's rows ask for, m/s.
 double askedBy(const Group& group, const JointSource& joint) {
   double largest = 0;
   for (int i = joint.firstRow; i < joint.firstRow + joint.rowCount; ++i)
@@ -34,7 +37,7 @@ double askedBy(const Group& group, const JointSource& joint) {
 }
 
 /// The velocity that the rounding of poses may ask for, m/s, of bodies no further than `places`
-/// from the origin. For rotations it is in rad/s and does not fall below that at 1 m.
+/// from the origin, or with arcs as long. It does not fall below that at 1 m.
 double askedByRounding(double places, double h) {
   constexpr double roundings = 4;
   return roundings * SIMD_EPSILON * std::max(places, 1.0) / h;
@@ -57,7 +60,7 @@ double placesOf(const Group& group, const Island& island) {
   return places;
 }
 
-/// The velocity that the reaction of a row would give its bodies alone, m/s or rad/s.
+/// The velocity that the reaction of a row would give its bodies alone, m/s.
 double pushOf(const Group& group, const Answer& answer, int row) {
   return std::abs(answer.rows[row]) * diagonal(group.bodies, group.rows[row]);
 }
@@ -116,8 +119,9 @@ void judgeJoint(const Group& group, const JointSource& joint, double h, Answer& 
   for (int i = joint.firstRow + 1; i < joint.firstRow + joint.rowCount; ++i)
     if (missedBy(i) > missedBy(worst)) worst = i;
   const double missed = missedBy(worst);
-  if (missed > share * speedOf(group, answer, group.rows[worst]) &&
-      missed > askedByRounding(placesOf(joint), h) && missed > share * askedBy(group, joint))
+  if (missed > share * speedOf(group, answer, worst) &&
+      missed > askedByRounding(std::max(placesOf(joint), group.arcOf(worst)), h) &&
+      missed > share * askedBy(group, joint))
     blame(group, worst, missed, answer);
 }
 

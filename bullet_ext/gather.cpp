@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
+#include "bullet_ext/arcs.h"
 #include "bullet_ext/extension.h"
 #include "bullet_ext/saturating_sum.h"
 
@@ -19,6 +20,7 @@ void gatherGroup(Group& group, const GroupInput& input, StepReport& report, Exte
   addTo(report.held, group.held.soften(group, input.info->m_timeStep));
   if (extension) extension->gatherRows(group, input, report);
   gatherTurningFriction(group, asStock);
+  stateAlongArcs(group);
 }
 
 const char* faultOfRow(const Row& row) {

@@ -18,6 +18,7 @@ void Group::clear() {
   marks.clear();
   bouncing = turning = turningRows = softRows = 0;
   rows.clear();
+  arcs.clear();
   rowGuess.clear();
   joints.clear();
   obsolete.clear();
@@ -30,7 +31,7 @@ void Group::clear() {
 
 std::size_t Group::bytes() const {
   return bytesOf(bodies, bodySources, contacts, contactSources, pushes, guess, idle, marks, rows,
-                 rowGuess, joints, multiBodyRows, asked) +
+                 arcs, rowGuess, joints, multiBodyRows, asked) +
          obsolete.capacity() * sizeof(void*) + indexOf.bytes() + joined.bytes() + loops.bytes() +
          opposed.bytes() + held.bytes() + articulation.bytes();
 }

@@ -93,7 +93,8 @@ struct MultiBodyRowSource {
   btMultiBodyConstraint* constraint;
   int asked;     ///< among the rows that the constraints made
   int dof;       ///< the constraint's number of the row's impulse; noDof if it keeps none
-  double guess;  ///< the impulse that the last step left there
+  double guess;  ///< the impulse that the last step left there, N·s, or N·m·s about an axis
+  double arc;    ///< arcs.h, m
 };
 
 /// A joint's answer for one row. An axis has four scalars, and the row this alignment, because some
@@ -119,11 +120,12 @@ struct Group {
   int bouncing = 0;  ///< contacts with restitution
   int turning = 0;   ///< contacts with rolling or spinning friction
 
-  std::vector<Row> rows;                     ///< of joints, then of turning friction
-  int turningRows = 0;                       ///< how many of the last rows are turning friction
-  int softRows = 0;                          ///< rows whose joint asks for a compliance
-  std::vector<double> rowGuess;              ///< reaction of each row to start from, N·s
-  std::vector<JointSource> joints;           ///< enabled joints that have rows
+  std::vector<Row> rows;            ///< of joints, then of turning friction
+  int turningRows = 0;              ///< how many of the last rows are turning friction
+  int softRows = 0;                 ///< rows whose joint asks for a compliance
+  std::vector<double> arcs;         ///< ℓ of each row (arcs.h); empty until these are set
+  std::vector<double> rowGuess;     ///< reaction of each row to start from, N·s
+  std::vector<JointSource> joints;  ///< enabled joints that have rows
   std::vector<btTypedConstraint*> obsolete;  ///< enabled constraints without rows in getInfo1
 
   Articulation articulation;                      ///< parts that an Extension has added
@@ -139,6 +141,8 @@ struct Group {
   void clear();
   std::size_t bytes() const;
   bool movable(int body) const { return body >= 0 && bodies[body].movable(); }
+  /// The radius of the arc along which a row is stated, m; 1 of rows along an axis.
+  double arcOf(int row) const { return arcs.empty() ? 1 : arcs[row]; }
   bool isLimb(int body) const { return body >= 0 && !bodySources[body].rigid; }
 };
 

@@ -353,7 +353,7 @@ void Memory::keepJoints(const Group& group, const Answer& answer, bool withPulls
     if (withPulls)
       now_.pulls.push_back({pullOf(group, joint, answer.rows, &Row::jacobianA),
                             pullOf(group, joint, answer.rows, &Row::jacobianB)});
-    Owner& owner = now_.joints.add(ownerOf(joint, writtenImpulse(joint, answer)));
+    Owner& owner = now_.joints.add(ownerOf(joint, writtenImpulse(group, joint, answer)));
     owner.begin = first;
     owner.end = first + joint.rowCount;
   }

@@ -106,6 +106,28 @@ const char* faultOfOutput(const Group& group, const Row& row, std::size_t jointR
   return nullptr;
 }
 
+/// The mass of the link, −1 for the base, kg.
+double massOf(const btMultiBody& body, int link) {
+  return link < 0 ? body.getBaseMass() : body.getLink(link).m_mass;
+}
+
+/// The radius of the arc along which the row is to be stated, m (arcs.h).
+double arcOf(const Group& group, const Row& row, const btMultiBodySolverConstraint& asked) {
+  if (!asked.m_contactNormal1.fuzzyZero() || !asked.m_contactNormal2.fuzzyZero()) return 1;
+  double inverseMass = 0;
+  const auto add = [&](const btMultiBody* body, int link, int rigid) {
+    if (body) {
+      const bool stands = link < 0 && body->hasFixedBase();
+      if (const double mass = massOf(*body, link); mass > 0 && !stands) inverseMass += 1 / mass;
+    } else if (group.movable(rigid)) {
+      inverseMass += group.bodySources[rigid].rigid->getInvMass();
+    }
+  };
+  add(asked.m_multiBodyA, asked.m_linkA, row.a);
+  add(asked.m_multiBodyB, asked.m_linkB, row.b);
+  return inverseMass > 0 ? std::sqrt(inverseMass * asked.m_jacDiagABInv) : 1;
+}
+
 }  // namespace
 
 /// One side of a row as its constraint has made it.
@@ -192,8 +214,9 @@ void MultiBodyRows::addRow(Group& group, btMultiBodyConstraint& constraint, int 
   const auto rowIndex = static_cast<int>(group.rows.size());
   group.rows.push_back(row);
   group.softRows += from.m_cfm > 0;
-  group.multiBodyRows.push_back(
-      {rowIndex, &constraint, asked, dof, dof == noDof ? 0 : constraint.getAppliedImpulse(dof)});
+  group.multiBodyRows.push_back({rowIndex, &constraint, asked, dof,
+                                 dof == noDof ? 0 : constraint.getAppliedImpulse(dof),
+                                 arcOf(group, row, from)});
 }
 
 /// The fault of a row as Bullet made it, or null.
@@ -264,14 +287,14 @@ int MultiBodyRows::addJointRow(Group& group, btMultiBody& body, int jacobian) {
 void MultiBodyRows::recall(Group& group) {
   group.rowGuess.resize(group.rows.size(), 0);
   for (const MultiBodyRowSource& source : group.multiBodyRows)
-    if (std::isfinite(source.guess)) group.rowGuess[source.row] = source.guess;
+    if (std::isfinite(source.guess)) group.rowGuess[source.row] = source.guess / source.arc;
 }
 
 void MultiBodyRows::writeBack(const Group& group, const Answer& answer,
                               const btContactSolverInfo& info) const {
   for (const MultiBodyRowSource& source : group.multiBodyRows) {
     const btMultiBodySolverConstraint& row = asked_[source.asked];
-    const auto r = static_cast<btScalar>(answer.rows[source.row]);
+    const auto r = static_cast<btScalar>(answer.rows[source.row] * source.arc);
     if (source.dof != noDof) source.constraint->internalSetAppliedImpulse(source.dof, r);
     const btScalar force = r / info.m_timeStep;
     if (row.m_multiBodyA)

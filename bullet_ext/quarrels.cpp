@@ -69,7 +69,7 @@ bool isMotor(const Group& group, int row) {
   return drives(group, row, true) && drives(group, row, false);
 }
 
-/// The largest velocity of recovery that a contact or joint asks for, m/s or rad/s.
+/// The largest velocity of recovery that a contact or joint asks for, m/s.
 double mostAsked(const Group& group, const Island& island) {
   double most = 0;
   island.eachContact([&](int k) { most = std::max(most, group.contacts[k].target[0]); });

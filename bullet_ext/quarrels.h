@@ -16,9 +16,9 @@ struct Group;
 // joints give by (softness.h) is so little that they would press with 1e10 N, and Coulomb's law may
 // answer a small demand with reactions of any size.
 
-/// How far contacts and joints of the island strain each other: the largest velocity that one
-/// normal reaction (m/s), or that of one row of a joint (m/s, about an axis rad/s), would give its
-/// bodies if nothing else held them; the lesser of the two. Neither springs count nor what drives
+/// How far contacts and joints of the island strain each other: the largest velocity, m/s, that one
+/// normal reaction, or that of one row of a joint, would give its bodies if nothing else held them;
+/// the lesser of the two. Neither springs count nor what drives
 /// joints. In islands without joints that of contacts.
 double strainOf(const Group& group, const Island& island, const Solution& solution);
 

@@ -27,7 +27,8 @@ struct StepReport {
   int factorisations = 0;  ///< pushes included
   int sweeps = 0;          ///< sweeps and alternations, pushes included
   int patches = 0;         ///< parts of islands that were solved apart on the way, pushes included
-  /// Natural residual (residual.h), m/s; rad/s for rows about an axis; without pushes.
+  /// Natural residual (residual.h), m/s, along arcs for rows about an axis (arcs.h); without
+  /// pushes.
   double residualMax = 0;
   double residualRms = 0;  ///< m/s, over contacts and rows
   int solved = 0, outOfBudget = 0, incompatible = 0, nonFinite = 0;  ///< islands by status

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
+#include "bullet_ext/arcs.h"
 #include "bullet_ext/convert.h"
 #include "bullet_ext/group.h"
 #include "bullet_ext/solve_group.h"
@@ -27,10 +28,6 @@ double fasterOf(const std::vector<Body>& bodies, const Contact& c) {
   return std::max(speedOf(bodies, c.a, c.armA), speedOf(bodies, c.b, c.armB));
 }
 
-bool turns(const Row& row) {
-  return row.jacobianA.head<3>().isZero(0) && row.jacobianB.head<3>().isZero(0);
-}
-
 /// How fast contacts of the island go round its bodies if these turn as joints ask, m/s. A motor of
 /// little force asks for little, whatever its speed.
 double askedByTurns(const Group& group, const Island& island) {
@@ -38,8 +35,9 @@ double askedByTurns(const Group& group, const Island& island) {
   for (const int k : island.rows) {
     const Row& row = group.rows[k];
     if (row.governor < 0 && turns(row))
-      turn = std::max(turn, demandOf(-row.target, row.lower, row.upper,
-                                     [&] { return diagonal(group.bodies, row); }));
+      turn = std::max(turn, demandOf(-row.target, row.lower, row.upper, [&] {
+                              return diagonal(group.bodies, row);
+                            }) / group.arcOf(k));
   }
   island.eachContact([&](int k) {
     const Contact& c = group.contacts[k];
@@ -49,10 +47,11 @@ double askedByTurns(const Group& group, const Island& island) {
   return turn * arm;
 }
 
-/// The impulse at which the joint of this row breaks; infinite if no joint has asked for the row.
+/// The reaction of this row at which its joint breaks; infinite if no joint has asked for the row.
 double breakingImpulseOf(const Group& group, int row) {
   const JointSource* joint = jointOf(group, row);
-  return joint ? toCoreBound(joint->constraint->getBreakingImpulseThreshold()) : infinity;
+  return joint ? toCoreBound(joint->constraint->getBreakingImpulseThreshold()) / group.arcOf(row)
+               : infinity;
 }
 
 /// The largest impulse that may push the row up, or down.

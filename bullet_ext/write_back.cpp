@@ -115,8 +115,9 @@ void writeContacts(const Group& group, const Answer& answer, StepReport& report,
   }
 }
 
-btScalar writtenImpulse(const JointSource& joint, const Answer& answer) {
-  const double last = joint.lastRow >= 0 ? answer.rows[joint.lastRow] : 0;
+btScalar writtenImpulse(const Group& group, const JointSource& joint, const Answer& answer) {
+  const int row = joint.lastRow;
+  const double last = row >= 0 ? answer.rows[row] * group.arcOf(row) : 0;
   return last == 0 ? -btScalar(0) : static_cast<btScalar>(last);
 }
 
@@ -131,10 +132,10 @@ void writeJoints(const Group& group, const Answer& answer, const btContactSolver
       const double r = answer.rows[row];
       onA += group.rows[row].jacobianA.transpose() * r;
       onB += group.rows[row].jacobianB.transpose() * r;
-      breaks |= std::abs(r) >= breakingImpulse;
+      breaks |= std::abs(r) >= breakingImpulse / group.arcOf(row);
     }
 
-    joint.internalSetAppliedImpulse(writtenImpulse(source, answer));
+    joint.internalSetAppliedImpulse(writtenImpulse(group, source, answer));
     if (btJointFeedback* feedback = joint.getJointFeedback()) {
       const btRigidBody &a = joint.getRigidBodyA(), &b = joint.getRigidBodyB();
       const double h = info.m_timeStep;

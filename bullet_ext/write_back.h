@@ -33,7 +33,7 @@ void writeContacts(const Group& group, const Answer& answer, StepReport& report,
 /// The impulse that is written into a joint: that of its last row, the only one that Bullet's
 /// joints report (the feedback holds all). A zero is written as −0, to differ from the zero in a
 /// joint that was never solved.
-btScalar writtenImpulse(const JointSource& joint, const Answer& answer);
+btScalar writtenImpulse(const Group& group, const JointSource& joint, const Answer& answer);
 
 /// Writes impulses and feedback of the joints. Disables a joint whose reaction reaches its breaking
 /// impulse.

@@ -25,8 +25,8 @@ struct Options {
     return options;
   }
 
-  /// Natural residual to reach, relative to the largest demand of the island (Problem::demand; m/s,
-  /// rad/s), but no less than the rounding of q (Problem::roundOff); > 0. Where friction is more
+  /// Natural residual to reach, relative to the island's largest demand (Problem::demand, m/s), but
+  /// no less than the rounding of q (Problem::roundOff); > 0. Where friction is more
   /// than 1, toleranceFor(friction) takes its place.
   double tolerance = 1e-8;
   /// Most regions visited per island. Budgets count work, never time: the same input takes the same

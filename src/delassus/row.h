@@ -15,7 +15,8 @@ namespace delassus {
 /// are not read. Such rows come after all others.
 ///
 /// The units below are those of rows along an axis; rows about an axis have rad/s, N·m·s and
-/// 1/(kg·m²).
+/// 1/(kg·m²). Since answers are compared by their largest error, such rows are better stated along
+/// an arc: J a and target times its radius, bounds divided by it.
 struct Row {
   int a = fixedWorld, b = fixedWorld;
   Row6 jacobianA = Row6::Zero(), jacobianB = Row6::Zero();
