@@ -76,8 +76,10 @@ bool warmStarts(const btContactSolverInfo& info);
 ///     target = error + (1 − D) J v_f,   compliance = max(χ, softness) W_ii   (softness.h)
 ///
 /// As in Bullet's solvers, W_ii is computed from the masses without linear and angular factors. A
-/// row takes no part if its impulse could move nothing, since its bodies are locked along it (in
-/// Bullet its impulse grows by no more than a little a sweep). A disabled joint has no rows.
+/// row takes no part if its axis is no longer than rounding (‖J‖² ≤ SIMD_EPSILON for both bodies;
+/// Bullet leaves out rows with W_ii ≤ SIMD_EPSILON), or if its impulse could move nothing, since
+/// its bodies are locked along it (in Bullet its impulse grows by no more than a little a sweep). A
+/// disabled joint has no rows.
 /// Impulses and feedback are cleared.
 void gatherJoints(Group& group, const GroupInput& input, StepReport& report);
 

@@ -70,6 +70,11 @@ double unfactoredResponse(const Group& group, const Row& row) {
          unfactoredResponse(group, row.b, row.jacobianB);
 }
 
+/// Whether what the joint gives as an axis is rounding, as cone-twist joints do that hardly swing.
+bool hasNoAxis(const Row& row) {
+  return row.jacobianA.squaredNorm() <= SIMD_EPSILON && row.jacobianB.squaredNorm() <= SIMD_EPSILON;
+}
+
 /// Whether an impulse along the row moves nothing: its bodies are locked along it, or have no
 /// inertia about it.
 bool movesNothing(const Group& group, const Row& row) {
@@ -125,8 +130,8 @@ void gatherRows(Group& group, btTypedConstraint& joint, double lastImpulse, doub
       report.leaveOut("row " + std::to_string(i) + " of " + nameOf(joint), fault);
       continue;
     }
-    // Skips a motor or spring that may not push, and rows that push in vain.
-    if ((row.lower == 0 && row.upper == 0) || movesNothing(group, row)) continue;
+    // Skips a motor or spring that may not push, and rows that push nowhere or in vain.
+    if ((row.lower == 0 && row.upper == 0) || hasNoAxis(row) || movesNothing(group, row)) continue;
     source.lastRow = static_cast<int>(group.rows.size());
     group.rows.push_back(row);
     if (group.asked[i].cfm > 0) {

@@ -245,6 +245,40 @@ TEST(Parity, Row31DisabledJointIsSkipped) {
   }
 }
 
+/// Turns a body about x, by a row whose axis is this long, at this rate, rad/s.
+class Crank : public btTypedConstraint {
+ public:
+  Crank(btRigidBody& body, btScalar length, btScalar rate)
+      : btTypedConstraint(MAX_CONSTRAINT_TYPE, body), length_(length), rate_(rate) {}
+  void getInfo1(btConstraintInfo1* info) override { info->m_numConstraintRows = info->nub = 1; }
+  void getInfo2(btConstraintInfo2* info) override {
+    info->m_J1angularAxis[0] = length_;
+    info->m_constraintError[0] = length_ * rate_;
+  }
+  void setParam(int, btScalar, int) override {}
+  btScalar getParam(int, int) const override { return 0; }
+
+ private:
+  btScalar length_, rate_;
+};
+
+// Cone-twist joints give such axes: rounding, at which their limit then asks for any rate.
+TEST(Joints, AnAxisNoLongerThanRoundingTurnsNothing) {
+  constexpr btScalar rate = 20;
+  const double rounding = std::sqrt(precision);
+  for (const double length : {0.1 * rounding, 0.01}) {
+    DelassusWorld ours;
+    StockWorld stock;
+    for (BulletWorld* world :
+         {static_cast<BulletWorld*>(&ours), static_cast<BulletWorld*>(&stock)}) {
+      btRigidBody& body = world->addCube({0, 0, 0});
+      world->addJoint<Crank>(body, btScalar(length), rate);
+      world->advance();
+      EXPECT_NEAR(body.getAngularVelocity().x(), length > rounding ? rate : 0, 1e-4) << length;
+    }
+  }
+}
+
 TEST(Joints, ARowThatMakesNoSenseIsLeftOut) {
   Hanging hanging;
   hanging.joint.setBreakingImpulseThreshold(-1);  // the bounds cross
