@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bullet_ext/gather.h"
 #include "bullet_ext/thrown_bodies.h"
@@ -35,6 +36,26 @@ TEST(Arcs, RowsAboutAnAxisRespondAsRowsAlongOne) {
     if (bullet::turns(row)) {
       EXPECT_NEAR(diagonal(group.bodies, row), 1.0 / 3 + 1.0 / 5, 100 * precision);
     }
+}
+
+// Bodies that turn about their own z only. In world axes their other two moments are rounding.
+TEST(Arcs, AreNotMadeOfRounding) {
+  DelassusWorld world;
+  for (int i = 0; i < 20; ++i) {
+    btRigidBody& top = world.addCube({0, 0, 0}, 3);
+    top.setMassProps(3, {0, 0, 2});
+    const btQuaternion tilt(btVector3(1, 2, btScalar(i)).normalized(), btScalar(1 + 0.1 * i));
+    top.setWorldTransform(btTransform(tilt, {0, 0, 0}));
+    top.updateInertiaTensor();
+    auto& weld = world.addJoint<btGeneric6DofConstraint>(top, world.at({0, 0, 0}), true);
+    for (int axis = 3; axis < 6; ++axis) weld.setLimit(axis, 0, 0);
+    bullet::Group group;
+    gather(world, weld, group);
+    for (int k = 0; k < static_cast<int>(group.rows.size()); ++k)
+      if (const double arc = group.arcOf(k); arc != 1) {
+        EXPECT_NEAR(arc, std::sqrt(2.0 / 3), 1e-3) << i;
+      }
+  }
 }
 
 // Neither of a row along an axis nor of one about an axis.
