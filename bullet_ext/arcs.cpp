@@ -1,5 +1,6 @@
 #include "bullet_ext/arcs.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "BulletDynamics/Dynamics/btRigidBody.h"
@@ -20,7 +21,7 @@ struct Response {
 
 void add(const btRigidBody& body, const Vec3& axis, Response& sum) {
   // About an axis about which nothing turns it, I⁻¹ is rounding.
-  constexpr double rounding = 1e-8;
+  constexpr double rounding = std::max(1e-8, 16.0 * SIMD_EPSILON);
   const Mat3 inverseInertia = toCore(body.getInvInertiaTensorWorld());
   const double angular = axis.dot(inverseInertia * axis);
   if (!(angular > rounding * inverseInertia.trace() * axis.squaredNorm())) return;
