@@ -38,27 +38,35 @@ void BlockFactor::setIdentity(bool symmetric) {
   if (!symmetric) std::fill(upper_.begin(), upper_.end(), Mat6::Zero());
 }
 
+void BlockFactor::addDiagonal(int body, const Mat36& A, const Mat36& B) {
+  addProduct(A, B, diagonal_[pattern().place[body]]);
+}
+
+void BlockFactor::addOffDiagonal(int edge, const Mat36& Aa, const Mat36& Ba, const Mat36& Ab,
+                                 const Mat36& Bb) {
+  const BlockPattern::Target& t = pattern().target[edge];
+  if (t.reversed)
+    addProduct(Aa, Bb, lower_[t.at]);
+  else
+    addProduct(Ab, Ba, lower_[t.at]);
+  if (symmetric_) return;
+  if (t.reversed)
+    addProduct(Ba, Ab, upper_[t.at]);
+  else
+    addProduct(Bb, Aa, upper_[t.at]);
+}
+
 void BlockFactor::addContact(const ContactRows& c, const Mat3& G, int edge) {
   Mat36 Ga, Gb;
   if (c.a >= 0) {
     Ga.noalias() = G * c.Ja;
-    addProduct(c.Ja, Ga, diagonal_[pattern().place[c.a]]);
+    addDiagonal(c.a, c.Ja, Ga);
   }
   if (c.b >= 0) {
     Gb.noalias() = G * c.Jb;
-    addProduct(c.Jb, Gb, diagonal_[pattern().place[c.b]]);
+    addDiagonal(c.b, c.Jb, Gb);
   }
-  if (edge < 0) return;
-  const BlockPattern::Target& t = pattern().target[edge];
-  if (t.reversed)
-    addProduct(c.Ja, Gb, lower_[t.at]);
-  else
-    addProduct(c.Jb, Ga, lower_[t.at]);
-  if (symmetric_) return;
-  if (t.reversed)
-    addProduct(Ga, c.Jb, upper_[t.at]);
-  else
-    addProduct(Gb, c.Ja, upper_[t.at]);
+  if (edge >= 0) addOffDiagonal(edge, c.Ja, Ga, c.Jb, Gb);
 }
 
 void BlockFactor::addRows(const ScalarRow* rows, const double* g, int count, int edge) {

@@ -49,6 +49,11 @@ class BlockFactor {
       upper_[t.at] += Mat6(ab).transpose();
   }
 
+  /// Adds Aᵀ B, and [Aa Ab]ᵀ [Ba Bb] off the diagonal. These are products of three rows; a sum that
+  /// shall be symmetric needs symmetric products.
+  void addDiagonal(int body, const Mat36& A, const Mat36& B);
+  void addOffDiagonal(int edge, const Mat36& Aa, const Mat36& Ba, const Mat36& Ab, const Mat36& Bb);
+
   /// Adds [Ja Jb]ᵀ G [Ja Jb] of a contact; `edge`: the edge of its two bodies, less than 0 if they
   /// are not coupled.
   void addContact(const ContactRows& c, const Mat3& G, int edge);

@@ -124,7 +124,7 @@ void BodyMotion::makeRoomFor(const Stiffness& G) {
     edges_.push_back(pairs_[k]);
   }
   firstOfRows_ = static_cast<int>(edges_.size());
-  for (const auto& c : space_->rows) couple(c.a, c.b);
+  for (int i = 0; i < plainRows(); ++i) couple(space_->rows[i].a, space_->rows[i].b);
   forPairsWithParts(*space_, [&](int, int a, const auto&, int b, const auto&) { couple(a, b); });
   for (const Disk& disk : *disks_) {
     findShares(disk);
@@ -176,8 +176,10 @@ void BodyMotion::findShares(const Disk& disk) {
     const auto known = std::find_if(shares_.begin(), shares_.end(),
                                     [&](const DiskShare& share) { return share.body == body; });
     if (known != shares_.end()) return *known;
-    return shares_.emplace_back(
-        DiskShare{body, Eigen::Matrix<double, 2, 6>::Zero(), Mat36::Zero()});
+    shares_.emplace_back().body = body;
+    shares_.back().disk.setZero();
+    shares_.back().governor.setZero();
+    return shares_.back();
   };
   const auto contactsEnd = static_cast<int>(3 * space_->contacts.size());
   for (int i = 0; i < disk.unknowns; ++i) {
@@ -202,32 +204,38 @@ void BodyMotion::findShares(const Disk& disk) {
 void BodyMotion::addDisks(const Stiffness& G, int edge) {
   for (std::size_t k = 0; k < disks_->size(); ++k) {
     findShares((*disks_)[k]);
-    const auto answer = [&](const DiskShare& share) -> Eigen::Matrix<double, 2, 6> {
-      return G.disks[k].own * share.disk + G.disks[k].governor * share.governor;
-    };
+    Mat3 own = Mat3::Zero(), governor = Mat3::Zero();
+    own.topLeftCorner<2, 2>() = G.disks[k].own;
+    governor.topRows<2>() = G.disks[k].governor;
     for (std::size_t i = 0; i < shares_.size(); ++i) {
-      const DiskShare& a = shares_[i];
-      const Eigen::Matrix<double, 2, 6> Ga = answer(a);
-      factor_.addDiagonal(a.body, a.disk.transpose() * Ga);
+      DiskShare& a = shares_[i];
+      a.answer.noalias() = own * a.disk;
+      a.answer.noalias() += governor * a.governor;
+      factor_.addDiagonal(a.body, a.disk, a.answer);
       for (std::size_t j = 0; j < i; ++j) {
         const DiskShare& b = shares_[j];
-        factor_.addOffDiagonal(edge++, a.disk.transpose() * answer(b), b.disk.transpose() * Ga);
+        factor_.addOffDiagonal(edge++, a.disk, a.answer, b.disk, b.answer);
       }
     }
   }
 }
 
+int BodyMotion::plainRows() const {
+  const auto contactsEnd = static_cast<int>(3 * space_->contacts.size());
+  return disks_->empty() ? static_cast<int>(space_->rows.size())
+                         : disks_->front().first - contactsEnd;
+}
+
 /// Adds rows of the same bodies, as those of a joint, all at once. Returns the edge after theirs.
 int BodyMotion::addRows(const Stiffness& G, int edge) {
   const std::vector<ScalarRow>& rows = space_->rows;
-  for (std::size_t i = 0; i < rows.size();) {
+  for (int i = 0, most = plainRows(); i < most;) {
     const int a = rows[i].a, b = rows[i].b;
-    std::size_t end = i + 1;
-    while (end < rows.size() && rows[end].a == a && rows[end].b == b) ++end;
-    const auto count = static_cast<int>(end - i);
+    int end = i + 1;
+    while (end < most && rows[end].a == a && rows[end].b == b) ++end;
     const bool coupled = a >= 0 && b >= 0 && a != b;
-    factor_.addRows(&rows[i], &G.rows[static_cast<int>(i)], count, coupled ? edge : none);
-    if (coupled) edge += count;
+    factor_.addRows(&rows[i], &G.rows[i], end - i, coupled ? edge : none);
+    if (coupled) edge += end - i;
     i = end;
   }
   return edge;

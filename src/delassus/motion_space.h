@@ -19,6 +19,12 @@ struct Stiffness {
     Mat2 own = Mat2::Zero();
     Mat23 governor = Mat23::Zero();  ///< its first column alone if the governor is a row
 
+    /// Its product with the velocities u; unknowns of contacts come before `contactsEnd`.
+    Vec2 times(const Disk& disk, const VectorXd& u, int contactsEnd) const {
+      if (disk.governor < contactsEnd)
+        return own * disk.of(u) + governor * u.segment<3>(disk.governor);
+      return own * disk.of(u) + governor.col(0) * u[disk.governor];
+    }
     bool operator==(const OfDisk& other) const {
       return own == other.own && governor == other.governor;
     }
@@ -75,8 +81,9 @@ class BodyMotion {
   /// The rows of a disk and of its governor for one body.
   struct DiskShare {
     int body;
-    Eigen::Matrix<double, 2, 6> disk;
+    Mat36 disk;      ///< its last row is zero
     Mat36 governor;  ///< its first row alone if the governor is a row
+    Mat36 answer;    ///< of the disk in a region
   };
 
   /// Numbers the pairs of bodies that touch.
@@ -88,6 +95,8 @@ class BodyMotion {
   int addRows(const Stiffness& G, int firstEdge);
   int addParts(const Stiffness& G, int firstEdge);
   void addDisks(const Stiffness& G, int firstEdge);
+  /// Rows that belong to no disk.
+  int plainRows() const;
   void findShares(const Disk& disk);
 
   const BodySpace* space_ = nullptr;
