@@ -20,24 +20,38 @@ struct StepsWithin {
 }  // namespace
 
 /// Divides the unknowns. E has the rows without bounds, or also those whose r is within their
-/// bounds.
+/// bounds, but none of disks or that govern disks.
 void CondensedNewton::divide(const Problem& problem, const VectorXd& r, bool withinBounds) {
   const int contactsEnd = 3 * problem.contacts();
+  const auto governs = [&](int at) {
+    return std::any_of(problem.disks.begin(), problem.disks.end(),
+                       [at](const Disk& disk) { return disk.governor == at; });
+  };
   left_.clear();
   held_.clear();
   for (int at = 0; at < problem.size(); ++at) {
     const int row = at - contactsEnd;
     const bool isHeld =
-        row >= 0 && ((std::isinf(problem.lower[row]) && std::isinf(problem.upper[row])) ||
-                     (withinBounds && r[at] > problem.lower[row] && r[at] < problem.upper[row]));
+        row >= 0 && at < problem.disksBegin() &&
+        ((std::isinf(problem.lower[row]) && std::isinf(problem.upper[row])) ||
+         (withinBounds && r[at] > problem.lower[row] && r[at] < problem.upper[row])) &&
+        !governs(at);
     (isHeld ? held_ : left_).push_back(at);
+  }
+  const auto placeOf = [this](int at) {
+    return static_cast<int>(std::lower_bound(left_.begin(), left_.end(), at) - left_.begin());
+  };
+  disks_ = problem.disks;
+  for (Disk& disk : disks_) {
+    disk.first = placeOf(disk.first);
+    disk.governor = placeOf(disk.governor);
   }
 }
 
 bool CondensedNewton::setProblem(const Problem& problem, const NaturalMap& map, const VectorXd& r,
                                  int most) {
-  if (!problem.W.inBodySpace() || !problem.disks.empty() || 3 * problem.contacts() > most)
-    return false;
+  const int ofDisks = problem.size() - problem.disksBegin();
+  if (!problem.W.inBodySpace() || 3 * problem.contacts() + ofDisks > most) return false;
   problem_ = &problem;
   map_ = &map;
   const auto isFit = [&] { return !left_.empty() && static_cast<int>(left_.size()) <= most; };
@@ -85,6 +99,10 @@ void CondensedNewton::setWeight(double alpha) {
     steps_.rho[i] = steps_.W(i, i) = diagonal_[i] + alpha * mean_[left_[i]];
   for (int i = 0; i < problem_->contacts(); ++i)
     steps_.rho.segment<3>(3 * i).setConstant(steps_.rho.segment<3>(3 * i).mean());
+  for (const Disk& disk : disks_) {
+    auto own = steps_.rho.segment(disk.first, disk.unknowns);
+    own.setConstant(own.mean());
+  }
   steps_.forgetFactor();
 }
 
@@ -111,7 +129,7 @@ Descent CondensedNewton::moveOn(const Solution& center, double alpha, double eno
     steps_.r[i] = center.r[left_[i]];
     steps_.u[i] = center.u[left_[i]] + felt_[left_[i]];
   }
-  StepsWithin steps{{problem_->friction, lower_, upper_}, steps_};
+  StepsWithin steps{{problem_->friction, lower_, upper_, disks_}, steps_};
   const Descent descent = descend(steps, enough, budget);
   for (int i = 0; i < n; ++i) change_[left_[i]] = steps_.r[i] - center.r[left_[i]];
   letHeldAnswer(center.u);

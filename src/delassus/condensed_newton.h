@@ -28,8 +28,8 @@ namespace delassus {
 /// of C; E has its own α, with which K is factored once.
 class CondensedNewton {
  public:
-  /// Whether this method fits the problem: in body space, without disks, and with at least one and
-  /// at most `most` unknowns beside E. If there are more, rows whose `r` is within their bounds
+  /// Whether this method fits the problem: in body space, and with at least one and at most `most`
+  /// unknowns beside E. If there are more, rows whose `r` is within their bounds
   /// count as held, too. `map` belongs to the problem; both must outlive `solve`.
   bool setProblem(const Problem& problem, const NaturalMap& map, const VectorXd& r, int most);
   /// Whether there is an E.
@@ -43,7 +43,7 @@ class CondensedNewton {
 
   std::size_t bytes() const {
     return motion_.bytes() + G_.bytes() + steps_.bytes() + next_.bytes() +
-           bytesOf(left_, held_, lower_, upper_, mean_, diagonal_, change_, delta_, felt_);
+           bytesOf(left_, held_, lower_, upper_, disks_, mean_, diagonal_, change_, delta_, felt_);
   }
 
  private:
@@ -59,6 +59,7 @@ class CondensedNewton {
   Stiffness G_;
   std::vector<int> left_, held_;  ///< unknowns of C, contacts first, and of E
   VectorXd lower_, upper_;        ///< bounds of the rows of C
+  std::vector<Disk> disks_;       ///< their unknowns as places in left_
   NewtonSteps<Eigen::Dynamic> steps_;
   double weight_ = 0;      ///< α of C
   VectorXd diagonal_;      ///< of its matrix without α W_aa

@@ -30,14 +30,17 @@ struct Disk {
   }
 
   /// Its part of a vector of unknowns; a missing second one is 0.
-  Vec2 of(const VectorXd& x) const { return {x[first], unknowns == 2 ? x[first + 1] : 0}; }
+  template <class Vector>
+  Vec2 of(const Vector& x) const {
+    return {x[first], unknowns == 2 ? x[first + 1] : 0};
+  }
   void put(const Vec2& part, VectorXd& x) const {
     x.segment(first, unknowns) = part.head(unknowns);
   }
-  /// Its radius now, N·m·s.
-  double radiusAt(const VectorXd& r) const {
-    return radius * std::clamp(r[governor], 0.0, mostLoad);
-  }
+  /// Its radius under the normal reaction `load`.
+  double radiusUnder(double load) const { return radius * std::clamp(load, 0.0, mostLoad); }
+  /// Its radius now.
+  double radiusAt(const VectorXd& r) const { return radiusUnder(r[governor]); }
   /// Whether its radius grows with r_n.
   bool grows(const VectorXd& r) const { return r[governor] < mostLoad; }
 };

@@ -62,7 +62,37 @@ double NewtonSteps<Most>::evaluate(const ReactionBounds& bounds, const Vector& a
     error_[k] = std::clamp(z, bounds.lower[i], bounds.upper[i]) - at[k];
     sum += rho[k] * error_[k] * rho[k] * error_[k];
   }
+  for (const Disk& disk : bounds.disks) {
+    const Vec2 own = disk.of(at), z = own - disk.of(velocity) / rho[disk.first];
+    const double load = at[disk.governor] + error_[disk.governor];
+    const Vec2 f = projectOnDisk(z, disk.radiusUnder(load)) - own;
+    for (int j = 0; j < disk.unknowns; ++j) error_[disk.first + j] = f[j];
+    sum += (rho[disk.first] * f).squaredNorm();
+  }
   return std::sqrt(sum);
+}
+
+/// A sliding disk is on the rim, which r_n moves, and turns as a contact does:
+///
+///     dP = (R/‖z‖) (1 − t tᵀ) dz + κ t dr_n,   t = z/‖z‖
+template <int Most>
+void NewtonSteps<Most>::findActiveDisk(const Disk& disk) {
+  const Vec2 z = disk.of(r) - disk.of(u) / rho[disk.first];
+  const double load = r[disk.governor] + error_[disk.governor];
+  const double radius = disk.radiusUnder(load), length = z.norm();
+  if (!(radius > 0)) return;
+  active_.push_back({disk.first, disk.unknowns, length > radius});
+  Active& own = active_.back();
+  if (own.slides) {
+    const Vec2 t = z / length;
+    own.P.template topLeftCorner<2, 2>() = radius / length * (Mat2::Identity() - t * t.transpose());
+    const auto at = std::find(unknowns_.begin(), unknowns_.end(), disk.governor);
+    if (load < disk.mostLoad && at != unknowns_.end()) {
+      own.governor = static_cast<int>(at - unknowns_.begin());
+      own.P.col(2).template head<2>() = disk.radius * t;
+    }
+  }
+  for (int j = 0; j < disk.unknowns; ++j) unknowns_.push_back(disk.first + j);
 }
 
 /// Finds the active parts in the region of r and u.
@@ -76,7 +106,7 @@ void NewtonSteps<Most>::findActive(const ReactionBounds& bounds) {
     const Vec3 z = r.template segment<3>(k) - u.template segment<3>(k) / rho[k];
     if (z[0] <= 0) continue;
     const double zt = lengthOf(z[1], z[2]);
-    active_.push_back({k, zt > bounds.friction[i] * z[0]});
+    active_.push_back({k, 3, zt > bounds.friction[i] * z[0]});
     Active& contact = active_.back();
     if (contact.slides) slidingReaction(z, zt, bounds.friction[i], &contact.P);
     for (int j = 0; j < 3; ++j) unknowns_.push_back(k + j);
@@ -85,29 +115,38 @@ void NewtonSteps<Most>::findActive(const ReactionBounds& bounds) {
     const int k = 3 * n + i;
     const double z = r[k] - u[k] / rho[k];
     if (!(z > bounds.lower[i] && z < bounds.upper[i])) continue;
-    active_.push_back({k, false});
+    active_.push_back({k, 1, false});
     unknowns_.push_back(k);
   }
+  for (const Disk& disk : bounds.disks) findActiveDisk(disk);
 }
 
 /// Sets K_ to −dF/dr of the active parts.
 template <int Most>
-void NewtonSteps<Most>::fillMatrix(const ReactionBounds& bounds) {
+void NewtonSteps<Most>::fillMatrix() {
   const auto m = static_cast<int>(unknowns_.size());
-  const int contactsEnd = 3 * bounds.contacts();
   resizeTo(m, K_);
   int row = 0;
   for (const Active& a : active_) {
     const double scale = 1 / rho[a.first];
-    const int count = a.first < contactsEnd ? 3 : 1;
-    for (int j = 0; j < count; ++j)
+    for (int j = 0; j < a.unknowns; ++j)
       for (int c = 0; c < m; ++c) K_(row + j, c) = scale * W(a.first + j, unknowns_[c]);
-    if (a.slides) {
+    if (a.slides && a.unknowns == 3) {
       auto rows = K_.template middleRows<3>(row);
       for (int c = 0; c < m; ++c) rows.col(c) = (a.P * rows.col(c)).eval();
       K_.template block<3, 3>(row, row) += Mat3::Identity() - a.P;
+    } else if (a.slides) {
+      for (int c = 0; c < m; ++c) {
+        Vec2 column(K_(row, c), a.unknowns == 2 ? K_(row + 1, c) : 0);
+        column = (a.P.template topLeftCorner<2, 2>() * column).eval();
+        for (int j = 0; j < a.unknowns; ++j) K_(row + j, c) = column[j];
+      }
+      for (int j = 0; j < a.unknowns; ++j) {
+        for (int l = 0; l < a.unknowns; ++l) K_(row + j, row + l) += (j == l) - a.P(j, l);
+        if (a.governor >= 0) K_(row + j, a.governor) -= a.P(j, 2);
+      }
     }
-    row += count;
+    row += a.unknowns;
   }
 }
 
@@ -116,7 +155,7 @@ template <int Most>
 bool NewtonSteps<Most>::isFactored() const {
   constexpr double hardly = 1e-3;
   const auto isSame = [](const Active& now, const Active& then) {
-    return now.first == then.first && now.slides == then.slides &&
+    return now.first == then.first && now.slides == then.slides && now.governor == then.governor &&
            (now.P - then.P).cwiseAbs().maxCoeff() <= hardly;
   };
   return hasFactor_ &&
@@ -138,25 +177,30 @@ bool NewtonSteps<Most>::findStep(const ReactionBounds& bounds) {
   right_.resize(m);
   int row = 0;
   for (const Active& a : active_) {
-    if (a.first < 3 * bounds.contacts()) {
+    if (a.unknowns == 3) {
       Vec3 felt = felt_.template segment<3>(a.first) / rho[a.first];
       if (a.slides) felt = (a.P * felt).eval();
       right_.template segment<3>(row) = error_.template segment<3>(a.first) - felt;
-      row += 3;
     } else {
-      right_[row++] = error_[a.first] - felt_[a.first] / rho[a.first];
+      Vec3 felt = Vec3::Zero();
+      for (int j = 0; j < a.unknowns; ++j) felt[j] = felt_[a.first + j] / rho[a.first];
+      // P(z_n) changes by Δr_n − F_n.
+      if (a.governor >= 0) felt[2] = error_[unknowns_[a.governor]];
+      if (a.slides) felt = (a.P * felt).eval();
+      for (int j = 0; j < a.unknowns; ++j) right_[row + j] = error_[a.first + j] - felt[j];
     }
+    row += a.unknowns;
   }
   if constexpr (Most == Eigen::Dynamic) {
     if (!isFactored()) {
-      fillMatrix(bounds);
+      fillMatrix();
       factored_.assign(active_.begin(), active_.end());
       hasFactor_ = elimination_.factorise(K_);
       if (!hasFactor_) return false;
     }
     elimination_.solve(right_);
   } else {
-    fillMatrix(bounds);
+    fillMatrix();
     if (m > 0 && !elimination_.solve(K_, right_)) return false;
   }
   for (int c = 0; c < m; ++c) step_[unknowns_[c]] = right_[c];

@@ -5,17 +5,23 @@
 #include <vector>
 
 #include "delassus/bytes.h"
+#include "delassus/disk.h"
 #include "delassus/elimination.h"
 #include "delassus/types.h"
 
 namespace delassus {
 
-/// The limits of the reactions of contacts, and then of rows, as in Problem.
+/// The limits of the reactions of contacts, rows and disks, as in Problem.
 struct ReactionBounds {
   const VectorXd &friction, &lower, &upper;
+  const std::vector<Disk>& disks;
 
   int contacts() const { return static_cast<int>(friction.size()); }
-  int rows() const { return static_cast<int>(lower.size()); }
+  /// Rows that belong to no disk.
+  int rows() const {
+    const int contactsEnd = 3 * contacts();
+    return disks.empty() ? static_cast<int>(lower.size()) : disks.front().first - contactsEnd;
+  }
 };
 
 /// Up to this many unknowns are solved without a workspace.
@@ -45,8 +51,8 @@ class ShortList<Entry, Eigen::Dynamic> : public std::vector<Entry> {};
 ///
 ///     F(r) = P(r − u/ρ) − r = 0,    u = W r + q,    ρ = mean of the diagonal of W_ii
 ///
-/// P is `reactionTo` for contacts, and the projection on their bounds for rows. At most `Most`
-/// unknowns, or any number (Eigen::Dynamic).
+/// P is `reactionTo` for contacts, the projection on their bounds for rows, and that on the disk
+/// which P(r_n − u_n/ρ) allows for disks. At most `Most` unknowns, or any number (Eigen::Dynamic).
 template <int Most>
 class NewtonSteps {
  public:
@@ -87,17 +93,20 @@ class NewtonSteps {
   /// Writes F at these reactions and velocities to error_. Returns ‖ρ F‖.
   double evaluate(const ReactionBounds& bounds, const Vector& at, const Vector& velocity);
   void findActive(const ReactionBounds& bounds);
-  void fillMatrix(const ReactionBounds& bounds);
+  void findActiveDisk(const Disk& disk);
+  void fillMatrix();
   bool isFactored() const;
   bool findStep(const ReactionBounds& bounds);
   void tryStep(const ReactionBounds& bounds, double share, double& error);
 
-  /// A part that responds to others in the region of r and u: the three unknowns of a contact, or
-  /// one of a row.
+  /// A part that responds to others in the region of r and u: the three unknowns of a contact, one
+  /// of a row, or those of a disk.
   struct Active {
-    int first;
-    bool slides;            ///< else it is free in all directions
-    Mat3 P = Mat3::Zero();  ///< its derivative if it slides
+    int first, unknowns;
+    bool slides;  ///< else it is free in all directions
+    /// Its derivative if it slides. That of a disk has two rows: dP/dz and, last, dP/dr_n.
+    Mat3 P = Mat3::Zero();
+    int governor = -1;  ///< the place of r_n in `unknowns_`; −1: r_n does not move a rim
   };
 
   Elimination<Most> elimination_;

@@ -35,6 +35,7 @@ struct Problem {
   /// Of W only the storage of the body space is counted.
   std::size_t bytes() const { return W.bytes() + bytesOf(q, friction, lower, upper, disks); }
   int disksBegin() const { return disks.empty() ? size() : disks.front().first; }
+  int plainRows() const { return disksBegin() - 3 * contacts(); }  ///< those of no disk
   /// The largest demand, m/s: of contacts −q_n and |q_t|, of rows demandOf; 0 if there is none.
   double demand() const;
 };

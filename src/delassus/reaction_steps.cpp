@@ -13,7 +13,8 @@ template <class Motion>
 class ReactionSteps<Motion>::AroundCenter {
  public:
   AroundCenter(ProximalSpace<Motion>& space, double alpha, Solution& at)
-      : problem_(space.problem()),
+      : space_(space),
+        problem_(space.problem()),
         motion_(space.motion()),
         scale_(space.scale),
         l_(space.l),
@@ -37,8 +38,10 @@ class ReactionSteps<Motion>::AroundCenter {
  private:
   double rho(int at) const { return perScale_ * scale_[at]; }
   void answer(int contact);
+  void answer(const Disk& disk, int k);
   void answerAll();
 
+  ProximalSpace<Motion>& space_;
   const Problem& problem_;
   Motion& motion_;
   const VectorXd &scale_, &l_;
@@ -62,11 +65,18 @@ double ReactionSteps<Motion>::AroundCenter::error() {
     F_.segment<3>(at) = reactionTo(z, problem_.friction[at / 3], nullptr) - own;
     sum += rho(at) * rho(at) * F_.segment<3>(at).squaredNorm();
   }
-  for (int at = contactsEnd; at < problem_.size(); ++at) {
+  for (int at = contactsEnd; at < problem_.disksBegin(); ++at) {
     const int row = at - contactsEnd;
     const double z = r_[at] - v_[at] / rho(at);
     F_[at] = std::clamp(z, problem_.lower[row], problem_.upper[row]) - r_[at];
     sum += rho(at) * F_[at] * rho(at) * F_[at];
+  }
+  for (const Disk& disk : problem_.disks) {
+    const double rho = this->rho(disk.first), load = r_[disk.governor] + F_[disk.governor];
+    const Vec2 own = disk.of(r_), z = own - disk.of(v_) / rho;
+    const Vec2 F = projectOnDisk(z, disk.radiusUnder(load)) - own;
+    disk.put(F, F_);
+    sum += (rho * F).squaredNorm();
   }
   return std::sqrt(sum);
 }
@@ -102,18 +112,44 @@ void ReactionSteps<Motion>::AroundCenter::answer(int contact) {
   forced = Vec3(normal, F[1] + rim * c - turned * s, F[2] + rim * s + turned * c);
 }
 
+/// The same for disk k, once its governor has answered.
+template <class Motion>
+void ReactionSteps<Motion>::AroundCenter::answer(const Disk& disk, int k) {
+  const double rho = this->rho(disk.first), l = l_[disk.first];
+  const double load = r_[disk.governor] + F_[disk.governor];
+  const Vec2 z = disk.of(r_) - disk.of(v_) / rho, F = disk.of(F_);
+  const double radius = disk.radiusUnder(load), length = z.norm();
+  if (!(radius > 0)) {
+    space_.answerOfDisk(disk, k, Mode::Open, z, 0, false, G_);
+    disk.put(F, change_);
+  } else if (length <= radius) {
+    space_.answerOfDisk(disk, k, Mode::Stick, z, 0, false, G_);
+    disk.put(rho * l * F, change_);
+  } else {
+    const bool grows = load < disk.mostLoad;
+    const double turn = radius / length, stays = turn * (1 - 1 / (rho * l));
+    space_.answerOfDisk(disk, k, Mode::Slide, z, turn / ((1 - stays) * rho), grows, G_);
+    const Vec2 t = z / length;
+    const double along = t.dot(F);
+    const double rim = grows ? disk.radius * (change_[disk.governor] - F_[disk.governor]) : 0;
+    disk.put((along + rim) * t + (F - along * t) / (1 - stays), change_);
+  }
+}
+
 template <class Motion>
 void ReactionSteps<Motion>::AroundCenter::answerAll() {
   const int contactsEnd = 3 * problem_.contacts();
   change_.resize(problem_.size());
   for (int i = 0; i < problem_.contacts(); ++i) answer(i);
-  for (int at = contactsEnd; at < problem_.size(); ++at) {
+  for (int at = contactsEnd; at < problem_.disksBegin(); ++at) {
     const int row = at - contactsEnd;
     const double z = r_[at] - v_[at] / rho(at), l = l_[at], F = F_[at];
     const bool isFree = z > problem_.lower[row] && z < problem_.upper[row];
     G_.rows[row] = isFree ? l : 0;
     change_[at] = isFree ? rho(at) * l * F : F;
   }
+  for (std::size_t k = 0; k < problem_.disks.size(); ++k)
+    answer(problem_.disks[k], static_cast<int>(k));
 }
 
 /// Goes to the zero of F in this region; `error` is afterwards that at the new r and v.
@@ -129,6 +165,10 @@ bool ReactionSteps<Motion>::AroundCenter::step(double& error) {
     change_.segment<3>(at).noalias() -= G_.contacts[at / 3] * felt_.segment<3>(at);
   const int rows = problem_.rows();
   change_.tail(rows) -= G_.rows.cwiseProduct(felt_.tail(rows));
+  for (std::size_t k = 0; k < problem_.disks.size(); ++k) {
+    const Disk& disk = problem_.disks[k];
+    disk.put(disk.of(change_) - G_.disks[k].times(disk, felt_, contactsEnd), change_);
+  }
   if (!change_.allFinite()) return false;
   last_ = r_;
   r_ += change_;

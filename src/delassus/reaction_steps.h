@@ -4,8 +4,8 @@
 
 namespace delassus {
 
-/// Newton's method on the law in the space of reactions, without disks (Alart and Curnier 1991;
-/// algorithms §6.10). Around reactions r_k
+/// Newton's method on the law in the space of reactions (Alart and Curnier 1991; algorithms §6.10).
+/// Around reactions r_k
 ///
 ///     F(r) = P(r − v/ρ) − r = 0,    v = u + A (r − r_k),    ρ = (1 + α) W_aa
 ///
@@ -13,6 +13,8 @@ namespace delassus {
 ///
 ///     Δr = B F − G J̃ δ,    δ = K⁻¹ J̃ᵀ B F,    K = I + J̃ᵀ G J̃,
 ///     B = (1 − P' (1 − D))⁻¹,    G = B P'/ρ
+///
+/// The rim of a disk follows P(r_n − v_n/ρ), which changes by Δr_n − F_n in a step.
 ///
 /// The walk reads its region from r_k − l u: there even tiny velocities lie far behind walls. This
 /// method reads it from r − v/ρ, so that a nearly right guess has most of its region right. It

@@ -170,7 +170,8 @@ class Search {
   Outcome finish(Engines<Motion>& engines, const Task& task, Solution& best);
 
   // search_sweeps.cpp: each until `tolerance`, which may be finer than the task's.
-  bool sweepAndLearn(const Task& task, double tolerance, Solution& best);
+  bool sweepAndLearn(const Task& task, double tolerance, Solution& best,
+                     int most = std::numeric_limits<int>::max());
   void sweepAll(const Task& task, double tolerance, Solution& best);
   void sweepWhileItGains(const Task& task, double tolerance, Solution& best);
   void settle(const Task& task, double tolerance, Solution& best);

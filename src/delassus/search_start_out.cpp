@@ -163,18 +163,22 @@ bool Search::condense(const Task& task, Solution& best) {
 /// Newton's method on reactions. If nothing is known, and so few contacts touch that a dense matrix
 /// costs no more than the factor of their bodies, it uses that matrix. Otherwise it uses such
 /// factors, unless there are so many contacts that some of them are always in a wrong region.
+/// Bodies that roll on press nearly as in the last step: a few sweeps then cost less than a region.
 template <class Motion>
 bool Search::react(Engines<Motion>& engines, const Task& task, Solution& best) {
-  constexpr int mostContacts = 300, fewSteps = 30, manySteps = 40;
+  constexpr int mostContacts = 300, fewSteps = 30, manySteps = 40, fewSweeps = 3;
   if (task.isHurried || task.regionsLeft(best) <= 0) return false;
   CondensedNewton& condensed = machines().condensed;
   if (!task.guess && condensed.setProblem(*problem_, map_, best.r, fewAlone))
     return condensed.solve(task.tolerance, task.sweepsLeft(best), best);
   // Contacts of large piles share loads in many ways; joints leave fewer.
-  const bool isTooLarge =
-      problem_->contacts() > mostContacts || isLargeHeap(*problem_) ||
-      (isLargeButNoHeap(*problem_) && (!task.guess || problem_->rows() < problem_->contacts()));
-  if (isTooLarge || !problem_->disks.empty()) return false;
+  const bool isTooLarge = problem_->contacts() > mostContacts || isLargeHeap(*problem_) ||
+                          (isLargeButNoHeap(*problem_) &&
+                           (!task.guess || problem_->plainRows() < problem_->contacts()));
+  if (isTooLarge) return false;
+  if (!problem_->disks.empty() && task.guess &&
+      sweepAndLearn(task, keptShare * task.tolerance, best, fewSweeps))
+    return true;
   return engines.reactions.solve(
       task.tolerance, task.regionsLeft(best, task.guess ? fewSteps : manySteps), trial_, best);
 }

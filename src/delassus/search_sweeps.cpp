@@ -7,21 +7,22 @@
 
 namespace delassus {
 
-/// Makes sweeps that remember a few steps, as long as they soon halve the residual: a factor costs
-/// as much as tens of sweeps, where W is explicit as hundreds. With a longer memory more regions
-/// are needed after a blow. True if the sweeps reach the tolerance.
-bool Search::sweepAndLearn(const Task& task, double tolerance, Solution& best) {
+/// Makes sweeps that remember a few steps, at most `most`, as long as they soon halve the residual:
+/// a factor costs as much as tens of sweeps, where W is explicit as hundreds. With a longer memory
+/// more regions are needed after a blow. True if the sweeps reach the tolerance.
+bool Search::sweepAndLearn(const Task& task, double tolerance, Solution& best, int most) {
   constexpr int shortest = 3, longest = 10;  // from one look at the residual to the next
   constexpr int patience = 20, memory = 5;
   constexpr double gain = 0.5;
   machines().sweeps.setProblem(*problem_, map_);
   trial_.r = best.r;
   double mark = best.residualRms;
-  int idle = 0;
-  for (int burst = shortest; burst <= task.sweepsLeft(best) && idle < patience;
+  int idle = 0, made = 0;
+  for (int burst = shortest; burst <= task.sweepsLeft(best, most - made) && idle < patience;
        burst = std::min(2 * burst, longest)) {
     machines().sweeps.sweepOn(burst, memory, trial_.r);
     best.sweeps += burst;
+    made += burst;
     consider(trial_, best);
     if (best.residual <= tolerance) return true;
     idle += burst;

@@ -180,8 +180,9 @@ TEST(CondensedNewton, LeavesToOthersWhatHasManyContacts) {
   EXPECT_TRUE(isFor(chain.problem));
   EXPECT_FALSE(isFor(withEntries(chain.problem)));
   EXPECT_FALSE(isFor(PileIsland(makeChain(12, 0.3, 0.1, 1, random)).problem));
-  Pile turning = makeHeap(2, 0.5, random);
-  resistTurning(turning, 0.1, random);
+  Pile turning = makeChain(4, 0.3, 0.1, 1, random);
+  for (int i = 0; i < static_cast<int>(turning.contacts.size()); ++i)
+    addRows(aboutTangents(turning.contacts[i], 0.1, 0.1), turning.contacts[i], i, turning.rows);
   EXPECT_FALSE(isFor(PileIsland(turning).problem));
   Pile alone = makeChain(4, 0.3, 0.1, 1, random);
   alone.contacts.clear();
@@ -203,6 +204,57 @@ TEST(CondensedNewton, FewContactsWithoutJoints) {
     reached += attempt.reached ? 1 : 0;
   }
   EXPECT_GE(reached, 0.8 * samples);
+}
+
+// Contacts that resist rolling and spinning, some up to a load: of balls alone, and of links whose
+// joints are eliminated. Of contacts without friction a row governs the disk.
+TEST(CondensedNewton, TurningFriction) {
+  Random random(220);
+  int tried = 0, reached = 0, again = 0;
+  constexpr int samples = 200;
+  for (int k = 0; k < samples; ++k) {
+    Pile pile =
+        k % 2 ? makeHeap(1 + k % 3, 0.5, random) : makeChain(2 + k % 3, 0.5, 0.2, 10, random);
+    mixFriction(pile, 0.8, random);
+    resistTurning(pile, 0.1, random);
+    for (Row& row : pile.rows)
+      if (row.governor >= 0 && uniform(random, 0, 1) < 0.3)
+        row.mostLoad = uniform(random, 0.01, 0.3);
+    const PileIsland island(pile);
+    if (!isFor(island.problem)) continue;
+    ++tried;
+    const CondensedAttempt attempt = condenseFromRest(island.problem);
+    EXPECT_LE(attempt.solution.residual, attempt.before);
+    EXPECT_LE(infeasibility(island.problem, attempt.solution.r), 1e-15);
+    EXPECT_EQ(attempt.reached, attempt.solution.residual <= attempt.tolerance);
+    if (!attempt.reached) continue;
+    ++reached;
+    EXPECT_LE(naturalResidual(island.problem, attempt.solution.r).max, 1.01 * attempt.tolerance);
+    const VectorXd nearly =
+        attempt.solution.r +
+        1e-4 * attempt.solution.r.cwiseProduct(normalVector(island.problem.size(), random));
+    const CondensedAttempt second = condense(island.problem, nearly);
+    again += second.reached && second.solution.sweeps <= 5 ? 1 : 0;
+  }
+  EXPECT_GE(tried, 0.5 * samples);
+  EXPECT_GE(reached, 0.9 * tried);
+  EXPECT_GE(again, 0.9 * reached);
+}
+
+// A row that governs a disk is not eliminated, although it is within its bounds.
+TEST(CondensedNewton, LeavesWhatGovernsADisk) {
+  Random random(221);
+  Pile pile = makeHeap(1, 0, random);
+  pile.rows.push_back(makeWeakMotor());
+  addRows(aboutTangents(pile.contacts[0], 0, 0.1), pile.contacts[0], 0, pile.rows);
+  const PileIsland ball(pile);
+  ASSERT_EQ(ball.problem.disks.size(), 1U);
+  VectorXd r = VectorXd::Zero(ball.problem.size());
+  r[ball.problem.disks[0].governor] = 1;
+  NaturalMap map;
+  map.setProblem(ball.problem);
+  EXPECT_TRUE(CondensedNewton().setProblem(ball.problem, map, r, 3));
+  EXPECT_FALSE(CondensedNewton().setProblem(ball.problem, map, r, 2));
 }
 
 // Joints that break, or strong motors, make rows whose bounds are far away. Where there are many of

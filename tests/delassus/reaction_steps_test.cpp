@@ -3,8 +3,10 @@
 
 #include "delassus/proximal_walk.h"
 #include "delassus/reaction_steps.h"
+#include "delassus/read_mode.h"
 #include "delassus/solver.h"
 #include "tests/support/random_piles.h"
+#include "tests/support/turning_piles.h"
 
 namespace delassus {
 namespace {
@@ -28,6 +30,7 @@ class Attempt {
   }
   bool fromRest() { return from(VectorXd::Zero(problem_.size())); }
   double tolerance() const { return tolerance_; }
+  const NaturalMap& map() const { return map_; }
   ProximalSpace<Motion>& space() { return space_; }
 
   Solution best;
@@ -115,6 +118,46 @@ TEST(ReactionSteps, FewStepsMendWhatIsNearlyRight) {
     few += isReached && attempt.best.regions <= 10 ? 1 : 0;
   }
   EXPECT_GE(few, 0.9 * samples);
+}
+
+/// Balls that resist rolling and spinning, some of them only up to a load.
+PileIsland turningHeap(int balls, double disturbance, Random& random) {
+  Pile pile = makeHeap(balls, 0.5, random);
+  for (Body& ball : pile.bodies) ball.velocity += disturbance * normalVector(6, random);
+  mixFriction(pile, 0.8, random);
+  resistTurning(pile, 0.2, random);
+  for (Row& row : pile.rows)
+    if (uniform(random, 0, 1) < 0.3) row.mostLoad = uniform(random, 0.01, 0.3);
+  return PileIsland(pile);
+}
+
+TEST(ReactionSteps, TurningFrictionTakesFewSteps) {
+  Random random(307);
+  int reached = 0, few = 0;
+  std::vector<int> modes(3);
+  constexpr int samples = 200;
+  for (int k = 0; k < samples; ++k) {
+    const PileIsland heap = turningHeap(1 + k % 5, k % 2, random);
+    Attempt<BodyMotion> attempt(heap.problem);
+    const bool isReached = attempt.fromRest();
+    EXPECT_EQ(isReached, attempt.best.residual <= attempt.tolerance());
+    EXPECT_LE(infeasibility(heap.problem, attempt.best.r), 1e-15 * (1 + attempt.best.r.norm()));
+    EXPECT_NEAR(naturalResidual(heap.problem, attempt.best.r).max, attempt.best.residual,
+                1e-12 * (1 + attempt.before));
+    if (!isReached) continue;
+    ++reached;
+    readActiveSet(heap.problem, attempt.map().diagonal(), attempt.best.r, attempt.best.u,
+                  attempt.best.activeSet);
+    for (const Mode mode : attempt.best.activeSet.disks) ++modes[static_cast<int>(mode)];
+    // Newton's method doubles the digits of reactions that are right but for a few.
+    const VectorXd nearly = attempt.best.r + 1e-3 * attempt.best.r.cwiseProduct(
+                                                        normalVector(heap.problem.size(), random));
+    Attempt<BodyMotion> second(heap.problem);
+    few += second.from(nearly) && second.best.regions <= 5 ? 1 : 0;
+  }
+  EXPECT_GE(reached, 0.9 * samples);
+  EXPECT_GE(few, 0.9 * reached);
+  for (const int count : modes) EXPECT_GE(count, 20);
 }
 
 TEST(ReactionSteps, SpendsNoMoreThanItsBudgetAndLosesNothing) {
