@@ -5,8 +5,6 @@
 
 #include "delassus/flush_to_zero.h"
 #include "delassus/hands.h"
-#include "delassus/lanes.h"
-#include "delassus/length.h"
 
 namespace delassus {
 namespace {
@@ -34,106 +32,12 @@ void clear(int bodies, const std::vector<int>& colours, std::vector<Group>& grou
   }
 }
 
-/// J̃ of the contacts or rows of a group, `count` numbers per body, in their units; zero for a
-/// missing body.
-template <int count>
-class JacobiansOfLanes {
- public:
-  /// Also notes the bodies in the group.
-  template <class Part, class Group>
-  void put(const Part& part, double perUnit, int lane, Group& g) {
-    put(part.a, part.Ja, perUnit, a_[lane], g.a[lane]);
-    put(part.b, part.Jb, perUnit, b_[lane], g.b[lane]);
-  }
-  template <class Group>
-  void turnOver(Group& g) const {
-    turnOver(a_, g.Ja);
-    turnOver(b_, g.Jb);
-  }
-
- private:
-  static constexpr int padded = (count + 3) / 4 * 4;  ///< four numbers at a time are transposed
-  using Jacobians = float[lanes][padded];
-
-  template <class Rows>
-  static void put(int body, const Rows& J, double perUnit, float* to, int& place) {
-    if (body < 0) return;
-    place = body;
-    for (int k = 0; k < count; ++k) to[k] = static_cast<float>(perUnit * J.data()[k]);
-  }
-  static void turnOver(const Jacobians& from, Lanes* to) {
-    const float* rows[lanes];
-    for (int lane = 0; lane < lanes; ++lane) rows[lane] = from[lane];
-    for (int k = 0; k < count; k += 4) {
-      Lanes4 low[4], high[4];
-      gather(rows, k, low);
-      gather(rows + 4, k, high);
-      for (int i = 0; i < 4 && k + i < count; ++i) {
-        store(low[i], to[k + i]);
-        store(high[i], to[k + i] + 4);
-      }
-    }
-  }
-
-  Jacobians a_ = {}, b_ = {};
-};
-
-void fill(const Problem& problem, const NaturalMap& map, ContactGroup& g) {
-  const BodySpace& space = problem.W.bodySpace();
-  JacobiansOfLanes<18> jacobians;
-  for (int lane = 0; lane < lanes; ++lane) {
-    const int i = g.at[lane];
-    if (i == vacant) {  // the lane acts as a contact that stays open
-      for (int k = 0; k < 3; ++k) g.compliance[k][lane] = 0;
-      g.w1[lane] = g.w2[lane] = g.s01[lane] = g.friction[lane] = 0;
-      g.s00[lane] = g.s11[lane] = g.perDet[lane] = g.unit[lane] = 1;
-      continue;
-    }
-    const Mat3& W = map.contactBlock(i);
-    const double per = 1 / W(0, 0), unit = std::sqrt(W(0, 0));
-    jacobians.put(space.contacts[i], unit * per, lane, g);
-    g.unit[lane] = static_cast<float>(unit);
-    for (int k = 0; k < 3; ++k)
-      g.compliance[k][lane] = static_cast<float>(per * space.compliance[3 * i + k]);
-    const double w1 = W(1, 0) * per, w2 = W(2, 0) * per;
-    const double s00 = W(1, 1) * per - w1 * w1, s01 = W(1, 2) * per - w1 * w2,
-                 s11 = W(2, 2) * per - w2 * w2;
-    g.w1[lane] = static_cast<float>(w1);
-    g.w2[lane] = static_cast<float>(w2);
-    g.s00[lane] = static_cast<float>(s00);
-    g.s01[lane] = static_cast<float>(s01);
-    g.s11[lane] = static_cast<float>(s11);
-    g.perDet[lane] = static_cast<float>(1 / (s00 * s11 - s01 * s01));
-    g.friction[lane] = static_cast<float>(problem.friction[i]);
-  }
-  jacobians.turnOver(g);
-}
-
-void fill(const Problem& problem, const NaturalMap& map, RowGroup& g) {
-  const BodySpace& space = problem.W.bodySpace();
-  JacobiansOfLanes<6> jacobians;
-  for (int lane = 0; lane < lanes; ++lane) {
-    const int at = g.at[lane];
-    if (at == vacant) {
-      g.compliance[lane] = 0;
-      g.unit[lane] = 1;
-      continue;
-    }
-    const double W = map.diagonal()[at], unit = std::sqrt(W);
-    jacobians.put(space.rows[at - 3 * problem.contacts()], 1 / unit, lane, g);
-    g.unit[lane] = static_cast<float>(unit);
-    g.compliance[lane] = static_cast<float>(space.compliance[at] / W);
-  }
-  jacobians.turnOver(g);
-}
-
 }  // namespace
 
 bool ColouredSweeps::setProblem(const Problem& problem, const NaturalMap& map) {
   constexpr double least = 1e-6;
   problem_ = &problem;
-  if (!problem.W.inBodySpace() || !problem.disks.empty() || !problem.W.bodySpace().parts.empty())
-    return false;
+  if (!problem.W.inBodySpace() || !problem.W.bodySpace().parts.empty()) return false;
   for (int i = 0; i < problem.contacts(); ++i) {
     const Mat3& W = map.contactBlock(i);
     if (!(W(0, 0) > 0)) continue;
@@ -142,8 +46,13 @@ bool ColouredSweeps::setProblem(const Problem& problem, const NaturalMap& map) {
     const double trace = S.trace(), det = S(0, 0) * S(1, 1) - S(0, 1) * S(1, 0);
     if (!(trace > least * W(0, 0) && det > least * trace * trace)) return false;
   }
+  loads_.assign(problem.disks.size(), {});
+  const int contactsEnd = 3 * problem.contacts();
   placeContacts(map);
+  findLoads(contacts_, [=](int governor) { return governor < contactsEnd ? governor / 3 : -1; });
   placeRows(map);
+  findLoads(rows_, [=](int governor) { return governor - contactsEnd; });
+  placeDisks(map);
   velocities_.resize(problem.W.bodySpace().bodies + shares);
   return true;
 }
@@ -191,68 +100,52 @@ void ColouredSweeps::placeContacts(const NaturalMap& map) {
   const BodySpace& space = problem_->W.bodySpace();
   const auto of = [&](int i) { return map.diagonal()[3 * i] > 0 ? &space.contacts[i] : nullptr; };
   place(problem_->contacts(), of, contactColours_);
-  putInPlace(0, contactColours_, map, contacts_);
+  putInPlace(0, contactColours_, contacts_);
+  for (ContactGroup& g : contacts_) fill(*problem_, map, g);
 }
 
 void ColouredSweeps::placeRows(const NaturalMap& map) {
   const BodySpace& space = problem_->W.bodySpace();
   const int begin = 3 * problem_->contacts();
   const auto of = [&](int i) { return map.diagonal()[begin + i] > 0 ? &space.rows[i] : nullptr; };
-  place(problem_->rows(), of, rowColours_);
-  putInPlace(begin, rowColours_, map, rows_);
+  place(problem_->plainRows(), of, rowColours_);
+  putInPlace(begin, rowColours_, rows_);
+  for (RowGroup& g : rows_) fill(*problem_, map, g);
 }
 
-/// Fills the groups with all that `place` has found a place for; the index of the first is `begin`.
+void ColouredSweeps::placeDisks(const NaturalMap& map) {
+  const BodySpace& space = problem_->W.bodySpace();
+  const auto of = [&](int k) -> const ScalarRow* {
+    const Disk& disk = problem_->disks[k];
+    const bool moves = map.diagonal().segment(disk.first, disk.unknowns).maxCoeff() > 0;
+    return moves ? &space.rows[disk.first - 3 * problem_->contacts()] : nullptr;
+  };
+  place(static_cast<int>(problem_->disks.size()), of, diskColours_);
+  putInPlace(0, diskColours_, disks_);
+  for (DiskGroup& g : disks_) fill(*problem_, loads_, g);
+}
+
+/// Notes the loads of disks that `place` has put in these groups. `indexOf`: the index of a contact
+/// or row, from its unknown; negative for others.
+template <class Group, class IndexOf>
+void ColouredSweeps::findLoads(const std::vector<Group>& groups, const IndexOf& indexOf) {
+  for (std::size_t k = 0; k < loads_.size(); ++k) {
+    const int index = indexOf(problem_->disks[k].governor);
+    const int place = index >= 0 ? placeOf_[index] : unplaced;
+    if (place == unplaced) continue;
+    const Group& g = groups[place / lanes];
+    loads_[k] = loadIn(g, place % lanes);
+  }
+}
+
+/// Puts all that `place` has found a place for into the groups; the index of the first is `begin`.
 template <class Group>
-void ColouredSweeps::putInPlace(int begin, const Colours& colours, const NaturalMap& map,
-                                std::vector<Group>& groups) {
+void ColouredSweeps::putInPlace(int begin, const Colours& colours, std::vector<Group>& groups) {
   groups.resize(colours.back());
   clear(problem_->W.bodySpace().bodies, colours, groups);
   for (std::size_t i = 0; i < placeOf_.size(); ++i)
     if (const int place = placeOf_[i]; place != unplaced)
       groups[place / lanes].at[place % lanes] = begin + static_cast<int>(i);
-  for (Group& g : groups) fill(*problem_, map, g);
-}
-
-void ColouredSweeps::startContacts(const VectorXd& r, const VectorXd& u) {
-  for (ContactGroup& g : contacts_)
-    for (int lane = 0; lane < lanes; ++lane) {
-      const int i = g.at[lane];
-      Vec3 r0 = Vec3::Zero(), u0 = Vec3::UnitX();
-      double friction = 0;
-      if (i != vacant) {
-        const double unit = g.unit[lane], perUnit = 1 / unit;
-        r0 = unit * r.segment<3>(3 * i);
-        u0 = perUnit * u.segment<3>(3 * i);
-        friction = problem_->friction[i];
-      }
-      const double braked = lengthOf(r0[1], r0[2]);
-      for (int k = 0; k < 3; ++k) {
-        g.r0[k][lane] = static_cast<float>(r0[k]);
-        g.u0[k][lane] = static_cast<float>(u0[k]);
-        g.dr[k][lane] = g.drBefore[k][lane] = 0;
-      }
-      g.length0[lane] = static_cast<float>(braked);
-      g.margin0[lane] = static_cast<float>(friction * r0[0] - braked);
-      const double slip = braked > 0 ? lengthOf(u0[1], u0[2]) / braked : 0;
-      const float s = g.slip0[lane] = static_cast<float>(std::min<double>(slip, mostSlip));
-      g.dslip[lane] = 0;
-      g.unslowed0[0][lane] = static_cast<float>(u0[1] - g.w1[lane] * u0[0] + s * r0[1]);
-      g.unslowed0[1][lane] = static_cast<float>(u0[2] - g.w2[lane] * u0[0] + s * r0[2]);
-    }
-}
-
-void ColouredSweeps::startRows(const VectorXd& r, const VectorXd& u) {
-  for (RowGroup& g : rows_)
-    for (int lane = 0; lane < lanes; ++lane) {
-      const int i = g.at[lane], row = i - 3 * problem_->contacts();
-      const bool isThere = i != vacant;
-      const double unit = g.unit[lane];
-      g.u0[lane] = isThere ? static_cast<float>(u[i] / unit) : 0;
-      g.lower[lane] = isThere ? static_cast<float>(unit * (problem_->lower[row] - r[i])) : 0;
-      g.upper[lane] = isThere ? static_cast<float>(unit * (problem_->upper[row] - r[i])) : 0;
-      g.dr[lane] = g.drBefore[lane] = 0;
-    }
 }
 
 struct ColouredSweeps::Pass {
@@ -299,24 +192,28 @@ void ColouredSweeps::sweepShare(Pass& pass, int colour, int share, const Colours
 }
 
 /// Does one share of one round of a sweep. In the first round the velocities are extrapolated, then
-/// each colour of contacts has a round, then each colour of rows.
+/// each colour of contacts has a round, then each colour of rows, then each of disks.
 void ColouredSweeps::work(Pass& pass, int round, int share) {
   const auto contactColours = static_cast<int>(contactColours_.size()) - 1;
+  const auto rowsEnd = contactColours + static_cast<int>(rowColours_.size()) - 1;
   if (round == 0) {
     const auto bodies = static_cast<int>(velocities_.size());
     for (int k = partBegin(bodies, share, shares); k < partBegin(bodies, share + 1, shares); ++k)
       velocities_[k].goOn(pass.beta);
   } else if (round <= contactColours) {
     sweepShare(pass, round - 1, share, contactColours_, contacts_, pass.sweeps.contacts);
-  } else {
+  } else if (round <= rowsEnd) {
     sweepShare(pass, round - 1 - contactColours, share, rowColours_, rows_, pass.sweeps.rows);
+  } else {
+    sweepShare(pass, round - 1 - rowsEnd, share, diskColours_, disks_, pass.sweeps.disks);
   }
 }
 
 /// Makes one sweep after the other; `inShares` does all shares of a round.
 template <class InShares>
 void ColouredSweeps::lead(Pass& pass, const InShares& inShares) {
-  const auto rounds = static_cast<int>(contactColours_.size() + rowColours_.size()) - 1;
+  const auto rounds =
+      static_cast<int>(contactColours_.size() + rowColours_.size() + diskColours_.size()) - 2;
   do {
     for (int round = 0; round < rounds; ++round) inShares(round);
   } while (pass.goOn());
@@ -342,8 +239,12 @@ void ColouredSweeps::sweepPlainly(int count, VectorXd& r) {
 
 void ColouredSweeps::sweepAs(Pass& pass, const VectorXd& u, VectorXd& r) {
   constexpr int worthwhile = 1000;  // parts; fewer are swept before other hands have come
-  startContacts(r, u);
-  startRows(r, u);
+  const auto startAll = [&](auto& groups) {
+    for (auto& g : groups) start(*problem_, r, u, g);
+  };
+  startAll(contacts_);
+  startAll(rows_);
+  startAll(disks_);
   std::fill(velocities_.begin(), velocities_.end(), SweptVelocity{});
   const auto part = [&](int round, int share) { work(pass, round, share); };
   if (!hands_ || problem_->parts() < worthwhile) {
@@ -374,6 +275,13 @@ void ColouredSweeps::finish(VectorXd& r) const {
   for (const RowGroup& g : rows_)
     for (int lane = 0; lane < lanes; ++lane)
       if (g.at[lane] != vacant) r[g.at[lane]] += double(g.dr[lane]) / g.unit[lane];
+  for (const DiskGroup& g : disks_)
+    for (int lane = 0; lane < lanes; ++lane)
+      if (g.at[lane] != vacant) {
+        const Disk& disk = problem_->disks[g.at[lane]];
+        const Vec2 change(g.dr[0][lane], g.dr[1][lane]);
+        disk.put(disk.of(r) + change / double(g.unit[lane]), r);
+      }
   makeFeasible(*problem_, r);
 }
 

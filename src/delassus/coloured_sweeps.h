@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "delassus/fill_groups.h"
 #include "delassus/problem.h"
 #include "delassus/residual.h"
 #include "delassus/swept_groups.h"
@@ -11,21 +12,21 @@ namespace delassus {
 
 class Hands;
 
-/// Block Gauss-Seidel over the contacts, then the rows, of a problem in body space, eight at a
-/// time, with Nesterov's acceleration.
+/// Block Gauss-Seidel over the contacts, then the rows, then the disks of a problem in body space,
+/// eight at a time, with Nesterov's acceleration.
 ///
-/// Contacts (rows) of one colour have no body in common. Their order does not matter, and eight of
-/// them are swept at once, by several hands if there are any. The sweeps are in single precision,
-/// but only for what they change (swept_groups.h): r₀ and u₀, and all differences of them that an
-/// answer makes small, are computed in double precision when sweeps begin. Rounding then costs
-/// about 1e-7 of what the sweeps change, and sweeps that begin where others have ended go on as far
-/// as double precision does.
+/// Contacts (rows, disks) of one colour have no body in common. Their order does not matter, and
+/// eight of them are swept at once, by several hands if there are any. The sweeps are in single
+/// precision, but only for what they change (swept_groups.h): r₀ and u₀, and all differences of
+/// them that an answer makes small, are computed in double precision when sweeps begin. Rounding
+/// then costs about 1e-7 of what the sweeps change, and sweeps that begin where others have ended
+/// go on as far as double precision does.
 ///
 /// With g = g(x) swept from x, the next sweep begins from x⁺ = g + β (g − g_before), with β as in
 /// Nesterov 1983. β restarts at 0 whenever ‖g(x) − x‖ has grown (O'Donoghue and Candès 2015).
 class ColouredSweeps {
  public:
-  /// False where there are disks, articulated bodies, or contacts that friction cannot stop in all
+  /// False where there are articulated bodies, or contacts that friction cannot stop in all
   /// directions: then no sweeps may be asked for. The problem must outlive the sweeps.
   bool setProblem(const Problem& problem, const NaturalMap& map);
 
@@ -42,8 +43,8 @@ class ColouredSweeps {
   void setHands(Hands* hands) { hands_ = hands; }
 
   std::size_t bytes() const {
-    return bytesOf(contacts_, rows_, contactColours_, rowColours_, velocities_, coloursOf_,
-                   placeOf_, u_, y_);
+    return bytesOf(contacts_, rows_, disks_, contactColours_, rowColours_, diskColours_,
+                   velocities_, coloursOf_, placeOf_, loads_, u_, y_);
   }
 
  private:
@@ -56,11 +57,11 @@ class ColouredSweeps {
   void place(int count, const Of& of, Colours& colours);
   void placeContacts(const NaturalMap& map);
   void placeRows(const NaturalMap& map);
+  void placeDisks(const NaturalMap& map);
   template <class Group>
-  void putInPlace(int begin, const Colours& colours, const NaturalMap& map,
-                  std::vector<Group>& groups);
-  void startContacts(const VectorXd& r, const VectorXd& u);
-  void startRows(const VectorXd& r, const VectorXd& u);
+  void putInPlace(int begin, const Colours& colours, std::vector<Group>& groups);
+  template <class Group, class IndexOf>
+  void findLoads(const std::vector<Group>& groups, const IndexOf& indexOf);
   void work(Pass& pass, int round, int share);
   template <class Group>
   void sweepShare(Pass& pass, int colour, int share, const Colours& colours,
@@ -75,11 +76,13 @@ class ColouredSweeps {
   Hands* hands_ = nullptr;
   std::vector<ContactGroup> contacts_;
   std::vector<RowGroup> rows_;
-  Colours contactColours_, rowColours_;
+  std::vector<DiskGroup> disks_;
+  Colours contactColours_, rowColours_, diskColours_;
   std::vector<SweptVelocity> velocities_;
   std::vector<std::uint64_t> coloursOf_;  ///< colours that the contacts of a body have, a bit each
-  std::vector<int> placeOf_;  ///< of a contact or row: eight times its group, and its lane
-  VectorXd u_, y_;            ///< scratch
+  std::vector<int> placeOf_;  ///< of a contact, row or disk: eight times its group, and its lane
+  std::vector<SweptLoad> loads_;  ///< of the disks
+  VectorXd u_, y_;                ///< scratch
 };
 
 }  // namespace delassus

@@ -4,7 +4,9 @@
 
 namespace delassus {
 
-/// The kind of a problem, from its counts alone: n contacts, m rows, b bodies.
+/// The kind of a problem, from its counts alone: n contacts, m rows, b bodies. Where n > 600, rows
+/// of disks do not count. Of fewer contacts that resist rolling, sweeps and patches settle no heap
+/// sooner than regions do.
 ///
 /// A heap: few contacts for the motions of its bodies, and so little self-stress. Patches can mend
 /// its unsettled parts. It has more than 20 contacts, no more rows than contacts, W in body space,

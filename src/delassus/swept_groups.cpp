@@ -236,6 +236,114 @@ DELASSUS_WIDE_INLINE void sweepLanes(RowGroup& g, int at, float beta, SweptVeloc
   bodies.scatterFrom(ya, yb);
 }
 
+/// Sweeps over disks: r ← r − W⁻¹ u, or where that is outside, the r on the rim with
+///
+///     (W + s) r = W r − u,   s > 0
+///
+/// As for contacts, s makes one Newton step in each sweep.
+template <class V>
+DELASSUS_WIDE_INLINE void sweepLanes(DiskGroup& g, int at, float beta, SweptVelocity* velocities,
+                                     SweepChange& change) {
+  constexpr float tiny = 1e-30f, least = 1e-12f;
+  const V zero = {};
+  const BodyLanes<V> bodies(g.a + at, g.b + at, velocities);
+  V ya[8], yb[8], x[2], u[2], du[2], r0[2];
+  bodies.gatherTo(ya, yb);
+  for (int k = 0; k < 2; ++k) {
+    V now, before, sum[2] = {}, of;
+    load(g.dr[k] + at, now);
+    load(g.drBefore[k] + at, before);
+    store(now, g.drBefore[k] + at);
+    x[k] = now + beta * (now - before);
+    load(g.u0[k] + at, u[k]);
+    load(g.r0[k] + at, r0[k]);
+    for (int i = 0; i < 6; ++i) {
+      load(g.Ja[6 * k + i] + at, of);
+      sum[0] += of * ya[i];
+      load(g.Jb[6 * k + i] + at, of);
+      sum[1] += of * yb[i];
+    }
+    du[k] = sum[0] + sum[1];
+    u[k] += du[k];
+  }
+  V length0, margin0, load0, low, high, perLoad, loads;
+  for (int k = 0; k < bodies.count; ++k) loads[k] = *g.load[at + k];
+  load(g.length0 + at, length0), load(g.margin0 + at, margin0);
+  load(g.leastLoad + at, low), load(g.mostLoad + at, high), load(g.noLoad + at, load0);
+  load(g.perLoad + at, perLoad);
+  loads = loads < low ? low : loads;
+  loads = loads > high ? high : loads;
+  const V growth = perLoad * (loads - load0), radius = length0 + margin0 + growth;
+  // The radius less ‖r₀ + d‖, and this length. The rounding error is a share of d and the growth.
+  const auto marginAt = [&](const V(&d)[2], V& margin, V& length) {
+    const V t1 = r0[0] + d[0], t2 = r0[1] + d[1];
+    squareRoot(t1 * t1 + t2 * t2, length);
+    const V sum = length + length0;
+    margin = margin0 + growth -
+             ((t1 + r0[0]) * d[0] + (t2 + r0[1]) * d[1]) / (sum > tiny ? sum : zero + tiny);
+  };
+  V p00, p01, p11, margin, length;
+  load(g.p00 + at, p00), load(g.p01 + at, p01), load(g.p11 + at, p11);
+  const V held[2] = {x[0] - (p00 * u[0] + p01 * u[1]), x[1] - (p01 * u[0] + p11 * u[1])};
+  marginAt(held, margin, length);
+  const auto sticks = margin >= zero, presses = radius > zero;
+  V onRim[2] = {held[0], held[1]};
+  if (any(presses & ~sticks)) {
+    V w00, w01, w11, s0, ds, b1, b2;
+    load(g.w00 + at, w00), load(g.w01 + at, w01), load(g.w11 + at, w11);
+    load(g.slip0 + at, s0), load(g.dslip + at, ds);
+    load(g.unslowed0[0] + at, b1), load(g.unslowed0[1] + at, b2);
+    const V known = ds, r1 = r0[0] + x[0], r2 = r0[1] + x[1];
+    // The s for W = 1.
+    V free;
+    squareRoot((r1 - u[0]) * (r1 - u[0]) + (r2 - u[1]) * (r2 - u[1]), free);
+    const V guess = free / (radius > tiny ? radius : zero + tiny) - 1;
+    ds = s0 + ds > zero ? ds : (guess > least ? guess : zero + least) - s0;
+    ds = s0 + ds < mostSlip ? ds : mostSlip - s0;
+    const V s = s0 + ds, p = w00 + s, q = w11 + s, perDet = 1 / (p * q - w01 * w01);
+    // u + s r, which sliding makes zero, from its value at s₀ and the changes since.
+    const auto isNear = (ds < zero ? -ds : ds) < 0.5f * s0;
+    b1 = isNear ? b1 + (du[0] + s0 * x[0] + ds * r1) : u[0] + s * r1;
+    b2 = isNear ? b2 + (du[1] + s0 * x[1] + ds * r2) : u[1] + s * r2;
+    const V slid[2] = {x[0] + (w01 * b2 - q * b1) * perDet, x[1] + (w01 * b1 - p * b2) * perDet};
+    marginAt(slid, margin, length);
+    const V excess = margin / (length > least ? length : zero + least);
+    const V t1 = r0[0] + slid[0], t2 = r0[1] + slid[1];
+    onRim[0] = slid[0] + excess * t1;
+    onRim[1] = slid[1] + excess * t2;
+    // Newton on 1/‖r‖ − 1/R, which is nearly linear in s.
+    const V along = (q * t1 - w01 * t2) * t1 + (p * t2 - w01 * t1) * t2;
+    const V correction = -margin * length * length /
+                         (radius * along * perDet > tiny ? radius * along * perDet : zero + tiny);
+    ds += correction;
+    ds = s0 + ds > least ? ds : least - s0;
+    ds = presses & ~sticks ? ds : known;
+    store(ds, g.dslip + at);
+  }
+  V energy, largest, unit;
+  load(change.energy + at, energy);
+  load(change.largest + at, largest);
+  load(g.unit + at, unit);
+  for (int k = 0; k < 2; ++k) {
+    V next = sticks ? held[k] : onRim[k];
+    next = presses ? next : -r0[k];
+    store(next, g.dr[k] + at);
+    const V d = next - x[k], speed = unit * (d < zero ? -d : d);
+    energy += d * d;
+    largest = speed > largest ? speed : largest;
+    V of;
+    for (int i = 0; i < 6; ++i) {
+      load(g.Ja[6 * k + i] + at, of);
+      ya[i] += of * d;
+      load(g.Jb[6 * k + i] + at, of);
+      yb[i] += of * d;
+    }
+  }
+  store(energy, change.energy + at);
+  store(largest, change.largest + at);
+  bodies.scatterFrom(ya, yb);
+}
+
 template <class V, class Group>
 DELASSUS_WIDE_INLINE void sweepAll(Group* groups, std::size_t count, float beta,
                                    SweptVelocity* velocities, SweepChange& change) {
@@ -262,9 +370,9 @@ __attribute__((target("avx2"))) void sweepByEight(Group* groups, std::size_t cou
 GroupSweeps groupSweeps([[maybe_unused]] bool isNarrow) {
 #ifdef DELASSUS_HAS_AVX2
   if (!isNarrow && __builtin_cpu_supports("avx2"))
-    return {sweepByEight<ContactGroup>, sweepByEight<RowGroup>};
+    return {sweepByEight<ContactGroup>, sweepByEight<RowGroup>, sweepByEight<DiskGroup>};
 #endif
-  return {sweepByFour<ContactGroup>, sweepByFour<RowGroup>};
+  return {sweepByFour<ContactGroup>, sweepByFour<RowGroup>, sweepByFour<DiskGroup>};
 }
 
 }  // namespace delassus

@@ -4,9 +4,10 @@
 
 namespace delassus {
 
-/// Block Gauss-Seidel sweeps over eight contacts, or eight rows, at a time, in single precision; no
+/// Block Gauss-Seidel sweeps over eight contacts, rows or disks at a time, in single precision; no
 /// two of them have a body in common. Each contact is in units with W_nn = 1, each row in units
-/// with W = 1. Reactions and velocities are r₀ + Δr and u₀ + C Δr + J̃ Δy.
+/// with W = 1, each disk in units in which the largest eigenvalue of its W is 1. Reactions and
+/// velocities are r₀ + Δr and u₀ + C Δr + J̃ Δy.
 constexpr int lanes = 8;
 using Lanes = float[lanes];
 constexpr float mostSlip = 1e12f;  ///< s of OneContact for a reaction that hardly slows
@@ -42,6 +43,25 @@ struct RowGroup {
   Lanes dr, drBefore;
 };
 
+/// The same for disks. The second unknown of spinning friction moves nothing.
+struct DiskGroup {
+  int at[lanes];  ///< which disks
+  int a[lanes], b[lanes];
+  const float* load[lanes];  ///< Δr_n of their governors, in units of these
+  alignas(32) Lanes Ja[12];
+  Lanes Jb[12];
+  Lanes w00, w01, w11;
+  Lanes p00, p01, p11;                ///< W⁻¹; if W is singular, 1
+  Lanes unit, loadUnit;               ///< its own, and that of r_n
+  Lanes perLoad;                      ///< κ: the change of the radius with Δr_n
+  Lanes leastLoad, mostLoad, noLoad;  ///< bounds of the Δr_n that counts; what counts of Δr_n = 0
+  Lanes u0[2], r0[2];
+  Lanes length0, margin0;  ///< ‖r‖ and κ r_n − ‖r‖ of r₀
+  Lanes slip0, dslip;      ///< s = s₀ + Δs with u + s r = 0, as far as known; ≤ 0: unknown
+  Lanes unslowed0[2];      ///< u₀ + s₀ r₀
+  Lanes dr[2], drBefore[2];
+};
+
 /// The velocity Δy of a body, six numbers and two unused ones, after the last sweep and after the
 /// one before.
 struct SweptVelocity {
@@ -72,6 +92,7 @@ using SweepGroups = void (*)(Group* groups, std::size_t count, float beta,
 struct GroupSweeps {
   SweepGroups<ContactGroup> contacts;
   SweepGroups<RowGroup> rows;
+  SweepGroups<DiskGroup> disks;
 };
 /// The widest sweeps that the processor can do. Narrow: half a group at a time, as on processors
 /// without wider vectors. The bits are the same.

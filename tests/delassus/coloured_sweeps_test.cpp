@@ -61,6 +61,18 @@ PileIsland plateOnPoints(int count, Random& random) {
   return PileIsland(pile);
 }
 
+/// The same with contacts that resist rolling and spinning, some of them only up to a load. The
+/// inertias are not the same about all axes.
+Pile resistingTurning(Pile pile, Random& random) {
+  for (Body& body : pile.bodies)
+    body.inverseInertia.diagonal() *= uniform(random, 0.2, 1), body.inverseInertia(0, 0) *= 3;
+  mixFriction(pile, 0.8, random);
+  resistTurning(pile, 0.1, random);
+  for (Row& row : pile.rows)
+    if (uniform(random, 0, 1) < 0.3) row.mostLoad = uniform(random, 0.05, 0.5);
+  return pile;
+}
+
 VectorXd velocities(const Problem& problem, const VectorXd& r) { return problem.W * r + problem.q; }
 
 struct Swept {
@@ -191,7 +203,8 @@ TEST(ColouredSweeps, TheWidthOfTheProcessorDoesNotChangeABit) {
   Random random(73);
   const PileIsland heap = heapOfSpheres(7), plate = plateOnPoints(100, random),
                    tower = towerOfMixedFriction(5, random);
-  for (const Problem& problem : {heap.problem, plate.problem, tower.problem}) {
+  const PileIsland turning(resistingTurning(makeSphereHeap(100, 4.7, 0.5, 0.1, random), random));
+  for (const Problem& problem : {heap.problem, plate.problem, tower.problem, turning.problem}) {
     const VectorXd start = randomReactions(problem, 1, random);
     EXPECT_EQ(sweep(problem, 50, 0, start, false).r, sweep(problem, 50, 0, start, true).r);
   }
@@ -199,9 +212,11 @@ TEST(ColouredSweeps, TheWidthOfTheProcessorDoesNotChangeABit) {
 
 TEST(ColouredSweeps, HandsDoNotChangeABit) {
   Random random(76);
-  // The first island has rows too; the second has contacts that come one by one.
+  // The first island has rows too; the second has contacts that come one by one; the third disks.
+  const PileIsland turning(
+      resistingTurning(makeTower(randomMasses(100, 10, random), 0, 0.3, random), random));
   for (const PileIsland& island :
-       {towerOfMixedFriction(300, random), plateOnPoints(1100, random)}) {
+       {towerOfMixedFriction(300, random), plateOnPoints(1100, random), turning}) {
     const Problem& problem = island.problem;
     ASSERT_GE(problem.parts(), 1000);
     const VectorXd start = randomReactions(problem, 1, random);
@@ -298,8 +313,46 @@ TEST(ColouredSweeps, RowsKeepTheirBoundsAndComeToTheAnswer) {
   EXPECT_LT(naturalResidual(island.problem, swept.r).max, 1e-6);
 }
 
-TEST(ColouredSweeps, AreNotForExplicitEntriesAndTurningFriction) {
-  Random random(77);
+// As for contacts that slide (FromTheirOwnEndGoOnToDoublePrecision), for disks that do.
+TEST(ColouredSweeps, DisksStayOnTheirRimsAndComeToTheAnswer) {
+  Random random(79);
+  const PileIsland heap(resistingTurning(makeSphereHeap(100, 4.7, 0.5, 1, random), random));
+  const Problem& problem = heap.problem;
+  VectorXd r = randomReactions(problem, 1, random);
+  for (int k = 0; k < 60; ++k) {
+    r = sweep(problem, 500, 1e-14, r).r;
+    ASSERT_LE(infeasibility(problem, r), 1e-14 * (1 + r.norm()));
+  }
+  const VectorXd u = velocities(problem, r);
+  EXPECT_LT(naturalResidual(problem, r).max, 1e-11);
+  int turning = 0, still = 0, full = 0;
+  for (const Disk& disk : problem.disks) {
+    if (!(disk.radiusAt(r) > 0)) continue;
+    ++(disk.of(u).norm() > 1e-3 ? turning : still);
+    full += disk.grows(r) ? 0 : 1;
+  }
+  EXPECT_GT(turning, 20);
+  EXPECT_GT(still, 20);
+  EXPECT_GT(full, 5);
+}
+
+TEST(ColouredSweeps, ADiskAloneIsSolved) {
+  Random random(80);
+  for (int k = 0; k < 100; ++k) {
+    Pile pile;
+    pile.bodies.push_back(makeBox(uniform(random, 1, 10), 0.5, normalVector(6, random)));
+    pile.bodies[0].velocity[2] = -1;
+    pile.contacts.push_back(makeRestingPoint(0, fixedWorld, {0, 0, -0.5}, Vec3::Zero(), k % 2));
+    pile = resistingTurning(pile, random);
+    const Problem problem = PileIsland(pile).problem;
+    VectorXd r = sweep(problem, 200, 0, randomReactions(problem, 1, random)).r;
+    EXPECT_LT(naturalResidual(problem, r).max, 1e-5) << k;  // the rim follows its load
+    for (int pass = 0; pass < 10; ++pass) r = sweep(problem, 100, 0, r).r;
+    EXPECT_LT(naturalResidual(problem, r).max, 1e-12) << k;
+  }
+}
+
+TEST(ColouredSweeps, AreNotForExplicitEntries) {
   const auto isTaken = [](const Problem& problem) {
     NaturalMap map;
     map.setProblem(problem);
@@ -308,9 +361,6 @@ TEST(ColouredSweeps, AreNotForExplicitEntriesAndTurningFriction) {
   const PileIsland heap = heapOfSpheres(3);
   EXPECT_TRUE(isTaken(heap.problem));
   EXPECT_FALSE(isTaken(withEntries(heap.problem)));
-  Pile turning = makeHeap(5, 0.5, random);
-  resistTurning(turning, 0.2, random);
-  EXPECT_FALSE(isTaken(PileIsland(turning).problem));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "tests/support/random_piles.h"
 #include "tests/support/sphere_heaps.h"
+#include "tests/support/turning_piles.h"
 
 namespace delassus {
 namespace {
@@ -37,6 +38,23 @@ TEST(PileKind, FewSpheresAreASmallHeap) {
   EXPECT_GT(spheres.problem.contacts(), 200);
   EXPECT_TRUE(isHeap(spheres.problem));
   EXPECT_FALSE(isLargeHeap(spheres.problem));
+}
+
+// Disks are no joints. But they make sweeps dear: only large heaps are still heaps with them.
+TEST(PileKind, SpheresThatResistRollingAreALargeHeap) {
+  Random random(77);
+  for (const int spheres : {150, 400}) {
+    Pile heap = makeSphereHeap(spheres, spheres < 200 ? 4.7 : 6, 0.5, 0.1, random);
+    for (int i = 0; i < static_cast<int>(heap.contacts.size()); ++i)
+      addRows(aboutTangents(heap.contacts[i], 0.1, 0.1), heap.contacts[i], i, heap.rows);
+    const PileIsland turning(heap);
+    ASSERT_GT(turning.problem.rows(), turning.problem.contacts());
+    const bool isLarge = turning.problem.contacts() > 600;
+    EXPECT_EQ(isLarge, spheres == 400);
+    EXPECT_EQ(isHeap(turning.problem), isLarge);
+    EXPECT_EQ(isLargeHeap(turning.problem), isLarge);
+    EXPECT_EQ(isLargeButNoHeap(turning.problem), !isLarge);
+  }
 }
 
 // Four contacts for each box make a pile.
