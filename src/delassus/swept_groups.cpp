@@ -32,6 +32,32 @@ struct BodyLanes {
   }
 };
 
+/// Stores reactions, and lets the bodies feel how they differ from x.
+template <int count, class V, class Group>
+DELASSUS_WIDE_INLINE void react(Group& g, int at, const V (&x)[count], const V (&next)[count],
+                                V* ya, V* yb, SweepChange& change) {
+  const V zero = {};
+  V energy, largest, unit;
+  load(change.energy + at, energy);
+  load(change.largest + at, largest);
+  load(g.unit + at, unit);
+  for (int k = 0; k < count; ++k) {
+    store(next[k], g.dr[k] + at);
+    const V d = next[k] - x[k], speed = unit * (d < zero ? -d : d);
+    energy += d * d;
+    largest = speed > largest ? speed : largest;
+    V of;
+    for (int i = 0; i < 6; ++i) {
+      load(g.Ja[6 * k + i] + at, of);
+      ya[i] += of * d;
+      load(g.Jb[6 * k + i] + at, of);
+      yb[i] += of * d;
+    }
+  }
+  store(energy, change.energy + at);
+  store(largest, change.largest + at);
+}
+
 /// Computes μ r_n − ‖r_t‖ of the reactions r₀ + d from that of r₀, and ‖r_t‖. The rounding error is
 /// thus a share of d, not of r.
 template <class V>
@@ -168,25 +194,7 @@ DELASSUS_WIDE_INLINE void sweepLanes(ContactGroup& g, int at, float beta, SweptV
     slide(g, at, slides, friction, r0, x, u, du, sliding);
     for (int k = 0; k < 3; ++k) next[k] = slides ? sliding[k] : next[k];
   }
-  V energy, largest, unit;
-  load(change.energy + at, energy);
-  load(change.largest + at, largest);
-  load(g.unit + at, unit);
-  for (int k = 0; k < 3; ++k) {
-    store(next[k], g.dr[k] + at);
-    const V d = next[k] - x[k], speed = unit * (d < zero ? -d : d);
-    energy += d * d;
-    largest = speed > largest ? speed : largest;
-    V of;
-    for (int i = 0; i < 6; ++i) {
-      load(g.Ja[6 * k + i] + at, of);
-      ya[i] += of * d;
-      load(g.Jb[6 * k + i] + at, of);
-      yb[i] += of * d;
-    }
-  }
-  store(energy, change.energy + at);
-  store(largest, change.largest + at);
+  react(g, at, x, next, ya, yb, change);
   bodies.scatterFrom(ya, yb);
 }
 
@@ -320,27 +328,9 @@ DELASSUS_WIDE_INLINE void sweepLanes(DiskGroup& g, int at, float beta, SweptVelo
     ds = presses & ~sticks ? ds : known;
     store(ds, g.dslip + at);
   }
-  V energy, largest, unit;
-  load(change.energy + at, energy);
-  load(change.largest + at, largest);
-  load(g.unit + at, unit);
-  for (int k = 0; k < 2; ++k) {
-    V next = sticks ? held[k] : onRim[k];
-    next = presses ? next : -r0[k];
-    store(next, g.dr[k] + at);
-    const V d = next - x[k], speed = unit * (d < zero ? -d : d);
-    energy += d * d;
-    largest = speed > largest ? speed : largest;
-    V of;
-    for (int i = 0; i < 6; ++i) {
-      load(g.Ja[6 * k + i] + at, of);
-      ya[i] += of * d;
-      load(g.Jb[6 * k + i] + at, of);
-      yb[i] += of * d;
-    }
-  }
-  store(energy, change.energy + at);
-  store(largest, change.largest + at);
+  V next[2];
+  for (int k = 0; k < 2; ++k) next[k] = presses ? (sticks ? held[k] : onRim[k]) : -r0[k];
+  react(g, at, x, next, ya, yb, change);
   bodies.scatterFrom(ya, yb);
 }
 
