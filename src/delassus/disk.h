@@ -15,8 +15,8 @@ namespace delassus {
 /// Where `mostLoad` is finite, it limits the r_n that counts: ‖r_d‖ ≤ κ min(r_n, mostLoad).
 ///
 /// This is Coulomb's law with an unknown of its own. Disks come last among the unknowns, so that
-/// r_n is known when a method goes through the unknowns in order. About axes u_d is in
-/// rad/s, r_d in N·m·s, and κ in m.
+/// r_n is known when a method goes through the unknowns in order. About axes u_d is in rad/s, r_d
+/// in N·m·s, and κ in m; along arcs they are in m/s, in N·s, and a number.
 struct Disk {
   int first;                   ///< its first unknown, a row
   int unknowns;                ///< 1, or 2 consecutive ones
