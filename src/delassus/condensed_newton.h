@@ -13,8 +13,8 @@ namespace delassus {
 
 /// Newton's method on few contacts, after joints are eliminated (static condensation).
 ///
-/// Rows without bounds, E, are held in every region. Around reactions r_k they answer to all
-/// others, C, by
+/// Rows of joints without bounds, E, are held in every region. Around reactions r_k they answer to
+/// all others, C, by
 ///
 ///     Δr_E = −G (u_E + J̃_E δ),   δ = K⁻¹ (J̃_Cᵀ Δr_C − J̃_Eᵀ G u_E),   K = I + J̃_Eᵀ G J̃_E,
 ///     G = 1/(compliance + α W_aa)

@@ -13,8 +13,8 @@ namespace {
 constexpr double leastDeterminant = 1e-6;  ///< of the W of a disk, in its units, that is inverted
 constexpr float unmoved = 0;               ///< Δr_n of a governor that is not swept
 
-/// J̃ of the contacts or rows of a group, `count` numbers per body, in their units; zero for a
-/// missing body.
+/// J̃ of the contacts, rows or disks of a group, `count` numbers per body, in their units; zero for
+/// a missing body.
 template <int count>
 class JacobiansOfLanes {
  public:

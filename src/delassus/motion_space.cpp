@@ -84,6 +84,7 @@ Eigen::RowVector3d Stiffness::ofNormal(const Disk& disk) const {
 void BodyMotion::setProblem(const Problem& problem) {
   space_ = &problem.W.bodySpace();
   disks_ = &problem.disks;
+  plainRows_ = problem.plainRows();
   hasRoom_ = false;
 }
 
@@ -124,7 +125,7 @@ void BodyMotion::makeRoomFor(const Stiffness& G) {
     edges_.push_back(pairs_[k]);
   }
   firstOfRows_ = static_cast<int>(edges_.size());
-  for (int i = 0; i < plainRows(); ++i) couple(space_->rows[i].a, space_->rows[i].b);
+  for (int i = 0; i < plainRows_; ++i) couple(space_->rows[i].a, space_->rows[i].b);
   forPairsWithParts(*space_, [&](int, int a, const auto&, int b, const auto&) { couple(a, b); });
   for (const Disk& disk : *disks_) {
     findShares(disk);
@@ -220,19 +221,13 @@ void BodyMotion::addDisks(const Stiffness& G, int edge) {
   }
 }
 
-int BodyMotion::plainRows() const {
-  const auto contactsEnd = static_cast<int>(3 * space_->contacts.size());
-  return disks_->empty() ? static_cast<int>(space_->rows.size())
-                         : disks_->front().first - contactsEnd;
-}
-
 /// Adds rows of the same bodies, as those of a joint, all at once. Returns the edge after theirs.
 int BodyMotion::addRows(const Stiffness& G, int edge) {
   const std::vector<ScalarRow>& rows = space_->rows;
-  for (int i = 0, most = plainRows(); i < most;) {
+  for (int i = 0; i < plainRows_;) {
     const int a = rows[i].a, b = rows[i].b;
     int end = i + 1;
-    while (end < most && rows[end].a == a && rows[end].b == b) ++end;
+    while (end < plainRows_ && rows[end].a == a && rows[end].b == b) ++end;
     const bool coupled = a >= 0 && b >= 0 && a != b;
     factor_.addRows(&rows[i], &G.rows[i], end - i, coupled ? edge : none);
     if (coupled) edge += end - i;

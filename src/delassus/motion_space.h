@@ -95,12 +95,11 @@ class BodyMotion {
   int addRows(const Stiffness& G, int firstEdge);
   int addParts(const Stiffness& G, int firstEdge);
   void addDisks(const Stiffness& G, int firstEdge);
-  /// Rows that belong to no disk.
-  int plainRows() const;
   void findShares(const Disk& disk);
 
   const BodySpace* space_ = nullptr;
   const std::vector<Disk>* disks_ = nullptr;
+  int plainRows_ = 0;                          ///< rows of no disk
   std::vector<DiskShare> shares_;              ///< of one disk
   std::vector<BlockFactor::Edge> pairs_;       ///< of moving bodies that touch
   std::vector<int> pairOf_;                    ///< contact -> pair, or `none`

@@ -241,6 +241,25 @@ TEST(CondensedNewton, TurningFriction) {
   EXPECT_GE(again, 0.9 * reached);
 }
 
+// Balls that resist rolling are solved under any bound on the work: a region is all they need.
+TEST(CondensedNewton, FewSweepsSolveBallsThatResistRolling) {
+  Random random(222);
+  Options one;
+  one.sweepBudget = 1;
+  one.newtonBudget = 1;
+  int solved = 0;
+  constexpr int samples = 100;
+  for (int k = 0; k < samples; ++k) {
+    Pile pile = makeHeap(1 + k % 2, 0.5, random);
+    for (int i = 0; i < static_cast<int>(pile.contacts.size()); ++i)
+      addRows(aboutTangents(pile.contacts[i], 0.05, 0.1), pile.contacts[i], i, pile.rows);
+    const Solution solution = solve(PileIsland(pile).problem, one);
+    EXPECT_LE(solution.regions, 1);
+    solved += solution.status == Status::Solved ? 1 : 0;
+  }
+  EXPECT_GE(solved, 0.95 * samples);
+}
+
 // A row that governs a disk is not eliminated, although it is within its bounds.
 TEST(CondensedNewton, LeavesWhatGovernsADisk) {
   Random random(221);
