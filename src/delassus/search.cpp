@@ -122,7 +122,8 @@ Outcome Search::pivotRows(const Task& task, Solution& best) {
 ///     (`react`), on a dense matrix if few contacts touch, and then alternating directions.
 /// With them:
 ///   - in piles, and where nothing slid: `hold`, from the last reactions;
-///   - with up to a few hundred contacts, except in large piles: steps in the space of reactions;
+///   - with up to a few hundred contacts, except in large piles; and where the last reactions are
+///     nearly right, except in large heaps: steps in the space of reactions;
 ///   - where much is disturbed: accelerated sweeps as long as they gain, in heaps with patches.
 /// Where few sweeps are allowed: `hold` if nothing slid, and all sweeps.
 ///

@@ -162,20 +162,25 @@ bool Search::condense(const Task& task, Solution& best) {
 
 /// Newton's method on reactions. If nothing is known, and so few contacts touch that a dense matrix
 /// costs no more than the factor of their bodies, it uses that matrix. Otherwise it uses such
-/// factors, unless there are so many contacts that some of them are always in a wrong region.
+/// factors, unless there are so many contacts that some of them are always in a wrong region. Of
+/// many contacts few are in a wrong one where the last reactions are nearly right, as those of a
+/// pile that is carried along; not so in large heaps.
 /// Bodies that roll on press nearly as in the last step: a few sweeps then cost less than a region.
 template <class Motion>
 bool Search::react(Engines<Motion>& engines, const Task& task, Solution& best) {
   constexpr int mostContacts = 300, fewSteps = 30, manySteps = 40, fewSweeps = 3;
+  constexpr double nearlyRight = 0.1;  // share of the demands that the reactions leave open
   if (task.isHurried || task.regionsLeft(best) <= 0) return false;
   CondensedNewton& condensed = machines().condensed;
   if (!task.guess && condensed.setProblem(*problem_, map_, best.r, fewAlone))
     return condensed.solve(task.tolerance, task.sweepsLeft(best), best);
   // Contacts of large piles share loads in many ways; joints leave fewer.
-  const bool isTooLarge = problem_->contacts() > mostContacts || isLargeHeap(*problem_) ||
-                          (isLargeButNoHeap(*problem_) &&
-                           (!task.guess || problem_->plainRows() < problem_->contacts()));
-  if (isTooLarge) return false;
+  const bool hasMany = problem_->contacts() > mostContacts ||
+                       (isLargeButNoHeap(*problem_) &&
+                        (!task.guess || problem_->plainRows() < problem_->contacts()));
+  const bool isNearlyRight =
+      task.guess && best.residual <= nearlyRight * problem_->demand() && !isLargeHeap(*problem_);
+  if (hasMany && !isNearlyRight) return false;
   if (!problem_->disks.empty() && task.guess &&
       sweepAndLearn(task, keptShare * task.tolerance, best, fewSweeps))
     return true;

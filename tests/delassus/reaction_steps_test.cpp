@@ -120,6 +120,38 @@ TEST(ReactionSteps, FewStepsMendWhatIsNearlyRight) {
   EXPECT_GE(few, 0.9 * samples);
 }
 
+// A pyramid slides over the ground as a whole, so that all its contacts are at the limit of their
+// friction, and three in four of them do not slip. Its hundreds of contacts change their regions
+// one after the other on the way from far off; from reactions that are nearly right, steps in the
+// space of reactions lead home.
+TEST(ReactionSteps, MendAPileThatSlidesAsAWhole) {
+  constexpr int few = 15;
+  int regions = 0, samples = 0;
+  for (const int base : {4, 5})
+    for (const double speed : {0.3, 1.0}) {
+      Random random(308);
+      Pile pile = makePyramid(base, 0.4, 0, 1, random);
+      for (Body& box : pile.bodies) box.velocity.head<2>() += speed * Vec2(1, 0.3);
+      const PileIsland island(pile);
+      const int n = island.problem.contacts();
+      const Solution solved = solve(island.problem);
+      ASSERT_EQ(solved.status, Status::Solved);
+      int atTheLimit = 0;
+      for (const Mode mode : solved.activeSet.contacts) atTheLimit += mode == Mode::Slide ? 1 : 0;
+      EXPECT_GT(atTheLimit, 0.9 * n);
+      for (const double error : {1e-7, 1e-6, 1e-5}) {
+        const VectorXd nearly =
+            solved.r + error * solved.r.cwiseProduct(normalVector(3 * n, random));
+        const Solution mended = Solver().solve(island.problem, nearly);
+        EXPECT_EQ(mended.status, Status::Solved);
+        EXPECT_LT(motionDistance(island, mended.r, solved.r), 1e-7);
+        regions += mended.regions;
+        ++samples;
+      }
+    }
+  EXPECT_LE(regions, few * samples);
+}
+
 /// Balls that resist rolling and spinning, some of them only up to a load.
 PileIsland turningHeap(int balls, double disturbance, Random& random) {
   Pile pile = makeHeap(balls, 0.5, random);
