@@ -19,7 +19,7 @@ namespace delassus {
 /// The walk reads its region from r_k − l u: there even tiny velocities lie far behind walls. This
 /// method reads it from r − v/ρ, so that a nearly right guess has most of its region right. It
 /// takes fewer steps where tens of contacts slide and stick; hundreds are seldom all in the right
-/// region at once.
+/// region at once, unless the guess is nearly right.
 template <class Motion>
 class ReactionSteps {
  public:

@@ -164,8 +164,8 @@ bool Search::condense(const Task& task, Solution& best) {
 /// costs no more than the factor of their bodies, it uses that matrix. Otherwise it uses such
 /// factors, unless there are so many contacts that some of them are always in a wrong region. Of
 /// many contacts few are in a wrong one where the last reactions are nearly right, as those of a
-/// pile that is carried along; not so in large heaps.
-/// Bodies that roll on press nearly as in the last step: a few sweeps then cost less than a region.
+/// pile that is carried along. Large heaps are left to sweeps and patches. Bodies that roll on
+/// press nearly as in the last step: a few sweeps then cost less than a region.
 template <class Motion>
 bool Search::react(Engines<Motion>& engines, const Task& task, Solution& best) {
   constexpr int mostContacts = 300, fewSteps = 30, manySteps = 40, fewSweeps = 3;
