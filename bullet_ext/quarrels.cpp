@@ -79,14 +79,6 @@ double mostAsked(const Group& group, const Island& island) {
   return most;
 }
 
-/// Whether a body of the island may not go or turn about an axis.
-bool hasLockedAxes(const Group& group, const Island& island) {
-  return std::any_of(island.bodies.begin(), island.bodies.end(), [&](int k) {
-    const Body& body = group.bodies[k];
-    return body.inverseMass.minCoeff() == 0 || body.inverseInertia.determinant() == 0;
-  });
-}
-
 }  // namespace
 
 double strainOf(const Group& group, const Island& island, const Solution& solution) {

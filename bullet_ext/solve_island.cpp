@@ -138,8 +138,8 @@ constexpr double nearly = 2;
 /// How a search ended.
 enum class SearchEnd { Whole, Short, Jammed };
 
-/// Solves the problem on the bench. A short search comes first where something drives the island,
-/// to tell whether it jams, and where whole searches have been in vain.
+/// Solves the problem on the bench. A short search comes first where something may squeeze the
+/// island, to tell whether it jams, and where whole searches have been in vain.
 SearchEnd searchFor(const Group& group, const Island& island, bool mayJam, const Problem& problem,
                     Bench& bench, Answer& answer, IslandResult& result) {
   Solution& solution = bench.solution;
@@ -148,7 +148,7 @@ SearchEnd searchFor(const Group& group, const Island& island, bool mayJam, const
     bench.counts.add(solution);
   };
   const IslandMarks last = marksOf(group, island);
-  if (mayJam && (last.lostSteps > 0 || driveOf(group, island) > 0)) {
+  if (mayJam && (last.lostSteps > 0 || mayBeSqueezed(group, island))) {
     {
       const ShortSearch meanwhile(bench.solver);
       solve();

@@ -190,6 +190,40 @@ double driveOf(const Group& group, const Island& island) {
   return drive;
 }
 
+bool hasLockedAxes(const Group& group, const Island& island) {
+  return std::any_of(island.bodies.begin(), island.bodies.end(), [&](int k) {
+    const Body& body = group.bodies[k];
+    return body.inverseMass.minCoeff() == 0 || body.inverseInertia.determinant() == 0;
+  });
+}
+
+bool mayBeSqueezed(const Group& group, const Island& island) {
+  constexpr double otherWay = 1e-3;  // share of the speed; less is rounding
+  const double drive = driveOf(group, island);
+  if (drive == 0 || hasLockedAxes(group, island)) return drive > 0;
+  const Vec6 still = Vec6::Zero();
+  const auto velocityOf = [&](int body) -> const Vec6& {
+    return body == fixedWorld ? still : group.bodies[body].velocity;
+  };
+  constexpr int none = fixedWorld - 1;
+  int first = none;
+  const auto goesAnotherWay = [&](int body) {
+    if (group.movable(body)) return false;
+    if (first == none) first = body;
+    if (body == first) return false;
+    const Vec6 &own = velocityOf(body), &other = velocityOf(first);
+    return own.tail<3>().any() || other.tail<3>().any() || (own - other).norm() > otherWay * drive;
+  };
+  bool isSqueezed = false;
+  island.eachContact([&](int k) {
+    const Contact& c = group.contacts[k];
+    isSqueezed = isSqueezed || goesAnotherWay(c.a) || goesAnotherWay(c.b);
+  });
+  for (const int k : island.rows)
+    isSqueezed = isSqueezed || goesAnotherWay(group.rows[k].a) || goesAnotherWay(group.rows[k].b);
+  return isSqueezed;
+}
+
 double energyAtHand(const Group& group, const Island& island) {
   double drive = driveOf(group, island);
   island.eachContact([&](int k) { drive = std::max(drive, group.contacts[k].target.norm()); });

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 #include <vector>
 
+#include "bullet_ext/group.h"
+#include "bullet_ext/thrown_bodies.h"
 #include "tests/support/bullet_world.h"
 
 namespace delassus::test {
@@ -112,6 +115,82 @@ TEST(Jam, ACompactorThrowsNothingAndLosesNoTime) {
       EXPECT_EQ(report.outOfBudget, 0);
       EXPECT_LT(report.residualMax, tolerance(1e-6, 1e-4));
     }
+}
+
+/// A cube on a floor and under a ceiling, both of which may be driven.
+struct Press {
+  enum { cube, floor, ceiling };
+  bullet::Group group;
+  Island island;
+
+  Press(const Vec6& ofFloor, const Vec6& ofCeiling) {
+    group.bodies.resize(3);
+    group.bodies[cube].inverseMass.setOnes();
+    group.bodies[cube].inverseInertia.setIdentity();
+    group.bodies[floor].velocity = ofFloor;
+    group.bodies[ceiling].velocity = ofCeiling;
+    for (const int other : {floor, ceiling}) {
+      Contact& contact = group.contacts.emplace_back();
+      contact.a = cube;
+      contact.b = other;
+      contact.armB = Vec3::Ones();
+    }
+    island.bodies = {cube};
+    island.frictional = {0, 1};
+  }
+  bool mayJam() const { return bullet::mayBeSqueezed(group, island); }
+};
+
+TEST(Jam, NeedsBodiesThatGoDifferentWays) {
+  const Vec6 still = Vec6::Zero(), there = Vec6::Unit(0), back = -there, turning = Vec6::Unit(4);
+  EXPECT_FALSE(Press(still, still).mayJam());
+  EXPECT_TRUE(Press(there, still).mayJam());
+  EXPECT_TRUE(Press(still, there).mayJam());
+  EXPECT_TRUE(Press(there, back).mayJam());
+  EXPECT_FALSE(Press(there, there).mayJam());
+  EXPECT_FALSE(Press(there, there * (1 + 1e-6)).mayJam()) << "poses are rounded";
+  EXPECT_TRUE(Press(turning, turning).mayJam()) << "about axes that may differ";
+
+  Press alone(turning, still);
+  alone.island.frictional = {0};
+  EXPECT_TRUE(Press(turning, still).mayJam());
+  EXPECT_FALSE(alone.mayJam()) << "the floor carries the cube along";
+  alone.group.bodies[Press::cube].inverseMass[1] = 0;
+  EXPECT_TRUE(alone.mayJam()) << "what locks the axis does not go along";
+
+  Press jointed(there, there);
+  jointed.island.rows = {0};
+  jointed.group.rows.emplace_back().a = Press::cube;
+  EXPECT_TRUE(jointed.mayJam()) << "the joint's other body is the world";
+}
+
+// What a floor alone shakes can go along, be the floor of one piece or of two: no time is lost on
+// the search for a jam, which takes as many sweeps as the answer.
+TEST(Jam, IsNotLookedForOnAShakenFloor) {
+  constexpr int base = 6, steps = 60, mostSweeps = 300;
+  int sweeps = 0;
+  for (const bool isWhole : {true, false}) {
+    DelassusWorld world;
+    std::vector<std::pair<btRigidBody*, double>> floor;
+    for (const double x : isWhole ? std::vector<double>{0} : std::vector<double>{-10, 10}) {
+      floor.emplace_back(&world.addBox({10, 1, 10}, {btScalar(x), -1, 0}, 0), x);
+      floor.back().first->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+    }
+    for (int layer = 0; layer < base; ++layer)
+      for (int i = 0; i < base - layer; ++i)
+        world.addCube({btScalar(i - 0.5 * (base - layer - 1)), btScalar(0.5 + layer), 0});
+    for (int step = 1; step <= steps; ++step) {
+      const double swing = std::sin(0.2 * step);
+      for (const auto& [piece, x] : floor)
+        piece->setWorldTransform(
+            world.at({btScalar(x + 0.1 * swing), btScalar(0.03 * swing - 1), 0}));
+      world.advance();
+      EXPECT_LT(world.report().residualMax, tolerance(1e-6, 1e-4)) << step;
+      EXPECT_EQ(world.report().softened, 0) << step;
+      sweeps += world.report().sweeps;
+    }
+  }
+  EXPECT_LT(sweeps, 2 * steps * mostSweeps);
 }
 
 }  // namespace
