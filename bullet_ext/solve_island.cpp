@@ -139,19 +139,31 @@ constexpr double nearly = 2;
 enum class SearchEnd { Whole, Short, Jammed };
 
 /// Solves the problem on the bench. A short search comes first where something may squeeze the
-/// island, to tell whether it jams, and where whole searches have been in vain.
+/// island, to tell whether it jams, and where whole searches have been in vain. An island that
+/// comes near an answer does not jam: the whole search goes on from there.
 SearchEnd searchFor(const Group& group, const Island& island, bool mayJam, const Problem& problem,
                     Bench& bench, Answer& answer, IslandResult& result) {
+  constexpr double near = 1e-4;  // share of the demands that is left
   Solution& solution = bench.solution;
   const auto solve = [&] {
     bench.solver.solve(problem, bench.guess, solution);
     bench.counts.add(solution);
   };
   const IslandMarks last = marksOf(group, island);
-  if (mayJam && (last.lostSteps > 0 || mayBeSqueezed(group, island))) {
+  const bool wasLost = last.lostSteps > 0;
+  if (mayJam && (wasLost || mayBeSqueezed(group, island))) {
     {
-      const ShortSearch meanwhile(bench.solver);
+      ShortSearch meanwhile(bench.solver);
+      if (!wasLost) meanwhile.loosen(near);
       solve();
+    }
+    const double enough = polishedShare * bench.solver.options().tolerance * problem.demand();
+    if (!wasLost && solution.status == Status::Solved && solution.residual > enough) {
+      const double startResidual = solution.startResidual;
+      bench.guess = solution.r;
+      solve();
+      solution.startResidual = startResidual;
+      return SearchEnd::Whole;
     }
     if (solution.status != Status::OutOfBudget || willDo(solution, last)) return SearchEnd::Short;
     bench.guess.resize(0);

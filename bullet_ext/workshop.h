@@ -68,12 +68,19 @@ class ShortSearch {
   ShortSearch(const ShortSearch&) = delete;
   ShortSearch& operator=(const ShortSearch&) = delete;
 
+  /// Loosens the tolerance, relative to the largest demand.
+  void loosen(double tolerance) {
+    Options options = solver_.options();
+    options.tolerance = std::max(options.tolerance, tolerance);
+    solver_.setOptions(options);
+  }
+
   /// Loosens the tolerance and shortens the sweeps, too, for bodies that are taken softer than they
   /// are by an amount that nobody knows. The test for a jam (answerJam) has room for an error of
   /// 1e-4, not of 1e-3.
   void takeAnyNear() {
+    loosen(1e-4);
     Options options = solver_.options();
-    options.tolerance = std::max(options.tolerance, 1e-4);
     options.sweepBudget = std::min(options.sweepBudget, 2000);
     solver_.setOptions(options);
   }

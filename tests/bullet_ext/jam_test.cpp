@@ -164,6 +164,12 @@ TEST(Jam, NeedsBodiesThatGoDifferentWays) {
   EXPECT_TRUE(jointed.mayJam()) << "the joint's other body is the world";
 }
 
+void addPyramid(DelassusWorld& world, int base) {
+  for (int layer = 0; layer < base; ++layer)
+    for (int i = 0; i < base - layer; ++i)
+      world.addCube({btScalar(i - 0.5 * (base - layer - 1)), btScalar(0.5 + layer), 0});
+}
+
 // What a floor alone shakes can go along, be the floor of one piece or of two: no time is lost on
 // the search for a jam, which takes as many sweeps as the answer.
 TEST(Jam, IsNotLookedForOnAShakenFloor) {
@@ -176,9 +182,7 @@ TEST(Jam, IsNotLookedForOnAShakenFloor) {
       floor.emplace_back(&world.addBox({10, 1, 10}, {btScalar(x), -1, 0}, 0), x);
       floor.back().first->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
     }
-    for (int layer = 0; layer < base; ++layer)
-      for (int i = 0; i < base - layer; ++i)
-        world.addCube({btScalar(i - 0.5 * (base - layer - 1)), btScalar(0.5 + layer), 0});
+    addPyramid(world, base);
     for (int step = 1; step <= steps; ++step) {
       const double swing = std::sin(0.2 * step);
       for (const auto& [piece, x] : floor)
@@ -191,6 +195,29 @@ TEST(Jam, IsNotLookedForOnAShakenFloor) {
     }
   }
   EXPECT_LT(sweeps, 2 * steps * mostSweeps);
+}
+
+// One who walks into a pile pushes it out of his way. Each step might jam, but none does: a search
+// that comes near an answer goes on from there, and does not begin anew.
+TEST(Jam, OfWhatGivesWayIsSoonRuledOut) {
+  constexpr int base = 8, steps = 150, mostSweeps = 350;
+  DelassusWorld world;
+  world.addGround();
+  addPyramid(world, base);
+  double place = -5;
+  btRigidBody& walker = world.addBox({btScalar(0.4), btScalar(0.9), btScalar(0.4)},
+                                     {btScalar(place), btScalar(0.95), btScalar(0.1)}, 0);
+  walker.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+  int sweeps = 0;
+  for (int step = 0; step < steps; ++step) {
+    place += 1.5 / 60;
+    walker.setWorldTransform(world.at({btScalar(place), btScalar(0.95), btScalar(0.1)}));
+    world.advance();
+    EXPECT_LT(world.report().residualMax, tolerance(1e-6, 1e-4)) << step;
+    EXPECT_EQ(world.report().softened, 0) << step;
+    sweeps += world.report().sweeps;
+  }
+  EXPECT_LT(sweeps, steps * mostSweeps);
 }
 
 }  // namespace
