@@ -97,7 +97,8 @@ Quarrel quarrelOf(const Group& group, const Island& island, double demand,
   // Contacts first: in most islands they are not strained.
   if (strainOfContacts(group, island, solution.r) > times * demand &&
       (hasJoints ? strainOfJoints(group, island, solution.r) > times * demand
-                 : hasLockedAxes(group, island)))
+                 : std::any_of(island.bodies.begin(), island.bodies.end(),
+                               [&](int k) { return hasLockedAxis(group.bodies[k]); })))
     return Quarrel::Strained;
   return breaksJoints(group, island, solution.r) ? Quarrel::Breaking : Quarrel::None;
 }

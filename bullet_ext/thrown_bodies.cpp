@@ -28,10 +28,21 @@ double fasterOf(const std::vector<Body>& bodies, const Contact& c) {
   return std::max(speedOf(bodies, c.a, c.armA), speedOf(bodies, c.b, c.armB));
 }
 
+/// The longest way from the centre of a body to a contact of the island, m.
+double longestArm(const Group& group, const Island& island) {
+  double arm = 0;
+  island.eachContact([&](int k) {
+    const Contact& c = group.contacts[k];
+    if (c.a != fixedWorld) arm = std::max(arm, c.armA.norm());
+    if (c.b != fixedWorld) arm = std::max(arm, c.armB.norm());
+  });
+  return arm;
+}
+
 /// How fast contacts of the island go round its bodies if these turn as joints ask, m/s. A motor of
 /// little force asks for little, whatever its speed.
 double askedByTurns(const Group& group, const Island& island) {
-  double turn = 0, arm = 0;
+  double turn = 0;
   for (const int k : island.rows) {
     const Row& row = group.rows[k];
     if (row.governor < 0 && turns(row))
@@ -39,12 +50,7 @@ double askedByTurns(const Group& group, const Island& island) {
                               return diagonal(group.bodies, row);
                             }) / group.arcOf(k));
   }
-  island.eachContact([&](int k) {
-    const Contact& c = group.contacts[k];
-    if (c.a != fixedWorld) arm = std::max(arm, c.armA.norm());
-    if (c.b != fixedWorld) arm = std::max(arm, c.armB.norm());
-  });
-  return turn * arm;
+  return turn * longestArm(group, island);
 }
 
 /// The reaction of this row at which its joint breaks; infinite if no joint has asked for the row.
@@ -190,29 +196,28 @@ double driveOf(const Group& group, const Island& island) {
   return drive;
 }
 
-bool hasLockedAxes(const Group& group, const Island& island) {
-  return std::any_of(island.bodies.begin(), island.bodies.end(), [&](int k) {
-    const Body& body = group.bodies[k];
-    return body.inverseMass.minCoeff() == 0 || body.inverseInertia.determinant() == 0;
-  });
+bool hasLockedAxis(const Body& body) {
+  return body.inverseMass.minCoeff() == 0 || body.inverseInertia.determinant() == 0;
 }
 
 bool mayBeSqueezed(const Group& group, const Island& island) {
-  constexpr double otherWay = 1e-3;  // share of the speed; less is rounding
+  constexpr double rounding = 1e-3;  // of poses: share of the speed
   const double drive = driveOf(group, island);
-  if (drive == 0 || hasLockedAxes(group, island)) return drive > 0;
-  const Vec6 still = Vec6::Zero();
-  const auto velocityOf = [&](int body) -> const Vec6& {
-    return body == fixedWorld ? still : group.bodies[body].velocity;
-  };
+  if (drive == 0) return false;
+  const double little = rounding * drive, arm = longestArm(group, island);
   constexpr int none = fixedWorld - 1;
-  int first = none;
+  int carrier = none;
+  Vec6 way = Vec6::Zero();
+  const auto isTurning = [&](const Vec6& v) { return v.tail<3>().norm() * arm > little; };
   const auto goesAnotherWay = [&](int body) {
-    if (group.movable(body)) return false;
-    if (first == none) first = body;
-    if (body == first) return false;
-    const Vec6 &own = velocityOf(body), &other = velocityOf(first);
-    return own.tail<3>().any() || other.tail<3>().any() || (own - other).norm() > otherWay * drive;
+    if (group.movable(body) || body == carrier) return false;
+    const Vec6 own = body == fixedWorld ? Vec6(Vec6::Zero()) : group.bodies[body].velocity;
+    if (carrier == none) {
+      carrier = body;
+      way = own;
+      return false;
+    }
+    return isTurning(way) || isTurning(own) || (own - way).head<3>().norm() > little;
   };
   bool isSqueezed = false;
   island.eachContact([&](int k) {
@@ -221,7 +226,13 @@ bool mayBeSqueezed(const Group& group, const Island& island) {
   });
   for (const int k : island.rows)
     isSqueezed = isSqueezed || goesAnotherWay(group.rows[k].a) || goesAnotherWay(group.rows[k].b);
-  return isSqueezed;
+  const auto cannotGoAlong = [&](int k) {
+    const Body& body = group.bodies[k];
+    if (!hasLockedAxis(body)) return false;
+    const auto locked = body.inverseMass.array() == 0;
+    return isTurning(way) || (locked && way.head<3>().array().abs() > little).any();
+  };
+  return isSqueezed || std::any_of(island.bodies.begin(), island.bodies.end(), cannotGoAlong);
 }
 
 double energyAtHand(const Group& group, const Island& island) {

@@ -67,8 +67,8 @@ double driveOf(const Group& group, const Island& island);
 /// that holds it, be it another one, a joint's other body, or what locks an axis. Otherwise the
 /// island can go along as a whole, and nothing jams it.
 bool mayBeSqueezed(const Group& group, const Island& island);
-/// Whether a body of the island may not go or turn about an axis.
-bool hasLockedAxes(const Group& group, const Island& island);
+/// Whether the body may not go or turn about an axis.
+bool hasLockedAxis(const Body& body);
 /// The energy of the island's bodies, J, if each that may leave its place went at least so fast.
 /// They turn about the axes about which they may turn.
 double energyOf(const Island& island, const std::vector<Body>& bodies, double leastSpeed = 0);

@@ -148,7 +148,8 @@ TEST(Jam, NeedsBodiesThatGoDifferentWays) {
   EXPECT_TRUE(Press(still, there).mayJam());
   EXPECT_TRUE(Press(there, back).mayJam());
   EXPECT_FALSE(Press(there, there).mayJam());
-  EXPECT_FALSE(Press(there, there * (1 + 1e-6)).mayJam()) << "poses are rounded";
+  EXPECT_FALSE(Press(there, there + 1e-4 * turning).mayJam()) << "poses are rounded";
+  EXPECT_TRUE(Press(there, there + 0.1 * turning).mayJam());
   EXPECT_TRUE(Press(turning, turning).mayJam()) << "about axes that may differ";
 
   Press alone(turning, still);
@@ -157,6 +158,12 @@ TEST(Jam, NeedsBodiesThatGoDifferentWays) {
   EXPECT_FALSE(alone.mayJam()) << "the floor carries the cube along";
   alone.group.bodies[Press::cube].inverseMass[1] = 0;
   EXPECT_TRUE(alone.mayJam()) << "what locks the axis does not go along";
+  Press inPlane(there, there);
+  inPlane.group.bodies[Press::cube].inverseMass[2] = 0;
+  inPlane.group.bodies[Press::cube].inverseInertia.topLeftCorner<2, 2>().setZero();
+  EXPECT_FALSE(inPlane.mayJam()) << "all go along in the plane";
+  inPlane.group.bodies[Press::cube].inverseMass[0] = 0;
+  EXPECT_TRUE(inPlane.mayJam());
 
   Press jointed(there, there);
   jointed.island.rows = {0};
