@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.008142 5.8401e-05 0.008142 0.008142
+0.010175 5.8401e-05 0.010175 0.010175
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.069003 7.03255e-05 0.069003 0.069003
+0.080799 7.03255e-05 0.080799 0.080799
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.017577 5.11253 0.017577 0.017577
+0.020861 5.11253 0.020861 0.020861
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.066859 4.78169 0.066859 0.066859
+0.077505 4.78169 0.077505 0.077505
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.246788 4.80447 0.246788 0.246788
+0.294516 4.80447 0.294516 0.294516
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-1.18875 5.09893 1.18875 1.18875
+1.33805 5.09893 1.33805 1.33805
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.086539 0.366385 0.086539 0.086539
+0.120328 0.366385 0.120328 0.120328
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.002633 2312.01 0.002633 0.002633
+0.003355 2312.01 0.003355 0.003355
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.001272 2.61083e+09 0.001272 0.001272
+0.001812 2.61083e+09 0.001812 0.001812
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.304834 5.02576 0.304834 0.304834
+0.369587 5.02576 0.369587 0.369587
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.102803 4.77027 0.102803 0.102803
+0.137724 4.77027 0.137724 0.137724
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.20766 5.32617 0.20766 0.20766
+0.286073 5.32617 0.286073 0.286073
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-200.338 0.124313 200.338 200.338
+239.911 0.0542118 239.911 239.911
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.008142 1e-05 0.008142 0.008142
+0.010175 1e-05 0.010175 0.010175
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.069003 1e-05 0.069003 0.069003
+0.080799 1e-05 0.080799 0.080799
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.017577 0.121117 0.017577 0.017577
+0.020861 0.121117 0.020861 0.020861
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.066859 0.167842 0.066859 0.066859
+0.077505 0.167842 0.077505 0.077505
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.246788 0.142591 0.246788 0.246788
+0.294516 0.142591 0.294516 0.294516
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-1.18875 0.130371 1.18875 1.18875
+1.33805 0.130371 1.33805 1.33805
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.086539 0.00221929 0.086539 0.086539
+0.120328 0.00221929 0.120328 0.120328
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.002633 0.964563 0.002633 0.002633
+0.003355 0.964563 0.003355 0.003355
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.001272 1e-05 0.001272 0.001272
+0.001812 1e-05 0.001812 0.001812
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.304834 0.150794 0.304834 0.304834
+0.369587 0.150794 0.369587 0.369587
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.102803 0.198679 0.102803 0.102803
+0.137724 0.198679 0.137724 0.137724
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.20766 0.211083 0.20766 0.20766
+0.286073 0.211083 0.286073 0.286073
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-200.338 0.00357857 200.338 200.338
+239.911 0.00357857 239.911 239.911
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.008142 1e-12 0.008142 0.008142
+0.010175 1e-12 0.010175 0.010175
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.069003 0.000737164 0.069003 0.069003
+0.080799 0.000737164 0.080799 0.080799
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.017577 0.206329 0.017577 0.017577
+0.020861 0.206329 0.020861 0.020861
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.066859 0.0960487 0.066859 0.066859
+0.077505 0.0960487 0.077505 0.077505
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.246788 0.878815 0.246788 0.246788
+0.294516 0.878815 0.294516 0.294516
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-1.18875 0.443111 1.18875 1.18875
+1.33805 0.443111 1.33805 1.33805
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.086539 0.00309642 0.086539 0.086539
+0.120328 0.00309642 0.120328 0.120328
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.002633 0.775073 0.002633 0.002633
+0.003355 0.775073 0.003355 0.003355
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.001272 1e-12 0.001272 0.001272
+0.001812 1e-12 0.001812 0.001812
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.304834 0.311414 0.304834 0.304834
+0.369587 0.311414 0.369587 0.369587
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.102803 0.294591 0.102803 0.102803
+0.137724 0.294591 0.137724 0.137724
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.20766 0.364726 0.20766 0.20766
+0.286073 0.364726 0.286073 0.286073
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-200.338 1e-12 200.338 200.338
+239.911 1e-12 239.911 239.911
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.000434208:76612.9]
+set xrange [0.000628261:84164.7]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,20 +223,20 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.181313, graph 0.0278188 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.29386, graph 0.0797501 left front noenhanced textcolor rgb '#0060a8'
-set label "lemke (cut)" at graph 0.713778, graph 0.272968 left front noenhanced textcolor rgb '#999999'
-set label "si2:50" at graph 0.305786, graph 0.304262 left front noenhanced textcolor rgb '#e69f00'
-set label "dantzig" at graph 0.314855, graph 0.355294 left front noenhanced textcolor rgb '#555555'
-set label "si:50" at graph 0.126056, graph 0.355363 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.360973, graph 0.41369 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.183504, graph 0.414994 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:1000" at graph 0.443767, graph 0.461964 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.416825, graph 0.380499 to graph 0.443767, graph 0.461964 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:10" at graph 0.055698, graph 0.403852 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.0285791, graph 0.463227 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.32494, graph 0.381761 to graph 0.297998, graph 0.463227 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.12186, graph 0.557599 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.175754, graph 0.0278188 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.28648, graph 0.0797501 left front noenhanced textcolor rgb '#0060a8'
+set label "lemke (cut)" at graph 0.713778, graph 0.24894 left front noenhanced textcolor rgb '#999999'
+set label "si2:50" at graph 0.307763, graph 0.304262 left front noenhanced textcolor rgb '#e69f00'
+set label "dantzig" at graph 0.314978, graph 0.355294 left front noenhanced textcolor rgb '#555555'
+set label "si:50" at graph 0.118114, graph 0.355363 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.355596, graph 0.41369 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.179136, graph 0.414994 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:1000" at graph 0.436483, graph 0.461964 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.409541, graph 0.380499 to graph 0.436483, graph 0.461964 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:10" at graph 0.0479782, graph 0.403852 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.0307385, graph 0.463227 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.3271, graph 0.381761 to graph 0.300158, graph 0.463227 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.116465, graph 0.557599 left front noenhanced textcolor rgb '#009e73'
 set label "nncg:50" at graph 0.0835457, graph 0.961119 left front noenhanced textcolor rgb '#009e73'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -260,7 +260,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.000434208:76612.9]
+set xrange [0.000628261:84164.7]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -271,22 +271,22 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.181313, graph 0.119581 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.29386, graph 0.177771 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.175754, graph 0.119581 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.28648, graph 0.177771 left front noenhanced textcolor rgb '#0060a8'
 set label "nncg:50" at graph 0.0835457, graph 0.177771 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.305786, graph 0.478031 left front noenhanced textcolor rgb '#e69f00'
+set label "si2:50" at graph 0.307763, graph 0.478031 left front noenhanced textcolor rgb '#e69f00'
 set label "lemke (cut)" at graph 0.713778, graph 0.507673 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.055698, graph 0.726172 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.443767, graph 0.73074 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.17238, graph 0.701385 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.372098, graph 0.786321 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.345156, graph 0.739769 to graph 0.372098, graph 0.786321 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:50" at graph 0.126056, graph 0.781328 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.314855, graph 0.838345 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.287913, graph 0.756879 to graph 0.314855, graph 0.838345 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.0285791, graph 0.830464 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.32494, graph 0.760636 to graph 0.297998, graph 0.830464 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.12186, graph 0.87818 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.0479782, graph 0.726172 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.436483, graph 0.73074 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.167003, graph 0.701385 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.367729, graph 0.786321 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.340788, graph 0.739769 to graph 0.367729, graph 0.786321 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:50" at graph 0.118114, graph 0.781328 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.314978, graph 0.838345 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.288037, graph 0.756879 to graph 0.314978, graph 0.838345 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.0307385, graph 0.830464 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.3271, graph 0.760636 to graph 0.300158, graph 0.830464 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.116465, graph 0.87818 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -309,7 +309,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.000434208:76612.9]
+set xrange [0.000628261:84164.7]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -320,25 +320,24 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.181313, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.175754, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
 set label "nncg:50" at graph 0.0835457, graph 0.11798 left front noenhanced textcolor rgb '#009e73'
 set arrow from graph 0.0566038, graph 0.0714286 to graph 0.0835457, graph 0.11798 nohead lw 0.6 lc rgb '#009e73'
 set label "lemke (cut)" at graph 0.713778, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
-set label "delassus:1e-3" at graph 0.29386, graph 0.704826 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.117192, graph 0.749347 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.292198, graph 0.855892 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.055698, graph 0.879611 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.314855, graph 0.948848 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.287913, graph 0.890659 to graph 0.314855, graph 0.948848 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:50" at graph 0.372098, graph 0.799278 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.345156, graph 0.892381 to graph 0.372098, graph 0.799278 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.0285791, graph 0.955473 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.32494, graph 0.897283 to graph 0.297998, graph 0.955473 nohead lw 0.6 lc rgb '#555555'
-set label "si:1000" at graph 0.443767, graph 0.891684 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.12186, graph 0.827564 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0949182, graph 0.920667 to graph 0.12186, graph 0.827564 nohead lw 0.6 lc rgb '#009e73'
-set label "si:200" at graph 0.360973, graph 0.656892 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.334032, graph 0.924564 to graph 0.360973, graph 0.656892 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.28648, graph 0.704826 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.119169, graph 0.749347 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.284256, graph 0.855892 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.0479782, graph 0.879611 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.103933, graph 0.93721 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.288037, graph 0.890659 to graph 0.261095, graph 0.93721 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:50" at graph 0.367729, graph 0.927295 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.354042, graph 0.80418 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.3271, graph 0.897283 to graph 0.354042, graph 0.80418 nohead lw 0.6 lc rgb '#555555'
+set label "si:1000" at graph 0.436483, graph 0.880046 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.116465, graph 0.827564 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.089523, graph 0.920667 to graph 0.116465, graph 0.827564 nohead lw 0.6 lc rgb '#009e73'
+set label "si:200" at graph 0.355596, graph 0.656892 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.328654, graph 0.924564 to graph 0.355596, graph 0.656892 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,167 +2,167 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.098937 1e-12 0.098937 0.098937
+0.126858 1e-12 0.126858 0.126858
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.097395 1e-12 0.097395 0.097395
+0.129392 1e-12 0.129392 0.129392
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.029114 1e-12 0.029114 0.029114
+0.146487 1e-12 0.146487 0.146487
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.091156 1e-12 0.091156 0.091156
+0.106127 1e-12 0.106127 0.106127
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.325845 1e-12 0.325845 0.325845
+0.376787 1e-12 0.376787 0.376787
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-1.57176 1e-12 1.57176 1.57176
+1.7813 1e-12 1.7813 1.7813
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.104205 1e-12 0.104205 0.104205
+0.124915 1e-12 0.124915 0.124915
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.24797 1e-12 0.24797 0.24797
+0.376067 1e-12 0.376067 0.376067
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.167209 1972.84 0.167209 0.167209
+0.24276 1972.84 0.24276 0.24276
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.326918 1e-12 0.326918 0.326918
+0.478678 1e-12 0.478678 0.478678
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-10.7703 1e-12 10.7703 10.7703
+17.1172 1e-12 17.1172 17.1172
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.098937 0.018073 0.098937 0.098937
+0.126858 0.018073 0.126858 0.126858
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.097395 0.0114225 0.097395 0.097395
+0.129392 0.0114225 0.129392 0.129392
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.029114 0.0182838 0.029114 0.029114
+0.146487 0.0182838 0.146487 0.146487
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.091156 0.0146517 0.091156 0.091156
+0.106127 0.0146517 0.106127 0.106127
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.325845 0.0156359 0.325845 0.325845
+0.376787 0.0156359 0.376787 0.376787
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-1.57176 0.0193802 1.57176 1.57176
+1.7813 0.0193802 1.7813 1.7813
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.104205 0.0148255 0.104205 0.104205
+0.124915 0.0148255 0.124915 0.124915
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.24797 0.0271712 0.24797 0.24797
+0.376067 0.0271712 0.376067 0.376067
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.167209 0.0669926 0.167209 0.167209
+0.24276 0.0669926 0.24276 0.24276
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.326918 0.0211407 0.326918 0.326918
+0.478678 0.0211407 0.478678 0.478678
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-10.7703 2.42204e-05 10.7703 10.7703
+17.1172 1.92222e-05 17.1172 17.1172
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.098937 0.000166884 0.098937 0.098937
+0.126858 0.000166884 0.126858 0.126858
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.097395 0.000191512 0.097395 0.097395
+0.129392 0.000191512 0.129392 0.129392
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.029114 0.147173 0.029114 0.029114
+0.146487 0.147173 0.146487 0.146487
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.091156 0.0267271 0.091156 0.091156
+0.106127 0.0267271 0.106127 0.106127
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.325845 0.00570616 0.325845 0.325845
+0.376787 0.00570616 0.376787 0.376787
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-1.57176 0.0010972 1.57176 1.57176
+1.7813 0.0010972 1.7813 1.7813
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.104205 0.0267271 0.104205 0.104205
+0.124915 0.0267271 0.124915 0.124915
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.24797 0.0267271 0.24797 0.24797
+0.376067 0.0267271 0.376067 0.376067
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.167209 0.284647 0.167209 0.167209
+0.24276 0.284647 0.24276 0.24276
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.326918 0.000277861 0.326918 0.326918
+0.478678 0.000277861 0.478678 0.478678
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-10.7703 0.000765011 10.7703 10.7703
+17.1172 0.000611135 17.1172 17.1172
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -181,8 +181,8 @@ set title "energy gained, J" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "10^{%T}"
-set xrange [0.0171178:203.394]
+set format x "%g"
+set xrange [0.0672282:213.992]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -193,21 +193,23 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.213919, graph 0.0355477 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.212245, graph 0.0937373 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.0835457, graph 0.0355477 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0390472, graph 0.0937373 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.340954, graph 0.140289 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.314012, graph 0.0588235 to graph 0.340954, graph 0.140289 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.508658, graph 0.0588235 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0308544, graph 0.140289 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.192506, graph 0.0588235 to graph 0.165564, graph 0.140289 nohead lw 0.6 lc rgb '#e69f00'
-set label "pgs:50" at graph 0.311846, graph 0.186841 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.284904, graph 0.0588235 to graph 0.311846, graph 0.186841 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.0180009, graph 0.186841 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.314362, graph 0.0588235 to graph 0.28742, graph 0.186841 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.105668, graph 0.0355477 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.10812, graph 0.0937373 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.123506, graph 0.140289 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0965636, graph 0.0588235 to graph 0.123506, graph 0.140289 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.0835457, graph 0.186841 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0566038, graph 0.0588235 to graph 0.0835457, graph 0.186841 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.240638, graph 0.140289 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.213696, graph 0.0588235 to graph 0.240638, graph 0.140289 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.433236, graph 0.0588235 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.103755, graph 0.233392 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.0768127, graph 0.0588235 to graph 0.103755, graph 0.233392 nohead lw 0.6 lc rgb '#e69f00'
+set label "pgs:50" at graph 0.240401, graph 0.186841 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.213459, graph 0.0588235 to graph 0.240401, graph 0.186841 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.270313, graph 0.233392 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.243371, graph 0.0588235 to graph 0.270313, graph 0.233392 nohead lw 0.6 lc rgb '#555555'
 set label "lemke (cut)" at graph 0.713778, graph 0.0588235 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.269847, graph 0.958535 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.186134, graph 0.958535 left front noenhanced textcolor rgb '#555555'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -227,8 +229,8 @@ set title "deepest overlap, m" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "10^{%T}"
-set xrange [0.0171178:203.394]
+set format x "%g"
+set xrange [0.0672282:213.992]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -239,22 +241,25 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke (cut)" at graph 0.713778, graph 0.0960452 left front noenhanced textcolor rgb '#999999'
-set label "delassus:1e-3" at graph 0.212245, graph 0.76444 left front noenhanced textcolor rgb '#0060a8'
-set label "si:50" at graph 0.0390472, graph 0.791472 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0308544, graph 0.839304 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.192506, graph 0.792752 to graph 0.165564, graph 0.839304 nohead lw 0.6 lc rgb '#e69f00'
-set label "si:200" at graph 0.340954, graph 0.821806 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus" at graph 0.213919, graph 0.884085 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.186977, graph 0.814258 to graph 0.213919, graph 0.884085 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:10" at graph 0.0835457, graph 0.896982 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0566038, graph 0.815517 to graph 0.0835457, graph 0.896982 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.508658, graph 0.82184 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.341304, graph 0.936021 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.314362, graph 0.83128 to graph 0.341304, graph 0.936021 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:50" at graph 0.311846, graph 0.707234 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.284904, graph 0.858527 to graph 0.311846, graph 0.707234 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.058802, graph 0.956507 left front noenhanced textcolor rgb '#555555'
+set label "lemke (cut)" at graph 0.713778, graph 0.0709506 left front noenhanced textcolor rgb '#999999'
+set label "delassus:1e-3" at graph 0.10812, graph 0.76444 left front noenhanced textcolor rgb '#0060a8'
+set label "si:50" at graph 0.0835457, graph 0.849662 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0566038, graph 0.791472 to graph 0.0835457, graph 0.849662 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.103755, graph 0.711287 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.0768127, graph 0.792752 to graph 0.103755, graph 0.711287 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:200" at graph 0.240638, graph 0.85672 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.213696, graph 0.79853 to graph 0.240638, graph 0.85672 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.105668, graph 0.907361 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0787263, graph 0.814258 to graph 0.105668, graph 0.907361 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:10" at graph 0.123506, graph 0.664224 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0965636, graph 0.815517 to graph 0.123506, graph 0.664224 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.433236, graph 0.82184 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.270313, graph 0.7149 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.243371, graph 0.83128 to graph 0.270313, graph 0.7149 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:50" at graph 0.240401, graph 0.963269 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.213459, graph 0.858527 to graph 0.240401, graph 0.963269 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.186134, graph 0.607369 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.159192, graph 0.956507 to graph 0.186134, graph 0.607369 nohead lw 0.6 lc rgb '#555555'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -274,8 +279,8 @@ set title "joints pulled apart, m" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "10^{%T}"
-set xrange [0.0171178:203.394]
+set format x "%g"
+set xrange [0.0672282:213.992]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -286,19 +291,19 @@ set ylabel "joints pulled apart, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.213919, graph 0.0556034 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.212245, graph 0.140377 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.185303, graph 0.070549 to graph 0.212245, graph 0.140377 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.341304, graph 0.192422 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.314362, graph 0.110957 to graph 0.341304, graph 0.192422 nohead lw 0.6 lc rgb '#555555'
-set label "lemke (cut)" at graph 0.713778, graph 0.220917 left front noenhanced textcolor rgb '#999999'
-set label "si:1000" at graph 0.508658, graph 0.260072 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.340954, graph 0.439086 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0390472, graph 0.606738 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.219448, graph 0.641652 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.311846, graph 0.5951 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:10" at graph 0.0835457, graph 0.791957 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.269847, graph 0.863577 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.105668, graph 0.0556034 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.10812, graph 0.140377 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0811785, graph 0.070549 to graph 0.10812, graph 0.140377 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.270313, graph 0.192422 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.243371, graph 0.110957 to graph 0.270313, graph 0.192422 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.713778, graph 0.196534 left front noenhanced textcolor rgb '#999999'
+set label "si:1000" at graph 0.433236, graph 0.260072 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.240638, graph 0.439086 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0835457, graph 0.641652 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.103755, graph 0.571824 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.240401, graph 0.606738 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:10" at graph 0.123506, graph 0.791957 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.186134, graph 0.863577 left front noenhanced textcolor rgb '#555555'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

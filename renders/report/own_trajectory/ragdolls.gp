@@ -2,167 +2,152 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-1.75213 1e-12 1.75213 1.75213
+2.2129 1e-12 2.2129 2.2129
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-1.11841 1e-12 1.11841 1.11841
+1.4085 1e-12 1.4085 1.4085
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.259757 1e-12 0.259757 0.259757
+0.316478 1e-12 0.316478 0.316478
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.858761 1e-12 0.858761 0.858761
+0.971238 1e-12 0.971238 0.971238
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-3.0189 1e-12 3.0189 3.0189
+3.45828 1e-12 3.45828 3.45828
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-15.1419 1e-12 15.1419 15.1419
+16.9757 1e-12 16.9757 16.9757
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.927853 1e-12 0.927853 0.927853
+1.06991 1e-12 1.06991 1.06991
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-3.48989 1e-12 3.48989 3.48989
+5.1565 1e-12 5.1565 5.1565
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-27.952 1e-12 27.952 27.952
+40.2045 1e-12 40.2045 40.2045
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-27.1353 1e-12 27.1353 27.1353
-EOD
-$line0_10 << EOD
-EOD
-$marks0_10 << EOD
-300.696 1e-12 300.696 300.696
+38.4171 1e-12 38.4171 38.4171
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-1.75213 0.100174 1.75213 1.75213
+2.2129 0.100174 2.2129 2.2129
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-1.11841 0.100174 1.11841 1.11841
+1.4085 0.118216 1.4085 1.4085
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.259757 0.070909 0.259757 0.259757
+0.316478 0.070909 0.316478 0.316478
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.858761 0.0672482 0.858761 0.858761
+0.971238 0.0672482 0.971238 0.971238
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-3.0189 0.0753632 3.0189 3.0189
+3.45828 0.0753632 3.45828 3.45828
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-15.1419 0.0696225 15.1419 15.1419
+16.9757 0.0696225 16.9757 16.9757
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.927853 0.100681 0.927853 0.927853
+1.06991 0.100681 1.06991 1.06991
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-3.48989 0.0731354 3.48989 3.48989
+5.1565 0.0731354 5.1565 5.1565
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-27.952 0.0847997 27.952 27.952
+40.2045 0.0847997 40.2045 40.2045
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-27.1353 0.0786604 27.1353 27.1353
-EOD
-$line1_10 << EOD
-EOD
-$marks1_10 << EOD
-300.696 1e-12 300.696 300.696
+38.4171 0.0786604 38.4171 38.4171
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-1.75213 0.0388306 1.75213 1.75213
+2.2129 0.0388306 2.2129 2.2129
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-1.11841 0.0388306 1.11841 1.11841
+1.4085 0.0437156 1.4085 1.4085
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.259757 0.0657587 0.259757 0.259757
+0.316478 0.0657587 0.316478 0.316478
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.858761 0.0320519 0.858761 0.858761
+0.971238 0.0320519 0.971238 0.971238
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-3.0189 0.037435 3.0189 3.0189
+3.45828 0.037435 3.45828 3.45828
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-15.1419 0.0379267 15.1419 15.1419
+16.9757 0.0379267 16.9757 16.9757
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.927853 0.0412119 0.927853 0.927853
+1.06991 0.0412119 1.06991 1.06991
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-3.48989 0.0356133 3.48989 3.48989
+5.1565 0.0356133 5.1565 5.1565
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-27.952 0.049883 27.952 27.952
+40.2045 0.049883 40.2045 40.2045
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-27.1353 0.0428533 27.1353 27.1353
-EOD
-$line2_10 << EOD
-EOD
-$marks2_10 << EOD
-300.696 1e-12 300.696 300.696
+38.4171 0.0428533 38.4171 38.4171
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -182,7 +167,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.137853:10009.6]
+set xrange [0.181815:3252.56]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -193,22 +178,20 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.254087, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.213978, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.282158, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.23602, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0242346, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.302694, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.275752, graph 0.5 to graph 0.302694, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.446765, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.00869659, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.170348, graph 0.5 to graph 0.143406, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
-set label "pgs:50" at graph 0.315647, graph 0.593103 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.288705, graph 0.5 to graph 0.315647, graph 0.593103 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.501535, graph 0.418534 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.474593, graph 0.5 to graph 0.501535, graph 0.418534 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6 (cut)" at graph 0.498886, graph 0.593103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.471944, graph 0.5 to graph 0.498886, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
-set label "lemke (cut)" at graph 0.713778, graph 0.5 left front noenhanced textcolor rgb '#999999'
+set label "si:50" at graph 0.0319179, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.327753, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.300812, graph 0.5 to graph 0.327753, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.490235, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.019348, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.181, graph 0.5 to graph 0.154058, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
+set label "pgs:50" at graph 0.179957, graph 0.418534 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.341609, graph 0.5 to graph 0.314667, graph 0.418534 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.578286, graph 0.534914 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.573642, graph 0.418534 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.5467, graph 0.5 to graph 0.573642, graph 0.418534 nohead lw 0.6 lc rgb '#555555'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -218,8 +201,7 @@ plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
   $marks0_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
   $marks0_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks0_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks0_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+  $marks0_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
 set lmargin at screen 0.395
 set rmargin at screen 0.653333
 set tmargin at screen 0.851064
@@ -229,33 +211,30 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.137853:10009.6]
+set xrange [0.181815:3252.56]
 set xlabel "ms a step" noenhanced
 set logscale y
-set ytics 1000 nomirror
-unset mytics
-set format y "10^{%T}"
-set yrange [1e-13:1]
+set ytics 10 nomirror
+set mytics
+set format y "%g"
+set yrange [0.01:1]
 set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.190377, graph 0.886546 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.446765, graph 0.887705 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.0835457, graph 0.958144 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0566038, graph 0.911592 to graph 0.0835457, graph 0.958144 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.315647, graph 0.935901 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.302694, graph 0.878714 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6 (cut)" at graph 0.498886, graph 0.938334 left front noenhanced textcolor rgb '#555555'
-set label "dantzig (cut)" at graph 0.501535, graph 0.836103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.474593, graph 0.917569 to graph 0.501535, graph 0.836103 nohead lw 0.6 lc rgb '#555555'
-set label "delassus:1e-3" at graph 0.213978, graph 0.78348 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.187036, graph 0.923135 to graph 0.213978, graph 0.78348 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.254087, graph 0.830032 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.227145, graph 0.923135 to graph 0.254087, graph 0.830032 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.00869659, graph 0.876752 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.170348, graph 0.923304 to graph 0.143406, graph 0.876752 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:50" at graph 0.19806, graph 0.41384 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.490235, graph 0.421375 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.0835457, graph 0.448626 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.368551, graph 0.478616 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.341609, graph 0.432064 to graph 0.368551, graph 0.478616 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:200" at graph 0.327753, graph 0.403666 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6 (cut)" at graph 0.573642, graph 0.471154 left front noenhanced textcolor rgb '#555555'
+set label "dantzig (cut)" at graph 0.578286, graph 0.522387 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.551344, graph 0.464197 to graph 0.578286, graph 0.522387 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.282158, graph 0.535291 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.019348, graph 0.501473 left front noenhanced textcolor rgb '#e69f00'
+set label "delassus:1e-3" at graph 0.23602, graph 0.58289 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.209078, graph 0.536338 to graph 0.23602, graph 0.58289 nohead lw 0.6 lc rgb '#0060a8'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -265,8 +244,7 @@ plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
   $marks1_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
   $marks1_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks1_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks1_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+  $marks1_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
 set lmargin at screen 0.728333
 set rmargin at screen 0.986667
 set tmargin at screen 0.851064
@@ -276,35 +254,27 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.137853:10009.6]
+set xrange [0.181815:3252.56]
 set xlabel "ms a step" noenhanced
 set logscale y
-set ytics 100 nomirror
-unset mytics
-set format y "10^{%T}"
-set yrange [1e-13:0.1]
+set ytics nomirror (0.01, 0.02, 0.05, 0.1, 0.2, 0.5)
+set mytics
+set format y "%g"
+set yrange [0.01:0.1]
 set ylabel "joints pulled apart, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke (cut)" at graph 0.713778, graph 0.0833333 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.0242346, graph 0.958821 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.315647, graph 0.939358 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.114101, graph 0.90625 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.275752, graph 0.96444 to graph 0.24881, graph 0.90625 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.446765, graph 0.883447 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.419823, graph 0.964912 to graph 0.446765, graph 0.883447 nohead lw 0.6 lc rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.213978, graph 0.826109 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.187036, graph 0.965765 to graph 0.213978, graph 0.826109 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.254087, graph 0.884299 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.227145, graph 0.965765 to graph 0.254087, graph 0.884299 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.00869659, graph 0.851539 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.170348, graph 0.967919 to graph 0.143406, graph 0.851539 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig:1e-6 (cut)" at graph 0.498886, graph 0.969332 left front noenhanced textcolor rgb '#555555'
-set label "dantzig (cut)" at graph 0.501535, graph 0.776985 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.474593, graph 0.974829 to graph 0.501535, graph 0.776985 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.0835457, graph 0.802155 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0566038, graph 0.984829 to graph 0.0835457, graph 0.802155 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.19806, graph 0.505854 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.368551, graph 0.551612 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.13916, graph 0.56164 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.490235, graph 0.602221 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus" at graph 0.282158, graph 0.600812 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.019348, graph 0.615023 left front noenhanced textcolor rgb '#e69f00'
+set label "dantzig:1e-6 (cut)" at graph 0.573642, graph 0.655261 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.23602, graph 0.652274 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig (cut)" at graph 0.578286, graph 0.709591 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.0835457, graph 0.817953 left front noenhanced textcolor rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -314,7 +284,6 @@ plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
   $marks2_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
   $marks2_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+  $marks2_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
 unset multiplot
 }

@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.002274 1e-12 0.002274 0.002274
+0.002964 1e-12 0.002964 0.002964
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.001872 1e-12 0.001872 0.001872
+0.002364 1e-12 0.002364 0.002364
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.000731 1e-12 0.000731 0.000731
+0.000631 1e-12 0.000631 0.000631
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.000912 1e-12 0.000912 0.000912
+0.001051 1e-12 0.001051 0.001051
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.001062 1e-12 0.001062 0.001062
+0.001252 1e-12 0.001252 0.001252
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.001062 1e-12 0.001062 0.001062
+0.001252 1e-12 0.001252 0.001252
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.000942 1e-12 0.000942 0.000942
+0.001122 1e-12 0.001122 0.001122
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.000911 1e-12 0.000911 0.000911
+0.000791 1e-12 0.000791 0.000791
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.000931 1e-12 0.000931 0.000931
+0.001142 1e-12 0.001142 0.001142
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.003685 1e-12 0.003685 0.003685
+0.004798 1e-12 0.004798 0.004798
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.000961 1e-12 0.000961 0.000961
+0.001272 1e-12 0.001272 0.001272
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.000961 1e-12 0.000961 0.000961
+0.001242 1e-12 0.001242 0.001242
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-0.266457 3.08263 0.266457 0.266457
+0.334605 3.08263 0.334605 0.334605
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.002274 0.0709823 0.002274 0.002274
+0.002964 0.0709823 0.002964 0.002964
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.001872 0.0709823 0.001872 0.001872
+0.002364 0.0709823 0.002364 0.002364
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.000731 0.0709823 0.000731 0.000731
+0.000631 0.0709823 0.000631 0.000631
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.000912 0.0709823 0.000912 0.000912
+0.001051 0.0709823 0.001051 0.001051
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.001062 0.0709823 0.001062 0.001062
+0.001252 0.0709823 0.001252 0.001252
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.001062 0.0709823 0.001062 0.001062
+0.001252 0.0709823 0.001252 0.001252
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.000942 0.0709823 0.000942 0.000942
+0.001122 0.0709823 0.001122 0.001122
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.000911 0.0709822 0.000911 0.000911
+0.000791 0.0709822 0.000791 0.000791
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.000931 0.0709823 0.000931 0.000931
+0.001142 0.0709823 0.001142 0.001142
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.003685 0.0709823 0.003685 0.003685
+0.004798 0.0709823 0.004798 0.004798
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.000961 0.0709823 0.000961 0.000961
+0.001272 0.0709823 0.001272 0.001272
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.000961 0.0709882 0.000961 0.000961
+0.001242 0.0709882 0.001242 0.001242
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-0.266457 0.0225015 0.266457 0.266457
+0.334605 0.0225015 0.334605 0.334605
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.002274 2.20986 0.002274 0.002274
+0.002964 2.20986 0.002964 0.002964
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.001872 2.20986 0.001872 0.001872
+0.002364 2.20986 0.002364 0.002364
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.000731 2.20986 0.000731 0.000731
+0.000631 2.20986 0.000631 0.000631
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.000912 2.20986 0.000912 0.000912
+0.001051 2.20986 0.001051 0.001051
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.001062 2.20986 0.001062 0.001062
+0.001252 2.20986 0.001252 0.001252
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.001062 2.20986 0.001062 0.001062
+0.001252 2.20986 0.001252 0.001252
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.000942 2.20986 0.000942 0.000942
+0.001122 2.20986 0.001122 0.001122
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.000911 2.20986 0.000911 0.000911
+0.000791 2.20986 0.000791 0.000791
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.000931 2.20986 0.000931 0.000931
+0.001142 2.20986 0.001142 0.001142
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.003685 2.20986 0.003685 0.003685
+0.004798 2.20986 0.004798 0.004798
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.000961 2.20986 0.000961 0.000961
+0.001272 2.20986 0.001272 0.001272
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.000961 2.20982 0.000961 0.000961
+0.001242 2.20982 0.001242 0.001242
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-0.266457 0.0414571 0.266457 0.266457
+0.334605 0.0414571 0.334605 0.334605
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.000468395:1.21805]
+set xrange [0.000393043:1.68466]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,27 +223,27 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.227869, graph 0.0947044 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.203131, graph 0.0481527 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.268522, graph 0.0947044 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.241477, graph 0.0481527 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.0947044 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.111679, graph 0.141256 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0847373, graph 0.0714286 to graph 0.111679, graph 0.141256 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.131043, graph 0.187808 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.104101, graph 0.0714286 to graph 0.131043, graph 0.187808 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.131043, graph 0.23436 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.104101, graph 0.0714286 to graph 0.131043, graph 0.23436 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.115795, graph 0.280911 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.0888532, graph 0.0714286 to graph 0.115795, graph 0.280911 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.11154, graph 0.327463 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0845978, graph 0.0714286 to graph 0.11154, graph 0.327463 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.114301, graph 0.385653 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0873595, graph 0.0714286 to graph 0.114301, graph 0.385653 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.289259, graph 0.141256 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.262317, graph 0.0714286 to graph 0.289259, graph 0.141256 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.118335, graph 0.443842 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0913927, graph 0.0714286 to graph 0.118335, graph 0.443842 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.118335, graph 0.502032 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0913927, graph 0.0714286 to graph 0.118335, graph 0.502032 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.14455, graph 0.141256 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.117608, graph 0.0714286 to graph 0.14455, graph 0.141256 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.165475, graph 0.187808 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.138534, graph 0.0714286 to graph 0.165475, graph 0.187808 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.165475, graph 0.23436 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.138534, graph 0.0714286 to graph 0.165475, graph 0.23436 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.152367, graph 0.280911 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.125425, graph 0.0714286 to graph 0.152367, graph 0.280911 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.110568, graph 0.327463 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0836261, graph 0.0714286 to graph 0.110568, graph 0.327463 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.15448, graph 0.385653 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.127538, graph 0.0714286 to graph 0.15448, graph 0.385653 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.326115, graph 0.141256 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.299173, graph 0.0714286 to graph 0.326115, graph 0.141256 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.16737, graph 0.443842 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.140429, graph 0.0714286 to graph 0.16737, graph 0.443842 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.164517, graph 0.502032 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.137575, graph 0.0714286 to graph 0.164517, graph 0.502032 nohead lw 0.6 lc rgb '#555555'
 set label "lemke" at graph 0.833669, graph 0.963494 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -267,7 +267,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.000468395:1.21805]
+set xrange [0.000393043:1.68466]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics nomirror (0.01, 0.02, 0.05, 0.1, 0.2, 0.5)
@@ -279,26 +279,26 @@ unset label
 unset arrow
 unset object
 set label "lemke" at graph 0.833669, graph 0.352212 left front noenhanced textcolor rgb '#999999'
-set label "nncg:10" at graph 0.11154, graph 0.827874 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:10" at graph 0.110568, graph 0.827874 left front noenhanced textcolor rgb '#009e73'
 set label "si:10" at graph 0.0835457, graph 0.886064 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus" at graph 0.227869, graph 0.886064 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.203131, graph 0.769684 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.176189, graph 0.85115 to graph 0.203131, graph 0.769684 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:50" at graph 0.111679, graph 0.932615 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0847373, graph 0.85115 to graph 0.111679, graph 0.932615 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.131043, graph 0.723133 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.104101, graph 0.85115 to graph 0.131043, graph 0.723133 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.131043, graph 0.676581 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.104101, graph 0.85115 to graph 0.131043, graph 0.676581 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.115795, graph 0.630029 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.0888532, graph 0.85115 to graph 0.115795, graph 0.630029 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:50" at graph 0.114301, graph 0.583477 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0873595, graph 0.85115 to graph 0.114301, graph 0.583477 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.289259, graph 0.839512 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.118335, graph 0.525288 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0913927, graph 0.85115 to graph 0.118335, graph 0.525288 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.118335, graph 0.467135 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0913927, graph 0.851186 to graph 0.118335, graph 0.467135 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.268522, graph 0.886064 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.241477, graph 0.769684 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.214535, graph 0.85115 to graph 0.241477, graph 0.769684 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:50" at graph 0.14455, graph 0.932615 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.117608, graph 0.85115 to graph 0.14455, graph 0.932615 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.165475, graph 0.723133 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.138534, graph 0.85115 to graph 0.165475, graph 0.723133 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.165475, graph 0.676581 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.138534, graph 0.85115 to graph 0.165475, graph 0.676581 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.152367, graph 0.630029 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.125425, graph 0.85115 to graph 0.152367, graph 0.630029 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:50" at graph 0.15448, graph 0.583477 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.127538, graph 0.85115 to graph 0.15448, graph 0.583477 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.326115, graph 0.839512 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.16737, graph 0.525288 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.140429, graph 0.85115 to graph 0.16737, graph 0.525288 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.164517, graph 0.467135 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.137575, graph 0.851186 to graph 0.164517, graph 0.467135 nohead lw 0.6 lc rgb '#555555'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -321,7 +321,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.000468395:1.21805]
+set xrange [0.000393043:1.68466]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -333,27 +333,27 @@ unset label
 unset arrow
 unset object
 set label "lemke" at graph 0.833669, graph 0.205866 left front noenhanced textcolor rgb '#999999'
-set label "dantzig:1e-6" at graph 0.118335, graph 0.758176 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.11154, graph 0.816368 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.164517, graph 0.758176 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.110568, graph 0.816368 left front noenhanced textcolor rgb '#009e73'
 set label "si:10" at graph 0.0835457, graph 0.86292 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.781455 to graph 0.0835457, graph 0.86292 nohead lw 0.6 lc rgb '#d55e00'
-set label "delassus" at graph 0.227869, graph 0.86292 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.200928, graph 0.781455 to graph 0.227869, graph 0.86292 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.203131, graph 0.699989 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.176189, graph 0.781455 to graph 0.203131, graph 0.699989 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:50" at graph 0.111679, graph 0.909472 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0847373, graph 0.781455 to graph 0.111679, graph 0.909472 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.131043, graph 0.653437 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.104101, graph 0.781455 to graph 0.131043, graph 0.653437 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.131043, graph 0.956024 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.104101, graph 0.781455 to graph 0.131043, graph 0.956024 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.115795, graph 0.606886 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.0888532, graph 0.781455 to graph 0.115795, graph 0.606886 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:50" at graph 0.114301, graph 0.560334 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0873595, graph 0.781455 to graph 0.114301, graph 0.560334 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.289259, graph 0.804731 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.118335, graph 0.513782 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0913927, graph 0.781455 to graph 0.118335, graph 0.513782 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.268522, graph 0.816368 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.241477, graph 0.699989 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.214535, graph 0.781455 to graph 0.241477, graph 0.699989 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:50" at graph 0.14455, graph 0.909472 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.117608, graph 0.781455 to graph 0.14455, graph 0.909472 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.165475, graph 0.653437 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.138534, graph 0.781455 to graph 0.165475, graph 0.653437 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.165475, graph 0.956024 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.138534, graph 0.781455 to graph 0.165475, graph 0.956024 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.152367, graph 0.606886 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.125425, graph 0.781455 to graph 0.152367, graph 0.606886 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:50" at graph 0.15448, graph 0.560334 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.127538, graph 0.781455 to graph 0.15448, graph 0.560334 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.326115, graph 0.874558 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.299173, graph 0.781455 to graph 0.326115, graph 0.874558 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.16737, graph 0.513782 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.140429, graph 0.781455 to graph 0.16737, graph 0.513782 nohead lw 0.6 lc rgb '#555555'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-11.5275 1e-12 11.5275 11.5275
+16.3215 1e-12 16.3215 16.3215
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-11.898 1e-12 11.898 11.898
+15.3232 1e-12 15.3232 15.3232
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-1.1251 1e-12 1.1251 1.1251
+2.00834 1e-12 2.00834 2.00834
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-3.96672 1e-12 3.96672 3.96672
+5.62404 1e-12 5.62404 5.62404
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-13.3377 1e-12 13.3377 13.3377
+16.0855 1e-12 16.0855 16.0855
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-50.775 1e-12 50.775 50.775
+59.1206 1e-12 59.1206 59.1206
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-4.53128 1e-12 4.53128 4.53128
+6.202 1e-12 6.202 6.202
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-1.36348 1e-12 1.36348 1.36348
+3.18963 1e-12 3.18963 3.18963
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-4.90704 1e-12 4.90704 4.90704
+6.70913 1e-12 6.70913 6.70913
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-63.3197 1e-12 63.3197 63.3197
+80.0013 1e-12 80.0013 80.0013
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-19.7951 1e-12 19.7951 19.7951
+28.7921 1e-12 28.7921 28.7921
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-19.8267 1e-12 19.8267 19.8267
+13.476 1e-12 13.476 13.476
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-2.73681 1e-12 2.73681 2.73681
+4.6279 1e-12 4.6279 4.6279
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-11.5275 0.0903329 11.5275 11.5275
+16.3215 0.0903329 16.3215 16.3215
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-11.898 0.0903349 11.898 11.898
+15.3232 0.0903349 15.3232 15.3232
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-1.1251 0.0596164 1.1251 1.1251
+2.00834 0.0596164 2.00834 2.00834
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-3.96672 0.0785919 3.96672 3.96672
+5.62404 0.0785919 5.62404 5.62404
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-13.3377 0.0821982 13.3377 13.3377
+16.0855 0.0821982 16.0855 16.0855
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-50.775 0.0821606 50.775 50.775
+59.1206 0.0821606 59.1206 59.1206
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-4.53128 0.086607 4.53128 4.53128
+6.202 0.086607 6.202 6.202
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-1.36348 0.0606733 1.36348 1.36348
+3.18963 0.0606733 3.18963 3.18963
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-4.90704 0.080631 4.90704 4.90704
+6.70913 0.080631 6.70913 6.70913
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-63.3197 0.0864095 63.3197 63.3197
+80.0013 0.0864095 80.0013 80.0013
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-19.7951 0.0575464 19.7951 19.7951
+28.7921 0.0575464 28.7921 28.7921
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-19.8267 0.0576006 19.8267 19.8267
+13.476 0.047836 13.476 13.476
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-2.73681 1e-12 2.73681 2.73681
+4.6279 1e-12 4.6279 4.6279
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-11.5275 1e-12 11.5275 11.5275
+16.3215 1e-12 16.3215 16.3215
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-11.898 0.0728058 11.898 11.898
+15.3232 0.0821081 15.3232 15.3232
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-1.1251 0.0127214 1.1251 1.1251
+2.00834 0.0127214 2.00834 2.00834
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-3.96672 0.0203721 3.96672 3.96672
+5.62404 0.0203721 5.62404 5.62404
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-13.3377 0.0325035 13.3377 13.3377
+16.0855 0.0325035 16.0855 16.0855
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-50.775 0.0421233 50.775 50.775
+59.1206 1e-12 59.1206 59.1206
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-4.53128 0.0139113 4.53128 4.53128
+6.202 0.0139113 6.202 6.202
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-1.36348 0.0145098 1.36348 1.36348
+3.18963 0.0145098 3.18963 3.18963
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-4.90704 0.0845091 4.90704 4.90704
+6.70913 0.0845091 6.70913 6.70913
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-63.3197 1e-12 63.3197 63.3197
+80.0013 1e-12 80.0013 80.0013
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-19.7951 1e-12 19.7951 19.7951
+28.7921 1e-12 28.7921 28.7921
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-19.8267 1e-12 19.8267 19.8267
+13.476 1e-12 13.476 13.476
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-2.73681 1e-12 2.73681 2.73681
+4.6279 1e-12 4.6279 4.6279
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.77417:571.588]
+set xrange [1.42694:598.005]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -223,26 +223,26 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus (cut)" at graph 0.435868, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3 (cut)" at graph 0.440657, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus (cut)" at graph 0.43054, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3 (cut)" at graph 0.420087, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.274339, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.269359, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000 (cut)" at graph 0.660365, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.633423, graph 0.5 to graph 0.660365, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.105893, graph 0.534914 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.112644, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0857016, graph 0.5 to graph 0.112644, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.30655, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.279608, graph 0.5 to graph 0.30655, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50 (cut)" at graph 0.693796, graph 0.593103 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.666854, graph 0.5 to graph 0.693796, graph 0.593103 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.171982, graph 0.593103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.490795, graph 0.5 to graph 0.463853, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6 (cut)" at graph 0.517978, graph 0.371983 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.491036, graph 0.5 to graph 0.517978, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
-set label "lemke (cut)" at graph 0.218142, graph 0.371983 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.1912, graph 0.5 to graph 0.218142, graph 0.371983 nohead lw 0.6 lc rgb '#999999'
+set label "si:50" at graph 0.254087, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.239534, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000 (cut)" at graph 0.643703, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.616761, graph 0.5 to graph 0.643703, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.0816944, graph 0.534914 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.160159, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.133217, graph 0.5 to graph 0.160159, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.283305, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.256363, graph 0.5 to graph 0.283305, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50 (cut)" at graph 0.370493, graph 0.418534 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.666854, graph 0.5 to graph 0.639912, graph 0.418534 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.524546, graph 0.593103 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.497604, graph 0.5 to graph 0.524546, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.398812, graph 0.371983 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.37187, graph 0.5 to graph 0.398812, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.221801, graph 0.639655 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.194859, graph 0.5 to graph 0.221801, graph 0.639655 nohead lw 0.6 lc rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -265,7 +265,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.77417:571.588]
+set xrange [1.42694:598.005]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -276,25 +276,28 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke (cut)" at graph 0.218142, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "dantzig (cut)" at graph 0.517737, graph 0.892979 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6 (cut)" at graph 0.0599654, graph 0.881372 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.0835457, graph 0.940711 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.112644, graph 0.824919 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0857016, graph 0.906384 to graph 0.112644, graph 0.824919 nohead lw 0.6 lc rgb '#009e73'
-set label "si:50" at graph 0.274339, graph 0.949943 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.30655, graph 0.834419 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.279608, graph 0.915885 to graph 0.30655, graph 0.834419 nohead lw 0.6 lc rgb '#009e73'
-set label "si:1000 (cut)" at graph 0.660365, graph 0.951426 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.457953, graph 0.939804 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50 (cut)" at graph 0.693796, graph 0.836732 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.666854, graph 0.918197 to graph 0.693796, graph 0.836732 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si2:50" at graph 0.294487, graph 0.778618 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.267545, graph 0.918273 to graph 0.294487, graph 0.778618 nohead lw 0.6 lc rgb '#e69f00'
-set label "delassus (cut)" at graph 0.435868, graph 0.780025 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.408926, graph 0.91968 to graph 0.435868, graph 0.780025 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus:1e-3 (cut)" at graph 0.440657, graph 0.721836 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.413715, graph 0.919681 to graph 0.440657, graph 0.721836 nohead lw 0.6 lc rgb '#0060a8'
+set label "lemke (cut)" at graph 0.221801, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
+set label "dantzig:1e-6 (cut)" at graph 0.398812, graph 0.875167 left front noenhanced textcolor rgb '#555555'
+set label "dantzig (cut)" at graph 0.524546, graph 0.951168 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.497604, graph 0.904617 to graph 0.524546, graph 0.951168 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.0835457, graph 0.882521 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.160159, graph 0.952936 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.133217, graph 0.906384 to graph 0.160159, graph 0.952936 nohead lw 0.6 lc rgb '#009e73'
+set label "si:50" at graph 0.254087, graph 0.891753 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.0722598, graph 0.834419 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.256363, graph 0.915885 to graph 0.229421, graph 0.834419 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000 (cut)" at graph 0.643703, graph 0.823409 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.616761, graph 0.916513 to graph 0.643703, graph 0.823409 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.239534, graph 0.835062 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.401186, graph 0.916528 to graph 0.374244, graph 0.835062 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.370493, graph 0.778542 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.666854, graph 0.918197 to graph 0.639912, graph 0.778542 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si2:50" at graph 0.0816944, graph 0.778618 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.243346, graph 0.918273 to graph 0.216404, graph 0.778618 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus (cut)" at graph 0.43054, graph 0.721836 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.403598, graph 0.91968 to graph 0.43054, graph 0.721836 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus:1e-3 (cut)" at graph 0.420087, graph 0.663647 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.393145, graph 0.919681 to graph 0.420087, graph 0.663647 nohead lw 0.6 lc rgb '#0060a8'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -317,7 +320,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.77417:571.588]
+set xrange [1.42694:598.005]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -328,22 +331,23 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus (cut)" at graph 0.435868, graph 0.100199 left front noenhanced textcolor rgb '#0060a8'
-set label "pgs:50 (cut)" at graph 0.693796, graph 0.0536472 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.171982, graph 0.0536472 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6 (cut)" at graph 0.517978, graph 0.158389 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.491036, graph 0.0769231 to graph 0.517978, graph 0.158389 nohead lw 0.6 lc rgb '#555555'
-set label "lemke (cut)" at graph 0.218142, graph 0.158389 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.1912, graph 0.0769231 to graph 0.218142, graph 0.158389 nohead lw 0.6 lc rgb '#999999'
+set label "delassus (cut)" at graph 0.43054, graph 0.100199 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000 (cut)" at graph 0.643703, graph 0.0536472 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.370493, graph 0.0536472 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.524546, graph 0.158389 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.497604, graph 0.0769231 to graph 0.524546, graph 0.158389 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.398812, graph 0.20494 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.37187, graph 0.0769231 to graph 0.398812, graph 0.20494 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.221801, graph 0.158389 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.194859, graph 0.0769231 to graph 0.221801, graph 0.158389 nohead lw 0.6 lc rgb '#999999'
 set label "si:10" at graph 0.0835457, graph 0.830919 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.294487, graph 0.857182 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.112644, graph 0.893503 left front noenhanced textcolor rgb '#009e73'
-set label "si:50" at graph 0.274339, graph 0.800098 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.247397, graph 0.869926 to graph 0.274339, graph 0.800098 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.457953, graph 0.885533 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000 (cut)" at graph 0.660365, graph 0.894194 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3 (cut)" at graph 0.440657, graph 0.947388 left front noenhanced textcolor rgb '#0060a8'
-set label "nncg:50" at graph 0.0955043, graph 0.94073 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.270288, graph 0.857182 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.160159, graph 0.777124 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.133217, graph 0.858589 to graph 0.160159, graph 0.777124 nohead lw 0.6 lc rgb '#009e73'
+set label "si:50" at graph 0.0879453, graph 0.893202 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.428127, graph 0.885533 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3 (cut)" at graph 0.420087, graph 0.939767 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg:50" at graph 0.0722598, graph 0.94073 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

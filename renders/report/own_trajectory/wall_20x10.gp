@@ -2,182 +2,182 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.184295 1e-12 0.184295 0.184295
+0.239304 1e-12 0.239304 0.239304
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-5.56066 0.000501198 5.56066 5.56066
+6.50155 0.000501198 6.50155 6.50155
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.4964 0.0438397 0.4964 0.4964
+0.58084 0.0438397 0.58084 0.58084
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-1.91741 0.0105485 1.91741 1.91741
+2.13766 0.0105485 2.13766 2.13766
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-7.45069 0.00659824 7.45069 7.45069
+7.96382 0.00659824 7.96382 7.96382
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-34.9221 0.00123815 34.9221 34.9221
+38.7073 0.00107991 38.7073 38.7073
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-2.89867 0.0199257 2.89867 2.89867
+3.28119 0.0199257 3.28119 3.28119
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.634466 0.0231155 0.634466 0.634466
+0.753294 0.0231155 0.753294 0.753294
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-2.68582 0.0149387 2.68582 2.68582
+3.10177 0.0149387 3.10177 3.10177
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-86.5972 0.00409113 86.5972 86.5972
+113.571 0.0037179 113.571 113.571
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-56.2108 0.0228851 56.2108 56.2108
+69.946 0.0228851 69.946 69.946
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-4497.96 5.93084e-06 4497.96 4497.96
+6656.6 3.27933e-06 6656.6 6656.6
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.184295 1e-12 0.184295 0.184295
+0.239304 1e-12 0.239304 0.239304
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-5.56066 0.00110163 5.56066 5.56066
+6.50155 0.00110163 6.50155 6.50155
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.4964 0.00529454 0.4964 0.4964
+0.58084 0.00529454 0.58084 0.58084
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-1.91741 0.000600495 1.91741 1.91741
+2.13766 0.000600495 2.13766 2.13766
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-7.45069 0.00158638 7.45069 7.45069
+7.96382 0.00158638 7.96382 7.96382
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-34.9221 5.61565e-06 34.9221 34.9221
+38.7073 5.61565e-06 38.7073 38.7073
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-2.89867 0.00400995 2.89867 2.89867
+3.28119 0.00400995 3.28119 3.28119
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.634466 0.00505557 0.634466 0.634466
+0.753294 0.00505557 0.753294 0.753294
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-2.68582 0.00532771 2.68582 2.68582
+3.10177 0.00532771 3.10177 3.10177
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-86.5972 0.000547417 86.5972 86.5972
+113.571 0.000547417 113.571 113.571
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-56.2108 0.00501571 56.2108 56.2108
+69.946 0.00501571 69.946 69.946
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-4497.96 9.88466e-07 4497.96 4497.96
+6656.6 1e-12 6656.6 6656.6
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.184295 1e-12 0.184295 0.184295
+0.239304 1e-12 0.239304 0.239304
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-5.56066 0.000467322 5.56066 5.56066
+6.50155 0.000467322 6.50155 6.50155
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.4964 0.00394506 0.4964 0.4964
+0.58084 0.00394506 0.58084 0.58084
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-1.91741 0.000987845 1.91741 1.91741
+2.13766 0.000987845 2.13766 2.13766
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-7.45069 0.000209218 7.45069 7.45069
+7.96382 0.000209218 7.96382 7.96382
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-34.9221 1.97801e-05 34.9221 34.9221
+38.7073 2.27686e-05 38.7073 38.7073
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-2.89867 0.00328214 2.89867 2.89867
+3.28119 0.00328214 3.28119 3.28119
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.634466 0.00685518 0.634466 0.634466
+0.753294 0.00685518 0.753294 0.753294
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-2.68582 0.105036 2.68582 2.68582
+3.10177 0.105036 3.10177 3.10177
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-86.5972 1e-12 86.5972 86.5972
+113.571 1e-12 113.571 113.571
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-56.2108 1e-12 56.2108 56.2108
+69.946 1e-12 69.946 69.946
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-4497.96 1e-12 4497.96 4497.96
+6656.6 1e-12 6656.6 6656.6
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -197,7 +197,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0574182:5.08831e+07]
+set xrange [0.0734395:8.49746e+07]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -209,23 +209,23 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.64776 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.248911, graph 0.808334 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000 (cut)" at graph 0.338095, graph 0.910892 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.311153, graph 0.841065 to graph 0.338095, graph 0.910892 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50 (cut)" at graph 0.0588715, graph 0.872682 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.263113, graph 0.971447 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.236171, graph 0.901619 to graph 0.263113, graph 0.971447 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.031089, graph 0.825496 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.170289, graph 0.918599 to graph 0.143347, graph 0.825496 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:50" at graph 0.00254368, graph 0.919555 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.028697, graph 0.778687 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.190349, graph 0.941618 to graph 0.163407, graph 0.778687 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig (cut)" at graph 0.361199, graph 0.760422 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.334257, graph 0.946629 to graph 0.361199, graph 0.760422 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.143551, graph 0.725871 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.116609, graph 0.946992 to graph 0.143551, graph 0.725871 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.131639, graph 0.970156 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.626315 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.241773, graph 0.808334 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000 (cut)" at graph 0.327257, graph 0.905943 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.300315, graph 0.836116 to graph 0.327257, graph 0.905943 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.0555322, graph 0.86922 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.251494, graph 0.971447 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.224552, graph 0.901619 to graph 0.251494, graph 0.971447 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.0223306, graph 0.918599 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.20631, graph 0.756624 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.179368, graph 0.931193 to graph 0.20631, graph 0.756624 nohead lw 0.6 lc rgb '#009e73'
+set label "si2:50" at graph 0.0204113, graph 0.813601 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.182063, graph 0.941618 to graph 0.155121, graph 0.813601 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig (cut)" at graph 0.35561, graph 0.702233 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.328668, graph 0.946629 to graph 0.35561, graph 0.702233 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.138494, graph 0.702595 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.111552, graph 0.946992 to graph 0.138494, graph 0.702595 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.126036, graph 0.970156 left front noenhanced textcolor rgb '#d55e00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -247,7 +247,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0574182:5.08831e+07]
+set xrange [0.0734395:8.49746e+07]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -259,22 +259,22 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0909091 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.635906 left front noenhanced textcolor rgb '#555555'
-set label "si:1000 (cut)" at graph 0.338095, graph 0.704491 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50 (cut)" at graph 0.382175, graph 0.885302 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.197231, graph 0.888955 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.248911, graph 0.936188 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.0745195, graph 0.938948 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.028697, graph 0.882456 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.190349, graph 0.963922 to graph 0.163407, graph 0.882456 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig (cut)" at graph 0.361199, graph 0.833102 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.334257, graph 0.972758 to graph 0.361199, graph 0.833102 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.143551, graph 0.833415 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.116609, graph 0.97307 to graph 0.143551, graph 0.833415 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.131639, graph 0.777049 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.104697, graph 0.974893 to graph 0.131639, graph 0.777049 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:50" at graph 0.00254368, graph 0.719106 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.186647, graph 0.97514 to graph 0.159705, graph 0.719106 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.0909091 left front noenhanced textcolor rgb '#555555'
+set label "si:1000 (cut)" at graph 0.327257, graph 0.704491 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.378835, graph 0.885302 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.188473, graph 0.888955 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.241773, graph 0.936188 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.0629, graph 0.938948 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0204113, graph 0.882456 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.182063, graph 0.963922 to graph 0.155121, graph 0.882456 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig (cut)" at graph 0.35561, graph 0.833102 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.328668, graph 0.972758 to graph 0.35561, graph 0.833102 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.138494, graph 0.833415 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.111552, graph 0.97307 to graph 0.138494, graph 0.833415 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.126036, graph 0.777049 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0990943, graph 0.974893 to graph 0.126036, graph 0.777049 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:50" at graph 0.20631, graph 0.649278 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.179368, graph 0.97514 to graph 0.20631, graph 0.649278 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -296,7 +296,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0574182:5.08831e+07]
+set xrange [0.0734395:8.49746e+07]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -308,21 +308,21 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "pgs:50 (cut)" at graph 0.382175, graph 0.100199 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.361199, graph 0.0536472 left front noenhanced textcolor rgb '#555555'
+set label "pgs:50 (cut)" at graph 0.378835, graph 0.100199 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.35561, graph 0.0536472 left front noenhanced textcolor rgb '#555555'
 set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.158389 left front noenhanced textcolor rgb '#555555'
 set arrow from graph 0.546963, graph 0.0769231 to graph 0.573905, graph 0.158389 nohead lw 0.6 lc rgb '#555555'
-set label "si:1000 (cut)" at graph 0.338095, graph 0.638171 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.263113, graph 0.716969 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.248911, graph 0.767093 left front noenhanced textcolor rgb '#0060a8'
-set label "si:50" at graph 0.031089, graph 0.768822 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.217291, graph 0.820573 left front noenhanced textcolor rgb '#e69f00'
-set label "si:10" at graph 0.131639, graph 0.873271 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.104697, graph 0.815081 to graph 0.131639, graph 0.873271 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.143551, graph 0.949919 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.116609, graph 0.83354 to graph 0.143551, graph 0.949919 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.00254368, graph 0.715236 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.186647, graph 0.924718 to graph 0.159705, graph 0.715236 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000 (cut)" at graph 0.327257, graph 0.642872 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.251494, graph 0.716969 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.241773, graph 0.767093 left front noenhanced textcolor rgb '#0060a8'
+set label "si:50" at graph 0.0223306, graph 0.768822 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.209005, graph 0.820573 left front noenhanced textcolor rgb '#e69f00'
+set label "si:10" at graph 0.126036, graph 0.873271 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0990943, graph 0.815081 to graph 0.126036, graph 0.873271 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.138494, graph 0.949919 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.111552, graph 0.83354 to graph 0.138494, graph 0.949919 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.20631, graph 0.587218 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.179368, graph 0.924718 to graph 0.20631, graph 0.587218 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -1,129 +1,129 @@
 # Draws pyramid.svg and pyramid.png: gnuplot pyramid.gp
 $line0_0 << EOD
-4 2.14325 4 4
-16 14.3257 16 16
-64 18.5894 64 64
-256 170.187 256 256
-1024 492.773 1024 1024
-4096 1254.97 4096 4096
+4 2.55375 4 4
+16 18.0411 16 16
+64 23.8613 64 64
+256 249.931 256 256
+1024 651.032 1024 1024
+4096 1441.09 4096 4096
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 1.134 4 4
-16 10.3761 16 16
-64 10.7163 64 64
-256 12.2077 256 256
-1024 66.2988 1024 1024
-4096 386.011 4096 4096
+4 1.407 4 4
+16 13.4918 16 16
+64 13.6613 64 64
+256 16.1465 256 256
+1024 84.8445 1024 1024
+4096 449.16 4096 4096
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.3005 4 4
-16 0.27975 16 16
-64 0.288391 64 64
-256 0.291688 256 256
-1024 0.298903 1024 1024
-4096 0.324942 4096 4096
-15876 0.372574 15876 15876
-40000 0.747969 40000 40000
+4 0.3555 4 4
+16 0.33175 16 16
+64 0.338 64 64
+256 0.343438 256 256
+1024 0.375995 1024 1024
+4096 0.394844 4096 4096
+15876 0.54462 15876 15876
+40000 0.849522 40000 40000
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 2.078 4 4
-16 2.08994 16 16
-64 2.06714 64 64
-256 2.22304 256 256
-1024 2.28139 1024 1024
-4096 2.41838 4096 4096
-15876 2.37559 15876 15876
-40000 4.15574 40000 40000
+4 2.421 4 4
+16 2.33844 16 16
+64 2.42656 64 64
+256 2.65119 256 256
+1024 2.70582 1024 1024
+4096 2.83969 4096 4096
+15876 3.08291 15876 15876
+40000 7.35106 40000 40000
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.3855 4 4
-16 0.368063 16 16
-64 0.373984 64 64
-256 0.378609 256 256
-1024 0.393595 1024 1024
-4096 0.434324 4096 4096
-15876 0.505654 15876 15876
-40000 0.817982 40000 40000
+4 0.41575 4 4
+16 0.4175 16 16
+64 0.437203 64 64
+256 0.438934 256 256
+1024 0.465483 1024 1024
+4096 0.508436 4096 4096
+15876 0.754727 15876 15876
+40000 1.06082 40000 40000
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 0.73875 4 4
-16 1.36394 16 16
-64 2.63925 64 64
-256 6.96061 256 256
-1024 43.4229 1024 1024
-4096 268.01 4096 4096
+4 1.16425 4 4
+16 1.67056 16 16
+64 2.89475 64 64
+256 8.63289 256 256
+1024 50.7172 1024 1024
+4096 185.644 4096 4096
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 0.56825 4 4
-16 0.656563 16 16
-64 4.42597 64 64
+4 0.691 4 4
+16 0.855625 16 16
+64 6.42077 64 64
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 0.55325 4 4
-16 0.697313 16 16
-64 3.67625 64 64
-256 201.528 256 256
-1024 3577.29 1024 1024
+4 0.6835 4 4
+16 0.90825 16 16
+64 5.17923 64 64
+256 302.83 256 256
+1024 5587.24 1024 1024
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-4 4.82725 4 4
+4 5.4405 4 4
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-256 2.07667 256 256
-1024 4.8128 1024 1024
-4096 14.3483 4096 4096
+256 2.03162 256 256
+1024 4.64486 1024 1024
+4096 15.2986 4096 4096
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-1024 4.63258 1024 1024
-4096 14.1189 4096 4096
+1024 4.59571 1024 1024
+4096 15.2003 4096 4096
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4096 5.23059 4096 4096
-15876 20.2342 15876 15876
-40000 66.1873 40000 40000
+4096 5.2224 4096 4096
+15876 20.181 15876 15876
+40000 53.547 40000 40000
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4096 5.23059 4096 4096
-15876 20.2342 15876 15876
-40000 66.1914 40000 40000
+4096 5.2224 4096 4096
+15876 20.181 15876 15876
+40000 53.547 40000 40000
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4096 5.3248 4096 4096
-15876 20.4882 15876 15876
-40000 66.1914 40000 40000
+4096 5.34528 4096 4096
+15876 20.439 15876 15876
+40000 53.547 40000 40000
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-256 4.94797 256 256
-1024 69.9924 1024 1024
-4096 1085.4 4096 4096
+256 5.03398 256 256
+1024 70.0703 1024 1024
+4096 1085.74 4096 4096
 EOD
 $marks1_5 << EOD
 EOD
@@ -132,8 +132,8 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-256 9.26515 256 256
-1024 136.839 1024 1024
+256 9.30611 256 256
+1024 137.048 1024 1024
 EOD
 $marks1_7 << EOD
 EOD
@@ -170,16 +170,17 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.174777 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.684225, graph 0.205825 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.32373 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.152765, graph 0.329202 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.076027, graph 0.441481 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.0566038, graph 0.33674 to graph 0.076027, graph 0.441481 nohead lw 0.6 lc rgb '#999999'
-set label "pgs:10" at graph 0.648245, graph 0.68563 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.648245, graph 0.740596 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.648245, graph 0.819726 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.533801, graph 0.910711 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.836374, graph 0.185835 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.684225, graph 0.228405 left front noenhanced textcolor rgb '#009e73'
+set label "lemke" at graph 0.076027, graph 0.463507 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.0566038, graph 0.347128 to graph 0.076027, graph 0.463507 nohead lw 0.6 lc rgb '#999999'
+set label "dantzig" at graph 0.304914, graph 0.245138 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.285491, graph 0.361517 to graph 0.304914, graph 0.245138 nohead lw 0.6 lc rgb '#555555'
+set label "si:100" at graph 0.836374, graph 0.37327 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:10" at graph 0.648245, graph 0.653736 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.648245, graph 0.73048 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.648245, graph 0.831738 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.533801, graph 0.949439 left front noenhanced textcolor rgb '#555555'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -227,14 +228,14 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.244093, graph 0.310726 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.493358, graph 0.312476 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.836374, graph 0.455194 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.466838 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.501752 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.4552 to graph 0.836374, graph 0.501752 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig:1e-6" at graph 0.0516134, graph 0.534053 left front noenhanced textcolor rgb '#555555'
-set label "pgs:10" at graph 0.493358, graph 0.758898 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.244093, graph 0.307101 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.493358, graph 0.319439 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.432184 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.443822 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.490373 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.432184 to graph 0.836374, graph 0.490373 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.0516134, graph 0.534218 left front noenhanced textcolor rgb '#555555'
+set label "pgs:10" at graph 0.493358, graph 0.758932 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \

@@ -111,7 +111,7 @@ $line3_5 << EOD
 4.16667 1.35905 4.16667 4.16667
 8.33333 1.32164 8.33333 8.33333
 16.6667 0.076901 16.6667 16.6667
-33.3333 0.279744 33.3333 33.3333
+33.3333 0.292411 33.3333 33.3333
 EOD
 $marks3_5 << EOD
 EOD
@@ -240,7 +240,7 @@ unset label
 unset arrow
 unset object
 set label "si:50" at graph 0.821968, graph 0.285734 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus" at graph 0.821968, graph 0.36169 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.821968, graph 0.366498 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.821968, graph 0.442917 left front noenhanced textcolor rgb '#d55e00'
 set label "si2:10" at graph 0.686005, graph 0.454555 left front noenhanced textcolor rgb '#e69f00'
 plot $line3_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
