@@ -60,7 +60,8 @@ void Patches::join(const Problem& problem) {
     if (owner >= 0) owner = sets_.root(owner);
 }
 
-/// Leaves out disks whose governor is held: they have no law of their own in a patch.
+/// Leaves out disks whose governor, or a row of theirs, is held: they have no law of their own in a
+/// patch.
 void Patches::leaveOutDisks(const Problem& problem) {
   const int n = problem.contacts();
   for (const Disk& disk : problem.disks) {
