@@ -13,8 +13,8 @@
 namespace delassus {
 namespace {
 
-/// Solves a lone contact or row by its formula. False if there is more than one, or if nothing moves
-/// the row.
+/// Solves a lone contact or row by its formula. False if there is more than one, or if nothing
+/// moves the row.
 bool solveAlone(const Problem& problem, const NaturalMap& map, VectorXd& r) {
   if (problem.contacts() == 1 && problem.rows() == 0) {
     r = solveOneContact(problem.W.contactBlock(0), problem.q, problem.friction[0]);
