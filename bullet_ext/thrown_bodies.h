@@ -64,8 +64,9 @@ bool drives(const Group& group, int row, bool up);
 /// The largest speed of bodies that touch the island and do not give way, m/s.
 double driveOf(const Group& group, const Island& island);
 /// Whether these bodies may squeeze the island: one that moves does not go the same way as all else
-/// that holds it, be it another one, a joint's other body, or what locks an axis. Otherwise the
-/// island can go along as a whole, and nothing jams it.
+/// that holds it, be it another one, a joint's other body, or what locks an axis. (Several of which
+/// one turns count as going different ways.) Otherwise the island can go along as a whole, and what
+/// drives it does not jam it.
 bool mayBeSqueezed(const Group& group, const Island& island);
 /// Whether the body may not go or turn about an axis.
 bool hasLockedAxis(const Body& body);

@@ -110,6 +110,30 @@ TEST(RestlessIslands, AreThoseWhoseReactionsWereOthers) {
   EXPECT_FALSE(Falling(bad, {}, none).isRestless()) << "no others were found";
 }
 
+/// The same above a floor, of which a part that the body touches sinks away.
+struct AboveASinkingFloor : Falling {
+  explicit AboveASinkingFloor(double error) : Falling(error) {
+    group.bodies.emplace_back().velocity[0] = -5;
+    group.bodySources.push_back({&rigidLoad_, group.bodies.back().velocity});
+    Contact& contact = group.contacts.emplace_back(group.contacts.front());
+    contact.b = 1;
+    group.contactSources.push_back({&manifold_, 0});
+    group.guess.push_back(Vec3::Zero());
+    group.pushes.push_back(0);
+    solve({});
+  }
+};
+
+// Where a jam is ruled out first, the guess is that of the first search, not its answer.
+TEST(RestlessIslands, AreThoseWhoseFirstReactionsWereOthers) {
+  for (const double error : {bad, 3 * bad, 100 * bad}) {
+    const AboveASinkingFloor falling(error);
+    EXPECT_TRUE(falling.isRestless()) << error;
+    EXPECT_EQ(falling.answer.results[0].status, Status::Solved) << error;
+  }
+  EXPECT_FALSE(AboveASinkingFloor(good).isRestless());
+}
+
 // A whole search comes after one, two, four, eight steps in vain, and where a short search leaves
 // much more than the last whole one did.
 TEST(LostIslands, AreSearchedWhollyEverLessOften) {
