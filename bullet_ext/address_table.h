@@ -36,7 +36,13 @@ class AddressTable {
 
   /// Takes the memory that this many objects need.
   void makeRoom(std::size_t objects) {
-    while (2 * objects > slots_.size()) grow();
+    if (2 * objects <= slots_.size()) return;
+    std::size_t size = 16;
+    while (size < 2 * objects) size *= 2;
+    std::vector<Slot> old(size);
+    old.swap(slots_);
+    for (const Slot& slot : old)
+      if (slot.generation == generation_) slots_[place(slot.object)] = slot;
   }
 
   std::size_t bytes() const { return slots_.capacity() * sizeof(Slot); }
@@ -55,14 +61,6 @@ class AddressTable {
     std::size_t i = (reinterpret_cast<std::uintptr_t>(object) * 0x9E3779B97F4A7C15u >> 32) & mask;
     while (slots_[i].generation == generation_ && slots_[i].object != object) i = (i + 1) & mask;
     return i;
-  }
-
-  void grow() {
-    constexpr std::size_t smallest = 16;
-    std::vector<Slot> old(slots_.empty() ? smallest : 2 * slots_.size());
-    old.swap(slots_);
-    for (const Slot& slot : old)
-      if (slot.generation == generation_) slots_[place(slot.object)] = slot;
   }
 
   std::vector<Slot> slots_;  ///< their number is a power of two

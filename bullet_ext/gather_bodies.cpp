@@ -140,6 +140,7 @@ int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo
 
 void gatherBodies(Group& group, const GroupInput& input, StepReport& report) {
   makeFirstRoom([&] { return input.bodyCount; }, group.bodies, group.bodySources);
+  group.indexOf.makeRoom(input.bodyCount);
   for (int i = 0; i < input.bodyCount; ++i) bodyIndex(group, *input.bodies[i], *input.info, report);
 }
 

@@ -32,6 +32,13 @@ int endOfManifold(const Group& group, int begin) {
   return end;
 }
 
+int manifoldsOf(const Group& group) {
+  const auto contacts = static_cast<int>(group.contactSources.size());
+  int count = 0;
+  for (int at = 0; at < contacts; at = endOfManifold(group, at)) ++count;
+  return count;
+}
+
 int numberOf(const btCollisionObject* body) {
   const btBroadphaseProxy* proxy = body ? body->getBroadphaseHandle() : nullptr;
   return proxy ? proxy->m_uniqueId : 0;
@@ -325,6 +332,7 @@ void Memory::keep(const Group& group, const Answer& answer, double h, bool withP
 void Memory::keepPoints(const Group& group, const Answer& answer) {
   const auto contacts = static_cast<int>(group.contacts.size());
   makeFirstRoom([&] { return contacts; }, now_.points);
+  makeFirstRoom([&] { return manifoldsOf(group); }, now_.manifolds);
   for (int begin = 0, end; begin < contacts; begin = end) {
     end = endOfManifold(group, begin);
     Owner& owner = now_.manifolds.add(ownerOf(group.contactSources[begin]));

@@ -73,6 +73,11 @@ class Memory {
     /// The owner that is the same as `wanted`, or null.
     const Owner* find(const Owner& wanted);
     std::size_t indexOf(const Owner& found) const { return &found - list_.data(); }
+    std::size_t capacity() const { return list_.capacity(); }
+    void reserve(std::size_t owners) {
+      list_.reserve(owners);
+      indexOf_.makeRoom(owners);
+    }
     std::size_t bytes() const { return list_.capacity() * sizeof(Owner) + indexOf_.bytes(); }
 
    private:

@@ -94,11 +94,12 @@ Quarrel quarrelOf(const Group& group, const Island& island, double demand,
   if (!island.hasContacts()) return Quarrel::None;
   if (solution.status == Status::Incompatible)
     return hasJoints || driveOf(group, island) == 0 ? Quarrel::Strained : Quarrel::None;
+  const bool isHeld = hasJoints || std::any_of(island.bodies.begin(), island.bodies.end(), [&](int k) {
+                        return hasLockedAxis(group.bodies[k]);
+                      });
   // Contacts first: in most islands they are not strained.
-  if (strainOfContacts(group, island, solution.r) > times * demand &&
-      (hasJoints ? strainOfJoints(group, island, solution.r) > times * demand
-                 : std::any_of(island.bodies.begin(), island.bodies.end(),
-                               [&](int k) { return hasLockedAxis(group.bodies[k]); })))
+  if (isHeld && strainOfContacts(group, island, solution.r) > times * demand &&
+      (!hasJoints || strainOfJoints(group, island, solution.r) > times * demand))
     return Quarrel::Strained;
   return breaksJoints(group, island, solution.r) ? Quarrel::Breaking : Quarrel::None;
 }

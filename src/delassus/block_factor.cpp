@@ -31,11 +31,11 @@ void BlockFactor::analyse(int bodies, const std::vector<Edge>& edges) {
   upper_.resize(pattern().offDiagonalBlocks());
 }
 
-void BlockFactor::setIdentity(bool symmetric) {
-  symmetric_ = symmetric;
+void BlockFactor::setIdentity(bool isCholesky) {
+  isCholesky_ = isCholesky;
   std::fill(diagonal_.begin(), diagonal_.end(), Mat6::Identity());
   std::fill(lower_.begin(), lower_.end(), Mat6::Zero());
-  if (!symmetric) std::fill(upper_.begin(), upper_.end(), Mat6::Zero());
+  if (!isCholesky) std::fill(upper_.begin(), upper_.end(), Mat6::Zero());
 }
 
 void BlockFactor::addDiagonal(int body, const Mat36& A, const Mat36& B) {
@@ -49,7 +49,7 @@ void BlockFactor::addOffDiagonal(int edge, const Mat36& Aa, const Mat36& Ba, con
     addProduct(Aa, Bb, lower_[t.at]);
   else
     addProduct(Ab, Ba, lower_[t.at]);
-  if (symmetric_) return;
+  if (isCholesky_) return;
   if (t.reversed)
     addProduct(Ba, Ab, upper_[t.at]);
   else
@@ -81,7 +81,7 @@ void BlockFactor::addRows(const ScalarRow* rows, const double* g, int count, int
   addRowProducts(first, second, stride, g, count, lower_[t.at]);
   // The products of rows are symmetric: block (column, row) is the transpose of block (row,
   // column), and upper_ stores transposes.
-  if (!symmetric_) addRowProducts(first, second, stride, g, count, upper_[t.at]);
+  if (!isCholesky_) addRowProducts(first, second, stride, g, count, upper_[t.at]);
 }
 
 void BlockFactor::eliminate(int column) {
@@ -100,12 +100,12 @@ void BlockFactor::eliminate(int column) {
     for (; k < end && columns < mostSources && p.leader[p.ancestors[k].column] == p.leader[j];
          ++k) {
       const Mat6* L = &lower_[p.ancestors[k].at];  // L_{column,j}, already times the inverse pivot
-      const Mat6* U = &upper_[p.ancestors[k].at];  // U_{j,column} transposed
+      const Mat6* U = isCholesky_ ? L : &upper_[p.ancestors[k].at];  // U_{j,column} transposed
       lower[columns] = {L, U};
       upper[columns++] = {U, L};
     }
     subtractProducts(lower, columns, rows, count, slot_.data(), &diagonal_[column], lower_.data());
-    if (!symmetric_ && count > 1)
+    if (!isCholesky_ && count > 1)
       subtractProducts(upper, columns, rows, count, slot_.data(), nullptr, upper_.data());
   }
 }
@@ -115,12 +115,16 @@ bool BlockFactor::factorise() {
   isNegative_ = false;
   for (int column = 0; column < p.bodies; ++column) {
     eliminate(column);
-    Mat6& inverse = diagonalInverse_[column];
-    bool isNegative;
-    if (!invert(diagonal_[column], inverse, isNegative)) return false;
-    if (isNegative) isNegative_ = !isNegative_;
     const int first = p.begin[column], count = p.begin[column + 1] - first;
-    if (symmetric_) std::copy_n(lower_.data() + first, count, upper_.data() + first);
+    Mat6 &pivot = diagonal_[column], &inverse = diagonalInverse_[column];
+    if (isCholesky_) {
+      if (!invertCholesky(pivot, inverse, pivot)) return false;
+      multiplyByUpper(pivot, lower_.data() + first, count);
+      continue;
+    }
+    bool isNegative;
+    if (!invert(pivot, inverse, isNegative)) return false;
+    if (isNegative) isNegative_ = !isNegative_;
     multiplyBy(inverse, lower_.data() + first, count);
   }
   return true;
@@ -133,9 +137,14 @@ void BlockFactor::solve(VectorXd& x) const {
   for (int body = 0; body < p.bodies; ++body)
     std::copy_n(x.data() + 6 * body, 6, z + paddedSize * p.place[body]);
   const BlockColumns L{p.bodies, p.begin.data(), p.row.data(), lower_.data()};
-  const BlockColumns U{p.bodies, p.begin.data(), p.row.data(), upper_.data()};
-  solveLower(L, z);
-  solveUpper(U, diagonalInverse_.data(), z);
+  if (isCholesky_) {
+    solveLower(L, diagonalInverse_.data(), z);
+    solveUpper(L, diagonal_.data(), z);
+  } else {
+    const BlockColumns U{p.bodies, p.begin.data(), p.row.data(), upper_.data()};
+    solveLower(L, z);
+    solveUpper(U, diagonalInverse_.data(), z);
+  }
   for (int body = 0; body < p.bodies; ++body)
     std::copy_n(z + paddedSize * p.place[body], 6, x.data() + 6 * body);
 }
@@ -144,7 +153,7 @@ void BlockFactor::condense(const std::vector<RowBlock>& blocks, const std::vecto
                            KeptMatrix& W) {
   const BlockPattern& p = pattern();
   const int rows = static_cast<int>(begin.size()) - 1, length = paddedSize * p.bodies;
-  // A = L D Lᵀ: W = Yᵀ D⁻¹ Y with Y = L⁻¹ Jᵀ.
+  // A = L Lᵀ: W = Yᵀ Y with Y = L⁻¹ Jᵀ.
   const BlockColumns L{p.bodies, p.begin.data(), p.row.data(), lower_.data()};
   reduced_.resize(static_cast<Eigen::Index>(rows) * length);
   touched_.assign(static_cast<std::size_t>(rows) * p.bodies, 0);
@@ -156,7 +165,7 @@ void BlockFactor::condense(const std::vector<RowBlock>& blocks, const std::vecto
       std::copy_n(blocks[k].entries.data(), 6, z + paddedSize * place);
       touched[place] = 1;
     }
-    solveLower(L, touched, z);
+    solveLower(L, diagonalInverse_.data(), touched, z);
   }
 
   W.resize(rows, rows);
@@ -172,8 +181,8 @@ void BlockFactor::condense(const std::vector<RowBlock>& blocks, const std::vecto
       sixes_.push_back(reduced_.data() + i * length + paddedSize * column);
       sixesOf_.push_back(i);
     }
-    addSquares(diagonalInverse_[column], sixes_.data(), sixesOf_.data(),
-               static_cast<int>(sixes_.size()), sums_.data(), rowsOfW_.data());
+    addSquares(sixes_.data(), sixesOf_.data(), static_cast<int>(sixes_.size()), sums_.data(),
+               rowsOfW_.data());
   }
   W.triangularView<Eigen::StrictlyUpper>() = W.transpose();
 }

@@ -11,14 +11,15 @@
 
 namespace delassus {
 
-/// Sparse LU factor of a matrix of 6x6 blocks: one block row per body, and an off-diagonal block
+/// Sparse LU or Cholesky factor of a matrix of 6x6 blocks: one block row per body, and an off-diagonal block
 /// for each pair of coupled bodies. Contacts and rows couple their bodies: those that press
 /// (BodyMotion), or all.
 ///
 /// The pattern is symmetric, the values need not be. Blocks are eliminated in minimum-degree order
 /// without pivoting between blocks (with partial pivoting inside the diagonal blocks): the matrices
-/// are identity plus a compression. The last analysed patterns are kept, as islands of the same
-/// shapes come again.
+/// are identity plus a compression. Symmetric matrices have a Cholesky factor, with half the work
+/// and half the memory. The last analysed patterns are kept, as islands of the same shapes come
+/// again.
 class BlockFactor {
  public:
   using Edge = BlockPattern::Edge;
@@ -28,9 +29,9 @@ class BlockFactor {
   void analyse(int bodies, const std::vector<Edge>& edges);
 
   /// Sets the matrix to the identity; then blocks are added: on the diagonal, and for the edge with
-  /// index `edge` the blocks (a, b) and (b, a). `symmetric`: the sum will be symmetric, which
-  /// halves the work. Blocks may be product expressions: these are evaluated while they are added.
-  void setIdentity(bool symmetric = false);
+  /// index `edge` the blocks (a, b) and (b, a). `isCholesky`: the sum will be symmetric and
+  /// positive definite, and is to have a Cholesky factor. Blocks may be product expressions: these are evaluated while they are added.
+  void setIdentity(bool isCholesky = false);
   template <class Block>
   void addDiagonal(int body, const Block& block) {
     diagonal_[pattern().place[body]].noalias() += block;
@@ -42,7 +43,7 @@ class BlockFactor {
       lower_[t.at].noalias() += ab;
     else
       lower_[t.at].noalias() += ba;
-    if (symmetric_) return;
+    if (isCholesky_) return;
     if (t.reversed)
       upper_[t.at] += Mat6(ba).transpose();
     else
@@ -61,7 +62,7 @@ class BlockFactor {
   /// The same for `count` rows of the same two bodies, with the weights `g`.
   void addRows(const ScalarRow* rows, const double* g, int count, int edge);
 
-  /// False if a pivot block is singular or not finite.
+  /// False if a pivot block is singular or not finite, or not positive definite as it should be.
   bool factorise();
   /// The sign of the determinant of the factored matrix.
   bool isDeterminantNegative() const { return isNegative_; }
@@ -73,7 +74,7 @@ class BlockFactor {
     int body;
     Vec6 entries;
   };
-  /// W = J A⁻¹ Jᵀ, for an A that was factored as symmetric. Row i of J has the entries
+  /// W = J A⁻¹ Jᵀ, for an A that has a Cholesky factor. Row i of J has the entries
   /// blocks[begin[i]] up to blocks[begin[i + 1]], each of another body, and is zero elsewhere.
   void condense(const std::vector<RowBlock>& blocks, const std::vector<int>& begin, KeptMatrix& W);
 
@@ -84,11 +85,12 @@ class BlockFactor {
   void eliminate(int column);
 
   std::list<BlockPattern> patterns_;  ///< most recently used first
-  bool symmetric_ = false, isNegative_ = false;
+  bool isCholesky_ = false, isNegative_ = false;
   std::vector<int> slot_;  ///< scratch: row -> block of the column being eliminated
 
+  /// Pivot blocks and their inverses; of a Cholesky factor C⁻ᵀ and C⁻¹ of each.
   std::vector<Mat6> diagonal_, diagonalInverse_;
-  /// Block (row, column) of L and block (column, row) of U, transposed.
+  /// Block (row, column) of L and block (column, row) of U, transposed. A Cholesky factor has no U.
   std::vector<Mat6> lower_, upper_;
   mutable VectorXd ordered_;  ///< scratch: a right-hand side in the elimination order
   // Scratch of condense: L⁻¹ Jᵀ, one row of J after the other, and its blocks that are not zero.

@@ -3,6 +3,8 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 #include "delassus/bytes.h"
 
@@ -34,30 +36,32 @@ BlockPattern::BlockPattern(int bodyCount, const std::vector<Edge>& edgeList)
   place = bodies > 1 ? minimumDegreePlaces(bodies, edges) : std::vector<int>(bodies, 0);
 
   // Pattern of L, column by column: own entries, and those that children in the elimination tree
-  // pass up.
-  std::vector<std::vector<int>> pattern(bodies);
-  for (const Edge& e : edges) {
-    const auto [low, high] = std::minmax(place[e.a], place[e.b]);
-    pattern[low].push_back(high);
-  }
-  std::vector<std::vector<int>> children(bodies);
+  // pass up. The own entries of column k are high[own[k]] up to high[own[k + 1]].
+  const auto placesOf = [&](const Edge& e) { return std::minmax(place[e.a], place[e.b]); };
+  std::vector<int> own(bodies + 1, 0), high(edges.size());
+  for (const Edge& e : edges) ++own[placesOf(e).first + 1];
+  std::partial_sum(own.begin(), own.end(), own.begin());
+  std::vector<int> next(own.begin(), own.end() - 1);
+  for (const Edge& e : edges) high[next[placesOf(e).first]++] = placesOf(e).second;
+  constexpr int none = -1;
+  std::vector<int> child(bodies, none), sibling(bodies, none), rows;
   begin.assign(bodies + 1, 0);
   for (int k = 0; k < bodies; ++k) {
-    std::vector<int>& rows = pattern[k];
-    for (int child : children[k])
-      rows.insert(rows.end(), pattern[child].begin() + 1, pattern[child].end());
+    rows.assign(high.begin() + own[k], high.begin() + own[k + 1]);
+    for (int c = child[k]; c != none; c = sibling[c])
+      rows.insert(rows.end(), row.begin() + begin[c] + 1, row.begin() + begin[c + 1]);
     std::sort(rows.begin(), rows.end());
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    if (!rows.empty()) children[rows.front()].push_back(k);
+    if (!rows.empty()) sibling[k] = std::exchange(child[rows.front()], k);
     row.insert(row.end(), rows.begin(), rows.end());
     begin[k + 1] = static_cast<int>(row.size());
   }
 
   target.reserve(edges.size());
   for (const Edge& e : edges) {
-    const auto [low, high] = std::minmax(place[e.a], place[e.b]);
-    const auto first = row.begin() + begin[low], last = row.begin() + begin[low + 1];
-    target.push_back({static_cast<int>(std::lower_bound(first, last, high) - row.begin()),
+    const auto [column, below] = placesOf(e);
+    const auto first = row.begin() + begin[column], last = row.begin() + begin[column + 1];
+    target.push_back({static_cast<int>(std::lower_bound(first, last, below) - row.begin()),
                       place[e.a] > place[e.b]});
   }
 
@@ -72,7 +76,7 @@ BlockPattern::BlockPattern(int bodyCount, const std::vector<Edge>& edgeList)
   for (int r : row) ++ancestorBegin[r + 1];
   for (int k = 0; k < bodies; ++k) ancestorBegin[k + 1] += ancestorBegin[k];
   ancestors.resize(row.size());
-  std::vector<int> next(ancestorBegin.begin(), ancestorBegin.end() - 1);
+  next.assign(ancestorBegin.begin(), ancestorBegin.end() - 1);
   for (int column = 0; column < bodies; ++column)
     for (int at = begin[column]; at < begin[column + 1]; ++at)
       ancestors[next[row[at]]++] = {column, at};

@@ -28,14 +28,18 @@ struct Spread {
   }
 };
 
-/// A x; its last two numbers are in the first half of `end`.
+/// A x, for an x whose numbers after the first `pairs` pairs are zero. The last two numbers of the
+/// product are in the first half of `end`.
+template <int pairs = 3>
 DELASSUS_WIDE_INLINE void multiply(const double* A, const Spread& x, Four& begin, Four& end) {
-  const Four upper =
-      fourAt(A) * x.first[0] + fourAt(A + 12) * x.first[1] + fourAt(A + 24) * x.first[2];
-  const Four middle =
-      fourAt(A + 4) * x.both[0] + fourAt(A + 16) * x.both[1] + fourAt(A + 28) * x.both[2];
-  const Four lower =
-      fourAt(A + 8) * x.second[0] + fourAt(A + 20) * x.second[1] + fourAt(A + 32) * x.second[2];
+  Four upper = fourAt(A) * x.first[0], middle = fourAt(A + 4) * x.both[0],
+       lower = fourAt(A + 8) * x.second[0];
+  for (int pair = 1; pair < pairs; ++pair) {
+    const double* a = A + 12 * pair;
+    upper += fourAt(a) * x.first[pair];
+    middle += fourAt(a + 4) * x.both[pair];
+    lower += fourAt(a + 8) * x.second[pair];
+  }
   begin = upper + __builtin_shufflevector(middle, lower, 2, 3, 4, 5);
   end = middle + __builtin_shufflevector(lower, lower, 2, 3, 2, 3);
 }
@@ -98,6 +102,25 @@ struct Rows {
     Four none = {};
     for (int i = 0; i < 6; ++i) none += 0 * begin[i] + 0 * end[i];
     return none[0] + none[1] + none[2] + none[3] == 0;
+  }
+
+  DELASSUS_WIDE_INLINE void scale(int i, double by) {
+    begin[i] *= by;
+    end[i] *= by;
+  }
+
+  /// Clears column `at` below the pivot, and puts the column of L⁻¹ there instead, for a matrix L U
+  /// with ones on the diagonal of L. Returns the pivot.
+  template <int at>
+  DELASSUS_WIDE_INLINE double eliminateBelow() {
+    const double pivot = replace<at>(at, 1);
+    const double perPivot = 1 / pivot;
+    for (int i = at + 1; i < 6; ++i) {
+      const double factor = perPivot * replace<at>(i, 0);
+      begin[i] -= factor * begin[at];
+      end[i] -= factor * end[at];
+    }
+    return pivot;
   }
 
   /// Replaces column `at` by that of the inverse. Returns the pivot.
@@ -183,6 +206,36 @@ DELASSUS_WIDE_INLINE bool invertPivoting(const Mat6& A, Mat6& inverse, bool& isN
   return inverse.allFinite();
 }
 
+/// z −= L_j x for the blocks of column j.
+DELASSUS_WIDE_INLINE void subtractColumn(const BlockColumns& L, int j, const Spread& x, double* z) {
+  for (int at = L.begin[j]; at < L.begin[j + 1]; ++at) {
+    Four begin, end;
+    multiply(L.blocks[at].data(), x, begin, end);
+    double* to = z + paddedSize * L.row[at];
+    fourAt(to) -= begin;
+    fourAt(to + 4) -= end;
+  }
+}
+
+/// Replaces a column of A by A x.
+template <int pairs>
+DELASSUS_WIDE_INLINE void replaceColumn(double* A, const Spread& x, int column) {
+  Four begin, end;
+  multiply<pairs>(A, x, begin, end);
+  double* to = A + 6 * column;
+  fourAt(to) = begin;
+  to[4] = end[0];
+  to[5] = end[1];
+}
+
+/// x ← A x.
+DELASSUS_WIDE_INLINE void multiplyInPlace(const Mat6& A, double* x) {
+  Four begin, end;
+  multiply(A.data(), Spread(x), begin, end);
+  fourAt(x) = begin;
+  fourAt(x + 4) = end;
+}
+
 }  // namespace
 
 DELASSUS_WIDE
@@ -221,8 +274,41 @@ void multiplyBy(const Mat6& B, Mat6* blocks, int count) {
 }
 
 DELASSUS_WIDE
+void multiplyByUpper(const Mat6& B, Mat6* blocks, int count) {
+  const Spread columns[6] = {Spread(&B(0, 0)), Spread(&B(0, 1)), Spread(&B(0, 2)),
+                             Spread(&B(0, 3)), Spread(&B(0, 4)), Spread(&B(0, 5))};
+  for (int i = 0; i < count; ++i) {
+    // From the last column to the first: the later ones are not read again.
+    double* a = blocks[i].data();
+    replaceColumn<3>(a, columns[5], 5);
+    replaceColumn<3>(a, columns[4], 4);
+    replaceColumn<2>(a, columns[3], 3);
+    replaceColumn<2>(a, columns[2], 2);
+    replaceColumn<1>(a, columns[1], 1);
+    replaceColumn<1>(a, columns[0], 0);
+  }
+}
+
+DELASSUS_WIDE
 bool invert(const Mat6& A, Mat6& inverse, bool& isNegative) {
   return invertInOrder(A, inverse, isNegative) || invertPivoting(A, inverse, isNegative);
+}
+
+DELASSUS_WIDE
+bool invertCholesky(const Mat6& A, Mat6& inverseC, Mat6& transposed) {
+  // A = L D Lᵀ, C⁻¹ = D^(-1/2) L⁻¹.
+  Rows rows(A.data());
+  const double pivots[6] = {
+      rows.eliminateBelow<0>(), rows.eliminateBelow<1>(), rows.eliminateBelow<2>(),
+      rows.eliminateBelow<3>(), rows.eliminateBelow<4>(), rows.eliminateBelow<5>()};
+  for (int i = 0; i < 6; ++i) {
+    if (!(pivots[i] > 0)) return false;
+    rows.scale(i, 1 / std::sqrt(pivots[i]));
+  }
+  rows.store(transposed.data());
+  transposed.triangularView<Eigen::StrictlyLower>().setZero();
+  inverseC = transposed.transpose();
+  return rows.areFinite();
 }
 
 DELASSUS_WIDE
@@ -241,22 +327,22 @@ void subtractProducts(const BlockSource* sources, int columns, const int* row, i
 
 DELASSUS_WIDE
 void solveLower(const BlockColumns& L, double* z) {
+  for (int j = 0; j < L.columns; ++j) subtractColumn(L, j, Spread(z + paddedSize * j), z);
+}
+
+DELASSUS_WIDE
+void solveLower(const BlockColumns& L, const Mat6* inverseC, double* z) {
   for (int j = 0; j < L.columns; ++j) {
-    const Spread x(z + paddedSize * j);
-    for (int at = L.begin[j]; at < L.begin[j + 1]; ++at) {
-      Four begin, end;
-      multiply(L.blocks[at].data(), x, begin, end);
-      double* to = z + paddedSize * L.row[at];
-      fourAt(to) -= begin;
-      fourAt(to + 4) -= end;
-    }
+    multiplyInPlace(inverseC[j], z + paddedSize * j);
+    subtractColumn(L, j, Spread(z + paddedSize * j), z);
   }
 }
 
 DELASSUS_WIDE
-void solveLower(const BlockColumns& L, char* touched, double* z) {
+void solveLower(const BlockColumns& L, const Mat6* inverseC, char* touched, double* z) {
   for (int j = 0; j < L.columns; ++j) {
     if (!touched[j]) continue;
+    multiplyInPlace(inverseC[j], z + paddedSize * j);
     const Spread x(z + paddedSize * j);
     for (int at = L.begin[j]; at < L.begin[j + 1]; ++at) {
       Four begin, end;
@@ -271,7 +357,7 @@ void solveLower(const BlockColumns& L, char* touched, double* z) {
 }
 
 DELASSUS_WIDE
-void addSquares(const Mat6& A, const double* const* y, const int* at, int count, double* scratch,
+void addSquares(const double* const* y, const int* at, int count, double* scratch,
                 double* const* W) {
   const int width = (count + 3) / 4 * 4;
   double* const sums = scratch + 6 * width;
@@ -281,12 +367,9 @@ void addSquares(const Mat6& A, const double* const* y, const int* at, int count,
     for (int j = count; j < width; ++j) entries[j] = 0;
   }
   for (int i = 0; i < count; ++i) {
-    Four begin, end;
-    multiply(A.data(), Spread(y[i]), begin, end);
-    const double z[6] = {begin[0], begin[1], begin[2], begin[3], end[0], end[1]};
     for (int j = 0; j <= i; j += 4) {
-      Four sum = z[0] * fourAt(scratch + j);
-      for (int k = 1; k < 6; ++k) sum += z[k] * fourAt(scratch + k * width + j);
+      Four sum = y[i][0] * fourAt(scratch + j);
+      for (int k = 1; k < 6; ++k) sum += y[i][k] * fourAt(scratch + k * width + j);
       fourAt(sums + j) = sum;
     }
     double* const row = W[at[i]];
@@ -322,9 +405,7 @@ void solveUpper(const BlockColumns& U, const Mat6* inverseD, double* z) {
            __builtin_shufflevector(sum[2], sum[2], 1, 3, 1, 3);
     fourAt(x) = begin;
     fourAt(x + 4) = end;
-    multiply(inverseD[j].data(), Spread(x), begin, end);
-    fourAt(x) = begin;
-    fourAt(x + 4) = end;
+    multiplyInPlace(inverseD[j], x);
   }
 }
 

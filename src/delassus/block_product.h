@@ -22,6 +22,8 @@ void subtractProducts(const BlockSource* sources, int columns, const int* row, i
 
 /// blocks[i] ← blocks[i] B for i < count.
 void multiplyBy(const Mat6& B, Mat6* blocks, int count);
+/// The same for an upper triangle B.
+void multiplyByUpper(const Mat6& B, Mat6* blocks, int count);
 
 /// to += Aᵀ B.
 void addProduct(const Mat36& A, const Mat36& B, Mat6& to);
@@ -33,6 +35,10 @@ void addRowProducts(const double* a, const double* b, int stride, const double* 
 /// A⁻¹, by elimination in the order of the columns, or with pivoting where that order loses digits.
 /// `isNegative`: whether det A < 0. False if A is singular or not finite.
 bool invert(const Mat6& A, Mat6& inverse, bool& isNegative);
+
+/// C⁻¹ and its transpose, for the Cholesky factor C of a symmetric A = C Cᵀ; A may be one of them.
+/// False if A is not positive definite, or not finite.
+bool invertCholesky(const Mat6& A, Mat6& inverseC, Mat6& transposed);
 
 /// Columns of blocks below the diagonal: column j has blocks[begin[j]] up to blocks[begin[j + 1]],
 /// in the rows row[…].
@@ -48,15 +54,17 @@ constexpr int paddedSize = 8;
 
 /// z ← L⁻¹ z, L = 1 + the blocks.
 void solveLower(const BlockColumns& L, double* z);
+/// The same for L = C + the blocks.
+void solveLower(const BlockColumns& L, const Mat6* inverseC, double* z);
 /// The same for a z with entries in few columns. `touched` marks these, and afterwards also the
 /// columns to which they spread. Columns that are not touched are not read.
-void solveLower(const BlockColumns& L, char* touched, double* z);
+void solveLower(const BlockColumns& L, const Mat6* inverseC, char* touched, double* z);
 /// z ← U⁻¹ z, U = D + the blocksᵀ.
 void solveUpper(const BlockColumns& U, const Mat6* inverseD, double* z);
 
-/// W[at[i]][at[j]] += y_iᵀ A y_j for j ≤ i < count, with y_i of six numbers. `scratch`: room for 7
+/// W[at[i]][at[j]] += y_iᵀ y_j for j ≤ i < count, with y_i of six numbers. `scratch`: room for 7
 /// times `count` numbers, with `count` rounded up to a multiple of four.
-void addSquares(const Mat6& A, const double* const* y, const int* at, int count, double* scratch,
+void addSquares(const double* const* y, const int* at, int count, double* scratch,
                 double* const* W);
 
 }  // namespace delassus

@@ -29,6 +29,8 @@ void CondensedNewton::divide(const Problem& problem, const VectorXd& r, bool wit
   };
   left_.clear();
   held_.clear();
+  left_.reserve(problem.size());
+  held_.reserve(problem.rows());
   for (int at = 0; at < problem.size(); ++at) {
     const int row = at - contactsEnd;
     const bool isHeld =

@@ -12,7 +12,7 @@ namespace {
 
 // A larger alpha would need more steps per digit. A smaller one would lose digits to rounding,
 // which 1/alpha magnifies.
-constexpr double alpha = 1e-7;
+constexpr double alpha = 3e-8;
 // The ease of friction relative to normal reactions. Piles at rest hardly need friction, and the
 // taller the pile, the smaller this should be; but towers with wedged corners need some.
 constexpr double tangentShare = 0.015;
@@ -79,15 +79,21 @@ void ForcedHold<Motion>::setHold(const ActiveSet& set) {
 /// square of its size, (m/s)².
 template <class Motion>
 double ForcedHold<Motion>::moveAllInside(double demand) {
-  const int n = problem().contacts();
-  change_.setZero(r_.size());
+  const int n = problem().contacts(), rows = problem().rows();
+  double outside = 0;
   for (int i = 0; i < n; ++i) {
     const int at = 3 * i;
     const double mu = problem().friction[i];
-    if (!isInside(r_.segment<3>(at), mu))
-      change_.segment<3>(at) = moveInside(r_.segment<3>(at), mu, marginShare * demand / scale_[at]);
+    auto change = change_.segment<3>(at);
+    if (isInside(r_.segment<3>(at), mu)) {
+      change.setZero();
+      continue;
+    }
+    change = moveInside(r_.segment<3>(at), mu, marginShare * demand / scale_[at]);
+    outside += change.cwiseProduct(scale_.segment<3>(at)).squaredNorm();
   }
-  for (int i = 0; i < problem().rows(); ++i) {
+  change_.tail(rows).setZero();
+  for (int i = 0; i < rows; ++i) {
     const int at = 3 * n + i;
     const double lower = problem().lower[i], upper = problem().upper[i];
     if (r_[at] < lower || r_[at] > upper)
@@ -98,22 +104,28 @@ double ForcedHold<Motion>::moveAllInside(double demand) {
     const double length = r.norm(), radius = disk.radiusAt(r_);
     if (length > radius) disk.put(beyond * (innerShare * radius / length - 1) * r, change_);
   }
-  return change_.cwiseProduct(scale_).squaredNorm();
+  return outside + change_.tail(rows).cwiseProduct(scale_.tail(rows)).squaredNorm();
 }
 
-/// r_ ← r_ + change_ − L u, where u is the relative velocity with the new r_; updates u_.
+/// r_ ← r' − L u with r' = r_ + change_, where u is the relative velocity with the new r_; updates
+/// u_. Leaves change_ undefined.
 template <class Motion>
 void ForcedHold<Motion>::holdOnce() {
-  moved_ = r_ + change_;
-  u_ += compliance_.cwiseProduct(change_);
-  change_ -= l_.cwiseProduct(u_);
+  // In large piles each pass over the unknowns counts: as few as possible.
+  const Eigen::Index size = r_.size();
+  for (Eigen::Index i = 0; i < size; ++i) {
+    r_[i] += change_[i];
+    u_[i] += compliance_[i] * change_[i];
+    change_[i] -= l_[i] * u_[i];
+  }
   space_.motion().impulse(change_, felt_);
   space_.motion().solve(felt_);
   space_.motion().relativeVelocity(felt_, measuredU_);
-  u_ += measuredU_;
-  change_ = l_.cwiseProduct(u_);
-  r_ = moved_ - change_;
-  u_ -= compliance_.cwiseProduct(change_);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const double u = u_[i] + measuredU_[i], back = l_[i] * u;
+    r_[i] -= back;
+    u_[i] = u - compliance_[i] * back;
+  }
 }
 
 /// Makes steps from r_, u_ and change_ until all r_ lie inside, and some more for the last digits.
@@ -157,8 +169,7 @@ ForcedHold<Motion>::ForcedHold(ProximalSpace<Motion>& space)
       r_(space.ofUnknowns[0]),
       u_(space.ofUnknowns[1]),
       change_(space.ofUnknowns[2]),
-      moved_(space.ofUnknowns[3]),
-      measuredU_(space.ofUnknowns[4]) {}
+      measuredU_(space.ofUnknowns[3]) {}
 
 template <class Motion>
 bool ForcedHold<Motion>::hold(double tolerance, int budget, Solution& best) {

@@ -37,7 +37,6 @@ class ForcedHold {
   Stiffness& G_;
   VectorXd &r_, &u_;
   VectorXd& change_;  ///< r' − r, the next move of r
-  VectorXd& moved_;   ///< r'
   VectorXd& measuredU_;
 };
 

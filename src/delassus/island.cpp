@@ -170,6 +170,7 @@ BodySpace& Assembler::makeRoom(const Island& island) {
 
 void Assembler::takeRoots(const std::vector<Body>& bodies, const Island& island) {
   roots_.clear();
+  roots_.reserve(island.bodies.size());
   placeOf_.resize(bodies.size());
   for (int body : island.bodies) {
     placeOf_[body] = static_cast<int>(roots_.size());

@@ -91,6 +91,7 @@ void BodyMotion::setProblem(const Problem& problem) {
 void BodyMotion::findPairs() {
   pairs_.clear();
   pairOf_.clear();
+  pairOf_.reserve(space_->contacts.size());
   for (const ContactRows& c : space_->contacts) {
     const bool coupled = c.a >= 0 && c.b >= 0 && c.a != c.b;
     const BlockFactor::Edge pair{c.a, c.b};
@@ -116,6 +117,7 @@ void BodyMotion::makeRoomFor(const Stiffness& G) {
   for (std::size_t i = 0; i < pairOf_.size(); ++i)
     if (pairOf_[i] != none && (areFew || G.contacts[i](0, 0) != 0)) edgeOf_[pairOf_[i]] = 0;
   edges_.clear();
+  edges_.reserve(pairs_.size() + plainRows_);
   const auto couple = [&](int a, int b) {
     if (a >= 0 && b >= 0 && a != b) edges_.push_back({a, b});
   };
@@ -137,7 +139,12 @@ void BodyMotion::makeRoomFor(const Stiffness& G) {
 
 bool BodyMotion::factorise(const Stiffness& G) {
   if (!hasRoom_ || !hasRoomFor(G)) makeRoomFor(G);
-  factor_.setIdentity(G.isSymmetric());
+  // Rounding alone can make a symmetric K indefinite: K ≥ 1.
+  return (G.isSymmetric() && factorise(G, true)) || factorise(G, false);
+}
+
+bool BodyMotion::factorise(const Stiffness& G, bool asCholesky) {
+  factor_.setIdentity(asCholesky);
   for (std::size_t i = 0; i < space_->contacts.size(); ++i) {
     if (G.contacts[i](0, 0) == 0) continue;
     const int pair = pairOf_[i];

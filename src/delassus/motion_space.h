@@ -86,6 +86,7 @@ class BodyMotion {
     Mat36 answer;    ///< of the disk in a region
   };
 
+  bool factorise(const Stiffness& G, bool asCholesky);
   /// Numbers the pairs of bodies that touch.
   void findPairs();
   /// Whether the factor has blocks for all pairs that G couples.

@@ -154,13 +154,27 @@ std::vector<int> unfitParts(const Problem& problem) {
   return unfit;
 }
 
-void makeFeasible(const Problem& problem, VectorXd& r) {
+bool makeFeasible(const Problem& problem, VectorXd& r) {
   const int n = problem.contacts();
-  for (int i = 0; i < n; ++i)
-    r.segment<3>(3 * i) = projectOnCone(r.segment<3>(3 * i), problem.friction[i]);
-  for (int i = 0; i < problem.rows(); ++i)
-    r[3 * n + i] = std::clamp(r[3 * n + i], problem.lower[i], problem.upper[i]);
-  for (const Disk& disk : problem.disks) disk.put(projectOnDisk(disk.of(r), disk.radiusAt(r)), r);
+  bool isMoved = false;
+  for (int i = 0; i < n; ++i) {
+    auto own = r.segment<3>(3 * i);
+    const Vec3 inside = projectOnCone(own, problem.friction[i]);
+    isMoved |= inside != own;
+    own = inside;
+  }
+  for (int i = 0; i < problem.rows(); ++i) {
+    double& own = r[3 * n + i];
+    const double inside = std::clamp(own, problem.lower[i], problem.upper[i]);
+    isMoved |= inside != own;
+    own = inside;
+  }
+  for (const Disk& disk : problem.disks) {
+    const Vec2 inside = projectOnDisk(disk.of(r), disk.radiusAt(r));
+    isMoved |= inside != disk.of(r);
+    disk.put(inside, r);
+  }
+  return isMoved;
 }
 
 }  // namespace delassus

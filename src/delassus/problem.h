@@ -71,7 +71,7 @@ Interval allowedWithoutFriction(const Problem& problem, int unknown);
 std::vector<int> unfitParts(const Problem& problem);
 
 /// Moves reactions into the cones, bounds and disks: each to the nearest allowed value, those of
-/// disks last.
-void makeFeasible(const Problem& problem, VectorXd& r);
+/// disks last. True if that changes any of them.
+bool makeFeasible(const Problem& problem, VectorXd& r);
 
 }  // namespace delassus

@@ -172,7 +172,7 @@ typename ProximalWalk<Motion>::Inner ProximalWalk<Motion>::solveProximal(int& bu
   // the line search stalls.
   constexpr double stalled = 1e-2;
   constexpr int mostSteps = 40;
-  respond(trialU_, nullptr);
+  respond(trialU_, &G_);
   error_ = delta_ - felt();
   double error = error_.norm();
   for (int k = 0; k < mostSteps; ++k) {
@@ -180,7 +180,7 @@ typename ProximalWalk<Motion>::Inner ProximalWalk<Motion>::solveProximal(int& bu
     if (error <= std::max(enough_ * size, fine_)) return Inner::Converged;
     if (budget-- <= 0) return Inner::Failed;
     ++count.regions;
-    respond(trialU_, &G_);
+    if (k > 0) respond(trialU_, &G_);
     if (!space_.factorise(count)) return Inner::Failed;
     step_ = -error_;
     space_.motion().solve(step_);

@@ -82,7 +82,8 @@ void Search::startBetter(const Options& options, Solution& best) {
   const double guessed = best.residualRms;
   const auto workOf = [&](const Solution& s) { return s.r.dot(problem_->q + s.u) / 2; };
   const bool drives = options.sweepBudget < few && problem_->rows() == 0 && workOf(best) > 0;
-  if (!drives && guessed <= hopeless * leastRmsFromNothing(*problem_)) return;
+  if (!drives && std::isfinite(guessed) && guessed <= hopeless * leastRmsFromNothing(*problem_))
+    return;
   trial_.r.setZero(problem_->size());
   makeFeasible(*problem_, trial_.r);
   measure(trial_);
@@ -92,8 +93,7 @@ void Search::startBetter(const Options& options, Solution& best) {
 }
 
 void Search::allow(Solution& best) {
-  makeFeasible(*problem_, best.r);
-  measure(best);
+  if (makeFeasible(*problem_, best.r)) measure(best);
 }
 
 Outcome Search::pivotRows(const Task& task, Solution& best) {

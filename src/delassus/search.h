@@ -218,7 +218,7 @@ class Search {
   /// Measures it, and takes it as the best answer if its residual is smaller.
   void consider(Solution& candidate, Solution& best);
   /// Puts the answer of a walk back into cones and bounds, if rounding or a compromise has left
-  /// them.
+  /// them; only then measures it again.
   void allow(Solution& best);
 
   Hands* hands_ = nullptr;

@@ -15,6 +15,8 @@ void forceActiveSet(const Problem& problem, ActiveSet& set) {
   const double touching = 1e-6 * problem.demand();
   set.contacts.clear();
   set.rows.clear();
+  set.contacts.reserve(problem.contacts());
+  set.rows.reserve(problem.rows());
   for (int i = 0; i < problem.contacts(); ++i)
     set.contacts.push_back(problem.q[3 * i] <= touching ? Mode::Stick : Mode::Open);
   for (int i = 0; i < problem.rows(); ++i) {
