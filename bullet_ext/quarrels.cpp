@@ -94,9 +94,9 @@ Quarrel quarrelOf(const Group& group, const Island& island, double demand,
   if (!island.hasContacts()) return Quarrel::None;
   if (solution.status == Status::Incompatible)
     return hasJoints || driveOf(group, island) == 0 ? Quarrel::Strained : Quarrel::None;
-  const bool isHeld = hasJoints || std::any_of(island.bodies.begin(), island.bodies.end(), [&](int k) {
-                        return hasLockedAxis(group.bodies[k]);
-                      });
+  const auto isLocked = [&](int k) { return hasLockedAxis(group.bodies[k]); };
+  const bool isHeld =
+      hasJoints || std::any_of(island.bodies.begin(), island.bodies.end(), isLocked);
   // Contacts first: in most islands they are not strained.
   if (isHeld && strainOfContacts(group, island, solution.r) > times * demand &&
       (!hasJoints || strainOfJoints(group, island, solution.r) > times * demand))

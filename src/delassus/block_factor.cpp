@@ -39,34 +39,43 @@ void BlockFactor::setIdentity(bool isCholesky) {
 }
 
 void BlockFactor::addDiagonal(int body, const Mat36& A, const Mat36& B) {
-  addProduct(A, B, diagonal_[pattern().place[body]]);
+  const Mat36 *a = &A, *b = &B;
+  addProducts(&a, &b, 1, diagonal_[pattern().place[body]]);
 }
 
 void BlockFactor::addOffDiagonal(int edge, const Mat36& Aa, const Mat36& Ba, const Mat36& Ab,
                                  const Mat36& Bb) {
-  const BlockPattern::Target& t = pattern().target[edge];
-  if (t.reversed)
-    addProduct(Aa, Bb, lower_[t.at]);
-  else
-    addProduct(Ab, Ba, lower_[t.at]);
-  if (isCholesky_) return;
-  if (t.reversed)
-    addProduct(Ba, Ab, upper_[t.at]);
-  else
-    addProduct(Bb, Aa, upper_[t.at]);
+  const Mat36 *first[2] = {&Aa, &Ba}, *second[2] = {&Ab, &Bb};
+  addOffDiagonal(edge, first, first + 1, second, second + 1, 1);
 }
 
-void BlockFactor::addContact(const ContactRows& c, const Mat3& G, int edge) {
-  Mat36 Ga, Gb;
-  if (c.a >= 0) {
-    Ga.noalias() = G * c.Ja;
-    addDiagonal(c.a, c.Ja, Ga);
+void BlockFactor::addOffDiagonal(int edge, const Mat36* const* Aa, const Mat36* const* Ba,
+                                 const Mat36* const* Ab, const Mat36* const* Bb, int count) {
+  const BlockPattern::Target& t = pattern().target[edge];
+  if (t.reversed) {
+    addProducts(Aa, Bb, count, lower_[t.at]);
+    if (!isCholesky_) addProducts(Ba, Ab, count, upper_[t.at]);
+  } else {
+    addProducts(Ab, Ba, count, lower_[t.at]);
+    if (!isCholesky_) addProducts(Bb, Aa, count, upper_[t.at]);
   }
-  if (c.b >= 0) {
-    Gb.noalias() = G * c.Jb;
-    addDiagonal(c.b, c.Jb, Gb);
+}
+
+void BlockFactor::addContacts(const Response* contacts, int count, int edge) {
+  Mat36 ofA[mostContacts], ofB[mostContacts];  // G J
+  const Mat36 *Ja[mostContacts], *Jb[mostContacts], *Ga[mostContacts], *Gb[mostContacts];
+  const int a = contacts->J->a, b = contacts->J->b;
+  for (int k = 0; k < count; ++k) {
+    Ja[k] = &contacts[k].J->Ja;
+    Jb[k] = &contacts[k].J->Jb;
+    if (a >= 0) ofA[k].noalias() = *contacts[k].G * *Ja[k];
+    if (b >= 0) ofB[k].noalias() = *contacts[k].G * *Jb[k];
+    Ga[k] = &ofA[k];
+    Gb[k] = &ofB[k];
   }
-  if (edge >= 0) addOffDiagonal(edge, c.Ja, Ga, c.Jb, Gb);
+  if (a >= 0) addProducts(Ja, Ga, count, diagonal_[pattern().place[a]]);
+  if (b >= 0) addProducts(Jb, Gb, count, diagonal_[pattern().place[b]]);
+  if (edge >= 0) addOffDiagonal(edge, Ja, Ga, Jb, Gb, count);
 }
 
 void BlockFactor::addRows(const ScalarRow* rows, const double* g, int count, int edge) {

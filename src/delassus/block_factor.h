@@ -11,14 +11,14 @@
 
 namespace delassus {
 
-/// Sparse LU or Cholesky factor of a matrix of 6x6 blocks: one block row per body, and an off-diagonal block
-/// for each pair of coupled bodies. Contacts and rows couple their bodies: those that press
-/// (BodyMotion), or all.
+/// Sparse LU or Cholesky factor of a matrix of 6x6 blocks: one block row per body, and an
+/// off-diagonal block for each pair of coupled bodies. Contacts and rows couple their bodies: those
+/// that press (BodyMotion), or all.
 ///
 /// The pattern is symmetric, the values need not be. Blocks are eliminated in minimum-degree order
 /// without pivoting between blocks (with partial pivoting inside the diagonal blocks): the matrices
-/// are identity plus a compression. Symmetric matrices have a Cholesky factor, with half the work
-/// and half the memory. The last analysed patterns are kept, as islands of the same shapes come
+/// are identity plus a compression. Symmetric matrices have a Cholesky factor: half the work, and
+/// half the memory to read. The last analysed patterns are kept, as islands of the same shapes come
 /// again.
 class BlockFactor {
  public:
@@ -30,7 +30,8 @@ class BlockFactor {
 
   /// Sets the matrix to the identity; then blocks are added: on the diagonal, and for the edge with
   /// index `edge` the blocks (a, b) and (b, a). `isCholesky`: the sum will be symmetric and
-  /// positive definite, and is to have a Cholesky factor. Blocks may be product expressions: these are evaluated while they are added.
+  /// positive definite, and is to have a Cholesky factor. Blocks may be product expressions: these
+  /// are evaluated while they are added.
   void setIdentity(bool isCholesky = false);
   template <class Block>
   void addDiagonal(int body, const Block& block) {
@@ -55,9 +56,15 @@ class BlockFactor {
   void addDiagonal(int body, const Mat36& A, const Mat36& B);
   void addOffDiagonal(int edge, const Mat36& Aa, const Mat36& Ba, const Mat36& Ab, const Mat36& Bb);
 
-  /// Adds [Ja Jb]ᵀ G [Ja Jb] of a contact; `edge`: the edge of its two bodies, less than 0 if they
-  /// are not coupled.
-  void addContact(const ContactRows& c, const Mat3& G, int edge);
+  /// How a contact answers the motion in a region: r = −G J y.
+  struct Response {
+    const ContactRows* J;
+    const Mat3* G;
+  };
+  static constexpr int mostContacts = 8;
+  /// Adds Σ [Ja Jb]ᵀ G [Ja Jb] over up to mostContacts contacts of the same two bodies; `edge`: the
+  /// edge of these, less than 0 if they are not coupled.
+  void addContacts(const Response* contacts, int count, int edge);
 
   /// The same for `count` rows of the same two bodies, with the weights `g`.
   void addRows(const ScalarRow* rows, const double* g, int count, int edge);
@@ -66,6 +73,7 @@ class BlockFactor {
   bool factorise();
   /// The sign of the determinant of the factored matrix.
   bool isDeterminantNegative() const { return isNegative_; }
+  bool isCholesky() const { return isCholesky_; }
   /// Overwrites x with the solution.
   void solve(VectorXd& x) const;
 
@@ -82,6 +90,9 @@ class BlockFactor {
 
  private:
   const BlockPattern& pattern() const { return patterns_.front(); }
+  /// Sums of such products.
+  void addOffDiagonal(int edge, const Mat36* const* Aa, const Mat36* const* Ba,
+                      const Mat36* const* Ab, const Mat36* const* Bb, int count);
   void eliminate(int column);
 
   std::list<BlockPattern> patterns_;  ///< most recently used first

@@ -239,11 +239,24 @@ DELASSUS_WIDE_INLINE void multiplyInPlace(const Mat6& A, double* x) {
 }  // namespace
 
 DELASSUS_WIDE
-void addProduct(const Mat36& A, const Mat36& B, Mat6& to) {
-  const double* b = B.data();
-  const Spread columns[3] = {Spread(b), Spread(b + 6), Spread(b + 12)};
+void addProducts(const Mat36* const* A, const Mat36* const* B, int count, Mat6& to) {
   Sum sum(to.data());
-  sum.add<3, 1>(A.data(), columns);
+#pragma GCC unroll 1
+  for (int k = 0; k < count; ++k) {
+    const double *a = A[k]->data(), *b = B[k]->data();
+#pragma GCC unroll 1  // sums stay in registers
+    for (int row = 0; row < 3; ++row, a += 6, b += 6) {
+      const Four upper = fourAt(a), lower = fourAt(a + 2);
+      const Four both = __builtin_shufflevector(lower, upper, 2, 3, 4, 5);
+      for (int pair = 0; pair < 3; ++pair) {
+        const double l = b[2 * pair], r = b[2 * pair + 1];
+        const Four left{l, l, l, l}, right{r, r, r, r};
+        sum.part[3 * pair] += upper * left;
+        sum.part[3 * pair + 1] += both * __builtin_shufflevector(left, right, 0, 1, 6, 7);
+        sum.part[3 * pair + 2] += lower * right;
+      }
+    }
+  }
   sum.store(to.data());
 }
 
@@ -298,9 +311,9 @@ DELASSUS_WIDE
 bool invertCholesky(const Mat6& A, Mat6& inverseC, Mat6& transposed) {
   // A = L D Lᵀ, C⁻¹ = D^(-1/2) L⁻¹.
   Rows rows(A.data());
-  const double pivots[6] = {
-      rows.eliminateBelow<0>(), rows.eliminateBelow<1>(), rows.eliminateBelow<2>(),
-      rows.eliminateBelow<3>(), rows.eliminateBelow<4>(), rows.eliminateBelow<5>()};
+  const double pivots[6] = {rows.eliminateBelow<0>(), rows.eliminateBelow<1>(),
+                            rows.eliminateBelow<2>(), rows.eliminateBelow<3>(),
+                            rows.eliminateBelow<4>(), rows.eliminateBelow<5>()};
   for (int i = 0; i < 6; ++i) {
     if (!(pivots[i] > 0)) return false;
     rows.scale(i, 1 / std::sqrt(pivots[i]));

@@ -25,8 +25,8 @@ void multiplyBy(const Mat6& B, Mat6* blocks, int count);
 /// The same for an upper triangle B.
 void multiplyByUpper(const Mat6& B, Mat6* blocks, int count);
 
-/// to += Aᵀ B.
-void addProduct(const Mat36& A, const Mat36& B, Mat6& to);
+/// to += Σ A_kᵀ B_k over `count` pairs.
+void addProducts(const Mat36* const* A, const Mat36* const* B, int count, Mat6& to);
 
 /// to += Σ weight[k] a_kᵀ b_k over `count` rows of six numbers, which begin `stride` numbers apart.
 void addRowProducts(const double* a, const double* b, int stride, const double* weight, int count,

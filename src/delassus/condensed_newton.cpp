@@ -85,7 +85,7 @@ bool CondensedNewton::condense(WorkDone& count) {
   if (!motion_.factorise(G_)) return false;
   weight_ = 0;
   steps_.resize(n);
-  motion_.condense(left_, steps_.W);
+  if (!motion_.condense(left_, steps_.W)) return false;
   diagonal_ = steps_.W.diagonal();
   for (int i = 0; i < n; ++i) diagonal_[i] += compliance[left_[i]];
   return true;

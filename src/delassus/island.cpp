@@ -76,9 +76,29 @@ void Assembler::addIsland() {
 
 std::size_t Assembler::bytes() const {
   std::size_t sum =
-      bytesOf(islands_, islandOf_, placeOf_, roots_) + sets_.bytes() + problem_.bytes();
+      bytesOf(islands_, runs_, islandOf_, placeOf_, roots_) + sets_.bytes() + problem_.bytes();
   for (const Island& island : islands_) sum += island.bytes();
   return sum;
+}
+
+/// Finds the runs: most contacts come after another of the same two bodies.
+void Assembler::findRuns(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
+                         bool allTangents) {
+  runs_.clear();
+  const auto moving = [&](int body) { return movable(bodies, body) ? body : fixedWorld; };
+  int a = fixedWorld, b = fixedWorld;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Contact& c = contacts[i];
+    const bool isFrictional = c.friction != 0 || allTangents;
+    if (!runs_.empty() && c.a == a && c.b == b && isFrictional == runs_.back().isFrictional) {
+      ++runs_.back().end;
+      continue;
+    }
+    a = c.a;
+    b = c.b;
+    const int at = static_cast<int>(i);
+    runs_.push_back({moving(a), moving(b), at, at + 1, isFrictional});
+  }
 }
 
 void Assembler::split(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
@@ -86,25 +106,21 @@ void Assembler::split(const std::vector<Body>& bodies, const std::vector<Contact
   constexpr int untouched = -2, unnumbered = -1;
   const int bodyCount = static_cast<int>(bodies.size());
   sets_.reset(bodyCount);
-  const auto join = [&](int a, int b) {
-    if (movable(bodies, a) && movable(bodies, b)) sets_.join(a, b);
+  const auto join = [this](int a, int b) {
+    if (a >= 0 && b >= 0) sets_.join(a, b);
   };
-  // Most contacts come after another of the same two bodies.
-  const auto comesAfterItsLike = [&](std::size_t i) {
-    return i > 0 && contacts[i].a == contacts[i - 1].a && contacts[i].b == contacts[i - 1].b;
-  };
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    if (!comesAfterItsLike(i)) join(contacts[i].a, contacts[i].b);
-  for (const Row& c : rows) join(c.a, c.b);
+  const auto moving = [&](int body) { return movable(bodies, body) ? body : fixedWorld; };
+  findRuns(bodies, contacts, allTangents);
+  for (const Run& run : runs_) join(run.a, run.b);
+  for (const Row& c : rows) join(moving(c.a), moving(c.b));
 
   // Bodies that nothing touches make no island.
   islandOf_.assign(bodyCount, untouched);
-  const auto touch = [&](int i) {
-    if (movable(bodies, i)) islandOf_[sets_.root(i)] = unnumbered;
+  const auto touch = [this](int body) {
+    if (body >= 0) islandOf_[sets_.root(body)] = unnumbered;
   };
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    if (!comesAfterItsLike(i)) touch(contacts[i].a), touch(contacts[i].b);
-  for (const Row& c : rows) touch(c.a), touch(c.b);
+  for (const Run& run : runs_) touch(run.a), touch(run.b);
+  for (const Row& c : rows) touch(moving(c.a)), touch(moving(c.b));
 
   // The root of an island is its first body.
   count_ = 0;
@@ -119,20 +135,18 @@ void Assembler::split(const std::vector<Body>& bodies, const std::vector<Contact
     islands_[islandOf_[i]].bodies.push_back(i);
   }
 
-  const auto islandTouching = [&](int a, int b) -> Island* {
-    const int body = movable(bodies, a) ? a : movable(bodies, b) ? b : -1;
+  const auto islandTouching = [this](int a, int b) -> Island* {
+    const int body = a >= 0 ? a : b;
     return body >= 0 ? &islands_[islandOf_[body]] : nullptr;
   };
-  Island* touched = nullptr;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const Contact& c = contacts[i];
-    if (!comesAfterItsLike(i)) touched = islandTouching(c.a, c.b);
-    if (touched)
-      (c.friction == 0 && !allTangents ? touched->frictionless : touched->frictional)
-          .push_back(static_cast<int>(i));
-  }
+  for (const Run& run : runs_)
+    if (Island* island = islandTouching(run.a, run.b)) {
+      std::vector<int>& list = run.isFrictional ? island->frictional : island->frictionless;
+      for (int i = run.begin; i < run.end; ++i) list.push_back(i);
+    }
   for (int i = 0; i < static_cast<int>(rows.size()); ++i)
-    if (Island* island = islandTouching(rows[i].a, rows[i].b)) island->rows.push_back(i);
+    if (Island* island = islandTouching(moving(rows[i].a), moving(rows[i].b)))
+      island->rows.push_back(i);
 }
 
 const Problem& Assembler::assemble(const std::vector<Body>& bodies,

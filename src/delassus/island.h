@@ -60,6 +60,14 @@ class Assembler {
   };
   static RootOfInverseMass rootOf(const Body& body);
 
+  /// Contacts of the same two bodies, one after the other, all with friction or all without.
+  struct Run {
+    int a, b;  ///< the bodies; fixedWorld for one that does not move
+    int begin, end;
+    bool isFrictional;
+  };
+  void findRuns(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
+                bool allTangents);
   void addIsland();
 
   // `assemble`, step by step.
@@ -82,6 +90,7 @@ class Assembler {
 
   std::vector<Island> islands_;  ///< the first count_ are of this step
   int count_ = 0;
+  std::vector<Run> runs_;
   DisjointSets sets_;
   std::vector<int> islandOf_;  ///< of each body
   /// Place of a body among the bodies of the island that is being assembled.

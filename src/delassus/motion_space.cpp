@@ -145,18 +145,30 @@ bool BodyMotion::factorise(const Stiffness& G) {
 
 bool BodyMotion::factorise(const Stiffness& G, bool asCholesky) {
   factor_.setIdentity(asCholesky);
-  for (std::size_t i = 0; i < space_->contacts.size(); ++i) {
-    if (G.contacts[i](0, 0) == 0) continue;
-    const int pair = pairOf_[i];
-    factor_.addContact(space_->contacts[i], G.contacts[i], pair == none ? none : edgeOf_[pair]);
-  }
+  addContacts(G);
   int edge = addRows(G, firstOfRows_);
   if (!space_->parts.empty()) edge = addParts(G, edge);
   if (!disks_->empty()) addDisks(G, edge);
   return factor_.factorise();
 }
 
-void BodyMotion::condense(const std::vector<int>& unknowns, KeptMatrix& W) {
+/// Adds contacts of the same bodies all at once, as far as they come one after the other.
+void BodyMotion::addContacts(const Stiffness& G) {
+  const std::vector<ContactRows>& contacts = space_->contacts;
+  const auto n = static_cast<int>(contacts.size());
+  BlockFactor::Response together[BlockFactor::mostContacts];
+  for (int i = 0; i < n;) {
+    const int a = contacts[i].a, b = contacts[i].b, pair = pairOf_[i];
+    int count = 0;
+    for (; i < n && contacts[i].a == a && contacts[i].b == b && count < BlockFactor::mostContacts;
+         ++i)
+      if (G.contacts[i](0, 0) != 0) together[count++] = {&contacts[i], &G.contacts[i]};
+    if (count > 0) factor_.addContacts(together, count, pair == none ? none : edgeOf_[pair]);
+  }
+}
+
+bool BodyMotion::condense(const std::vector<int>& unknowns, KeptMatrix& W) {
+  if (!factor_.isCholesky()) return false;
   const auto contactsEnd = static_cast<int>(3 * space_->contacts.size());
   blocks_.clear();
   blocksBegin_.assign(1, 0);
@@ -175,6 +187,7 @@ void BodyMotion::condense(const std::vector<int>& unknowns, KeptMatrix& W) {
     blocksBegin_.push_back(static_cast<int>(blocks_.size()));
   }
   factor_.condense(blocks_, blocksBegin_, W);
+  return true;
 }
 
 /// Fills shares_: the blocks that a disk or its governor moves, each once.

@@ -68,8 +68,8 @@ class BodyMotion {
   void relativeVelocity(const VectorXd& y, VectorXd& u) const { space_->relativeVelocity(y, u); }
   bool factorise(const Stiffness& G);
   void solve(VectorXd& y) const { factor_.solve(y); }
-  /// W = J̃ K⁻¹ J̃ᵀ of these unknowns, without compliance, after `factorise` of a symmetric G.
-  void condense(const std::vector<int>& unknowns, KeptMatrix& W);
+  /// W = J̃ K⁻¹ J̃ᵀ of these unknowns, without compliance. False if K has no Cholesky factor.
+  bool condense(const std::vector<int>& unknowns, KeptMatrix& W);
   /// The sign of det K.
   bool isDeterminantNegative() const { return factor_.isDeterminantNegative(); }
   std::size_t bytes() const {
@@ -93,6 +93,7 @@ class BodyMotion {
   bool hasRoomFor(const Stiffness& G) const;
   /// Analyses the factor for all pairs that G couples, or that were coupled before.
   void makeRoomFor(const Stiffness& G);
+  void addContacts(const Stiffness& G);
   int addRows(const Stiffness& G, int firstEdge);
   int addParts(const Stiffness& G, int firstEdge);
   void addDisks(const Stiffness& G, int firstEdge);

@@ -6,6 +6,8 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "delassus/block_product.h"
 #include "tests/support/random_problems.h"
@@ -35,24 +37,30 @@ class DenseBeside {
     K_.block<6, 6>(6 * b, 6 * a) += ba;
   }
 
-  /// Adds to K what a region adds: J̃ᵀ G J̃ of one contact between the bodies of `edge`, which is
-  /// not symmetric if the contact slides.
-  void addContact(int edge, const Mat3& G, Random& random) {
+  /// Adds to K what a region adds: J̃ᵀ G J̃ of two contacts between the bodies of `edge`, which is
+  /// not symmetric if they slide.
+  void addContacts(int edge, const Mat3& G, Random& random) {
     const auto [a, b] = edges_[edge];
-    const Mat36 Ja = normalMatrix(3, 6, random), Jb = normalMatrix(3, 6, random);
-    factor_.addContact({a, b, Ja, Jb}, G, edge);
-    MatrixXd J = MatrixXd::Zero(3, K_.cols());
-    J.middleCols<6>(6 * a) = Ja;
-    J.middleCols<6>(6 * b) = Jb;
-    K_ += J.transpose() * G * J;
+    const Mat3 half = G / 2;
+    std::vector<ContactRows> rows;
+    for (int k = 0; k < 2; ++k)
+      rows.push_back({a, b, normalMatrix(3, 6, random), normalMatrix(3, 6, random)});
+    const BlockFactor::Response contacts[2] = {{&rows[0], &G}, {&rows[1], &half}};
+    factor_.addContacts(contacts, 2, edge);
+    for (const auto& [c, own] : contacts) {
+      MatrixXd J = MatrixXd::Zero(3, K_.cols());
+      J.middleCols<6>(6 * a) = c->Ja;
+      J.middleCols<6>(6 * b) = c->Jb;
+      K_ += J.transpose() * *own * J;
+    }
   }
   /// The same for a contact with the world, which may be either of the two bodies.
   void addContactWithWorld(int body, bool isFirst, const Mat3& G, Random& random) {
     const Mat36 J = normalMatrix(3, 6, random);
-    if (isFirst)
-      factor_.addContact({fixedWorld, body, Mat36::Zero(), J}, G, -1);
-    else
-      factor_.addContact({body, fixedWorld, J, Mat36::Zero()}, G, -1);
+    ContactRows rows = {fixedWorld, body, Mat36::Zero(), J};
+    if (!isFirst) std::swap(rows.a, rows.b), rows.Ja.swap(rows.Jb);
+    const BlockFactor::Response contact = {&rows, &G};
+    factor_.addContacts(&contact, 1, -1);
     K_.block<6, 6>(6 * body, 6 * body) += J.transpose() * G * J;
   }
 
@@ -97,7 +105,7 @@ TEST(BlockFactor, AgreesWithDenseEliminationOnRandomGraphs) {
     const Edges edges = randomEdges(bodies, k % 7 * bodies / 2, random);
     DenseBeside both(factor, bodies, edges);
     for (int e = 0; e < static_cast<int>(edges.size()); ++e)
-      both.addContact(e, randomStiffness(random), random);
+      both.addContacts(e, randomStiffness(random), random);
     for (int i = 0; i < bodies; i += 3)
       both.addContactWithWorld(i, k % 2 == 0, randomStiffness(random), random);
 
@@ -122,7 +130,7 @@ TEST(BlockFactor, CondensesToFewRows) {
     DenseBeside both(factor, bodies, edges, true);
     for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
       const Mat3 G = randomStiffness(random);
-      both.addContact(e, G.transpose() * G, random);
+      both.addContacts(e, G.transpose() * G, random);
     }
     ASSERT_TRUE(factor.factorise());
     MatrixXd J = MatrixXd::Zero(rows, 6 * bodies);
@@ -156,7 +164,7 @@ TEST(BlockFactor, ManyColumnsWithTheSameRows) {
     DenseBeside both(factor, bodies, edges, symmetric);
     for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
       const Mat3 G = randomStiffness(random);
-      both.addContact(e, symmetric ? Mat3(G.transpose() * G) : G, random);
+      both.addContacts(e, symmetric ? Mat3(G.transpose() * G) : G, random);
     }
     ASSERT_TRUE(factor.factorise());
     EXPECT_LT(both.backwardError(random), 1e-13);
@@ -192,7 +200,7 @@ TEST(BlockFactor, ASymmetricMatrixHasTheSameFactorForHalfTheWork) {
       DenseBeside both(factor, bodies, edges, symmetric);
       for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
         const Mat3 root = normalMatrix(3, 3, again);
-        both.addContact(e, root * root.transpose(), again);
+        both.addContacts(e, root * root.transpose(), again);
       }
       EXPECT_TRUE(factor.factorise());
       EXPECT_LT(both.backwardError(again), 1e-13) << "graph " << k;
@@ -216,7 +224,7 @@ TEST(BlockFactor, LosesNoMoreThanTheRootOfTheConditionForStiffContacts) {
     BlockFactor factor;
     DenseBeside both(factor, bodies, edges);
     for (int e = 0; e < static_cast<int>(edges.size()); ++e)
-      both.addContact(e, std::pow(10, uniform(random, 0, 12)) * Mat3::Identity(), random);
+      both.addContacts(e, std::pow(10, uniform(random, 0, 12)) * Mat3::Identity(), random);
     ASSERT_TRUE(factor.factorise());
     EXPECT_LT(both.backwardError(random), 5e-14 * std::sqrt(both.dense().norm())) << "graph " << k;
   }
@@ -228,7 +236,7 @@ TEST(BlockFactor, HasNoMemoryOfEarlierGraphsAndValues) {
   const auto answer = [](BlockFactor& factor, const Edges& edges) {
     Random random(14);
     DenseBeside both(factor, 4, edges);
-    for (int e = 0; e < 3; ++e) both.addContact(e, randomStiffness(random), random);
+    for (int e = 0; e < 3; ++e) both.addContacts(e, randomStiffness(random), random);
     EXPECT_TRUE(factor.factorise());
     VectorXd x = normalVector(24, random);
     factor.solve(x);
@@ -253,7 +261,7 @@ TEST(BlockFactor, KeepsWhatManyGraphsAskedFor) {
     Random own(k);
     DenseBeside both(factor, 12, all[k]);
     for (int e = 0; e < static_cast<int>(all[k].size()); ++e)
-      both.addContact(e, randomStiffness(own), own);
+      both.addContacts(e, randomStiffness(own), own);
     EXPECT_TRUE(factor.factorise());
     VectorXd x = normalVector(72, own);
     factor.solve(x);
@@ -297,7 +305,7 @@ TEST(BlockFactor, SingularAndBrokenPivotsAreRefused) {
   // And nothing of the failure is left.
   Random random(15);
   DenseBeside sound(factor, 2, edges);
-  sound.addContact(0, randomStiffness(random), random);
+  sound.addContacts(0, randomStiffness(random), random);
   ASSERT_TRUE(factor.factorise());
   EXPECT_LT(sound.backwardError(random), 1e-14);
 }

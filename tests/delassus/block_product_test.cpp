@@ -54,8 +54,14 @@ TEST(BlockProduct, SingleBlocksAgreeWithTheLibrary) {
     const Mat6 A = normalMatrix(6, 6, random), B = normalMatrix(6, 6, random);
     const Mat36 J = normalMatrix(3, 6, random), GJ = normalMatrix(3, 6, random);
     Mat6 more = A;
-    addProduct(J, GJ, more);
+    const Mat36 *left[2] = {&J, &GJ}, *right[2] = {&GJ, &J};
+    addProducts(left, right, 1, more);
     EXPECT_LT((more - (A + J.transpose() * GJ)).norm(), 1e-14);
+    Mat6 most = more;
+    addProducts(left + 1, right + 1, 1, most);
+    more = A;
+    addProducts(left, right, 2, more);
+    EXPECT_EQ(more, most);
 
     const Vec3 g = normalVector(3, random);
     more = A;
@@ -67,6 +73,12 @@ TEST(BlockProduct, SingleBlocksAgreeWithTheLibrary) {
     EXPECT_LT((blocks[0] - A * B).norm(), 1e-14 * A.norm() * B.norm());
     EXPECT_LT((blocks[1] - B * B).norm(), 1e-14 * B.norm() * B.norm());
     EXPECT_EQ(blocks[2], Mat6::Constant(7));
+
+    const Mat6 upper = B.triangularView<Eigen::Upper>();
+    Mat6 others[2] = {A, Mat6::Constant(7)};
+    multiplyByUpper(upper, others, 1);
+    EXPECT_LT((others[0] - A * upper).norm(), 1e-14 * A.norm() * B.norm());
+    EXPECT_EQ(others[1], Mat6::Constant(7));
   }
 }
 
@@ -104,6 +116,13 @@ TEST(BlockProduct, InvertsWhatMayBeStiff) {
     ASSERT_TRUE(invert(A, inverse, isNegative));
     EXPECT_FALSE(isNegative);
     EXPECT_LT((inverse * A - Mat6::Identity()).norm(), 16 * epsilon * inverse.norm() * A.norm());
+
+    Mat6 inverseC, transposed;
+    ASSERT_TRUE(invertCholesky(A, inverseC, transposed));
+    EXPECT_EQ(inverseC, Mat6(transposed.transpose()));
+    EXPECT_EQ(inverseC, Mat6(inverseC.triangularView<Eigen::Lower>()));
+    EXPECT_LT((inverseC * A * transposed - Mat6::Identity()).norm(),
+              16 * epsilon * inverseC.norm() * inverseC.norm() * A.norm());
   }
 }
 
@@ -115,6 +134,11 @@ TEST(BlockProduct, SingularAndBrokenBlocksHaveNoInverse) {
   Mat6 broken = Mat6::Identity();
   broken(4, 1) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(invert(broken, inverse, isNegative));
+
+  Mat6 transposed, indefinite = Mat6::Identity();
+  indefinite(3, 3) = -1;
+  for (const Mat6& A : {Mat6(Mat6::Zero()), Mat6(Mat6::Ones()), broken, indefinite})
+    EXPECT_FALSE(invertCholesky(A, inverse, transposed));
 }
 
 /// Four columns: one with two blocks below it, one with one, one with none.
@@ -159,6 +183,7 @@ TEST_F(BlockSolves, AgreeWithDenseMatrices) {
   for (int round = 0; round < 20; ++round) {
     compare(lower_, [&](double* z) { solveLower(blocks(), z); });
     const MatrixXd offDiagonal = lower_ - MatrixXd::Identity(24, 24);
+    compare(diagonal_ + offDiagonal, [&](double* z) { solveLower(blocks(), inverseD_.data(), z); });
     compare(diagonal_ + offDiagonal.transpose(),
             [&](double* z) { solveUpper(blocks(), inverseD_.data(), z); });
   }

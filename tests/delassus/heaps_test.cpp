@@ -142,7 +142,7 @@ TEST(SmallHeap, WhatNothingElseSolvesIsHardened) {
 // Plain sweeps fail in two of five such heaps (1e-3 to 1e-1 m/s are left); the path solves one of
 // ten.
 TEST(LargeHeap, WhatIsNotOutlastedIsHardenedSlow) {
-  expectHardened({makeHeapOfMany(660, 33), makeHeapOfMany(660, 34)});
+  expectHardened({makeHeapOfMany(660, 22), makeHeapOfMany(660, 32)});
 }
 
 }  // namespace

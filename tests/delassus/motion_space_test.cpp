@@ -70,7 +70,7 @@ TEST(BodyMotion, CondensesToSomeUnknowns) {
   ASSERT_TRUE(motion.factorise(G));
   const std::vector<int> unknowns = {0, 1, 2, 7, problem.size() - 1};
   KeptMatrix W;
-  motion.condense(unknowns, W);
+  ASSERT_TRUE(motion.condense(unknowns, W));
   for (int j = 0; j < 5; ++j) {
     VectorXd r = VectorXd::Zero(problem.size()), y, u;
     r[unknowns[j]] = 1;
@@ -79,6 +79,26 @@ TEST(BodyMotion, CondensesToSomeUnknowns) {
     motion.relativeVelocity(y, u);
     for (int i = 0; i < 5; ++i) EXPECT_NEAR(W(i, j), u[unknowns[i]], 1e-12);
   }
+}
+
+// Symmetric, but not positive definite: it has a factor, though not that of Cholesky.
+TEST(BodyMotion, FactorsWhatIsIndefinite) {
+  Random random(173);
+  const PileIsland island = heap(random);
+  const Problem& problem = island.problem;
+  Stiffness G;
+  G.reset(problem);
+  for (Mat3& block : G.contacts) block = -randomDelassus(3, 10, random);
+  BodyMotion motion;
+  motion.setProblem(problem);
+  ASSERT_TRUE(G.isSymmetric());
+  ASSERT_TRUE(motion.factorise(G));
+  const VectorXd y = normalVector(motion.size(), random);
+  VectorXd x = y;
+  motion.solve(x);
+  EXPECT_LE((x + stiffnessTimes(G, problem, x) - y).norm(), 1e-10 * y.norm());
+  KeptMatrix W;
+  EXPECT_FALSE(motion.condense({0}, W));
 }
 
 TEST(BodyMotion, FactorsOneRegionAfterTheOtherWhateverContactsItHolds) {

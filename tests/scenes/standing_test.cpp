@@ -67,7 +67,7 @@ TEST(Standing, IsTheSameToTheLastBit) {
 // every pose apart and puts it together again, and so turns resting bodies by their last digits: in
 // float one step in ten may be solved, whatever the blow was.
 TEST(Standing, IsNotSolvedAgainWhereABlowHasPassed) {
-  constexpr int blows = 8, steps = 60;
+  constexpr int blows = 16, steps = 60;
   int solved = 0;
   for (int blow = 0; blow < blows; ++blow) {
     OnRegions run(buildPyramid(10));
