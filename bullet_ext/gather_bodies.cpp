@@ -6,6 +6,7 @@
 #include "bullet_ext/first_room.h"
 #include "bullet_ext/gather.h"
 #include "bullet_ext/names.h"
+#include "bullet_ext/prefetch.h"
 
 namespace delassus::bullet {
 namespace {
@@ -106,6 +107,11 @@ bool sound(const btRigidBody& rigid, const Body& body) {
          body.inverseInertia.diagonal().minCoeff() >= 0;
 }
 
+void prefetchBody(const btCollisionObject& object) {
+  const auto* begin = reinterpret_cast<const char*>(&object);
+  prefetch(begin, begin + sizeof(btRigidBody));
+}
+
 }  // namespace
 
 int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo& info,
@@ -141,7 +147,11 @@ int bodyIndex(Group& group, btCollisionObject& object, const btContactSolverInfo
 void gatherBodies(Group& group, const GroupInput& input, StepReport& report) {
   makeFirstRoom([&] { return input.bodyCount; }, group.bodies, group.bodySources);
   group.indexOf.makeRoom(input.bodyCount);
-  for (int i = 0; i < input.bodyCount; ++i) bodyIndex(group, *input.bodies[i], *input.info, report);
+  constexpr int ahead = 3;
+  for (int i = 0; i < input.bodyCount; ++i) {
+    if (i + ahead < input.bodyCount) prefetchBody(*input.bodies[i + ahead]);
+    bodyIndex(group, *input.bodies[i], *input.info, report);
+  }
 }
 
 }  // namespace delassus::bullet
