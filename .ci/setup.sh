@@ -11,7 +11,7 @@ packages=(g++ cmake ninja-build pkg-config libeigen3-dev libbullet-dev libbullet
 for group in "$@"; do
   case "$group" in
     tests) packages+=(libgtest-dev libgmock-dev) ;;
-    checks) packages+=(clang-format clang-tidy python3) ;;
+    checks) packages+=(clang-format clang-tidy python3 valgrind) ;;
     fuzz) packages+=(clang libclang-rt-14-dev) ;;
     peers) packages+=(libsiconos-numerics-dev) ;;
     *) echo "setup.sh: no group '$group'; there are tests, checks, fuzz and peers" >&2; exit 2 ;;

@@ -104,6 +104,15 @@ struct Rows {
     return none[0] + none[1] + none[2] + none[3] == 0;
   }
 
+  /// Clears all entries right of the diagonal, which must be finite.
+  DELASSUS_WIDE_INLINE void keepLower() {
+    const Four upTo[4] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 1, 1, 0}, {1, 1, 1, 1}};
+    for (int i = 0; i < 6; ++i) {
+      begin[i] *= upTo[std::min(i, 3)];
+      end[i] *= i < 4 ? Four{} : upTo[i - 4];
+    }
+  }
+
   DELASSUS_WIDE_INLINE void scale(int i, double by) {
     begin[i] *= by;
     end[i] *= by;
@@ -116,9 +125,10 @@ struct Rows {
     const double pivot = replace<at>(at, 1);
     const double perPivot = 1 / pivot;
     for (int i = at + 1; i < 6; ++i) {
-      const double factor = perPivot * replace<at>(i, 0);
+      const double factor = perPivot * (at < 4 ? begin[i] : end[i])[at % 4];
       begin[i] -= factor * begin[at];
       end[i] -= factor * end[at];
+      replace<at>(i, -factor);
     }
     return pivot;
   }
@@ -318,10 +328,11 @@ bool invertCholesky(const Mat6& A, Mat6& inverseC, Mat6& transposed) {
     if (!(pivots[i] > 0)) return false;
     rows.scale(i, 1 / std::sqrt(pivots[i]));
   }
+  if (!rows.areFinite()) return false;
+  rows.keepLower();
   rows.store(transposed.data());
-  transposed.triangularView<Eigen::StrictlyLower>().setZero();
   inverseC = transposed.transpose();
-  return rows.areFinite();
+  return true;
 }
 
 DELASSUS_WIDE
