@@ -64,17 +64,23 @@ void BlockFactor::addOffDiagonal(int edge, const Mat36* const* Aa, const Mat36* 
 void BlockFactor::addContacts(const Response* contacts, int count, int edge) {
   Mat36 ofA[mostContacts], ofB[mostContacts];  // G J
   const Mat36 *Ja[mostContacts], *Jb[mostContacts], *Ga[mostContacts], *Gb[mostContacts];
+  const Mat3* G[mostContacts];
   const int a = contacts->J->a, b = contacts->J->b;
   for (int k = 0; k < count; ++k) {
+    G[k] = contacts[k].G;
     Ja[k] = &contacts[k].J->Ja;
     Jb[k] = &contacts[k].J->Jb;
-    if (a >= 0) ofA[k].noalias() = *contacts[k].G * *Ja[k];
-    if (b >= 0) ofB[k].noalias() = *contacts[k].G * *Jb[k];
     Ga[k] = &ofA[k];
     Gb[k] = &ofB[k];
   }
-  if (a >= 0) addProducts(Ja, Ga, count, diagonal_[pattern().place[a]]);
-  if (b >= 0) addProducts(Jb, Gb, count, diagonal_[pattern().place[b]]);
+  if (a >= 0) {
+    multiplyRows(G, Ja, count, ofA);
+    addProducts(Ja, Ga, count, diagonal_[pattern().place[a]]);
+  }
+  if (b >= 0) {
+    multiplyRows(G, Jb, count, ofB);
+    addProducts(Jb, Gb, count, diagonal_[pattern().place[b]]);
+  }
   if (edge >= 0) addOffDiagonal(edge, Ja, Ga, Jb, Gb, count);
 }
 

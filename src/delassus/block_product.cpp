@@ -249,6 +249,20 @@ DELASSUS_WIDE_INLINE void multiplyInPlace(const Mat6& A, double* x) {
 }  // namespace
 
 DELASSUS_WIDE
+void multiplyRows(const Mat3* const* G, const Mat36* const* J, int count, Mat36* products) {
+  for (int k = 0; k < count; ++k) {
+    const double *g = G[k]->data(), *j = J[k]->data();  // g: by columns
+    double* to = products[k].data();
+    const Four begin[3] = {fourAt(j), fourAt(j + 6), fourAt(j + 12)};
+    const Four end[3] = {fourAt(j + 2), fourAt(j + 8), fourAt(j + 14)};
+    for (int i = 0; i < 3; ++i, to += 6) {
+      fourAt(to) = g[i] * begin[0] + g[i + 3] * begin[1] + g[i + 6] * begin[2];
+      fourAt(to + 2) = g[i] * end[0] + g[i + 3] * end[1] + g[i + 6] * end[2];
+    }
+  }
+}
+
+DELASSUS_WIDE
 void addProducts(const Mat36* const* A, const Mat36* const* B, int count, Mat6& to) {
   Sum sum(to.data());
 #pragma GCC unroll 1

@@ -25,6 +25,9 @@ void multiplyBy(const Mat6& B, Mat6* blocks, int count);
 /// The same for an upper triangle B.
 void multiplyByUpper(const Mat6& B, Mat6* blocks, int count);
 
+/// products[k] ← G_k J_k over `count` pairs.
+void multiplyRows(const Mat3* const* G, const Mat36* const* J, int count, Mat36* products);
+
 /// to += Σ A_kᵀ B_k over `count` pairs.
 void addProducts(const Mat36* const* A, const Mat36* const* B, int count, Mat6& to);
 

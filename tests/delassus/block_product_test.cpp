@@ -54,6 +54,14 @@ TEST(BlockProduct, SingleBlocksAgreeWithTheLibrary) {
     const Mat6 A = normalMatrix(6, 6, random), B = normalMatrix(6, 6, random);
     const Mat36 J = normalMatrix(3, 6, random), GJ = normalMatrix(3, 6, random);
     Mat6 more = A;
+    const Mat3 G = normalMatrix(3, 3, random), H = normalMatrix(3, 3, random);
+    const Mat3* weights[2] = {&G, &H};
+    const Mat36* rows[2] = {&J, &GJ};
+    Mat36 products[2];
+    multiplyRows(weights, rows, 2, products);
+    EXPECT_LT((products[0] - G * J).norm(), 1e-14);
+    EXPECT_LT((products[1] - H * GJ).norm(), 1e-14);
+
     const Mat36 *left[2] = {&J, &GJ}, *right[2] = {&GJ, &J};
     addProducts(left, right, 1, more);
     EXPECT_LT((more - (A + J.transpose() * GJ)).norm(), 1e-14);
