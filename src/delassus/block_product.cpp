@@ -56,25 +56,30 @@ struct Sum {
     for (int v = 0; v < 9; ++v) fourAt(x + 4 * v) = part[v];
   }
 
-  /// Adds or subtracts A Bᵀ. A has six rows and `count` columns; B has as many, which are spread
-  /// out.
-  template <int count, int sign>
-  DELASSUS_WIDE_INLINE void add(const double* a, const Spread* b) {
+  /// Subtracts A Bᵀ; the columns of B are spread out.
+  DELASSUS_WIDE_INLINE void subtract(const double* a, const Spread* b) {
 #pragma GCC unroll 1  // sums stay in registers
-    for (int k = 0; k < count; ++k) addOne<sign>(fourAt(a + 6 * k), fourAt(a + 6 * k + 2), b[k]);
+    for (int k = 0; k < 6; ++k, a += 6, ++b) {
+      const Four upper = fourAt(a), lower = fourAt(a + 2);
+      const Four both = __builtin_shufflevector(lower, upper, 2, 3, 4, 5);
+      for (int pair = 0; pair < 3; ++pair) {
+        part[3 * pair] -= upper * b->first[pair];
+        part[3 * pair + 1] -= both * b->both[pair];
+        part[3 * pair + 2] -= lower * b->second[pair];
+      }
+    }
   }
 
-  /// The same for one column; `upper` has all its numbers but the last two, `lower` all but the
-  /// first two.
-  template <int sign>
-  DELASSUS_WIDE_INLINE void addOne(const Four& upper, const Four& lower, const Spread& b) {
+  /// Adds aᵀ b for two rows; `upper` has all numbers of a but the last two, `lower` all but the
+  /// first two. (To spread b out would take longer for one product than the product itself.)
+  DELASSUS_WIDE_INLINE void addRow(const Four& upper, const Four& lower, const double* b) {
     const Four both = __builtin_shufflevector(lower, upper, 2, 3, 4, 5);
     for (int pair = 0; pair < 3; ++pair) {
-      const Four products[3] = {upper * b.first[pair], both * b.both[pair], lower * b.second[pair]};
-      for (int v = 0; v < 3; ++v) {
-        Four& sum = part[3 * pair + v];
-        sum = sign > 0 ? sum + products[v] : sum - products[v];
-      }
+      const double l = b[2 * pair], r = b[2 * pair + 1];
+      const Four left{l, l, l, l}, right{r, r, r, r};
+      part[3 * pair] += upper * left;
+      part[3 * pair + 1] += both * __builtin_shufflevector(left, right, 0, 1, 6, 7);
+      part[3 * pair + 2] += lower * right;
     }
   }
 };
@@ -268,18 +273,8 @@ void addProducts(const Mat36* const* A, const Mat36* const* B, int count, Mat6& 
 #pragma GCC unroll 1
   for (int k = 0; k < count; ++k) {
     const double *a = A[k]->data(), *b = B[k]->data();
-#pragma GCC unroll 1  // sums stay in registers
-    for (int row = 0; row < 3; ++row, a += 6, b += 6) {
-      const Four upper = fourAt(a), lower = fourAt(a + 2);
-      const Four both = __builtin_shufflevector(lower, upper, 2, 3, 4, 5);
-      for (int pair = 0; pair < 3; ++pair) {
-        const double l = b[2 * pair], r = b[2 * pair + 1];
-        const Four left{l, l, l, l}, right{r, r, r, r};
-        sum.part[3 * pair] += upper * left;
-        sum.part[3 * pair + 1] += both * __builtin_shufflevector(left, right, 0, 1, 6, 7);
-        sum.part[3 * pair + 2] += lower * right;
-      }
-    }
+#pragma GCC unroll 1
+    for (int row = 0; row < 3; ++row, a += 6, b += 6) sum.addRow(fourAt(a), fourAt(a + 2), b);
   }
   sum.store(to.data());
 }
@@ -290,7 +285,7 @@ void addRowProducts(const double* a, const double* b, int stride, const double* 
   Sum sum(to.data());
 #pragma GCC unroll 1
   for (int k = 0; k < count; ++k, a += stride, b += stride)
-    sum.addOne<1>(weight[k] * fourAt(a), weight[k] * fourAt(a + 2), Spread(b));
+    sum.addRow(weight[k] * fourAt(a), weight[k] * fourAt(a + 2), b);
   sum.store(to.data());
 }
 
@@ -358,7 +353,7 @@ void subtractProducts(const BlockSource* sources, int columns, const int* row, i
   for (int i = diagonal ? 0 : 1; i < count; ++i) {
     double* at = i == 0 ? diagonal->data() : to[place[row[i]]].data();
     Sum sum(at);
-    for (int j = 0; j < columns; ++j) sum.add<6, -1>(sources[j].blocks[i].data(), spread + 6 * j);
+    for (int j = 0; j < columns; ++j) sum.subtract(sources[j].blocks[i].data(), spread + 6 * j);
     sum.store(at);
   }
 }
