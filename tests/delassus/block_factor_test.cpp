@@ -189,7 +189,7 @@ TEST(BlockFactor, NonsymmetricValues) {
 }
 
 // Contacts that stick or open make a symmetric matrix, one half of which need not be computed.
-TEST(BlockFactor, ASymmetricMatrixHasTheSameFactorForHalfTheWork) {
+TEST(BlockFactor, ASymmetricMatrixHasTheSameAnswerForHalfTheWork) {
   Random random(18);
   for (int k = 0; k < 100; ++k) {
     const int bodies = 1 + k % 20;

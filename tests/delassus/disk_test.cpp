@@ -40,6 +40,29 @@ VectorXd numbers(double a, double b, double c, double d, double e) {
   return x;
 }
 
+TEST(MakeFeasible, TellsWhetherItMovesAnything) {
+  Problem contact;
+  contact.W = DelassusMatrix(DelassusMatrix::Sparse(MatrixXd::Identity(3, 3).sparseView()));
+  contact.q = Vec3(-1, 0, 0);
+  contact.friction = VectorXd::Constant(1, 0.5);
+  const Problem disks = twoDisks(VectorXd::Zero(5));
+  struct Case {
+    const Problem& problem;
+    VectorXd r;
+    bool isMoved;
+  };
+  for (const Case& c : {Case{contact, Vec3(2, 0.6, 0.8), false},
+                        {contact, Vec3(2, 0.7, 0.8), true},
+                        {disks, numbers(10, 2, -0.6, 0.8, -1), false},
+                        {disks, numbers(-10, 2, 0, 0, -1), true},
+                        {disks, numbers(10, 2, -0.7, 0.8, -1), true},
+                        {disks, numbers(10, 2, -0.6, 0.8, -1.1), true}}) {
+    VectorXd r = c.r;
+    EXPECT_EQ(makeFeasible(c.problem, r), c.isMoved) << c.r.transpose();
+    EXPECT_EQ(r != c.r, c.isMoved) << c.r.transpose();
+  }
+}
+
 TEST(Disk, SlidesOnItsRimSticksInsideAndIsOpenAsAPoint) {
   struct Case {
     VectorXd q, r;
