@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.010175 5.8401e-05 0.010175 0.010175
+0.014802 5.8401e-05 0.014802 0.014802
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.080799 7.03255e-05 0.080799 0.080799
+0.057185 7.08434e-05 0.057185 0.057185
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.020861 5.11253 0.020861 0.020861
+0.025488 5.11253 0.025488 0.025488
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.077505 4.78169 0.077505 0.077505
+0.076664 4.78169 0.076664 0.076664
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.294516 4.80447 0.294516 0.294516
+0.359062 4.80447 0.359062 0.359062
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-1.33805 5.09893 1.33805 1.33805
+1.39278 5.09893 1.39278 1.39278
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.120328 0.366385 0.120328 0.120328
+0.12217 0.366385 0.12217 0.12217
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.003355 2312.01 0.003355 0.003355
+0.003335 2312.01 0.003335 0.003335
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.001812 2.61083e+09 0.001812 0.001812
+0.001793 2.61083e+09 0.001793 0.001793
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.369587 5.02576 0.369587 0.369587
+0.369778 5.02576 0.369778 0.369778
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.137724 4.77027 0.137724 0.137724
+0.155991 4.77027 0.155991 0.155991
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.286073 5.32617 0.286073 0.286073
+0.292242 5.32617 0.292242 0.292242
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-239.911 0.0542118 239.911 239.911
+228.054 0.0542118 228.054 228.054
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.010175 1e-05 0.010175 0.010175
+0.014802 1e-05 0.014802 0.014802
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.080799 1e-05 0.080799 0.080799
+0.057185 1e-05 0.057185 0.057185
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.020861 0.121117 0.020861 0.020861
+0.025488 0.121117 0.025488 0.025488
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.077505 0.167842 0.077505 0.077505
+0.076664 0.167842 0.076664 0.076664
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.294516 0.142591 0.294516 0.294516
+0.359062 0.142591 0.359062 0.359062
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-1.33805 0.130371 1.33805 1.33805
+1.39278 0.130371 1.39278 1.39278
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.120328 0.00221929 0.120328 0.120328
+0.12217 0.00221929 0.12217 0.12217
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.003355 0.964563 0.003355 0.003355
+0.003335 0.964563 0.003335 0.003335
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.001812 1e-05 0.001812 0.001812
+0.001793 1e-05 0.001793 0.001793
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.369587 0.150794 0.369587 0.369587
+0.369778 0.150794 0.369778 0.369778
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.137724 0.198679 0.137724 0.137724
+0.155991 0.198679 0.155991 0.155991
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.286073 0.211083 0.286073 0.286073
+0.292242 0.211083 0.292242 0.292242
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-239.911 0.00357857 239.911 239.911
+228.054 0.00357857 228.054 228.054
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.010175 1e-12 0.010175 0.010175
+0.014802 1e-12 0.014802 0.014802
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.080799 0.000737164 0.080799 0.080799
+0.057185 0.0002139 0.057185 0.057185
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.020861 0.206329 0.020861 0.020861
+0.025488 0.206329 0.025488 0.025488
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.077505 0.0960487 0.077505 0.077505
+0.076664 0.0960487 0.076664 0.076664
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.294516 0.878815 0.294516 0.294516
+0.359062 0.878815 0.359062 0.359062
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-1.33805 0.443111 1.33805 1.33805
+1.39278 0.443111 1.39278 1.39278
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.120328 0.00309642 0.120328 0.120328
+0.12217 0.00309642 0.12217 0.12217
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.003355 0.775073 0.003355 0.003355
+0.003335 0.775073 0.003335 0.003335
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.001812 1e-12 0.001812 0.001812
+0.001793 1e-12 0.001793 0.001793
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.369587 0.311414 0.369587 0.369587
+0.369778 0.311414 0.369778 0.369778
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.137724 0.294591 0.137724 0.137724
+0.155991 0.294591 0.155991 0.155991
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.286073 0.364726 0.286073 0.286073
+0.292242 0.364726 0.292242 0.292242
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-239.911 1e-12 239.911 239.911
+228.054 1e-12 228.054 228.054
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.000628261:84164.7]
+set xrange [0.000623918:78425]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -223,20 +223,20 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.175754, graph 0.0278188 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.28648, graph 0.0797501 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.196733, graph 0.0278188 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.269203, graph 0.0799625 left front noenhanced textcolor rgb '#0060a8'
 set label "lemke (cut)" at graph 0.713778, graph 0.24894 left front noenhanced textcolor rgb '#999999'
-set label "si2:50" at graph 0.307763, graph 0.304262 left front noenhanced textcolor rgb '#e69f00'
-set label "dantzig" at graph 0.314978, graph 0.355294 left front noenhanced textcolor rgb '#555555'
-set label "si:50" at graph 0.118114, graph 0.355363 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.355596, graph 0.41369 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.179136, graph 0.414994 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:1000" at graph 0.436483, graph 0.461964 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.409541, graph 0.380499 to graph 0.436483, graph 0.461964 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:10" at graph 0.0479782, graph 0.403852 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.0307385, graph 0.463227 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.3271, graph 0.381761 to graph 0.300158, graph 0.463227 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.116465, graph 0.557599 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.309908, graph 0.304262 left front noenhanced textcolor rgb '#e69f00'
+set label "dantzig" at graph 0.323012, graph 0.355294 left front noenhanced textcolor rgb '#555555'
+set label "si:50" at graph 0.11878, graph 0.355363 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.367716, graph 0.41369 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.180699, graph 0.414994 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:1000" at graph 0.440403, graph 0.461964 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.413461, graph 0.380499 to graph 0.440403, graph 0.461964 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:10" at graph 0.0597311, graph 0.403852 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.0333716, graph 0.463227 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.329733, graph 0.381761 to graph 0.302791, graph 0.463227 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.116822, graph 0.557599 left front noenhanced textcolor rgb '#009e73'
 set label "nncg:50" at graph 0.0835457, graph 0.961119 left front noenhanced textcolor rgb '#009e73'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -260,7 +260,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.000628261:84164.7]
+set xrange [0.000623918:78425]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -271,22 +271,22 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.175754, graph 0.119581 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.28648, graph 0.177771 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.196733, graph 0.119581 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.269203, graph 0.177771 left front noenhanced textcolor rgb '#0060a8'
 set label "nncg:50" at graph 0.0835457, graph 0.177771 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.307763, graph 0.478031 left front noenhanced textcolor rgb '#e69f00'
+set label "si2:50" at graph 0.309908, graph 0.478031 left front noenhanced textcolor rgb '#e69f00'
 set label "lemke (cut)" at graph 0.713778, graph 0.507673 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.0479782, graph 0.726172 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.436483, graph 0.73074 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.167003, graph 0.701385 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.367729, graph 0.786321 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.340788, graph 0.739769 to graph 0.367729, graph 0.786321 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:50" at graph 0.118114, graph 0.781328 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.314978, graph 0.838345 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.288037, graph 0.756879 to graph 0.314978, graph 0.838345 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.0307385, graph 0.830464 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.3271, graph 0.760636 to graph 0.300158, graph 0.830464 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.116465, graph 0.87818 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.0597311, graph 0.726172 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.440403, graph 0.73074 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.179123, graph 0.701385 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.369293, graph 0.786321 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.342351, graph 0.739769 to graph 0.369293, graph 0.786321 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:50" at graph 0.11878, graph 0.781328 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.323012, graph 0.838345 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.29607, graph 0.756879 to graph 0.323012, graph 0.838345 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.0333716, graph 0.830464 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.329733, graph 0.760636 to graph 0.302791, graph 0.830464 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.116822, graph 0.87818 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -309,7 +309,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.000628261:84164.7]
+set xrange [0.000623918:78425]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -320,24 +320,24 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.175754, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.196733, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
 set label "nncg:50" at graph 0.0835457, graph 0.11798 left front noenhanced textcolor rgb '#009e73'
 set arrow from graph 0.0566038, graph 0.0714286 to graph 0.0835457, graph 0.11798 nohead lw 0.6 lc rgb '#009e73'
 set label "lemke (cut)" at graph 0.713778, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
-set label "delassus:1e-3" at graph 0.28648, graph 0.704826 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.119169, graph 0.749347 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.284256, graph 0.855892 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.0479782, graph 0.879611 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.103933, graph 0.93721 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.288037, graph 0.890659 to graph 0.261095, graph 0.93721 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:50" at graph 0.367729, graph 0.927295 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.354042, graph 0.80418 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.3271, graph 0.897283 to graph 0.354042, graph 0.80418 nohead lw 0.6 lc rgb '#555555'
-set label "si:1000" at graph 0.436483, graph 0.880046 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.116465, graph 0.827564 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.089523, graph 0.920667 to graph 0.116465, graph 0.827564 nohead lw 0.6 lc rgb '#009e73'
-set label "si:200" at graph 0.355596, graph 0.656892 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.328654, graph 0.924564 to graph 0.355596, graph 0.656892 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.269203, graph 0.666444 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.309908, graph 0.749347 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.284922, graph 0.855892 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.0597311, graph 0.879611 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.111967, graph 0.93721 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.29607, graph 0.890659 to graph 0.269129, graph 0.93721 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:50" at graph 0.369293, graph 0.927295 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.356675, graph 0.80418 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.329733, graph 0.897283 to graph 0.356675, graph 0.80418 nohead lw 0.6 lc rgb '#555555'
+set label "si:1000" at graph 0.440403, graph 0.880046 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.116822, graph 0.827564 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0898801, graph 0.920667 to graph 0.116822, graph 0.827564 nohead lw 0.6 lc rgb '#009e73'
+set label "si:200" at graph 0.367716, graph 0.61034 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.340774, graph 0.924564 to graph 0.367716, graph 0.61034 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,182 +2,182 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.005338 39.7133 0.005338 0.005338
+0.005228 39.7133 0.005228 0.005228
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.005038 39.7133 0.005038 0.005038
+0.005118 39.7133 0.005118 0.005118
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.00684 37.9149 0.00684 0.00684
+0.00682 37.9149 0.00682 0.00682
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.023354 38.2401 0.023354 0.023354
+0.023215 38.2401 0.023215 0.023215
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.084726 38.6732 0.084726 0.084726
+0.084615 38.6732 0.084615 0.084615
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-0.411168 38.757 0.411168 0.411168
+0.400232 38.757 0.400232 0.400232
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.02735 39.732 0.02735 0.02735
+0.027351 39.732 0.027351 0.027351
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.007411 36.4352 0.007411 0.007411
+0.007331 36.4352 0.007331 0.007331
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.097414 38.2932 0.097414 0.097414
+0.095972 38.2932 0.095972 0.095972
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.015222 32.8561 0.015222 0.015222
+0.014732 32.8561 0.014732 0.014732
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.022813 37.9822 0.022813 0.022813
+0.023735 37.9822 0.023735 0.023735
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-27.6158 37.5966 27.6158 27.6158
+25.6709 37.5966 25.6709 25.6709
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.005338 8.66335e-12 0.005338 0.005338
+0.005228 8.67595e-12 0.005228 0.005228
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.005038 9.8304e-07 0.005038 0.005038
+0.005118 2.31195e-07 0.005118 0.005118
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.00684 0.00500574 0.00684 0.00684
+0.00682 0.00500574 0.00682 0.00682
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.023354 0.00669307 0.023354 0.023354
+0.023215 0.00669307 0.023215 0.023215
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.084726 0.00333333 0.084726 0.084726
+0.084615 0.00333333 0.084615 0.084615
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-0.411168 0.00333333 0.411168 0.411168
+0.400232 0.00333333 0.400232 0.400232
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.02735 0.00669494 0.02735 0.02735
+0.027351 0.00669494 0.027351 0.027351
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.007411 0.0301487 0.007411 0.007411
+0.007331 0.0301487 0.007331 0.007331
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.097414 0.00669307 0.097414 0.097414
+0.095972 0.00669307 0.095972 0.095972
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.015222 0.022196 0.015222 0.015222
+0.014732 0.022196 0.014732 0.014732
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.022813 0.00333328 0.022813 0.022813
+0.023735 0.00333328 0.023735 0.023735
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-27.6158 0.0424203 27.6158 27.6158
+25.6709 0.0424203 25.6709 25.6709
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.005338 1.70417e-11 0.005338 0.005338
+0.005228 1.70422e-11 0.005228 0.005228
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.005038 1.29736e-06 0.005038 0.005038
+0.005118 1.31355e-06 0.005118 0.005118
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.00684 0.00599616 0.00684 0.00684
+0.00682 0.00599616 0.00682 0.00682
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.023354 0.0019067 0.023354 0.023354
+0.023215 0.0019067 0.023215 0.023215
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.084726 0.000601327 0.084726 0.084726
+0.084615 0.000601327 0.084615 0.084615
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-0.411168 0.000111512 0.411168 0.411168
+0.400232 0.000111512 0.400232 0.400232
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.02735 0.000496805 0.02735 0.02735
+0.027351 0.000496805 0.027351 0.027351
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.007411 0.0127535 0.007411 0.007411
+0.007331 0.0127535 0.007331 0.007331
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.097414 0.00216536 0.097414 0.097414
+0.095972 0.00216536 0.095972 0.095972
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.015222 0.00360595 0.015222 0.015222
+0.014732 0.00360595 0.014732 0.014732
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.022813 1.40259e-06 0.022813 0.022813
+0.023735 1.40259e-06 0.023735 0.023735
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-27.6158 0.00958296 27.6158 27.6158
+25.6709 0.00958296 25.6709 25.6709
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -197,7 +197,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00232516:1990.79]
+set xrange [0.00238099:1770.72]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics nomirror (10, 20, 50, 100, 200, 500)
@@ -208,26 +208,26 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig" at graph 0.164491, graph 0.516616 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.1118, graph 0.631349 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0848577, graph 0.561522 to graph 0.1118, graph 0.631349 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.161749, graph 0.516616 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.110126, graph 0.631349 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.083184, graph 0.561522 to graph 0.110126, graph 0.631349 nohead lw 0.6 lc rgb '#009e73'
 set label "lemke (cut)" at graph 0.713778, graph 0.575149 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.10593, graph 0.683552 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0789883, graph 0.57881 to graph 0.10593, graph 0.683552 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.194109, graph 0.463201 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.167167, graph 0.57958 to graph 0.194109, graph 0.463201 nohead lw 0.6 lc rgb '#555555'
-set label "si:50" at graph 0.0296827, graph 0.489416 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.168883, graph 0.582519 to graph 0.141941, graph 0.489416 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.300376, graph 0.618035 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.290161, graph 0.564134 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.405794, graph 0.669816 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.378852, graph 0.588351 to graph 0.405794, graph 0.669816 nohead lw 0.6 lc rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.738591 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566038, graph 0.598936 to graph 0.0835457, graph 0.738591 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.08778, graph 0.785143 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0608381, graph 0.598936 to graph 0.08778, graph 0.785143 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.0187937, graph 0.436209 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.180445, graph 0.59914 to graph 0.153503, graph 0.436209 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:10" at graph 0.104782, graph 0.683552 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0778396, graph 0.57881 to graph 0.104782, graph 0.683552 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.197026, graph 0.463201 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.170084, graph 0.57958 to graph 0.197026, graph 0.463201 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.0292458, graph 0.489416 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.168446, graph 0.582519 to graph 0.141504, graph 0.489416 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.300367, graph 0.618035 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.291051, graph 0.564134 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.405992, graph 0.669816 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.379051, graph 0.588351 to graph 0.405992, graph 0.669816 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.0851186, graph 0.738591 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0581767, graph 0.598936 to graph 0.0851186, graph 0.738591 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.785143 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566038, graph 0.598936 to graph 0.0835457, graph 0.785143 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.0189215, graph 0.436209 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.180573, graph 0.59914 to graph 0.153631, graph 0.436209 nohead lw 0.6 lc rgb '#e69f00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -249,7 +249,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00232516:1990.79]
+set xrange [0.00238099:1770.72]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -260,21 +260,21 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.08778, graph 0.0852442 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.544779 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.194109, graph 0.84244 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.290161, graph 0.90063 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.405794, graph 0.784251 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.378852, graph 0.865716 to graph 0.405794, graph 0.784251 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:10" at graph 0.10593, graph 0.916684 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0296827, graph 0.858325 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.300376, graph 0.951428 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.273434, graph 0.893239 to graph 0.300376, graph 0.951428 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si2:50" at graph 0.0187937, graph 0.800146 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.180445, graph 0.89325 to graph 0.153503, graph 0.800146 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig" at graph 0.164491, graph 0.789277 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.137549, graph 0.94057 to graph 0.164491, graph 0.789277 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.1118, graph 0.964299 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.0851186, graph 0.0853015 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.487634 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.197026, graph 0.84244 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.291051, graph 0.90063 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.405992, graph 0.784251 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.379051, graph 0.865716 to graph 0.405992, graph 0.784251 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:10" at graph 0.104782, graph 0.916684 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0292458, graph 0.858325 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.300367, graph 0.951428 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.273425, graph 0.893239 to graph 0.300367, graph 0.951428 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si2:50" at graph 0.0189215, graph 0.800146 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.180573, graph 0.89325 to graph 0.153631, graph 0.800146 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig" at graph 0.161749, graph 0.789277 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.134807, graph 0.94057 to graph 0.161749, graph 0.789277 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.110126, graph 0.964299 left front noenhanced textcolor rgb '#009e73'
 set label "lemke (cut)" at graph 0.713778, graph 0.966143 left front noenhanced textcolor rgb '#999999'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -297,7 +297,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00232516:1990.79]
+set xrange [0.00238099:1770.72]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -308,20 +308,20 @@ set ylabel "joints pulled apart, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.08778, graph 0.0232759 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.48803 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.194109, graph 0.537969 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.405794, graph 0.704732 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0187937, graph 0.769619 left front noenhanced textcolor rgb '#e69f00'
-set label "si:200" at graph 0.290161, graph 0.777911 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0296827, graph 0.828028 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.300376, graph 0.833553 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.164491, graph 0.890616 left front noenhanced textcolor rgb '#555555'
-set label "si:10" at graph 0.10593, graph 0.947615 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0789883, graph 0.877787 to graph 0.10593, graph 0.947615 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.0851186, graph 0.0232759 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.488569 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.197026, graph 0.537969 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.405992, graph 0.704732 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0189215, graph 0.769619 left front noenhanced textcolor rgb '#e69f00'
+set label "si:200" at graph 0.291051, graph 0.777911 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0292458, graph 0.828028 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.300367, graph 0.833553 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.161749, graph 0.890616 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.104782, graph 0.947615 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0778396, graph 0.877787 to graph 0.104782, graph 0.947615 nohead lw 0.6 lc rgb '#d55e00'
 set label "lemke (cut)" at graph 0.713778, graph 0.89815 left front noenhanced textcolor rgb '#999999'
-set label "nncg:10" at graph 0.1118, graph 0.712718 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0848577, graph 0.910563 to graph 0.1118, graph 0.712718 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.110126, graph 0.712718 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.083184, graph 0.910563 to graph 0.110126, graph 0.712718 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

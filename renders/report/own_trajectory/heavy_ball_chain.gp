@@ -2,167 +2,167 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.126858 1e-12 0.126858 0.126858
+0.097063 1e-12 0.097063 0.097063
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.129392 1e-12 0.129392 0.129392
+0.159867 1e-12 0.159867 0.159867
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.146487 1e-12 0.146487 0.146487
+0.037405 1e-12 0.037405 0.037405
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.106127 1e-12 0.106127 0.106127
+0.109502 1e-12 0.109502 0.109502
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.376787 1e-12 0.376787 0.376787
+0.495123 1e-12 0.495123 0.495123
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-1.7813 1e-12 1.7813 1.7813
+1.93766 1e-12 1.93766 1.93766
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.124915 1e-12 0.124915 0.124915
+0.126727 1e-12 0.126727 0.126727
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.376067 1e-12 0.376067 0.376067
+0.376638 1e-12 0.376638 0.376638
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.24276 1972.84 0.24276 0.24276
+0.245033 1972.84 0.245033 0.245033
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.478678 1e-12 0.478678 0.478678
+0.484287 1e-12 0.484287 0.484287
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-17.1172 1e-12 17.1172 17.1172
+15.1228 1e-12 15.1228 15.1228
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.126858 0.018073 0.126858 0.126858
+0.097063 0.0145151 0.097063 0.097063
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.129392 0.0114225 0.129392 0.129392
+0.159867 0.01418 0.159867 0.159867
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.146487 0.0182838 0.146487 0.146487
+0.037405 0.0182838 0.037405 0.037405
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.106127 0.0146517 0.106127 0.106127
+0.109502 0.0146517 0.109502 0.109502
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.376787 0.0156359 0.376787 0.376787
+0.495123 0.0156359 0.495123 0.495123
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-1.7813 0.0193802 1.7813 1.7813
+1.93766 0.0193802 1.93766 1.93766
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.124915 0.0148255 0.124915 0.124915
+0.126727 0.0148255 0.126727 0.126727
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.376067 0.0271712 0.376067 0.376067
+0.376638 0.0271712 0.376638 0.376638
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.24276 0.0669926 0.24276 0.24276
+0.245033 0.0669926 0.245033 0.245033
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.478678 0.0211407 0.478678 0.478678
+0.484287 0.0211407 0.484287 0.484287
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-17.1172 1.92222e-05 17.1172 17.1172
+15.1228 1.92222e-05 15.1228 15.1228
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.126858 0.000166884 0.126858 0.126858
+0.097063 0.000166774 0.097063 0.097063
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.129392 0.000191512 0.129392 0.129392
+0.159867 0.000190135 0.159867 0.159867
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.146487 0.147173 0.146487 0.146487
+0.037405 0.147173 0.037405 0.037405
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.106127 0.0267271 0.106127 0.106127
+0.109502 0.0267271 0.109502 0.109502
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.376787 0.00570616 0.376787 0.376787
+0.495123 0.00570616 0.495123 0.495123
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-1.7813 0.0010972 1.7813 1.7813
+1.93766 0.0010972 1.93766 1.93766
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.124915 0.0267271 0.124915 0.124915
+0.126727 0.0267271 0.126727 0.126727
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.376067 0.0267271 0.376067 0.376067
+0.376638 0.0267271 0.376638 0.376638
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.24276 0.284647 0.24276 0.24276
+0.245033 0.284647 0.245033 0.245033
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.478678 0.000277861 0.478678 0.478678
+0.484287 0.000277861 0.484287 0.484287
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-17.1172 0.000611135 17.1172 17.1172
+15.1228 0.000611135 15.1228 15.1228
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -181,8 +181,8 @@ set title "energy gained, J" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.0672282:213.992]
+set format x "10^{%T}"
+set xrange [0.0218178:298.475]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -193,23 +193,21 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.105668, graph 0.0355477 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.10812, graph 0.0937373 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.123506, graph 0.140289 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0965636, graph 0.0588235 to graph 0.123506, graph 0.140289 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.0835457, graph 0.186841 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0566038, graph 0.0588235 to graph 0.0835457, graph 0.186841 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.240638, graph 0.140289 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.213696, graph 0.0588235 to graph 0.240638, graph 0.140289 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.433236, graph 0.0588235 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.103755, graph 0.233392 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.0768127, graph 0.0588235 to graph 0.103755, graph 0.233392 nohead lw 0.6 lc rgb '#e69f00'
-set label "pgs:50" at graph 0.240401, graph 0.186841 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.213459, graph 0.0588235 to graph 0.240401, graph 0.186841 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.270313, graph 0.233392 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.243371, graph 0.0588235 to graph 0.270313, graph 0.233392 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.18367, graph 0.0355477 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.236064, graph 0.0937373 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.0835457, graph 0.0937373 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0301894, graph 0.0355477 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.354764, graph 0.140289 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.327822, graph 0.0588235 to graph 0.354764, graph 0.140289 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.49803, graph 0.0471856 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.211671, graph 0.140289 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.184729, graph 0.0588235 to graph 0.211671, graph 0.140289 nohead lw 0.6 lc rgb '#e69f00'
+set label "pgs:50" at graph 0.326043, graph 0.186841 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.299102, graph 0.0588235 to graph 0.326043, graph 0.186841 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.0291368, graph 0.186841 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.325498, graph 0.0588235 to graph 0.298556, graph 0.186841 nohead lw 0.6 lc rgb '#555555'
 set label "lemke (cut)" at graph 0.713778, graph 0.0588235 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.186134, graph 0.958535 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.280904, graph 0.958535 left front noenhanced textcolor rgb '#555555'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -229,8 +227,8 @@ set title "deepest overlap, m" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.0672282:213.992]
+set format x "10^{%T}"
+set xrange [0.0218178:298.475]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -242,24 +240,21 @@ unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.0709506 left front noenhanced textcolor rgb '#999999'
-set label "delassus:1e-3" at graph 0.10812, graph 0.76444 left front noenhanced textcolor rgb '#0060a8'
-set label "si:50" at graph 0.0835457, graph 0.849662 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0566038, graph 0.791472 to graph 0.0835457, graph 0.849662 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.103755, graph 0.711287 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.0768127, graph 0.792752 to graph 0.103755, graph 0.711287 nohead lw 0.6 lc rgb '#e69f00'
-set label "si:200" at graph 0.240638, graph 0.85672 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.213696, graph 0.79853 to graph 0.240638, graph 0.85672 nohead lw 0.6 lc rgb '#d55e00'
-set label "delassus" at graph 0.105668, graph 0.907361 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0787263, graph 0.814258 to graph 0.105668, graph 0.907361 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:10" at graph 0.123506, graph 0.664224 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0965636, graph 0.815517 to graph 0.123506, graph 0.664224 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.433236, graph 0.82184 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.270313, graph 0.7149 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.243371, graph 0.83128 to graph 0.270313, graph 0.7149 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:50" at graph 0.240401, graph 0.963269 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.213459, graph 0.858527 to graph 0.240401, graph 0.963269 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.186134, graph 0.607369 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.159192, graph 0.956507 to graph 0.186134, graph 0.607369 nohead lw 0.6 lc rgb '#555555'
+set label "delassus:1e-3" at graph 0.236064, graph 0.764643 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.18367, graph 0.70899 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.156728, graph 0.790455 to graph 0.18367, graph 0.70899 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:50" at graph 0.0301894, graph 0.791472 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0230776, graph 0.839304 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.184729, graph 0.792752 to graph 0.157787, graph 0.839304 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:200" at graph 0.16617, graph 0.821806 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.0835457, graph 0.896982 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0566038, graph 0.815517 to graph 0.0835457, graph 0.896982 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.49803, graph 0.82184 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.35244, graph 0.877831 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.325498, graph 0.83128 to graph 0.35244, graph 0.877831 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:50" at graph 0.326043, graph 0.928355 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.299102, graph 0.858527 to graph 0.326043, graph 0.928355 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.0698593, graph 0.956507 left front noenhanced textcolor rgb '#555555'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -279,8 +274,8 @@ set title "joints pulled apart, m" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "%g"
-set xrange [0.0672282:213.992]
+set format x "10^{%T}"
+set xrange [0.0218178:298.475]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -291,19 +286,19 @@ set ylabel "joints pulled apart, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.105668, graph 0.0556034 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.10812, graph 0.140377 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0811785, graph 0.070549 to graph 0.10812, graph 0.140377 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.270313, graph 0.192422 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.243371, graph 0.110957 to graph 0.270313, graph 0.192422 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.18367, graph 0.0438944 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.236064, graph 0.139593 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.209122, graph 0.0697658 to graph 0.236064, graph 0.139593 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.35244, graph 0.192422 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.325498, graph 0.110957 to graph 0.35244, graph 0.192422 nohead lw 0.6 lc rgb '#555555'
 set label "lemke (cut)" at graph 0.713778, graph 0.196534 left front noenhanced textcolor rgb '#999999'
-set label "si:1000" at graph 0.433236, graph 0.260072 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.240638, graph 0.439086 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0835457, graph 0.641652 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.103755, graph 0.571824 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.240401, graph 0.606738 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:10" at graph 0.123506, graph 0.791957 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.186134, graph 0.863577 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.49803, graph 0.260072 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.354764, graph 0.439086 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.0301894, graph 0.606738 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.211671, graph 0.641652 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.326043, graph 0.5951 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:10" at graph 0.0835457, graph 0.791957 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.280904, graph 0.863577 left front noenhanced textcolor rgb '#555555'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.081511 1e-12 0.081511 0.081511
+0.058236 1e-12 0.058236 0.058236
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.701919 2.3341e-05 0.701919 0.701919
+0.654168 1.81725e-05 0.654168 0.654168
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.140568 0.00743872 0.140568 0.140568
+0.140728 0.00743872 0.140728 0.140728
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.532869 0.00478727 0.532869 0.532869
+0.551767 0.00478727 0.551767 0.551767
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-2.00285 0.0019517 2.00285 2.00285
+2.02745 0.0019517 2.02745 2.02745
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-9.93975 0.000311285 9.93975 9.93975
+9.96904 0.000311285 9.96904 9.96904
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.811581 0.0295384 0.811581 0.811581
+0.800835 0.0295384 0.800835 0.800835
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.194959 0.0259801 0.194959 0.194959
+0.251662 0.0259801 0.251662 0.251662
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.809318 0.0140686 0.809318 0.809318
+0.798121 0.0140686 0.798121 0.798121
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-8.07796 0.00467153 8.07796 8.07796
+7.71851 0.00467153 7.71851 7.71851
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-1.59623 0.00743872 1.59623 1.59623
+1.63322 0.00743872 1.63322 1.63322
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-57.5909 1.22696e-05 57.5909 57.5909
+58.1636 1.22696e-05 58.1636 58.1636
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-974.181 0.00546619 974.181 974.181
+992.111 0.00546619 992.111 992.111
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.081511 1e-12 0.081511 0.081511
+0.058236 1e-12 0.058236 0.058236
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.701919 9.93687e-07 0.701919 0.701919
+0.654168 8.73685e-07 0.654168 0.654168
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.140568 0.00193605 0.140568 0.140568
+0.140728 0.00193605 0.140728 0.140728
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.532869 0.000123043 0.532869 0.532869
+0.551767 0.000123043 0.551767 0.551767
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-2.00285 1.20872e-05 2.00285 2.00285
+2.02745 1.20872e-05 2.02745 2.02745
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-9.93975 1.6582e-06 9.93975 9.93975
+9.96904 1.6582e-06 9.96904 9.96904
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.811581 0.00349947 0.811581 0.811581
+0.800835 0.00349947 0.800835 0.800835
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.194959 0.0041112 0.194959 0.194959
+0.251662 0.0041112 0.251662 0.251662
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.809318 0.00735095 0.809318 0.809318
+0.798121 0.00735095 0.798121 0.798121
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-8.07796 0.000115843 8.07796 8.07796
+7.71851 0.000115843 7.71851 7.71851
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-1.59623 0.00193605 1.59623 1.59623
+1.63322 0.00193605 1.63322 1.63322
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-57.5909 1.85382e-06 57.5909 57.5909
+58.1636 1.85382e-06 58.1636 58.1636
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-974.181 0.00193605 974.181 974.181
+992.111 0.00193605 992.111 992.111
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.081511 1e-12 0.081511 0.081511
+0.058236 1e-12 0.058236 0.058236
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.701919 3.6903e-05 0.701919 0.701919
+0.654168 2.74821e-05 0.654168 0.654168
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.140568 0.000915652 0.140568 0.140568
+0.140728 0.000915652 0.140728 0.140728
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.532869 0.000346473 0.532869 0.532869
+0.551767 0.000346473 0.551767 0.551767
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-2.00285 7.95587e-05 2.00285 2.00285
+2.02745 7.95587e-05 2.02745 2.02745
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-9.93975 1.19033e-05 9.93975 9.93975
+9.96904 1.19033e-05 9.96904 9.96904
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.811581 0.00357685 0.811581 0.811581
+0.800835 0.00357685 0.800835 0.800835
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.194959 0.0251522 0.194959 0.194959
+0.251662 0.0251522 0.251662 0.251662
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.809318 0.159299 0.809318 0.809318
+0.798121 0.159299 0.798121 0.798121
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-8.07796 0.000334435 8.07796 8.07796
+7.71851 0.000334435 7.71851 7.71851
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-1.59623 0.000915652 1.59623 1.59623
+1.63322 0.000915652 1.63322 1.63322
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-57.5909 1e-12 57.5909 57.5909
+58.1636 1e-12 58.1636 58.1636
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-974.181 1e-12 974.181 974.181
+992.111 1e-12 992.111 992.111
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0350757:103448]
+set xrange [0.0242748:125643]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -224,23 +224,23 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6 (cut)" at graph 0.523926, graph 0.674069 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.228076, graph 0.708981 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.405996, graph 0.791097 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.29846, graph 0.857534 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.392073, graph 0.912397 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.0434378, graph 0.878369 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6 (cut)" at graph 0.530294, graph 0.674069 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.24001, graph 0.723198 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.416204, graph 0.791097 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.31318, graph 0.857534 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.399653, graph 0.912397 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.0628561, graph 0.878369 left front noenhanced textcolor rgb '#d55e00'
 set label "lemke (cut)" at graph 0.713778, graph 0.894807 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.120127, graph 0.824493 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.093185, graph 0.905958 to graph 0.120127, graph 0.824493 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.283227, graph 0.964148 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.256285, graph 0.905958 to graph 0.283227, graph 0.964148 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.0265882, graph 0.975573 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.210691, graph 0.929021 to graph 0.183749, graph 0.975573 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.142084, graph 0.776651 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.115142, graph 0.95122 to graph 0.142084, graph 0.776651 nohead lw 0.6 lc rgb '#009e73'
-set label "si2:50" at graph 0.0492272, graph 0.723107 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.210879, graph 0.955866 to graph 0.183937, graph 0.723107 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:10" at graph 0.140619, graph 0.824493 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.113677, graph 0.905958 to graph 0.140619, graph 0.824493 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.299193, graph 0.964148 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.272251, graph 0.905958 to graph 0.299193, graph 0.964148 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.0418303, graph 0.975573 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.225934, graph 0.929021 to graph 0.198992, graph 0.975573 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.178218, graph 0.776651 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.151276, graph 0.95122 to graph 0.178218, graph 0.776651 nohead lw 0.6 lc rgb '#009e73'
+set label "si2:50" at graph 0.0645015, graph 0.723107 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.226153, graph 0.955866 to graph 0.199211, graph 0.723107 nohead lw 0.6 lc rgb '#e69f00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -263,7 +263,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0350757:103448]
+set xrange [0.0242748:125643]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -275,21 +275,21 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0909091 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.228076, graph 0.624476 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.194951, graph 0.679607 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6 (cut)" at graph 0.523926, graph 0.660733 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.29846, graph 0.734757 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.392073, graph 0.823988 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.20958, graph 0.826369 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.120127, graph 0.935174 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.283227, graph 0.935174 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.24001, graph 0.631032 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000" at graph 0.205159, graph 0.679607 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6 (cut)" at graph 0.530294, graph 0.684009 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.31318, graph 0.734757 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.399653, graph 0.823988 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.228998, graph 0.826369 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.140619, graph 0.935174 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.299193, graph 0.935174 left front noenhanced textcolor rgb '#555555'
 set label "lemke (cut)" at graph 0.713778, graph 0.935174 left front noenhanced textcolor rgb '#999999'
-set label "si2:50" at graph 0.237821, graph 0.87708 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.210879, graph 0.958546 to graph 0.237821, graph 0.87708 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.142084, graph 0.569217 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.115142, graph 0.964906 to graph 0.142084, graph 0.569217 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.0265882, graph 0.883621 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.210691, graph 0.987849 to graph 0.183749, graph 0.883621 nohead lw 0.6 lc rgb '#009e73'
+set label "si2:50" at graph 0.253095, graph 0.87708 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.226153, graph 0.958546 to graph 0.253095, graph 0.87708 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.178218, graph 0.580854 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.151276, graph 0.964906 to graph 0.178218, graph 0.580854 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.0418303, graph 0.883621 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.225934, graph 0.987849 to graph 0.198992, graph 0.883621 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -312,7 +312,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0350757:103448]
+set xrange [0.0242748:125643]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -324,20 +324,20 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6 (cut)" at graph 0.523926, graph 0.100199 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.530294, graph 0.100199 left front noenhanced textcolor rgb '#555555'
 set label "lemke (cut)" at graph 0.713778, graph 0.0536472 left front noenhanced textcolor rgb '#999999'
-set label "si:1000" at graph 0.405996, graph 0.621205 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.228076, graph 0.565901 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.201134, graph 0.659005 to graph 0.228076, graph 0.565901 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:200" at graph 0.29846, graph 0.684668 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.392073, graph 0.732639 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.20958, graph 0.733821 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.120127, graph 0.836115 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.093185, graph 0.766287 to graph 0.120127, graph 0.836115 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.283227, graph 0.789563 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.237821, graph 0.846722 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.142084, graph 0.900243 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.237633, graph 0.95027 left front noenhanced textcolor rgb '#009e73'
+set label "si:1000" at graph 0.416204, graph 0.621205 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.24001, graph 0.567692 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.213068, graph 0.649158 to graph 0.24001, graph 0.567692 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:200" at graph 0.31318, graph 0.684668 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.399653, graph 0.732639 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.228998, graph 0.733821 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.140619, graph 0.836115 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.113677, graph 0.766287 to graph 0.140619, graph 0.836115 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.299193, graph 0.789563 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.253095, graph 0.846722 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.178218, graph 0.900243 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.252875, graph 0.95027 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-16.3215 1e-12 16.3215 16.3215
+16.2157 1e-12 16.2157 16.2157
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-15.3232 1e-12 15.3232 15.3232
+14.295 1e-12 14.295 14.295
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-2.00834 1e-12 2.00834 2.00834
+1.65264 1e-12 1.65264 1.65264
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-5.62404 1e-12 5.62404 5.62404
+4.81673 1e-12 4.81673 4.81673
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-16.0855 1e-12 16.0855 16.0855
+16.178 1e-12 16.178 16.178
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-59.1206 1e-12 59.1206 59.1206
+60.411 1e-12 60.411 60.411
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-6.202 1e-12 6.202 6.202
+5.92711 1e-12 5.92711 5.92711
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-3.18963 1e-12 3.18963 3.18963
+2.12838 1e-12 2.12838 2.12838
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-6.70913 1e-12 6.70913 6.70913
+6.45782 1e-12 6.45782 6.45782
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-80.0013 1e-12 80.0013 80.0013
+80.9707 1e-12 80.9707 80.9707
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-28.7921 1e-12 28.7921 28.7921
+13.0316 1e-12 13.0316 13.0316
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-13.476 1e-12 13.476 13.476
+13.0591 1e-12 13.0591 13.0591
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-4.6279 1e-12 4.6279 4.6279
+4.84247 1e-12 4.84247 4.84247
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-16.3215 0.0903329 16.3215 16.3215
+16.2157 0.0903329 16.2157 16.2157
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-15.3232 0.0903349 15.3232 15.3232
+14.295 0.0903349 14.295 14.295
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-2.00834 0.0596164 2.00834 2.00834
+1.65264 0.0596164 1.65264 1.65264
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-5.62404 0.0785919 5.62404 5.62404
+4.81673 0.0785919 4.81673 4.81673
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-16.0855 0.0821982 16.0855 16.0855
+16.178 0.0821982 16.178 16.178
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-59.1206 0.0821606 59.1206 59.1206
+60.411 0.0821606 60.411 60.411
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-6.202 0.086607 6.202 6.202
+5.92711 0.086607 5.92711 5.92711
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-3.18963 0.0606733 3.18963 3.18963
+2.12838 0.0606733 2.12838 2.12838
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-6.70913 0.080631 6.70913 6.70913
+6.45782 0.080631 6.45782 6.45782
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-80.0013 0.0864095 80.0013 80.0013
+80.9707 0.0864095 80.9707 80.9707
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-28.7921 0.0575464 28.7921 28.7921
+13.0316 0.047843 13.0316 13.0316
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-13.476 0.047836 13.476 13.476
+13.0591 0.047836 13.0591 13.0591
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-4.6279 1e-12 4.6279 4.6279
+4.84247 1e-12 4.84247 4.84247
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-16.3215 1e-12 16.3215 16.3215
+16.2157 1e-12 16.2157 16.2157
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-15.3232 0.0821081 15.3232 15.3232
+14.295 0.0888999 14.295 14.295
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-2.00834 0.0127214 2.00834 2.00834
+1.65264 0.0127214 1.65264 1.65264
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-5.62404 0.0203721 5.62404 5.62404
+4.81673 0.0203721 4.81673 4.81673
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-16.0855 0.0325035 16.0855 16.0855
+16.178 0.0325035 16.178 16.178
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-59.1206 1e-12 59.1206 59.1206
+60.411 1e-12 60.411 60.411
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-6.202 0.0139113 6.202 6.202
+5.92711 0.0139113 5.92711 5.92711
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-3.18963 0.0145098 3.18963 3.18963
+2.12838 0.0145098 2.12838 2.12838
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-6.70913 0.0845091 6.70913 6.70913
+6.45782 0.0845091 6.45782 6.45782
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-80.0013 1e-12 80.0013 80.0013
+80.9707 1e-12 80.9707 80.9707
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-28.7921 1e-12 28.7921 28.7921
+13.0316 1e-12 13.0316 13.0316
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-13.476 1e-12 13.476 13.476
+13.0591 1e-12 13.0591 13.0591
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-4.6279 1e-12 4.6279 4.6279
+4.84247 1e-12 4.84247 4.84247
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.42694:598.005]
+set xrange [1.15188:677.656]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -223,26 +223,26 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus (cut)" at graph 0.43054, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3 (cut)" at graph 0.420087, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus (cut)" at graph 0.441633, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3 (cut)" at graph 0.421864, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.254087, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.239534, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000 (cut)" at graph 0.643703, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.616761, graph 0.5 to graph 0.643703, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.0816944, graph 0.534914 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.160159, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.133217, graph 0.5 to graph 0.160159, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.283305, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.256363, graph 0.5 to graph 0.283305, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50 (cut)" at graph 0.370493, graph 0.418534 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.666854, graph 0.5 to graph 0.639912, graph 0.418534 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.524546, graph 0.593103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.497604, graph 0.5 to graph 0.524546, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6 (cut)" at graph 0.398812, graph 0.371983 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.37187, graph 0.5 to graph 0.398812, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
-set label "lemke (cut)" at graph 0.221801, graph 0.639655 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.194859, graph 0.5 to graph 0.221801, graph 0.639655 nohead lw 0.6 lc rgb '#999999'
+set label "si:50" at graph 0.251286, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.252674, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000 (cut)" at graph 0.647865, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.620923, graph 0.5 to graph 0.647865, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.0952214, graph 0.534914 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.123216, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0962745, graph 0.5 to graph 0.123216, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.297262, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.27032, graph 0.5 to graph 0.297262, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50 (cut)" at graph 0.693796, graph 0.593103 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.666854, graph 0.5 to graph 0.693796, graph 0.593103 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.0615994, graph 0.593103 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.380412, graph 0.5 to graph 0.35347, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.407685, graph 0.371983 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.380743, graph 0.5 to graph 0.407685, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.252122, graph 0.639655 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.22518, graph 0.5 to graph 0.252122, graph 0.639655 nohead lw 0.6 lc rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -265,7 +265,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.42694:598.005]
+set xrange [1.15188:677.656]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -276,28 +276,25 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke (cut)" at graph 0.221801, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "dantzig:1e-6 (cut)" at graph 0.398812, graph 0.875167 left front noenhanced textcolor rgb '#555555'
-set label "dantzig (cut)" at graph 0.524546, graph 0.951168 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.497604, graph 0.904617 to graph 0.524546, graph 0.951168 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.0835457, graph 0.882521 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.160159, graph 0.952936 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.133217, graph 0.906384 to graph 0.160159, graph 0.952936 nohead lw 0.6 lc rgb '#009e73'
-set label "si:50" at graph 0.254087, graph 0.891753 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.0722598, graph 0.834419 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.256363, graph 0.915885 to graph 0.229421, graph 0.834419 nohead lw 0.6 lc rgb '#009e73'
-set label "si:1000 (cut)" at graph 0.643703, graph 0.823409 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.616761, graph 0.916513 to graph 0.643703, graph 0.823409 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.239534, graph 0.835062 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.401186, graph 0.916528 to graph 0.374244, graph 0.835062 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50 (cut)" at graph 0.370493, graph 0.778542 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.666854, graph 0.918197 to graph 0.639912, graph 0.778542 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si2:50" at graph 0.0816944, graph 0.778618 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.243346, graph 0.918273 to graph 0.216404, graph 0.778618 nohead lw 0.6 lc rgb '#e69f00'
-set label "delassus (cut)" at graph 0.43054, graph 0.721836 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.403598, graph 0.91968 to graph 0.43054, graph 0.721836 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus:1e-3 (cut)" at graph 0.420087, graph 0.663647 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.393145, graph 0.919681 to graph 0.420087, graph 0.663647 nohead lw 0.6 lc rgb '#0060a8'
+set label "lemke (cut)" at graph 0.252122, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
+set label "dantzig:1e-6 (cut)" at graph 0.407685, graph 0.886805 left front noenhanced textcolor rgb '#555555'
+set label "dantzig (cut)" at graph 0.0615994, graph 0.875172 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.0835457, graph 0.940711 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.123216, graph 0.824919 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0962745, graph 0.906384 to graph 0.123216, graph 0.824919 nohead lw 0.6 lc rgb '#009e73'
+set label "si:50" at graph 0.251286, graph 0.949943 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.297262, graph 0.822781 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.27032, graph 0.915885 to graph 0.297262, graph 0.822781 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000 (cut)" at graph 0.647865, graph 0.951426 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.441268, graph 0.939804 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.693796, graph 0.836732 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.666854, graph 0.918197 to graph 0.693796, graph 0.836732 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si2:50" at graph 0.283815, graph 0.76698 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.256873, graph 0.918273 to graph 0.283815, graph 0.76698 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus (cut)" at graph 0.441633, graph 0.768387 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.414691, graph 0.91968 to graph 0.441633, graph 0.768387 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus:1e-3 (cut)" at graph 0.421864, graph 0.710198 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.394922, graph 0.919681 to graph 0.421864, graph 0.710198 nohead lw 0.6 lc rgb '#0060a8'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -320,7 +317,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.42694:598.005]
+set xrange [1.15188:677.656]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -331,23 +328,22 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus (cut)" at graph 0.43054, graph 0.100199 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000 (cut)" at graph 0.643703, graph 0.0536472 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus (cut)" at graph 0.441633, graph 0.100199 left front noenhanced textcolor rgb '#0060a8'
+set label "si:1000 (cut)" at graph 0.647865, graph 0.0536472 left front noenhanced textcolor rgb '#d55e00'
 set label "pgs:50 (cut)" at graph 0.370493, graph 0.0536472 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.524546, graph 0.158389 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.497604, graph 0.0769231 to graph 0.524546, graph 0.158389 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6 (cut)" at graph 0.398812, graph 0.20494 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.37187, graph 0.0769231 to graph 0.398812, graph 0.20494 nohead lw 0.6 lc rgb '#555555'
-set label "lemke (cut)" at graph 0.221801, graph 0.158389 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.194859, graph 0.0769231 to graph 0.221801, graph 0.158389 nohead lw 0.6 lc rgb '#999999'
+set label "dantzig (cut)" at graph 0.0615994, graph 0.100199 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.407685, graph 0.158389 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.380743, graph 0.0769231 to graph 0.407685, graph 0.158389 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.252122, graph 0.20494 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.22518, graph 0.0769231 to graph 0.252122, graph 0.20494 nohead lw 0.6 lc rgb '#999999'
 set label "si:10" at graph 0.0835457, graph 0.830919 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.270288, graph 0.857182 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.160159, graph 0.777124 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.133217, graph 0.858589 to graph 0.160159, graph 0.777124 nohead lw 0.6 lc rgb '#009e73'
-set label "si:50" at graph 0.0879453, graph 0.893202 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.428127, graph 0.885533 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3 (cut)" at graph 0.420087, graph 0.939767 left front noenhanced textcolor rgb '#0060a8'
-set label "nncg:50" at graph 0.0722598, graph 0.94073 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.283815, graph 0.857182 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.123216, graph 0.893503 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.251286, graph 0.800098 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.224345, graph 0.869926 to graph 0.251286, graph 0.800098 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.441268, graph 0.885533 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.0862167, graph 0.94073 left front noenhanced textcolor rgb '#009e73'
+set label "delassus:1e-3 (cut)" at graph 0.421864, graph 0.942422 left front noenhanced textcolor rgb '#0060a8'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,182 +2,182 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.239304 1e-12 0.239304 0.239304
+0.238884 1e-12 0.238884 0.238884
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-6.50155 0.000501198 6.50155 6.50155
+0.238964 1e-12 0.238964 0.238964
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.58084 0.0438397 0.58084 0.58084
+0.585316 0.0438397 0.585316 0.585316
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-2.13766 0.0105485 2.13766 2.13766
+2.13943 0.0105485 2.13943 2.13943
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-7.96382 0.00659824 7.96382 7.96382
+7.92509 0.00659824 7.92509 7.92509
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-38.7073 0.00107991 38.7073 38.7073
+39.4917 0.00100188 39.4917 39.4917
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-3.28119 0.0199257 3.28119 3.28119
+4.07008 0.0199257 4.07008 4.07008
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.753294 0.0231155 0.753294 0.753294
+1.01935 0.0231155 1.01935 1.01935
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-3.10177 0.0149387 3.10177 3.10177
+3.15881 0.0149387 3.15881 3.15881
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-113.571 0.0037179 113.571 113.571
+110.669 0.0037179 110.669 110.669
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-69.946 0.0228851 69.946 69.946
+72.2477 0.0228851 72.2477 72.2477
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-6656.6 3.27933e-06 6656.6 6656.6
+6826.49 3.27933e-06 6826.49 6826.49
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.239304 1e-12 0.239304 0.239304
+0.238884 1e-12 0.238884 0.238884
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-6.50155 0.00110163 6.50155 6.50155
+0.238964 1e-12 0.238964 0.238964
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.58084 0.00529454 0.58084 0.58084
+0.585316 0.00529454 0.585316 0.585316
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-2.13766 0.000600495 2.13766 2.13766
+2.13943 0.000600495 2.13943 2.13943
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-7.96382 0.00158638 7.96382 7.96382
+7.92509 0.00158638 7.92509 7.92509
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-38.7073 5.61565e-06 38.7073 38.7073
+39.4917 5.61565e-06 39.4917 39.4917
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-3.28119 0.00400995 3.28119 3.28119
+4.07008 0.00400995 4.07008 4.07008
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.753294 0.00505557 0.753294 0.753294
+1.01935 0.00505557 1.01935 1.01935
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-3.10177 0.00532771 3.10177 3.10177
+3.15881 0.00532771 3.15881 3.15881
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-113.571 0.000547417 113.571 113.571
+110.669 0.000547417 110.669 110.669
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-69.946 0.00501571 69.946 69.946
+72.2477 0.00501571 72.2477 72.2477
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-6656.6 1e-12 6656.6 6656.6
+6826.49 1e-12 6826.49 6826.49
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.239304 1e-12 0.239304 0.239304
+0.238884 1e-12 0.238884 0.238884
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-6.50155 0.000467322 6.50155 6.50155
+0.238964 1e-12 0.238964 0.238964
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.58084 0.00394506 0.58084 0.58084
+0.585316 0.00394506 0.585316 0.585316
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-2.13766 0.000987845 2.13766 2.13766
+2.13943 0.000987845 2.13943 2.13943
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-7.96382 0.000209218 7.96382 7.96382
+7.92509 0.000209218 7.92509 7.92509
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-38.7073 2.27686e-05 38.7073 38.7073
+39.4917 2.54624e-05 39.4917 39.4917
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-3.28119 0.00328214 3.28119 3.28119
+4.07008 0.00328214 4.07008 4.07008
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.753294 0.00685518 0.753294 0.753294
+1.01935 0.00685518 1.01935 1.01935
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-3.10177 0.105036 3.10177 3.10177
+3.15881 0.105036 3.15881 3.15881
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-113.571 1e-12 113.571 113.571
+110.669 1e-12 110.669 110.669
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-69.946 1e-12 69.946 69.946
+72.2477 1e-12 72.2477 72.2477
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-6656.6 1e-12 6656.6 6656.6
+6826.49 1e-12 6826.49 6826.49
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -197,7 +197,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0734395:8.49746e+07]
+set xrange [0.0730828:8.93408e+07]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -209,23 +209,23 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835617, graph 0.129885 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566198, graph 0.0833333 to graph 0.0835617, graph 0.129885 nohead lw 0.6 lc rgb '#0060a8'
 set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.626315 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.241773, graph 0.808334 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000 (cut)" at graph 0.327257, graph 0.905943 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.300315, graph 0.836116 to graph 0.327257, graph 0.905943 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50 (cut)" at graph 0.0555322, graph 0.86922 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.251494, graph 0.971447 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.224552, graph 0.901619 to graph 0.251494, graph 0.971447 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.0223306, graph 0.918599 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.20631, graph 0.756624 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.179368, graph 0.931193 to graph 0.20631, graph 0.756624 nohead lw 0.6 lc rgb '#009e73'
-set label "si2:50" at graph 0.0204113, graph 0.813601 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.182063, graph 0.941618 to graph 0.155121, graph 0.813601 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig (cut)" at graph 0.35561, graph 0.702233 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.328668, graph 0.946629 to graph 0.35561, graph 0.702233 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.138494, graph 0.702595 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.111552, graph 0.946992 to graph 0.138494, graph 0.702595 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.126036, graph 0.970156 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000 (cut)" at graph 0.327659, graph 0.833401 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.376907, graph 0.880858 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.0623097, graph 0.889981 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.18832, graph 0.965151 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.161378, graph 0.918599 to graph 0.18832, graph 0.965151 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:50" at graph 0.206943, graph 0.7799 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.180001, graph 0.931193 to graph 0.206943, graph 0.7799 nohead lw 0.6 lc rgb '#009e73'
+set label "si2:50" at graph 0.0304627, graph 0.836876 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.192114, graph 0.941618 to graph 0.165172, graph 0.836876 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig (cut)" at graph 0.356526, graph 0.946629 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.152889, graph 0.725871 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.125947, graph 0.946992 to graph 0.152889, graph 0.725871 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.126375, graph 0.679207 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0994335, graph 0.970156 to graph 0.126375, graph 0.679207 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -247,7 +247,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0734395:8.49746e+07]
+set xrange [0.0730828:8.93408e+07]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -259,22 +259,22 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0909091 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835617, graph 0.137461 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566198, graph 0.0909091 to graph 0.0835617, graph 0.137461 nohead lw 0.6 lc rgb '#0060a8'
 set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.0909091 left front noenhanced textcolor rgb '#555555'
-set label "si:1000 (cut)" at graph 0.327257, graph 0.704491 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50 (cut)" at graph 0.378835, graph 0.885302 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.188473, graph 0.888955 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.241773, graph 0.936188 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.0629, graph 0.938948 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0204113, graph 0.882456 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.182063, graph 0.963922 to graph 0.155121, graph 0.882456 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig (cut)" at graph 0.35561, graph 0.833102 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.328668, graph 0.972758 to graph 0.35561, graph 0.833102 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.138494, graph 0.833415 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.111552, graph 0.97307 to graph 0.138494, graph 0.833415 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.126036, graph 0.777049 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0990943, graph 0.974893 to graph 0.126036, graph 0.777049 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:50" at graph 0.20631, graph 0.649278 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.179368, graph 0.97514 to graph 0.20631, graph 0.649278 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000 (cut)" at graph 0.327659, graph 0.704491 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.376907, graph 0.885302 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.18832, graph 0.888955 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.250903, graph 0.938948 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0304627, graph 0.940646 left front noenhanced textcolor rgb '#e69f00'
+set label "dantzig (cut)" at graph 0.356526, graph 0.833102 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.329584, graph 0.972758 to graph 0.356526, graph 0.833102 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.152889, graph 0.833415 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.125947, graph 0.97307 to graph 0.152889, graph 0.833415 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.126375, graph 0.777049 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0994335, graph 0.974893 to graph 0.126375, graph 0.777049 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:50" at graph 0.206943, graph 0.649278 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.180001, graph 0.97514 to graph 0.206943, graph 0.649278 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -296,7 +296,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0734395:8.49746e+07]
+set xrange [0.0730828:8.93408e+07]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -308,21 +308,22 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "pgs:50 (cut)" at graph 0.378835, graph 0.100199 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.35561, graph 0.0536472 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.0835617, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566198, graph 0.0769231 to graph 0.0835617, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
+set label "pgs:50 (cut)" at graph 0.376907, graph 0.100199 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.356526, graph 0.0536472 left front noenhanced textcolor rgb '#555555'
 set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.158389 left front noenhanced textcolor rgb '#555555'
 set arrow from graph 0.546963, graph 0.0769231 to graph 0.573905, graph 0.158389 nohead lw 0.6 lc rgb '#555555'
-set label "si:1000 (cut)" at graph 0.327257, graph 0.642872 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.251494, graph 0.716969 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.241773, graph 0.767093 left front noenhanced textcolor rgb '#0060a8'
-set label "si:50" at graph 0.0223306, graph 0.768822 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.209005, graph 0.820573 left front noenhanced textcolor rgb '#e69f00'
-set label "si:10" at graph 0.126036, graph 0.873271 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0990943, graph 0.815081 to graph 0.126036, graph 0.873271 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.138494, graph 0.949919 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.111552, graph 0.83354 to graph 0.138494, graph 0.949919 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.20631, graph 0.587218 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.179368, graph 0.924718 to graph 0.20631, graph 0.587218 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000 (cut)" at graph 0.327659, graph 0.646608 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.250903, graph 0.716969 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.18832, graph 0.768822 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.219056, graph 0.820573 left front noenhanced textcolor rgb '#e69f00'
+set label "si:10" at graph 0.126375, graph 0.873271 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0994335, graph 0.815081 to graph 0.126375, graph 0.873271 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.152889, graph 0.949919 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.125947, graph 0.83354 to graph 0.152889, graph 0.949919 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.206943, graph 0.598856 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.180001, graph 0.924718 to graph 0.206943, graph 0.598856 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

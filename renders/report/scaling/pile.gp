@@ -1,145 +1,145 @@
 # Draws pile.svg and pile.png: gnuplot pile.gp
 $line0_0 << EOD
-2 1.1615 2 2
-19 7.20279 19 19
-60 60.355 60 60
-134 33.0057 134 134
-722 101.659 722 722
+2 1.137 2 2
+19 7.11632 19 19
+60 59.3742 60 60
+134 37.4743 134 134
+722 88.1962 722 722
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-2 1.197 2 2
-19 6.89337 19 19
-60 58.3729 60 60
-134 28.9152 134 134
-722 75.6508 722 722
+2 1.1415 2 2
+19 6.63826 19 19
+60 54.7888 60 60
+134 32.8586 134 134
+722 62.41 722 722
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-2 0.2255 2 2
-19 0.360526 19 19
-60 0.37355 60 60
-134 0.396187 134 134
-722 0.556627 722 722
-3051 0.656892 3051 3051
-10851 1.33135 10851 10851
-24829 2.91845 24829 24829
+2 0.2155 2 2
+19 0.354737 19 19
+60 0.374217 60 60
+134 0.387888 134 134
+722 0.477313 722 722
+3051 0.919542 3051 3051
+10851 1.06988 10851 10851
+24829 1.46195 24829 24829
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-2 0.2305 2 2
-19 2.35137 19 19
-60 2.4962 60 60
-134 2.80191 134 134
-722 2.71887 722 722
-3051 4.31755 3051 3051
-10851 4.36031 10851 10851
-24829 34.5044 24829 24829
+2 0.2105 2 2
+19 2.32868 19 19
+60 2.43878 60 60
+134 2.56835 134 134
+722 2.71159 722 722
+3051 3.80887 3051 3051
+10851 4.42104 10851 10851
+24829 6.13764 24829 24829
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-2 0.2405 2 2
-19 0.420105 19 19
-60 0.453183 60 60
-134 0.491246 134 134
-722 0.6774 722 722
-3051 1.08262 3051 3051
-10851 1.40342 10851 10851
-24829 7.50305 24829 24829
+2 0.2355 2 2
+19 0.417474 19 19
+60 0.45585 60 60
+134 0.471149 134 134
+722 0.734855 722 722
+3051 1.01125 3051 3051
+10851 1.27896 10851 10851
+24829 1.66249 24829 24829
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-2 0.8415 2 2
-19 1.06895 19 19
-60 1.54062 60 60
-134 2.36484 134 134
-722 14.9695 722 722
-3051 114.982 3051 3051
+2 0.876 2 2
+19 1.03468 19 19
+60 1.53745 60 60
+134 2.3928 134 134
+722 19.7226 722 722
+3051 122.622 3051 3051
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-2 0.691 2 2
-19 1.28032 19 19
-60 5.30185 60 60
-134 23.4274 134 134
-722 673.284 722 722
+2 0.6005 2 2
+19 1.29347 19 19
+60 5.30518 60 60
+134 23.3876 134 134
+722 698.219 722 722
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-2 0.6405 2 2
-19 1.26658 19 19
-60 5.44372 60 60
-134 23.6581 134 134
-722 680.944 722 722
+2 0.606 2 2
+19 1.25926 19 19
+60 5.29868 60 60
+134 23.3953 134 134
+722 717.286 722 722
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-19 15.844 19 19
-60 144.171 60 60
-134 775.726 134 134
+19 14.7977 19 19
+60 140.992 60 60
+134 754.072 134 134
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-722 5.59923 722 722
+722 5.3248 722 722
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-722 5.56237 722 722
+722 5.19373 722 722
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-3051 5.02989 3051 3051
-10851 20.5783 10851 10851
-24829 40.3374 24829 24829
+3051 5.40672 3051 3051
+10851 15.999 10851 10851
+24829 40.3538 24829 24829
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-3051 5.02989 3051 3051
-10851 20.5783 10851 10851
-24829 40.3374 24829 24829
+3051 5.40672 3051 3051
+10851 15.999 10851 10851
+24829 40.3538 24829 24829
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-3051 5.03808 3051 3051
-10851 20.6193 10851 10851
-24829 40.4398 24829 24829
+3051 5.41901 3051 3051
+10851 15.999 10851 10851
+24829 40.4603 24829 24829
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-722 35.6966 722 722
-3051 601.698 3051 3051
+722 35.6147 722 722
+3051 602.116 3051 3051
 EOD
 $marks1_5 << EOD
 EOD
 $line1_6 << EOD
-134 3.05971 134 134
-722 69.3903 722 722
+134 3.16621 134 134
+722 69.4272 722 722
 EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-134 3.05971 134 134
-722 69.3903 722 722
+134 3.16621 134 134
+722 69.4272 722 722
 EOD
 $marks1_7 << EOD
 EOD
 $line1_8 << EOD
-60 4.15744 60 60
-134 21.9832 134 134
+60 4.22298 60 60
+134 22.1348 134 134
 EOD
 $marks1_8 << EOD
 EOD
@@ -172,18 +172,18 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.366288 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.468809 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.634469 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-4" at graph 0.551021, graph 0.789531 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.531598, graph 0.719703 to graph 0.551021, graph 0.789531 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.551021, graph 0.844889 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.531598, graph 0.751786 to graph 0.551021, graph 0.844889 nohead lw 0.6 lc rgb '#0060a8'
-set label "pgs:10" at graph 0.667268, graph 0.741882 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.551021, graph 0.95705 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.551021, graph 0.900088 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.531598, graph 0.958278 to graph 0.551021, graph 0.900088 nohead lw 0.6 lc rgb '#555555'
-set label "lemke" at graph 0.415176, graph 0.972427 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.836374, graph 0.291233 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.684225, graph 0.328466 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.447 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-4" at graph 0.551021, graph 0.803555 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.531598, graph 0.698814 to graph 0.551021, graph 0.803555 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.551021, graph 0.852742 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.531598, graph 0.736362 to graph 0.551021, graph 0.852742 nohead lw 0.6 lc rgb '#0060a8'
+set label "pgs:10" at graph 0.667268, graph 0.748866 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.551021, graph 0.960998 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6" at graph 0.551021, graph 0.905733 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.531598, graph 0.963923 to graph 0.551021, graph 0.905733 nohead lw 0.6 lc rgb '#555555'
+set label "lemke" at graph 0.415176, graph 0.969353 left front noenhanced textcolor rgb '#999999'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -231,18 +231,17 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.389947, graph 0.201868 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.370524, graph 0.24842 to graph 0.389947, graph 0.201868 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.389947, graph 0.249376 left front noenhanced textcolor rgb '#0060a8'
-set label "lemke" at graph 0.17742, graph 0.447364 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.836374, graph 0.535236 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.546874 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.582155 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.535603 to graph 0.836374, graph 0.582155 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.237798, graph 0.613766 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.156868, graph 0.660318 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.370524, graph 0.613766 to graph 0.3511, graph 0.660318 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:10" at graph 0.571811, graph 0.92646 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.389947, graph 0.215217 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.221612, graph 0.242101 left front noenhanced textcolor rgb '#0060a8'
+set label "lemke" at graph 0.17742, graph 0.448358 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.836374, graph 0.535295 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.535295 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.582228 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.535676 to graph 0.836374, graph 0.582228 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.237798, graph 0.613843 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6" at graph 0.156868, graph 0.660395 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.370524, graph 0.613843 to graph 0.3511, graph 0.660395 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:10" at graph 0.571811, graph 0.92656 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \

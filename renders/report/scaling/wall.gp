@@ -1,81 +1,81 @@
 # Draws wall.svg and wall.png: gnuplot wall.gp
 $line0_0 << EOD
-4 1.90025 4 4
-8 2.14438 8 8
-44 20.5019 44 44
-240 154.147 240 240
-992 770.935 992 992
-4156 1089.03 4156 4156
+4 1.765 4 4
+8 2.07812 8 8
+44 18.6863 44 44
+240 138.673 240 240
+992 560.054 992 992
+4156 957.543 4156 4156
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 1.44725 4 4
-8 1.377 8 8
-44 12.5049 44 44
-240 13.9885 240 240
-992 14.5018 992 992
-4156 208.527 4156 4156
+4 1.3745 4 4
+8 1.3095 8 8
+44 12.3125 44 44
+240 13.9757 240 240
+992 14.2974 992 992
+4156 185.954 4156 4156
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.3505 4 4
-8 0.3255 8 8
-44 0.329818 44 44
-240 0.348808 240 240
-992 0.376797 992 992
-4156 0.409906 4156 4156
-17032 0.542327 17032 17032
-42644 0.725352 42644 42644
+4 0.35075 4 4
+8 0.32675 8 8
+44 0.331182 44 44
+240 0.356446 240 240
+992 0.37072 992 992
+4156 0.41776 4156 4156
+17032 0.549771 17032 17032
+42644 0.768525 42644 42644
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 2.4035 4 4
-8 2.23713 8 8
-44 2.24698 44 44
-240 2.51794 240 240
-992 2.73662 992 992
-4156 2.90196 4156 4156
-17032 3.58819 17032 17032
-42644 4.29481 42644 42644
+4 2.401 4 4
+8 2.24587 8 8
+44 2.25016 44 44
+240 2.54735 240 240
+992 2.71198 992 992
+4156 2.97068 4156 4156
+17032 3.14875 17032 17032
+42644 4.35136 42644 42644
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.41825 4 4
-8 0.391875 8 8
-44 0.419705 44 44
-240 0.4611 240 240
-992 0.647612 992 992
-4156 0.652952 4156 4156
-17032 0.751877 17032 17032
-42644 0.957875 42644 42644
+4 0.418 4 4
+8 0.39425 8 8
+44 0.418568 44 44
+240 0.468779 240 240
+992 0.469879 992 992
+4156 0.661198 4156 4156
+17032 0.673064 17032 17032
+42644 0.996343 42644 42644
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 1.07425 4 4
-8 0.9915 8 8
-44 2.26609 44 44
-240 5.657 240 240
-992 26.8876 992 992
-4156 163.969 4156 4156
+4 1.05425 4 4
+8 0.987625 8 8
+44 2.2497 44 44
+240 5.39315 240 240
+992 25.3914 992 992
+4156 184.667 4156 4156
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 0.716 4 4
+4 0.696 4 4
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 0.611 4 4
+4 0.60825 4 4
 8 0.651 8 8
-44 2.18595 44 44
-240 147.94 240 240
-992 7264.12 992 992
+44 2.18527 44 44
+240 144.389 240 240
+992 6631.05 992 992
 EOD
 $marks0_7 << EOD
 EOD
@@ -84,42 +84,42 @@ EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-992 4.36224 992 992
-4156 14.078 4156 4156
+992 4.14925 992 992
+4156 13.9018 4156 4156
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-992 3.45702 992 992
-4156 13.8813 4156 4156
+992 3.23584 992 992
+4156 13.7011 4156 4156
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4156 9.94509 4156 4156
-17032 31.9857 17032 17032
-42644 53.5798 42644 42644
+4156 9.94099 4156 4156
+17032 29.6182 17032 17032
+42644 54.3007 42644 42644
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4156 9.94509 4156 4156
-17032 31.9857 17032 17032
-42644 53.5798 42644 42644
+4156 9.94099 4156 4156
+17032 29.6182 17032 17032
+42644 54.3007 42644 42644
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4156 10.0024 4156 4156
-17032 32.2601 17032 17032
-42644 53.5798 42644 42644
+4156 10.068 4156 4156
+17032 29.8967 17032 17032
+42644 54.2966 42644 42644
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-240 4.48512 240 240
-992 65.8678 992 992
-4156 1119.94 4156 4156
+240 4.53018 240 240
+992 65.9292 992 992
+4156 1121.06 4156 4156
 EOD
 $marks1_5 << EOD
 EOD
@@ -128,8 +128,8 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-240 8.22886 240 240
-992 128.782 992 992
+240 8.32717 240 240
+992 128.983 992 992
 EOD
 $marks1_7 << EOD
 EOD
@@ -166,15 +166,16 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig" at graph 0.076027, graph 0.0778792 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.170983 to graph 0.076027, graph 0.0778792 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.836374, graph 0.17211 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.219538 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.326589 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:10" at graph 0.645488, graph 0.642952 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.645488, graph 0.698746 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.645488, graph 0.807408 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.528039, graph 0.972237 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.076027, graph 0.0754184 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.168522 to graph 0.076027, graph 0.0754184 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.836374, graph 0.177132 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.684225, graph 0.222958 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.327725 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:10" at graph 0.645488, graph 0.653278 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.645488, graph 0.700433 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.626065, graph 0.653881 to graph 0.645488, graph 0.700433 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.645488, graph 0.796232 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.528039, graph 0.964316 left front noenhanced textcolor rgb '#555555'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -219,15 +220,15 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.245344, graph 0.308884 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.494609, graph 0.228945 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.475186, graph 0.287135 to graph 0.494609, graph 0.228945 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:10" at graph 0.836374, graph 0.43225 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.455526 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.478802 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.43225 to graph 0.836374, graph 0.478802 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig:1e-6" at graph 0.0512482, graph 0.527464 left front noenhanced textcolor rgb '#555555'
-set label "pgs:10" at graph 0.494609, graph 0.762299 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.245344, graph 0.307465 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.494609, graph 0.227578 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.475186, graph 0.285768 to graph 0.494609, graph 0.227578 nohead lw 0.6 lc rgb '#0060a8'
+set label "nncg:10" at graph 0.836374, graph 0.433693 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.716597, graph 0.456977 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.836374, graph 0.480253 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.81695, graph 0.433701 to graph 0.836374, graph 0.480253 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.0512482, graph 0.527633 left front noenhanced textcolor rgb '#555555'
+set label "pgs:10" at graph 0.494609, graph 0.762407 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
