@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "delassus/block_inverse.h"
 #include "delassus/block_product.h"
 #include "delassus/bytes.h"
 

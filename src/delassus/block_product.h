@@ -35,14 +35,6 @@ void addProducts(const Mat36* const* A, const Mat36* const* B, int count, Mat6& 
 void addRowProducts(const double* a, const double* b, int stride, const double* weight, int count,
                     Mat6& to);
 
-/// A⁻¹, by elimination in the order of the columns, or with pivoting where that order loses digits.
-/// `isNegative`: whether det A < 0. False if A is singular or not finite.
-bool invert(const Mat6& A, Mat6& inverse, bool& isNegative);
-
-/// C⁻¹ and its transpose, for the Cholesky factor C of a symmetric A = C Cᵀ; A may be one of them.
-/// False if A is not positive definite, or not finite.
-bool invertCholesky(const Mat6& A, Mat6& inverseC, Mat6& transposed);
-
 /// Columns of blocks below the diagonal: column j has blocks[begin[j]] up to blocks[begin[j + 1]],
 /// in the rows row[…].
 struct BlockColumns {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 #include "tests/support/random_piles.h"
 #include "tests/support/turning_piles.h"
 
@@ -78,6 +81,31 @@ TEST(BodyMotion, CondensesToSomeUnknowns) {
     motion.solve(y);
     motion.relativeVelocity(y, u);
     for (int i = 0; i < 5; ++i) EXPECT_NEAR(W(i, j), u[unknowns[i]], 1e-12);
+  }
+}
+
+// More contacts of the same two bodies, and of one body with the world, than are taken together.
+TEST(BodyMotion, TakesAnyNumberOfContactsOfTheSameBodies) {
+  Random random(174);
+  for (int times = 1; times < 20; ++times) {
+    Pile pile = makeHeap(3, 0.5, random);
+    const std::vector<Contact> once = std::move(pile.contacts);
+    pile.contacts.clear();
+    for (const Contact& contact : once)
+      for (int k = 0; k < times; ++k) {
+        Contact& another = pile.contacts.emplace_back(contact);
+        another.armA += 0.1 * normalVector(3, random);
+        another.armB += 0.1 * normalVector(3, random);
+      }
+    const PileIsland island(pile);
+    BodyMotion motion;
+    motion.setProblem(island.problem);
+    const Stiffness G = randomRegion(island.problem, 0.8, random);
+    ASSERT_TRUE(motion.factorise(G));
+    const VectorXd y = normalVector(motion.size(), random);
+    VectorXd x = y;
+    motion.solve(x);
+    EXPECT_LE((x + stiffnessTimes(G, island.problem, x) - y).norm(), 1e-9 * y.norm()) << times;
   }
 }
 
