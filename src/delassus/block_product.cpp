@@ -28,8 +28,8 @@ struct Spread {
 struct SpreadColumns {
   Spread of[6];
 
-  SpreadColumns() = default;
-  DELASSUS_WIDE_INLINE explicit SpreadColumns(const Mat6& B) {
+  /// In place: they are larger than a copy is worth.
+  DELASSUS_WIDE_INLINE void take(const Mat6& B) {
     for (int k = 0; k < 6; ++k) of[k] = Spread(B.data() + 6 * k);
   }
 };
@@ -161,7 +161,8 @@ void addRowProducts(const double* a, const double* b, int stride, const double* 
 
 DELASSUS_WIDE
 void multiplyBy(const Mat6& B, Mat6* blocks, int count) {
-  const SpreadColumns columns(B);
+  SpreadColumns columns;
+  columns.take(B);
   for (int i = 0; i < count; ++i) {
     double* a = blocks[i].data();
     Four begin[6], end[6];
@@ -176,7 +177,8 @@ void multiplyBy(const Mat6& B, Mat6* blocks, int count) {
 
 DELASSUS_WIDE
 void multiplyByUpper(const Mat6& B, Mat6* blocks, int count) {
-  const SpreadColumns columns(B);
+  SpreadColumns columns;
+  columns.take(B);
   for (int i = 0; i < count; ++i) {
     // From the last column to the first: the later ones are not read again.
     double* a = blocks[i].data();
@@ -193,7 +195,7 @@ DELASSUS_WIDE
 void subtractProducts(const BlockSource* sources, int columns, const int* row, int count,
                       const int* place, Mat6* diagonal, Mat6* to) {
   SpreadColumns spread[mostSources];
-  for (int j = 0; j < columns; ++j) spread[j] = SpreadColumns(*sources[j].B);
+  for (int j = 0; j < columns; ++j) spread[j].take(*sources[j].B);
   for (int i = diagonal ? 0 : 1; i < count; ++i) {
     double* at = i == 0 ? diagonal->data() : to[place[row[i]]].data();
     Sum sum(at);
