@@ -161,11 +161,8 @@ bool invertCholesky(const Mat6& A, Mat6& inverseC, Mat6& transposed) {
   const double pivots[6] = {rows.eliminateBelow<0>(), rows.eliminateBelow<1>(),
                             rows.eliminateBelow<2>(), rows.eliminateBelow<3>(),
                             rows.eliminateBelow<4>(), rows.eliminateBelow<5>()};
-  for (int i = 0; i < 6; ++i) {
-    if (!(pivots[i] > 0)) return false;
-    rows.scale(i, 1 / std::sqrt(pivots[i]));
-  }
-  if (!rows.areFinite()) return false;
+  for (int i = 0; i < 6; ++i) rows.scale(i, 1 / std::sqrt(pivots[i]));
+  if (!rows.areFinite()) return false;  // as where a pivot is not positive
   rows.keepLower();
   rows.store(transposed.data());
   inverseC = transposed.transpose();
