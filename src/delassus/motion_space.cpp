@@ -102,29 +102,35 @@ void BodyMotion::findPairs() {
   edgeOf_.assign(pairs_.size(), none);
 }
 
-bool BodyMotion::hasRoomFor(const Stiffness& G) const {
-  for (std::size_t i = 0; i < pairOf_.size(); ++i)
-    if (pairOf_[i] != none && edgeOf_[pairOf_[i]] == none && G.contacts[i](0, 0) != 0) return false;
-  return true;
-}
-
-void BodyMotion::makeRoomFor(const Stiffness& G) {
+bool BodyMotion::hasRoomFor(const Stiffness& G) {
   // Few pairs all get room at once: one order serves all regions, and no region takes memory anew.
   constexpr std::size_t fewPairs = 20;
-  if (!hasRoom_) findPairs();
-  hasRoom_ = true;
-  const bool areFew = pairs_.size() <= fewPairs;
+  constexpr int perIdle = 10;  // coupled pairs
+  getsEdge_.assign(pairs_.size(), pairs_.size() <= fewPairs);
   for (std::size_t i = 0; i < pairOf_.size(); ++i)
-    if (pairOf_[i] != none && (areFew || G.contacts[i](0, 0) != 0)) edgeOf_[pairOf_[i]] = 0;
+    if (pairOf_[i] != none && G.contacts[i](0, 0) != 0) getsEdge_[pairOf_[i]] = true;
+  int coupled = 0, missing = 0, idle = 0;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const bool hasEdge = edgeOf_[k] != none;
+    coupled += getsEdge_[k];
+    missing += getsEdge_[k] && !hasEdge;
+    idle += !getsEdge_[k] && hasEdge;
+  }
+  if (perIdle * idle > coupled) return false;
+  for (std::size_t k = 0; k < pairs_.size(); ++k)
+    if (edgeOf_[k] != none) getsEdge_[k] = true;
+  return hasRoom_ && missing == 0;
+}
+
+void BodyMotion::makeRoom() {
   edges_.clear();
   edges_.reserve(pairs_.size() + plainRows_);
   const auto couple = [&](int a, int b) {
     if (a >= 0 && b >= 0 && a != b) edges_.push_back({a, b});
   };
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    if (edgeOf_[k] == none) continue;
-    edgeOf_[k] = static_cast<int>(edges_.size());
-    edges_.push_back(pairs_[k]);
+    edgeOf_[k] = getsEdge_[k] ? static_cast<int>(edges_.size()) : none;
+    if (getsEdge_[k]) edges_.push_back(pairs_[k]);
   }
   firstOfRows_ = static_cast<int>(edges_.size());
   for (int i = 0; i < plainRows_; ++i) couple(space_->rows[i].a, space_->rows[i].b);
@@ -135,10 +141,12 @@ void BodyMotion::makeRoomFor(const Stiffness& G) {
       for (std::size_t j = 0; j < i; ++j) couple(shares_[i].body, shares_[j].body);
   }
   factor_.analyse(space_->bodies, edges_);
+  hasRoom_ = true;
 }
 
 bool BodyMotion::factorise(const Stiffness& G) {
-  if (!hasRoom_ || !hasRoomFor(G)) makeRoomFor(G);
+  if (!hasRoom_) findPairs();
+  if (!hasRoomFor(G)) makeRoom();
   // Rounding alone can make a symmetric K indefinite: K ≥ 1.
   return (G.isSymmetric() && factorise(G, true)) || factorise(G, false);
 }

@@ -55,9 +55,9 @@ struct Stiffness {
 /// Bodies of a world: six columns per body; K is sparse, with 6x6 blocks over the body graph.
 ///
 /// Contacts that are open in a region add nothing to K, and in rubble most are open. So a pair of
-/// bodies gets blocks in the factor only once a contact of theirs has been held or has slid since
-/// the problem was set; if at most twenty pairs touch, all get them at once. In rubble such a
-/// factor takes a fifth of the work of one with blocks for all that touch.
+/// bodies gets blocks in the factor only when a contact of theirs is held or slides, and loses them
+/// when many blocks have become idle; if at most twenty pairs touch, all keep theirs. In rubble
+/// such a factor takes a fifth of the work of one with blocks for all that touch.
 class BodyMotion {
  public:
   /// Keeps pointers to the problem, which must outlive the use and stay as it is.
@@ -74,7 +74,7 @@ class BodyMotion {
   bool isDeterminantNegative() const { return factor_.isDeterminantNegative(); }
   std::size_t bytes() const {
     return factor_.bytes() +
-           bytesOf(shares_, pairs_, pairOf_, edgeOf_, edges_, blocks_, blocksBegin_);
+           bytesOf(shares_, pairs_, pairOf_, edgeOf_, getsEdge_, edges_, blocks_, blocksBegin_);
   }
 
  private:
@@ -89,10 +89,11 @@ class BodyMotion {
   bool factorise(const Stiffness& G, bool asCholesky);
   /// Numbers the pairs of bodies that touch.
   void findPairs();
-  /// Whether the factor has blocks for all pairs that G couples.
-  bool hasRoomFor(const Stiffness& G) const;
-  /// Analyses the factor for all pairs that G couples, or that were coupled before.
-  void makeRoomFor(const Stiffness& G);
+  /// Finds the pairs that are to have blocks in the factor of G: those that it couples, and others
+  /// that have some, unless these are many. Whether just these pairs have blocks.
+  bool hasRoomFor(const Stiffness& G);
+  /// Analyses the factor for these pairs.
+  void makeRoom();
   void addContacts(const Stiffness& G);
   int addRows(const Stiffness& G, int firstEdge);
   int addParts(const Stiffness& G, int firstEdge);
@@ -106,12 +107,13 @@ class BodyMotion {
   std::vector<BlockFactor::Edge> pairs_;       ///< of moving bodies that touch
   std::vector<int> pairOf_;                    ///< contact -> pair, or `none`
   std::vector<int> edgeOf_;                    ///< pair -> edge of the factor, or `none`
+  std::vector<char> getsEdge_;                 ///< pair -> whether it is to have an edge
   std::vector<BlockFactor::Edge> edges_;       ///< of pairs, then of rows, parts and disks
   int firstOfRows_ = 0;                        ///< among the edges
   std::vector<BlockFactor::RowBlock> blocks_;  ///< scratch of condense
   std::vector<int> blocksBegin_;
   BlockFactor factor_;
-  bool hasRoom_ = false;  ///< for any pair yet: many problems need no factor
+  bool hasRoom_ = false;  ///< for any region yet: many problems need no factor
 };
 
 /// Explicit W: J̃ is its pivoted Cholesky factor, with rank W columns. It leaves out the asymmetry
