@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "tests/support/bullet_world.h"
 
@@ -92,12 +94,38 @@ TEST(Contacts, WhatRoundingTellsOfADistanceIsNoGapAndNoOverlap) {
   EXPECT_NEAR(velocityFarOut(gap, 0), -gap / h, roundOff);
 }
 
-// Up to four roundings of both places, 50 m each, are no distance; more than that is one.
-TEST(Contacts, FourRoundingsOfTheirPlacesAreNoDistance) {
-  constexpr double rounding = 2 * 50 * precision;
-  EXPECT_NEAR(velocityFarOut(3 * rounding, 0), 0, 0.1 * rounding / h);
-  EXPECT_NEAR(velocityFarOut(6 * rounding, 0), -6 * rounding / h, rounding / h);
-  EXPECT_NEAR(velocityFarOut(3 * rounding, 0.1), -3 * rounding / h, rounding / h) << "it moves";
+// Up to four roundings of both places, 50 m each, are no distance, nor is a fifty-thousandth of the
+// distance at which Bullet drops a point; more than that is one.
+TEST(Contacts, NegligibleDistancesAreNone) {
+  const double dropped =
+      btSphereShape(ballRadius).getContactBreakingThreshold(gContactBreakingThreshold);
+  const double least = std::max(4 * 2 * 50 * precision, 2e-5 * dropped);
+  for (const double distance : {0.75 * least, -0.75 * least})
+    EXPECT_NEAR(velocityFarOut(distance, 0), 0, 0.01 * least / h);
+  EXPECT_NEAR(velocityFarOut(1.5 * least, 0), -1.5 * least / h, 0.25 * least / h);
+  EXPECT_NEAR(velocityFarOut(-1.5 * least, 0), 0.2 * 1.5 * least / h, 0.05 * least / h);
+  EXPECT_NEAR(velocityFarOut(0.75 * least, 0.1), -0.75 * least / h, 0.25 * least / h) << "it moves";
+}
+
+// A step takes back a fifth of each overlap. If it did so for ever, no pile with overlaps would
+// rest, and each step would take a search.
+TEST(Contacts, BodiesThatOverlapComeToRest) {
+  DelassusWorld world;
+  world.addGround();
+  std::vector<btRigidBody*> boxes;
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 3; ++row)
+      boxes.push_back(
+          &world.addCube({btScalar(0.9999 * column), btScalar(0.4999 + 0.9999 * row), 0}));
+  world.advance(60);
+  for (int step = 0; step < 10; ++step) {
+    world.advance();
+    EXPECT_EQ(world.report().regions, 0) << step;
+    for (const btRigidBody* box : boxes) {
+      EXPECT_TRUE(box->getLinearVelocity().isZero()) << step;
+      EXPECT_TRUE(box->getAngularVelocity().isZero()) << step;
+    }
+  }
 }
 
 TEST(Parity, Row09RestitutionHasAThreshold) {
@@ -201,6 +229,15 @@ TEST(Parity, Row14GlobalSoftness) {
     world.info().m_erp2 = btScalar(0.3);
   });
   EXPECT_NEAR(depth, softDepth(0.01, 0.3), resting);
+}
+
+// Soft bodies rest as deep as their law says, however little that is.
+TEST(Contacts, SoftBodiesHaveNoNegligibleDepth) {
+  if (!isDouble) GTEST_SKIP() << "float rounds places to more than that";
+  constexpr double cfm = 1e-7;
+  const double depth = restingDepth(
+      [](BulletWorld& world, btRigidBody&) { world.info().m_globalCfm = btScalar(cfm); });
+  EXPECT_NEAR(depth, softDepth(cfm, 0.2), 0.01 * softDepth(cfm, 0.2));
 }
 
 /// What the contact callback below gives to each new point.
