@@ -178,5 +178,25 @@ TEST(BodyMotion, WhatIsOpenTakesNoRoom) {
   EXPECT_LT(2 * bytes(0.03), bytes(1));
 }
 
+// Pairs that are open again give their room back: the factor is that of a motion that never held
+// them.
+TEST(BodyMotion, WhatOpensGivesItsRoomBack) {
+  Random random(175);
+  const PileIsland island(makeHeap(60, 0.5, random));
+  const Stiffness all = randomRegion(island.problem, 1, random);
+  const Stiffness few = randomRegion(island.problem, 0.2, random);
+  BodyMotion used, fresh;
+  used.setProblem(island.problem);
+  fresh.setProblem(island.problem);
+  ASSERT_TRUE(used.factorise(all));
+  ASSERT_TRUE(used.factorise(few));
+  ASSERT_TRUE(fresh.factorise(few));
+  const VectorXd y = normalVector(fresh.size(), random);
+  VectorXd a = y, b = y;
+  used.solve(a);
+  fresh.solve(b);
+  EXPECT_EQ(a, b);
+}
+
 }  // namespace
 }  // namespace delassus
