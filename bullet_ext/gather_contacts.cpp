@@ -149,7 +149,7 @@ double fillContact(const Group& group, Pair& pair, const btManifoldPoint& point,
 
   const double h = info.m_timeStep;
   const Softness soft = softnessOf(point, info);
-  const double d = distanceOf(pair, point, info, soft.cfm > 0 || pair.joined, c);
+  const double d = distanceOf(pair, point, info, soft.cfm > 0, c);
   // The push moves only rigid bodies.
   const bool split = info.m_splitImpulse && d <= info.m_splitImpulsePenetrationThreshold &&
                      !soft.own && !pair.joined && !group.isLimb(c.a) && !group.isLimb(c.b);
