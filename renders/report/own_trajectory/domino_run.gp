@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.045648 1e-12 0.045648 0.045648
+0.045667 1e-12 0.045667 0.045667
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.101521 1e-12 0.101521 0.101521
+0.102661 1e-12 0.102661 0.102661
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.053068 0.0113843 0.053068 0.053068
+0.051607 0.0113843 0.051607 0.051607
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.193306 0.00162683 0.193306 0.193306
+0.187668 0.00162683 0.187668 0.187668
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.726625 1e-12 0.726625 0.726625
+0.702049 1e-12 0.702049 0.702049
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-3.57503 1e-12 3.57503 3.57503
+3.44388 1e-12 3.44388 3.44388
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.293784 0.00162046 0.293784 0.293784
+0.281416 0.00162046 0.281416 0.281416
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.065507 0.00955586 0.065507 0.065507
+0.064286 0.00955586 0.064286 0.064286
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.261086 0.000600458 0.261086 0.261086
+0.250982 0.000600458 0.250982 0.250982
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.762048 0.00162683 0.762048 0.762048
+0.746184 0.00162683 0.746184 0.746184
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-1.71419 0.008131 1.71419 1.71419
+1.66725 0.008131 1.66725 1.66725
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-3.50157 1e-12 3.50157 3.50157
+3.41984 1e-12 3.41984 3.41984
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-1941.13 0.0113843 1941.13 1941.13
+2241.69 0.0113843 2241.69 2241.69
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.045648 0.0785152 0.045648 0.045648
+0.045667 0.0785153 0.045667 0.045667
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.101521 0.0786203 0.101521 0.101521
+0.102661 0.0786795 0.102661 0.102661
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.053068 0.0624788 0.053068 0.053068
+0.051607 0.0624788 0.051607 0.051607
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.193306 0.0810167 0.193306 0.193306
+0.187668 0.0810167 0.187668 0.187668
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.726625 0.0805158 0.726625 0.726625
+0.702049 0.0805158 0.702049 0.702049
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-3.57503 0.0665111 3.57503 3.57503
+3.44388 0.0665111 3.44388 3.44388
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.293784 0.0785494 0.293784 0.293784
+0.281416 0.0785494 0.281416 0.281416
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.065507 0.0790071 0.065507 0.065507
+0.064286 0.0790071 0.064286 0.064286
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.261086 0.0736459 0.261086 0.261086
+0.250982 0.0736459 0.250982 0.250982
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.762048 0.0756228 0.762048 0.762048
+0.746184 0.0756228 0.746184 0.746184
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-1.71419 0.0682672 1.71419 1.71419
+1.66725 0.0682672 1.66725 1.66725
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-3.50157 0.0689653 3.50157 3.50157
+3.41984 0.0689653 3.41984 3.41984
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-1941.13 4.55553e-06 1941.13 1941.13
+2241.69 4.55553e-06 2241.69 2241.69
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.045648 0.122335 0.045648 0.045648
+0.045667 0.122335 0.045667 0.045667
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.101521 0.122515 0.101521 0.101521
+0.102661 0.122498 0.102661 0.102661
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.053068 0.124763 0.053068 0.053068
+0.051607 0.124763 0.051607 0.051607
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.193306 0.141059 0.193306 0.193306
+0.187668 0.141059 0.187668 0.187668
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.726625 0.143825 0.726625 0.726625
+0.702049 0.143825 0.702049 0.702049
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-3.57503 0.140012 3.57503 3.57503
+3.44388 0.140012 3.44388 3.44388
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.293784 0.122349 0.293784 0.293784
+0.281416 0.122349 0.281416 0.281416
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.065507 0.154217 0.065507 0.065507
+0.064286 0.154217 0.064286 0.064286
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.261086 0.120444 0.261086 0.261086
+0.250982 0.120444 0.250982 0.250982
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.762048 0.131988 0.762048 0.762048
+0.746184 0.131988 0.746184 0.746184
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-1.71419 0.119852 1.71419 1.71419
+1.66725 0.119852 1.66725 1.66725
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-3.50157 0.12296 3.50157 3.50157
+3.41984 0.12296 3.41984 3.41984
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-1941.13 1e-12 1941.13 1941.13
+2241.69 1e-12 2241.69 2241.69
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0175269:387288]
+set xrange [0.0173096:480320]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -224,21 +224,21 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.106609 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.130811, graph 0.0600575 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.247194, graph 0.153161 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.220252, graph 0.0833333 to graph 0.247194, graph 0.153161 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.341412, graph 0.106609 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.340185, graph 0.199713 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.313243, graph 0.0833333 to graph 0.340185, graph 0.199713 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.186668, graph 0.814874 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.00505158, graph 0.850803 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.168894, graph 0.885859 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.250009, graph 0.944049 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.223067, graph 0.850945 to graph 0.250009, graph 0.944049 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.297947, graph 0.885903 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.104904, graph 0.763729 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0779626, graph 0.915022 to graph 0.104904, graph 0.763729 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.092452, graph 0.932997 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.13081, graph 0.0600575 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.242988, graph 0.153161 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.216046, graph 0.0833333 to graph 0.242988, graph 0.153161 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.33578, graph 0.106609 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.335372, graph 0.199713 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.30843, graph 0.0833333 to graph 0.335372, graph 0.199713 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.18297, graph 0.814874 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.00105459, graph 0.850803 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.166008, graph 0.885859 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.246545, graph 0.944049 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.219603, graph 0.850945 to graph 0.246545, graph 0.944049 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.293454, graph 0.885903 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.103499, graph 0.763729 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0765566, graph 0.915022 to graph 0.103499, graph 0.763729 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.0906805, graph 0.932997 left front noenhanced textcolor rgb '#d55e00'
 set label "lemke (cut)" at graph 0.713778, graph 0.921359 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -262,7 +262,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0175269:387288]
+set xrange [0.0173096:480320]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -274,28 +274,28 @@ unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.109756 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.092452, graph 0.787651 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.341412, graph 0.803816 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.297947, graph 0.852254 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.271005, graph 0.805702 to graph 0.297947, graph 0.852254 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.0168815, graph 0.85299 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.313243, graph 0.806438 to graph 0.286301, graph 0.85299 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.186668, graph 0.729726 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.159726, graph 0.811191 to graph 0.186668, graph 0.729726 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.250009, graph 0.906212 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.223067, graph 0.813109 to graph 0.250009, graph 0.906212 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:10" at graph 0.0906805, graph 0.787651 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.33578, graph 0.803816 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.293454, graph 0.852254 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.266512, graph 0.805702 to graph 0.293454, graph 0.852254 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.0120686, graph 0.85299 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.30843, graph 0.806438 to graph 0.281488, graph 0.85299 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.18297, graph 0.729726 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.156028, graph 0.811191 to graph 0.18297, graph 0.729726 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.246545, graph 0.906212 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.219603, graph 0.813109 to graph 0.246545, graph 0.906212 nohead lw 0.6 lc rgb '#cc79a7'
 set label "delassus" at graph 0.0835457, graph 0.955481 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.815826 to graph 0.0835457, graph 0.955481 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.00505158, graph 0.734392 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.166703, graph 0.815857 to graph 0.139761, graph 0.734392 nohead lw 0.6 lc rgb '#e69f00'
-set label "delassus:1e-3" at graph 0.130811, graph 0.676267 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.103869, graph 0.815922 to graph 0.130811, graph 0.676267 nohead lw 0.6 lc rgb '#0060a8'
-set label "nncg:10" at graph 0.104904, graph 0.618433 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0779626, graph 0.816278 to graph 0.104904, graph 0.618433 nohead lw 0.6 lc rgb '#009e73'
-set label "si:200" at graph 0.247194, graph 0.561612 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.220252, graph 0.817647 to graph 0.247194, graph 0.561612 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.00275175, graph 0.899561 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.141952, graph 0.818096 to graph 0.11501, graph 0.899561 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.00105459, graph 0.734392 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.162706, graph 0.815857 to graph 0.135764, graph 0.734392 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus:1e-3" at graph 0.13081, graph 0.676322 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.103869, graph 0.815977 to graph 0.13081, graph 0.676322 nohead lw 0.6 lc rgb '#0060a8'
+set label "nncg:10" at graph 0.103499, graph 0.618433 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0765566, graph 0.816278 to graph 0.103499, graph 0.618433 nohead lw 0.6 lc rgb '#009e73'
+set label "si:200" at graph 0.242988, graph 0.561612 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.216046, graph 0.817647 to graph 0.242988, graph 0.561612 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.166008, graph 0.503872 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.139066, graph 0.818096 to graph 0.166008, graph 0.503872 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -318,7 +318,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0175269:387288]
+set xrange [0.0173096:480320]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -330,26 +330,26 @@ unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.297947, graph 0.905851 left front noenhanced textcolor rgb '#555555'
-set label "nncg:50" at graph 0.186668, graph 0.964205 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.293454, graph 0.905851 left front noenhanced textcolor rgb '#555555'
+set label "nncg:50" at graph 0.18297, graph 0.964205 left front noenhanced textcolor rgb '#009e73'
 set label "delassus" at graph 0.0835457, graph 0.894898 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.00505158, graph 0.964729 left front noenhanced textcolor rgb '#e69f00'
-set label "delassus:1e-3" at graph 0.130811, graph 0.836757 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.103869, graph 0.929861 to graph 0.130811, graph 0.836757 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.340185, graph 0.778689 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.313243, graph 0.929982 to graph 0.340185, graph 0.778689 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.092452, graph 0.779175 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0655101, graph 0.930468 to graph 0.092452, graph 0.779175 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.250009, graph 0.722866 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.223067, graph 0.932349 to graph 0.250009, graph 0.722866 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:1000" at graph 0.341412, graph 0.666648 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.31447, graph 0.93432 to graph 0.341412, graph 0.666648 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.00275175, graph 0.841466 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.141952, graph 0.934569 to graph 0.11501, graph 0.841466 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.0586007, graph 0.725735 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.220252, graph 0.935218 to graph 0.19331, graph 0.725735 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.104904, graph 0.669876 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0779626, graph 0.937549 to graph 0.104904, graph 0.669876 nohead lw 0.6 lc rgb '#009e73'
+set label "si2:50" at graph 0.00105459, graph 0.964729 left front noenhanced textcolor rgb '#e69f00'
+set label "delassus:1e-3" at graph 0.13081, graph 0.836753 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.103869, graph 0.929856 to graph 0.13081, graph 0.836753 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.335372, graph 0.778689 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.30843, graph 0.929982 to graph 0.335372, graph 0.778689 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.0906805, graph 0.779175 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0637386, graph 0.930468 to graph 0.0906805, graph 0.779175 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.246545, graph 0.722866 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.219603, graph 0.932349 to graph 0.246545, graph 0.722866 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:1000" at graph 0.33578, graph 0.666648 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.308839, graph 0.93432 to graph 0.33578, graph 0.666648 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.166008, graph 0.666897 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.139066, graph 0.934569 to graph 0.166008, graph 0.666897 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.0543941, graph 0.725735 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.216046, graph 0.935218 to graph 0.189104, graph 0.725735 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.103499, graph 0.611687 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0765566, graph 0.937549 to graph 0.103499, graph 0.611687 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,182 +2,182 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.238884 1e-12 0.238884 0.238884
+0.237351 1e-12 0.237351 0.237351
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.238964 1e-12 0.238964 0.238964
+0.236239 1e-12 0.236239 0.236239
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.585316 0.0438397 0.585316 0.585316
+0.590133 0.0438397 0.590133 0.590133
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-2.13943 0.0105485 2.13943 2.13943
+2.16954 0.0105485 2.16954 2.16954
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-7.92509 0.00659824 7.92509 7.92509
+7.99097 0.00659824 7.99097 7.99097
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-39.4917 0.00100188 39.4917 39.4917
+39.5629 0.00105672 39.5629 39.5629
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-4.07008 0.0199257 4.07008 4.07008
+3.32071 0.0199257 3.32071 3.32071
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-1.01935 0.0231155 1.01935 1.01935
+0.762108 0.0231155 0.762108 0.762108
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-3.15881 0.0149387 3.15881 3.15881
+3.18029 0.0149387 3.18029 3.18029
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-110.669 0.0037179 110.669 110.669
+109.857 0.0037179 109.857 109.857
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-72.2477 0.0228851 72.2477 72.2477
+70.3375 0.0228851 70.3375 70.3375
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-6826.49 3.27933e-06 6826.49 6826.49
+5918.46 5.93084e-06 5918.46 5918.46
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.238884 1e-12 0.238884 0.238884
+0.237351 1e-12 0.237351 0.237351
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.238964 1e-12 0.238964 0.238964
+0.236239 1e-12 0.236239 0.236239
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.585316 0.00529454 0.585316 0.585316
+0.590133 0.00529454 0.590133 0.590133
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-2.13943 0.000600495 2.13943 2.13943
+2.16954 0.000600495 2.16954 2.16954
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-7.92509 0.00158638 7.92509 7.92509
+7.99097 0.00158638 7.99097 7.99097
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-39.4917 5.61565e-06 39.4917 39.4917
+39.5629 5.61565e-06 39.5629 39.5629
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-4.07008 0.00400995 4.07008 4.07008
+3.32071 0.00400995 3.32071 3.32071
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-1.01935 0.00505557 1.01935 1.01935
+0.762108 0.00505557 0.762108 0.762108
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-3.15881 0.00532771 3.15881 3.15881
+3.18029 0.00532771 3.18029 3.18029
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-110.669 0.000547417 110.669 110.669
+109.857 0.000547417 109.857 109.857
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-72.2477 0.00501571 72.2477 72.2477
+70.3375 0.00501571 70.3375 70.3375
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-6826.49 1e-12 6826.49 6826.49
+5918.46 9.88466e-07 5918.46 5918.46
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.238884 1e-12 0.238884 0.238884
+0.237351 1e-12 0.237351 0.237351
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.238964 1e-12 0.238964 0.238964
+0.236239 1e-12 0.236239 0.236239
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.585316 0.00394506 0.585316 0.585316
+0.590133 0.00394506 0.590133 0.590133
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-2.13943 0.000987845 2.13943 2.13943
+2.16954 0.000987845 2.16954 2.16954
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-7.92509 0.000209218 7.92509 7.92509
+7.99097 0.000209218 7.99097 7.99097
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-39.4917 2.54624e-05 39.4917 39.4917
+39.5629 2.36969e-05 39.5629 39.5629
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-4.07008 0.00328214 4.07008 4.07008
+3.32071 0.00328214 3.32071 3.32071
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-1.01935 0.00685518 1.01935 1.01935
+0.762108 0.00685518 0.762108 0.762108
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-3.15881 0.105036 3.15881 3.15881
+3.18029 0.105036 3.18029 3.18029
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-110.669 1e-12 110.669 110.669
+109.857 1e-12 109.857 109.857
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-72.2477 1e-12 72.2477 72.2477
+70.3375 1e-12 70.3375 70.3375
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-6826.49 1e-12 6826.49 6826.49
+5918.46 1e-12 5918.46 5918.46
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -197,7 +197,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0730828:8.93408e+07]
+set xrange [0.0733799:6.85896e+07]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -208,24 +208,24 @@ set ylabel "furthest drift of a body, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835617, graph 0.129885 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566198, graph 0.0833333 to graph 0.0835617, graph 0.129885 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.626315 left front noenhanced textcolor rgb '#555555'
-set label "si:1000 (cut)" at graph 0.327659, graph 0.833401 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50 (cut)" at graph 0.376907, graph 0.880858 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.0623097, graph 0.889981 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.18832, graph 0.965151 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.161378, graph 0.918599 to graph 0.18832, graph 0.965151 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:50" at graph 0.206943, graph 0.7799 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.180001, graph 0.931193 to graph 0.206943, graph 0.7799 nohead lw 0.6 lc rgb '#009e73'
-set label "si2:50" at graph 0.0304627, graph 0.836876 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.192114, graph 0.941618 to graph 0.165172, graph 0.836876 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig (cut)" at graph 0.356526, graph 0.946629 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.152889, graph 0.725871 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.125947, graph 0.946992 to graph 0.152889, graph 0.725871 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.126375, graph 0.679207 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0994335, graph 0.970156 to graph 0.126375, graph 0.679207 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.0837731, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.129885 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566038, graph 0.0833333 to graph 0.0835457, graph 0.129885 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.64776 left front noenhanced textcolor rgb '#555555'
+set label "si:1000 (cut)" at graph 0.331457, graph 0.83533 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.380901, graph 0.892496 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.0654239, graph 0.889981 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.190897, graph 0.965151 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.163955, graph 0.918599 to graph 0.190897, graph 0.965151 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:50" at graph 0.209413, graph 0.7799 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.182471, graph 0.931193 to graph 0.209413, graph 0.7799 nohead lw 0.6 lc rgb '#009e73'
+set label "si2:50" at graph 0.0229112, graph 0.836876 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.184563, graph 0.941618 to graph 0.157621, graph 0.836876 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig (cut)" at graph 0.359315, graph 0.946629 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.140249, graph 0.725871 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.113307, graph 0.946992 to graph 0.140249, graph 0.725871 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.127868, graph 0.679207 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.100926, graph 0.970156 to graph 0.127868, graph 0.679207 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -247,7 +247,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0730828:8.93408e+07]
+set xrange [0.0733799:6.85896e+07]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -258,23 +258,23 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0909091 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835617, graph 0.137461 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566198, graph 0.0909091 to graph 0.0835617, graph 0.137461 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.0909091 left front noenhanced textcolor rgb '#555555'
-set label "si:1000 (cut)" at graph 0.327659, graph 0.704491 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50 (cut)" at graph 0.376907, graph 0.885302 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.18832, graph 0.888955 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.250903, graph 0.938948 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0304627, graph 0.940646 left front noenhanced textcolor rgb '#e69f00'
-set label "dantzig (cut)" at graph 0.356526, graph 0.833102 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.329584, graph 0.972758 to graph 0.356526, graph 0.833102 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.152889, graph 0.833415 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.125947, graph 0.97307 to graph 0.152889, graph 0.833415 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.126375, graph 0.777049 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0994335, graph 0.974893 to graph 0.126375, graph 0.777049 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:50" at graph 0.206943, graph 0.649278 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.180001, graph 0.97514 to graph 0.206943, graph 0.649278 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus" at graph 0.0837731, graph 0.0909091 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.137461 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566038, graph 0.0909091 to graph 0.0835457, graph 0.137461 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.635906 left front noenhanced textcolor rgb '#555555'
+set label "si:1000 (cut)" at graph 0.331457, graph 0.704491 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.380901, graph 0.885302 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.190897, graph 0.888955 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.254017, graph 0.938948 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0229112, graph 0.940646 left front noenhanced textcolor rgb '#e69f00'
+set label "dantzig (cut)" at graph 0.359315, graph 0.833102 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.332373, graph 0.972758 to graph 0.359315, graph 0.833102 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.140249, graph 0.833415 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.113307, graph 0.97307 to graph 0.140249, graph 0.833415 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.127868, graph 0.777049 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.100926, graph 0.974893 to graph 0.127868, graph 0.777049 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:50" at graph 0.209413, graph 0.649278 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.182471, graph 0.97514 to graph 0.209413, graph 0.649278 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -296,7 +296,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0730828:8.93408e+07]
+set xrange [0.0733799:6.85896e+07]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -307,23 +307,23 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835617, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566198, graph 0.0769231 to graph 0.0835617, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
-set label "pgs:50 (cut)" at graph 0.376907, graph 0.100199 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.356526, graph 0.0536472 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.0837731, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0835457, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566038, graph 0.0769231 to graph 0.0835457, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
+set label "pgs:50 (cut)" at graph 0.380901, graph 0.100199 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.359315, graph 0.0536472 left front noenhanced textcolor rgb '#555555'
 set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.158389 left front noenhanced textcolor rgb '#555555'
 set arrow from graph 0.546963, graph 0.0769231 to graph 0.573905, graph 0.158389 nohead lw 0.6 lc rgb '#555555'
-set label "si:1000 (cut)" at graph 0.327659, graph 0.646608 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.250903, graph 0.716969 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.18832, graph 0.768822 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.219056, graph 0.820573 left front noenhanced textcolor rgb '#e69f00'
-set label "si:10" at graph 0.126375, graph 0.873271 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0994335, graph 0.815081 to graph 0.126375, graph 0.873271 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.152889, graph 0.949919 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.125947, graph 0.83354 to graph 0.152889, graph 0.949919 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.206943, graph 0.598856 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.180001, graph 0.924718 to graph 0.206943, graph 0.598856 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000 (cut)" at graph 0.331457, graph 0.644207 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.254017, graph 0.716969 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.190897, graph 0.768822 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.211505, graph 0.820573 left front noenhanced textcolor rgb '#e69f00'
+set label "si:10" at graph 0.127868, graph 0.873271 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.100926, graph 0.815081 to graph 0.127868, graph 0.873271 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.140249, graph 0.949919 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.113307, graph 0.83354 to graph 0.140249, graph 0.949919 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.209413, graph 0.587218 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.182471, graph 0.924718 to graph 0.209413, graph 0.587218 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

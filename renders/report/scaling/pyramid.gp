@@ -1,128 +1,128 @@
 # Draws pyramid.svg and pyramid.png: gnuplot pyramid.gp
 $line0_0 << EOD
-4 1.6525 4 4
-16 17.2117 16 16
-64 22.3448 64 64
-256 218.44 256 256
-1024 613.744 1024 1024
-4096 1171.14 4096 4096
+4 1.7275 4 4
+16 17.9947 16 16
+64 33.1633 64 64
+256 196.31 256 256
+1024 613.493 1024 1024
+4096 1096.84 4096 4096
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 1.94025 4 4
-16 12.8553 16 16
-64 13.2423 64 64
-256 15.8218 256 256
-1024 70.2279 1024 1024
-4096 371.32 4096 4096
+4 1.322 4 4
+16 13.2834 16 16
+64 13.4231 64 64
+256 21.2546 256 256
+1024 69.7218 1024 1024
+4096 367.233 4096 4096
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.3555 4 4
-16 0.328625 16 16
-64 0.33925 64 64
-256 0.351812 256 256
-1024 0.380075 1024 1024
-4096 0.528707 4096 4096
-15876 0.577908 15876 15876
-40000 0.791235 40000 40000
+4 0.353 4 4
+16 0.333 16 16
+64 0.338 64 64
+256 0.343359 256 256
+1024 0.36512 1024 1024
+4096 0.405028 4096 4096
+15876 0.560389 15876 15876
+40000 0.748042 40000 40000
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 2.416 4 4
-16 2.33031 16 16
-64 2.3962 64 64
-256 2.54361 256 256
-1024 2.586 1024 1024
-4096 2.88299 4096 4096
-15876 3.00182 15876 15876
-40000 5.12813 40000 40000
+4 2.3985 4 4
+16 2.351 16 16
+64 2.40278 64 64
+256 2.44045 256 256
+1024 2.57932 1024 1024
+4096 2.86678 4096 4096
+15876 2.90771 15876 15876
+40000 4.17125 40000 40000
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.40825 4 4
-16 0.43125 16 16
-64 0.432203 64 64
-256 0.446637 256 256
-1024 0.467019 1024 1024
-4096 0.666123 4096 4096
-15876 0.665956 15876 15876
-40000 1.15564 40000 40000
+4 0.408 4 4
+16 0.4175 16 16
+64 0.431891 64 64
+256 0.435137 256 256
+1024 0.458569 1024 1024
+4096 0.507414 4096 4096
+15876 0.638977 15876 15876
+40000 0.965089 40000 40000
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 1.0365 4 4
-16 1.70875 16 16
-64 2.87598 64 64
-256 7.98839 256 256
-1024 52.3837 1024 1024
-4096 198.022 4096 4096
+4 1.064 4 4
+16 1.69937 16 16
+64 2.932 64 64
+256 8.03787 256 256
+1024 52.3847 1024 1024
+4096 203.267 4096 4096
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 0.691 4 4
-16 0.831875 16 16
-64 6.44078 64 64
+4 0.6685 4 4
+16 0.843125 16 16
+64 8.84638 64 64
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 0.6785 4 4
-16 0.90075 16 16
-64 5.19691 64 64
-256 307.931 256 256
-1024 5872.8 1024 1024
+4 0.6735 4 4
+16 0.895688 16 16
+64 7.56666 64 64
+256 302.516 256 256
+1024 6202.94 1024 1024
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-4 5.21025 4 4
+4 5.488 4 4
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-1024 4.4073 1024 1024
-4096 14.1025 4096 4096
+1024 4.52198 1024 1024
+4096 14.0616 4096 4096
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-1024 4.35814 1024 1024
-4096 14.0042 4096 4096
+1024 4.44416 1024 1024
+4096 13.9633 4096 4096
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4096 5.23469 4096 4096
-15876 20.1277 15876 15876
-40000 66.22 40000 40000
+4096 5.33299 4096 4096
+15876 20.2097 15876 15876
+40000 53.4118 40000 40000
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4096 5.23469 4096 4096
-15876 20.1277 15876 15876
-40000 66.2569 40000 40000
+4096 5.33299 4096 4096
+15876 20.222 15876 15876
+40000 53.4077 40000 40000
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4096 5.35757 4096 4096
-15876 20.3817 15876 15876
-40000 66.2569 40000 40000
+4096 5.39853 4096 4096
+15876 20.4759 15876 15876
+40000 53.4077 40000 40000
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-256 5.07494 256 256
-1024 70.0948 1024 1024
-4096 1084.98 4096 4096
+256 5.08723 256 256
+1024 69.9924 1024 1024
+4096 1085.25 4096 4096
 EOD
 $marks1_5 << EOD
 EOD
@@ -131,8 +131,8 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-256 9.35936 256 256
-1024 137.179 1024 1024
+256 9.27744 256 256
+1024 137.134 1024 1024
 EOD
 $marks1_7 << EOD
 EOD
@@ -169,17 +169,17 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.179661 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.684225, graph 0.224202 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.341992 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.076027, graph 0.448113 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.0566038, graph 0.343372 to graph 0.076027, graph 0.448113 nohead lw 0.6 lc rgb '#999999'
-set label "dantzig" at graph 0.304914, graph 0.245408 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.285491, graph 0.361788 to graph 0.304914, graph 0.245408 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:10" at graph 0.648245, graph 0.659343 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.648245, graph 0.71395 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.648245, graph 0.813722 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.533801, graph 0.953769 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.836374, graph 0.174785 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.684225, graph 0.220189 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.324053 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.076027, graph 0.452624 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.0566038, graph 0.347883 to graph 0.076027, graph 0.452624 nohead lw 0.6 lc rgb '#999999'
+set label "dantzig" at graph 0.304914, graph 0.249698 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.285491, graph 0.389353 to graph 0.304914, graph 0.249698 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:10" at graph 0.648245, graph 0.661613 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.648245, graph 0.712988 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.648245, graph 0.808029 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.533801, graph 0.958519 left front noenhanced textcolor rgb '#555555'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -227,14 +227,14 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.244093, graph 0.298203 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.493358, graph 0.322238 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.836374, graph 0.455247 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.466946 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.501859 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.455308 to graph 0.836374, graph 0.501859 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig:1e-6" at graph 0.0516134, graph 0.534322 left front noenhanced textcolor rgb '#555555'
-set label "pgs:10" at graph 0.493358, graph 0.758856 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.244093, graph 0.309523 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.493358, graph 0.321922 left front noenhanced textcolor rgb '#0060a8'
+set label "si:100" at graph 0.836374, graph 0.431901 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.684225, graph 0.443539 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.836374, graph 0.478461 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.81695, graph 0.431909 to graph 0.836374, graph 0.478461 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.0516134, graph 0.534286 left front noenhanced textcolor rgb '#555555'
+set label "pgs:10" at graph 0.493358, graph 0.758883 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \

@@ -1,81 +1,81 @@
 # Draws wall.svg and wall.png: gnuplot wall.gp
 $line0_0 << EOD
-4 1.765 4 4
-8 2.07812 8 8
-44 18.6863 44 44
-240 138.673 240 240
-992 560.054 992 992
-4156 957.543 4156 4156
+4 1.805 4 4
+8 2.147 8 8
+44 18.8809 44 44
+240 142.687 240 240
+992 594.566 992 992
+4156 994.032 4156 4156
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 1.3745 4 4
-8 1.3095 8 8
-44 12.3125 44 44
-240 13.9757 240 240
-992 14.2974 992 992
-4156 185.954 4156 4156
+4 1.3945 4 4
+8 1.34325 8 8
+44 12.2663 44 44
+240 14.0564 240 240
+992 14.4144 992 992
+4156 190.903 4156 4156
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.35075 4 4
+4 0.358 4 4
 8 0.32675 8 8
-44 0.331182 44 44
-240 0.356446 240 240
-992 0.37072 992 992
-4156 0.41776 4156 4156
-17032 0.549771 17032 17032
-42644 0.768525 42644 42644
+44 0.331636 44 44
+240 0.3486 240 240
+992 0.379383 992 992
+4156 0.542381 4156 4156
+17032 0.639984 17032 17032
+42644 0.826528 42644 42644
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 2.401 4 4
-8 2.24587 8 8
-44 2.25016 44 44
-240 2.54735 240 240
-992 2.71198 992 992
-4156 2.97068 4156 4156
-17032 3.14875 17032 17032
-42644 4.35136 42644 42644
+4 2.4085 4 4
+8 2.23588 8 8
+44 2.25445 44 44
+240 2.49335 240 240
+992 2.67274 992 992
+4156 3.00324 4156 4156
+17032 3.21805 17032 17032
+42644 4.47492 42644 42644
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
 4 0.418 4 4
-8 0.39425 8 8
-44 0.418568 44 44
-240 0.468779 240 240
-992 0.469879 992 992
-4156 0.661198 4156 4156
-17032 0.673064 17032 17032
-42644 0.996343 42644 42644
+8 0.38925 8 8
+44 0.417886 44 44
+240 0.458721 240 240
+992 0.482953 992 992
+4156 0.51244 4156 4156
+17032 0.740226 17032 17032
+42644 1.10813 42644 42644
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 1.05425 4 4
-8 0.987625 8 8
-44 2.2497 44 44
-240 5.39315 240 240
-992 25.3914 992 992
-4156 184.667 4156 4156
+4 1.064 4 4
+8 0.985125 8 8
+44 2.2902 44 44
+240 5.24664 240 240
+992 25.1887 992 992
+4156 176.836 4156 4156
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 0.696 4 4
+4 0.69875 4 4
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 0.60825 4 4
-8 0.651 8 8
-44 2.18527 44 44
-240 144.389 240 240
-992 6631.05 992 992
+4 0.59825 4 4
+8 0.64475 8 8
+44 2.14955 44 44
+240 144.055 240 240
+992 7170.15 992 992
 EOD
 $marks0_7 << EOD
 EOD
@@ -84,41 +84,41 @@ EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-992 4.14925 992 992
-4156 13.9018 4156 4156
+992 4.17792 992 992
+4156 13.9592 4156 4156
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-992 3.23584 992 992
-4156 13.7011 4156 4156
+992 3.25632 992 992
+4156 13.7585 4156 4156
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4156 9.94099 4156 4156
-17032 29.6182 17032 17032
-42644 54.3007 42644 42644
+4156 10.0106 4156 4156
+17032 33.2964 17032 17032
+42644 54.2597 42644 42644
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4156 9.94099 4156 4156
-17032 29.6182 17032 17032
-42644 54.3007 42644 42644
+4156 10.0106 4156 4156
+17032 33.3005 17032 17032
+42644 54.2597 42644 42644
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4156 10.068 4156 4156
-17032 29.8967 17032 17032
-42644 54.2966 42644 42644
+4156 10.0762 4156 4156
+17032 33.5708 17032 17032
+42644 54.399 42644 42644
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-240 4.53018 240 240
-992 65.9292 992 992
+240 4.52608 240 240
+992 65.7981 992 992
 4156 1121.06 4156 4156
 EOD
 $marks1_5 << EOD
@@ -128,8 +128,8 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-240 8.32717 240 240
-992 128.983 992 992
+240 8.21248 240 240
+992 128.717 992 992
 EOD
 $marks1_7 << EOD
 EOD
@@ -166,16 +166,16 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig" at graph 0.076027, graph 0.0754184 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.168522 to graph 0.076027, graph 0.0754184 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.836374, graph 0.177132 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.684225, graph 0.222958 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.327725 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:10" at graph 0.645488, graph 0.653278 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.645488, graph 0.700433 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.626065, graph 0.653881 to graph 0.645488, graph 0.700433 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.645488, graph 0.796232 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.528039, graph 0.964316 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.076027, graph 0.0757609 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.168864 to graph 0.076027, graph 0.0757609 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.836374, graph 0.183452 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.232194 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.330157 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:10" at graph 0.645488, graph 0.649514 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.645488, graph 0.702714 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.626065, graph 0.656163 to graph 0.645488, graph 0.702714 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.645488, graph 0.79948 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.528039, graph 0.971106 left front noenhanced textcolor rgb '#555555'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -220,14 +220,14 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.245344, graph 0.307465 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.494609, graph 0.227578 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.475186, graph 0.285768 to graph 0.494609, graph 0.227578 nohead lw 0.6 lc rgb '#0060a8'
-set label "nncg:10" at graph 0.836374, graph 0.433693 left front noenhanced textcolor rgb '#009e73'
-set label "si:10" at graph 0.716597, graph 0.456977 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.836374, graph 0.480253 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.81695, graph 0.433701 to graph 0.836374, graph 0.480253 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.0512482, graph 0.527633 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-4" at graph 0.245344, graph 0.307918 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.494609, graph 0.228025 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.475186, graph 0.286215 to graph 0.494609, graph 0.228025 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.433619 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.456895 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.480449 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.433898 to graph 0.836374, graph 0.480449 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.0512482, graph 0.527409 left front noenhanced textcolor rgb '#555555'
 set label "pgs:10" at graph 0.494609, graph 0.762407 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
