@@ -3,6 +3,7 @@
 
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
+#include "bullet_ext/arcs.h"
 #include "bullet_ext/convert.h"
 #include "bullet_ext/gather.h"
 #include "bullet_ext/names.h"
@@ -84,15 +85,28 @@ bool movesNothing(const Group& group, const Row& row) {
   return isDeaf(row.a, row.jacobianA) && isDeaf(row.b, row.jacobianB);
 }
 
+/// Bullet asks for the row of a limit only while the limit is passed. Were the last of that mended,
+/// other motions of the joint, or rounding, would take the row away every now and then, and what
+/// leans on the limit would fall into it anew: ragdolls would never come to rest. So this much
+/// counts as none, radians. (Limits along an axis are not taken away so.)
+constexpr double negligiblePassing = 2e-5;
+
+/// Whether the row is that of a limit of a turn that is passed by next to nothing.
+bool isAtLimit(const Row& row, const InfoRow& info, const btContactSolverInfo& step) {
+  const bool holdsOneWay = (info.lower == 0) != (info.upper == 0);
+  return holdsOneWay && info.cfm == 0 && turns(row) &&
+         std::abs(info.error) * step.m_timeStep <= negligiblePassing * step.m_erp;
+}
+
 Row toRow(const Group& group, int a, int b, const InfoRow& info, double damping,
-          btScalar breakingImpulse) {
+          btScalar breakingImpulse, const btContactSolverInfo& step) {
   Row row;
   row.a = a;
   row.b = b;
   row.jacobianA = jacobian(info.linearA, info.angularA);
   row.jacobianB = jacobian(info.linearB, info.angularB);
   const double q = along(group.bodies, a, row.jacobianA) + along(group.bodies, b, row.jacobianB);
-  row.target = info.error + (1 - damping) * q;
+  row.target = (isAtLimit(row, info, step) ? 0 : info.error) + (1 - damping) * q;
   row.lower = toCoreBound(info.lower <= -breakingImpulse ? -breakingImpulse : info.lower);
   row.upper = toCoreBound(info.upper >= breakingImpulse ? breakingImpulse : info.upper);
   row.compliance = complianceOf(info.cfm, unfactoredResponse(group, row));
@@ -124,7 +138,7 @@ void gatherRows(Group& group, btTypedConstraint& joint, double lastImpulse, doub
   JointSource source{&joint, static_cast<int>(group.rows.size()), 0, -1, lastImpulse};
   for (std::size_t i = 0; i < group.asked.size(); ++i) {
     const Row row =
-        toRow(group, a, b, group.asked[i], damping, joint.getBreakingImpulseThreshold());
+        toRow(group, a, b, group.asked[i], damping, joint.getBreakingImpulseThreshold(), info);
     source.lastRow = -1;
     if (const char* fault = faultOfRow(row)) {
       report.leaveOut("row " + std::to_string(i) + " of " + nameOf(joint), fault);

@@ -76,6 +76,7 @@ void Memory::Step::clear() {
   points.clear();
   turns.clear();
   rows.clear();
+  loads.clear();
   pulls.clear();
   marked.clear();
 }
@@ -244,14 +245,19 @@ void Memory::recallJoints(Group& group) {
   for (JointSource& joint : group.joints) {
     const Owner* owner = last_.joints.find(ownerOf(joint, joint.lastImpulse));
     if (!owner) continue;
-    if (const std::size_t index = last_.joints.indexOf(*owner); index < last_.pulls.size()) {
+    const std::size_t index = last_.joints.indexOf(*owner);
+    if (index < last_.pulls.size()) {
       joint.lastPullOnA = last_.pulls[index].onA;
       joint.lastPullOnB = last_.pulls[index].onB;
     }
-    // A limit or motor that came or went shifts the rows: then all rows start from zero.
-    if (owner->end - owner->begin != joint.rowCount) continue;
-    for (int i = 0; i < joint.rowCount; ++i)
-      group.rowGuess[joint.firstRow + i] = last_.rows[owner->begin + i];
+    // A limit or motor that came or went shifts the rows, and Bullet turns those of some joints.
+    const double* reactions = last_.rows.data() + owner->begin;
+    double* guess = group.rowGuess.data() + joint.firstRow;
+    if (owner->end - owner->begin == joint.rowCount &&
+        makesLoad(group, joint, reactions, last_.loads[index]))
+      std::copy_n(reactions, joint.rowCount, guess);
+    else
+      takeLoad(group, joint, last_.loads[index], guess);
   }
 }
 
@@ -358,6 +364,7 @@ void Memory::keepJoints(const Group& group, const Answer& answer, bool withPulls
   for (const JointSource& joint : group.joints) {
     const auto first = static_cast<int>(now_.rows.size());
     for (int i = 0; i < joint.rowCount; ++i) now_.rows.push_back(answer.rows[joint.firstRow + i]);
+    now_.loads.push_back(loadOf(group, joint, answer.rows));
     if (withPulls)
       now_.pulls.push_back({pullOf(group, joint, answer.rows, &Row::jacobianA),
                             pullOf(group, joint, answer.rows, &Row::jacobianB)});
@@ -371,7 +378,7 @@ std::size_t Memory::bytes() const {
   std::size_t sum = marked_.bytes() + groups_.bytes();
   for (const Step* step : {&last_, &now_})
     sum += step->manifolds.bytes() + step->turners.bytes() + step->joints.bytes() +
-           bytesOf(step->points, step->turns, step->rows, step->pulls) +
+           bytesOf(step->points, step->turns, step->rows, step->loads, step->pulls) +
            step->marked.capacity() * sizeof(MarkedBody);
   return sum;
 }

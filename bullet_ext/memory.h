@@ -5,6 +5,7 @@
 
 #include "bullet_ext/address_table.h"
 #include "bullet_ext/group.h"
+#include "bullet_ext/joint_load.h"
 
 namespace delassus::bullet {
 
@@ -105,6 +106,7 @@ class Memory {
     std::vector<Point> points;
     std::vector<Turn> turns;
     std::vector<double> rows;
+    std::vector<JointLoad> loads;  ///< of each joint
     std::vector<Pulls> pulls;  ///< of each joint; empty without pulls
     /// One body of each island that has marks, with a contact if the island has any.
     std::vector<MarkedBody> marked;
