@@ -30,13 +30,10 @@ double reachOf(const Body& body) {
   return least < infinity ? body.inverseMass.maxCoeff() / least : 0;
 }
 
-/// Whether no body moves faster than `speed`, nor turns so fast that the island's longest arm
-/// would. False with joints: they do not tell how far out they hold their bodies.
+/// Whether no body moves faster than `speed`, nor turns so fast that the island's longest arm, of a
+/// contact or of a row along an axis, would.
 bool isSlower(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
               const std::vector<Row>& rows, const Island& island, double speed) {
-  if (std::any_of(island.rows.begin(), island.rows.end(),
-                  [&](int i) { return rows[i].governor < 0; }))
-    return false;
   const double square = speed * speed;
   double turn = 0, reach = 0;  // squared
   for (int i : island.bodies) {
@@ -45,13 +42,21 @@ bool isSlower(const std::vector<Body>& bodies, const std::vector<Contact>& conta
     turn = std::max(turn, v.tail<3>().squaredNorm());
     reach = std::max(reach, reachOf(bodies[i]));
   }
-  const auto reachTo = [&](int body, const Vec3& arm) {
-    if (body >= 0 && bodies[body].movable()) reach = std::max(reach, arm.squaredNorm());
+  const auto reachTo = [&](int body, double squaredArm) {
+    if (body >= 0 && bodies[body].movable()) reach = std::max(reach, squaredArm);
   };
   island.eachContact([&](int i) {
-    reachTo(contacts[i].a, contacts[i].armA);
-    reachTo(contacts[i].b, contacts[i].armB);
+    reachTo(contacts[i].a, contacts[i].armA.squaredNorm());
+    reachTo(contacts[i].b, contacts[i].armB.squaredNorm());
   });
+  const auto squaredArm = [](const Row6& J) {
+    const double along = J.head<3>().squaredNorm();
+    return along > 0 ? J.tail<3>().squaredNorm() / along : 0;
+  };
+  for (int i : island.rows) {
+    reachTo(rows[i].a, squaredArm(rows[i].jacobianA));
+    reachTo(rows[i].b, squaredArm(rows[i].jacobianB));
+  }
   return turn * reach <= square;
 }
 
