@@ -288,6 +288,22 @@ struct Leaning {
   const btTransform atJoint = DelassusWorld::at({btScalar(-0.5), 0, 0});
 };
 
+// Soft limits give as their law says, however little: χ W m g l h = erp bias s/h, where a limb leans
+// on one with its weight at l, and passes it by s.
+TEST(Joints, SoftLimitsGiveHoweverLittle) {
+  Leaning leaning;
+  auto& hinge = leaning.world.addJoint<btHingeConstraint>(
+      leaning.limb, leaning.atJoint.getOrigin(), btVector3(0, 0, 1));
+  const double softness = 4e-5, erp = 0.2, bias = 0.3, arm = 0.5;
+  hinge.setUseFrameOffset(false);
+  hinge.setLimit(0, 1, btScalar(0.9), btScalar(bias));
+  hinge.setParam(BT_CONSTRAINT_STOP_CFM, btScalar(softness));
+  hinge.setParam(BT_CONSTRAINT_STOP_ERP, btScalar(erp));
+  leaning.world.advance(600);
+  const double passing = softness * leaning.limb.getInvInertiaDiagLocal().z() * g * arm * h * h;
+  EXPECT_NEAR(-hinge.getHingeAngle() * erp * bias, passing, tolerance(1e-3, 0.1) * passing);
+}
+
 // Bullet asks for the row of a limit only while the limit is passed. Were it mended to the last
 // digit, the row would be gone now and then, and the limb would fall.
 TEST(Joints, WhatLeansOnALimitStaysThere) {
