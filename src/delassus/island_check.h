@@ -31,12 +31,12 @@ class IslandCheck {
   /// If the law is kept, `moved` then holds the velocities v_f + M⁻¹ Jᵀ r; otherwise `moved` and
   /// `solution.r` are as before, except for that projection.
   ///
-  /// If no body is left faster than `share` of 1e-8 of the largest demand (of the tolerance, if that
-  /// is less), `moved` is set to rest; u and the residual keep their values. Kept reactions do not
-  /// respond to motion: the rounding of one step would grow in all later steps, in a pile by a third
-  /// per step, until the reactions are solved anew and the narrow phase replaces the points on which
-  /// the pile stands. An effect that accelerates a body by less per step, as that of a slope of 1e-9
-  /// rad on a ball, does not move it.
+  /// If no body is left faster than `share` of 1e-8 of the largest demand (of the tolerance, if
+  /// that is less), `moved` is set to rest; u and the residual keep their values. Kept reactions do
+  /// not respond to motion: the rounding of one step would grow in all later steps, in a pile by a
+  /// third per step, until the reactions are solved anew and the narrow phase replaces the points
+  /// on which the pile stands. An effect that accelerates a body by less per step, as that of a
+  /// slope of 1e-9 rad on a ball, does not move it.
   bool isKept(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
               const std::vector<Row>& rows, const Island& island, double share,
               std::vector<Body>& moved, Solution& solution);

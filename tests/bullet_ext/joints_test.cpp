@@ -288,8 +288,8 @@ struct Leaning {
   const btTransform atJoint = DelassusWorld::at({btScalar(-0.5), 0, 0});
 };
 
-// Soft limits give as their law says, however little: χ W m g l h = erp bias s/h, where a limb leans
-// on one with its weight at l, and passes it by s.
+// Soft limits give as their law says, however little: χ W m g l h = erp bias s/h, where a limb
+// leans on one with its weight at l, and passes it by s.
 TEST(Joints, SoftLimitsGiveHoweverLittle) {
   Leaning leaning;
   auto& hinge = leaning.world.addJoint<btHingeConstraint>(

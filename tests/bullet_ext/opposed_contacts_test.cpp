@@ -188,8 +188,8 @@ TEST(OpposedContacts, AWedgeCarriesItsLoadExactly) {
   }
 }
 
-// Two fingers on one slide, on both sides of a bar, are drawn together by 100 N each. (In float, with
-// much less, the mesh may lose their points until they have slid off.)
+// Two fingers on one slide, on both sides of a bar, are drawn together by 100 N each. (With much
+// less, the mesh may lose their points in float until they have slid off.)
 TEST(OpposedContacts, WhatAViceHoldsIsHeldExactly) {
   constexpr double half = 0.1, finger = 0.05, force = 100;
   btTriangleMesh mesh;
