@@ -9,9 +9,7 @@ namespace delassus::bullet {
 namespace {
 
 /// J of a joint's row for the body that is loaded.
-const Row6& jacobianOf(const Row& row, bool isOnA) {
-  return isOnA ? row.jacobianA : row.jacobianB;
-}
+const Row6& jacobianOf(const Row& row, bool isOnA) { return isOnA ? row.jacobianA : row.jacobianB; }
 
 Vec6 wrenchOf(const Group& group, const JointSource& joint, const double* reactions, bool isOnA) {
   Vec6 sum = Vec6::Zero();

@@ -107,7 +107,7 @@ class Memory {
     std::vector<Turn> turns;
     std::vector<double> rows;
     std::vector<JointLoad> loads;  ///< of each joint
-    std::vector<Pulls> pulls;  ///< of each joint; empty without pulls
+    std::vector<Pulls> pulls;      ///< of each joint; empty without pulls
     /// One body of each island that has marks, with a contact if the island has any.
     std::vector<MarkedBody> marked;
     void clear();

@@ -292,8 +292,8 @@ struct Leaning {
 // leans on one with its weight at l, and passes it by s.
 TEST(Joints, SoftLimitsGiveHoweverLittle) {
   Leaning leaning;
-  auto& hinge = leaning.world.addJoint<btHingeConstraint>(
-      leaning.limb, leaning.atJoint.getOrigin(), btVector3(0, 0, 1));
+  auto& hinge = leaning.world.addJoint<btHingeConstraint>(leaning.limb, leaning.atJoint.getOrigin(),
+                                                          btVector3(0, 0, 1));
   const double softness = 4e-5, erp = 0.2, bias = 0.3, arm = 0.5;
   hinge.setUseFrameOffset(false);
   hinge.setLimit(0, 1, btScalar(0.9), btScalar(bias));
@@ -308,8 +308,8 @@ TEST(Joints, SoftLimitsGiveHoweverLittle) {
 // digit, the row would be gone now and then, and the limb would fall.
 TEST(Joints, WhatLeansOnALimitStaysThere) {
   const auto hinged = [](Leaning& l) {
-    auto& hinge = l.world.addJoint<btHingeConstraint>(l.limb, l.atJoint.getOrigin(),
-                                                      btVector3(0, 0, 1));
+    auto& hinge =
+        l.world.addJoint<btHingeConstraint>(l.limb, l.atJoint.getOrigin(), btVector3(0, 0, 1));
     // With it, a hinge on the world that is at its limit lets weights turn nothing.
     hinge.setUseFrameOffset(false);
     hinge.setLimit(btScalar(-0.3), btScalar(0.3));
@@ -337,8 +337,11 @@ TEST(Joints, WhatLeansOnALimitStaysThere) {
     inSixDof(l.world.addJoint<btGeneric6DofSpring2Constraint>(l.limb, l.atJoint));
   };
   const std::pair<const char*, std::function<void(Leaning&)>> joints[] = {
-      {"hinge", hinged},      {"cone twist", inACone},       {"slider", onASlider},
-      {"six-dof", inSixDof1}, {"six-dof spring 2", inSixDof2}};
+      {"hinge", hinged},
+      {"cone twist", inACone},
+      {"slider", onASlider},
+      {"six-dof", inSixDof1},
+      {"six-dof spring 2", inSixDof2}};
   for (const auto& [name, join] : joints) {
     SCOPED_TRACE(name);
     Leaning leaning;
