@@ -19,10 +19,13 @@ struct Answer;
 ///
 /// A fresh point takes over the reaction of the nearest point of its manifold that is gone. Then
 /// all points of the manifold share the rest, so that together they push and turn as those of the
-/// last step did (a lone point: only push). Pointers serve to recognise objects, in the order of
-/// the arrays; nothing is read through them. An object that a user makes anew may lie where a
-/// deleted one lay. So an object is recognised only if the bodies, the numbers that their world
-/// gave them, and the impulse that a joint carries are the same, too.
+/// last step did (a lone point: only push). So do the rows of a joint where a limit or motor has
+/// come or gone, or Bullet has turned their axes (joint_load.h).
+///
+/// Pointers serve to recognise objects, in the order of the arrays; nothing is read through them.
+/// An object that a user makes anew may lie where a deleted one lay. So an object is recognised
+/// only if the bodies, the numbers that their world gave them, and the impulse that a joint carries
+/// are the same, too.
 class Memory {
  public:
   /// Begins a step: everything kept since the last call is recalled from now on. Nothing is kept
