@@ -230,7 +230,7 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(const GroupIn
   const Work work = w.countSolve(counts, report_);
   report_.workspaceBytes =
       std::max(report_.workspaceBytes, w.bytes() + (extension ? extension->bytes() : 0));
-  w.memory.keep(w.group, w.answer, info.m_timeStep, geometricStiffness_);
+  w.memory.keep(w.group, w.answer, info.m_timeStep);
 
   writeBack(plan, info, extension);
   laps.end(report_.secondsWriteBack);

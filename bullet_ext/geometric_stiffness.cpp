@@ -100,8 +100,8 @@ int GeometricStiffness::stiffen(Group& group, const btContactSolverInfo& info, d
     const auto add = [&](int body, const Vec3& pull, const btVector3& arm) {
       if (group.movable(body)) stiffness_[body] += stiffnessOf(pull, toCore(arm), h);
     };
-    add(first.a, joint.lastPullOnA, arms.onA);
-    add(first.b, joint.lastPullOnB, arms.onB);
+    add(first.a, joint.lastLoad.onA.head<3>(), arms.onA);
+    add(first.b, joint.lastLoad.onB.head<3>(), arms.onB);
   }
 
   // Bounds of (ω h)².

@@ -31,7 +31,7 @@ struct Group;
 class GeometricStiffness {
  public:
   /// Changes the inertia and the free velocity of such bodies; call it when all is gathered and
-  /// recalled. The forces are those of the last step (JointSource::lastPullOnA and B). The arms are
+  /// recalled. The forces are those of the last step (JointSource::lastLoad). The arms are
   /// those of the joint's pivots or frames, so only Bullet's own kinds of joints count. `lastStep`:
   /// the length of the last step, s; 0 if it is not known. Returns the number of bodies changed.
   int stiffen(Group& group, const btContactSolverInfo& info, double lastStep);

@@ -9,6 +9,7 @@
 #include "bullet_ext/contact_event.h"
 #include "bullet_ext/held_contacts.h"
 #include "bullet_ext/joined_bodies.h"
+#include "bullet_ext/joint_load.h"
 #include "bullet_ext/joint_loops.h"
 #include "bullet_ext/opposed_contacts.h"
 #include "delassus/articulation.h"
@@ -50,10 +51,9 @@ struct JointSource {
   int lastRow;             ///< the joint's own last row, or -1 if that row takes no part
   double lastImpulse;      ///< that the last step left in the joint, N·s
   bool isSoft = false;     ///< the joint asks for a compliance of its own
-  /// The impulses with which its rows pushed its bodies in the last step, in world axes, N·s; only
-  /// for GeometricStiffness. The last reactions do not tell them, since Bullet turns the rows of a
-  /// hinge.
-  Vec3 lastPullOnA = Vec3::Zero(), lastPullOnB = Vec3::Zero();
+  /// What its rows did in the last step. The last reactions do not tell it, since Bullet turns the
+  /// rows of a hinge.
+  JointLoad lastLoad = {};
 };
 
 /// What one step tells the next about an island.

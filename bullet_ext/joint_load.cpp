@@ -4,64 +4,64 @@
 #include <cmath>
 
 #include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "bullet_ext/convert.h"
+#include "bullet_ext/group.h"
 
 namespace delassus::bullet {
 namespace {
 
-/// J of a joint's row for the body that is loaded.
-const Row6& jacobianOf(const Row& row, bool isOnA) { return isOnA ? row.jacobianA : row.jacobianB; }
+/// One of a joint's bodies: the first one that moves.
+struct Side {
+  Row6 Row::*jacobian;
+  Vec6 JointLoad::*load;
+  Vec6 scale;  ///< the diagonal of S, by which impulses and moments are compared
+};
 
-Vec6 wrenchOf(const Group& group, const JointSource& joint, const double* reactions, bool isOnA) {
+Side sideOf(const Group& group, const JointSource& joint) {
+  const Row& row = group.rows[joint.firstRow];
+  const bool isA = group.movable(row.a);
+  const btRigidBody& body = *group.bodySources[isA ? row.a : row.b].rigid;
+  const double turning = toCore(body.getInvInertiaTensorWorld()).trace() / 3;
+  Vec6 scale;
+  scale << Vec3::Constant(std::sqrt(body.getInvMass())), Vec3::Constant(std::sqrt(turning));
+  return {isA ? &Row::jacobianA : &Row::jacobianB, isA ? &JointLoad::onA : &JointLoad::onB, scale};
+}
+
+Vec6 sumOf(const Group& group, const JointSource& joint, const double* reactions,
+           Row6 Row::*jacobian) {
   Vec6 sum = Vec6::Zero();
   for (int i = 0; i < joint.rowCount; ++i)
-    sum += reactions[i] * jacobianOf(group.rows[joint.firstRow + i], isOnA).transpose();
+    sum += reactions[i] * (group.rows[joint.firstRow + i].*jacobian).transpose();
   return sum;
-}
-
-/// The diagonal of S, by which forces and moments of the body are compared.
-Vec6 scaleOf(const Group& group, const JointSource& joint, bool isOnA) {
-  const Row& row = group.rows[joint.firstRow];
-  const btRigidBody& body = *group.bodySources[isOnA ? row.a : row.b].rigid;
-  const btMatrix3x3& inertia = body.getInvInertiaTensorWorld();
-  const double turning = static_cast<double>(inertia[0][0]) + inertia[1][1] + inertia[2][2];
-  Vec6 scale;
-  scale.head<3>().setConstant(std::sqrt(body.getInvMass()));
-  scale.tail<3>().setConstant(std::sqrt(turning / 3));
-  return scale;
-}
-
-/// The body that is told the load: the joint's first one, if it moves.
-bool loadsA(const Group& group, const JointSource& joint) {
-  return group.movable(group.rows[joint.firstRow].a);
 }
 
 }  // namespace
 
 JointLoad loadOf(const Group& group, const JointSource& joint,
                  const std::vector<double>& reactions) {
-  if (joint.rowCount == 0) return {};
-  const bool onA = loadsA(group, joint);
-  return {wrenchOf(group, joint, reactions.data() + joint.firstRow, onA), onA};
+  const double* ofRows = reactions.data() + joint.firstRow;
+  return {sumOf(group, joint, ofRows, &Row::jacobianA),
+          sumOf(group, joint, ofRows, &Row::jacobianB)};
 }
 
 bool makesLoad(const Group& group, const JointSource& joint, const double* reactions,
                const JointLoad& load) {
   constexpr double nearly = 0.1;
-  if (joint.rowCount == 0 || load.isOnA != loadsA(group, joint)) return false;
-  const Vec6 scale = scaleOf(group, joint, load.isOnA);
-  const Vec6 missed = wrenchOf(group, joint, reactions, load.isOnA) - load.wrench;
-  return missed.cwiseProduct(scale).squaredNorm() <=
-         nearly * nearly * load.wrench.cwiseProduct(scale).squaredNorm();
+  if (joint.rowCount == 0) return true;
+  const Side side = sideOf(group, joint);
+  const Vec6 wanted = load.*side.load;
+  const Vec6 missed = sumOf(group, joint, reactions, side.jacobian) - wanted;
+  return missed.cwiseProduct(side.scale).squaredNorm() <=
+         nearly * nearly * wanted.cwiseProduct(side.scale).squaredNorm();
 }
 
 void takeLoad(const Group& group, const JointSource& joint, const JointLoad& load,
               double* reactions) {
   constexpr double rounding = 1e-9;  // ε
-  for (int i = 0; i < joint.rowCount; ++i) reactions[i] = 0;
-  if (joint.rowCount == 0 || load.isOnA != loadsA(group, joint)) return;
-  const Vec6 scale = scaleOf(group, joint, load.isOnA);
+  if (joint.rowCount == 0) return;
+  const Side side = sideOf(group, joint);
   const auto scaled = [&](int i) -> Vec6 {
-    return jacobianOf(group.rows[joint.firstRow + i], load.isOnA).transpose().cwiseProduct(scale);
+    return (group.rows[joint.firstRow + i].*side.jacobian).transpose().cwiseProduct(side.scale);
   };
   // With each row divided by its length, r = J̃ (J̃ᵀ J̃ + ε)⁻¹ f̃.
   Mat6 K = rounding * Mat6::Identity();
@@ -69,10 +69,11 @@ void takeLoad(const Group& group, const JointSource& joint, const JointLoad& loa
     const Vec6 J = scaled(i);
     if (const double length = J.squaredNorm(); length > 0) K += J / length * J.transpose();
   }
-  const Vec6 y = K.llt().solve(load.wrench.cwiseProduct(scale));
+  const Vec6 y = K.llt().solve((load.*side.load).cwiseProduct(side.scale));
   for (int i = 0; i < joint.rowCount; ++i) {
     const Vec6 J = scaled(i);
-    if (const double length = J.squaredNorm(); length > 0) reactions[i] = J.dot(y) / length;
+    const double length = J.squaredNorm();
+    reactions[i] = length > 0 ? J.dot(y) / length : 0;
   }
 }
 

@@ -2,23 +2,26 @@
 
 #include <vector>
 
-#include "bullet_ext/group.h"
+#include "delassus/types.h"
 
 namespace delassus::bullet {
 
-/// What the rows of a joint did to one of its bodies in a step. Unlike their reactions it means the
-/// same when limits or motors come or go, or Bullet turns the axes of the rows.
+struct Group;
+struct JointSource;
+
+/// What the rows of a joint do to its bodies in a step. Unlike their reactions it means the same
+/// when limits or motors come or go, or Bullet turns the axes of the rows.
 struct JointLoad {
   /// Σ J_iᵀ r_i: impulse, N·s, and moment about the body's centre, N·m·s, in world axes.
-  Vec6 wrench = Vec6::Zero();
-  bool isOnA = true;  ///< else on the joint's second body, since the first one does not move
+  Vec6 onA = Vec6::Zero(), onB = Vec6::Zero();
 };
 
 /// The load of these reactions, one for each of the group's rows.
 JointLoad loadOf(const Group& group, const JointSource& joint,
                  const std::vector<double>& reactions);
 
-/// Whether the reactions, which are those of the joint's rows, make `load` to within a tenth.
+/// Whether the reactions, which are those of the joint's rows, make `load` to within a tenth. As in
+/// takeLoad, that on the first of its bodies that moves counts.
 bool makesLoad(const Group& group, const JointSource& joint, const double* reactions,
                const JointLoad& load);
 

@@ -52,15 +52,6 @@ const void* signOf(const Group& group) {
   return nullptr;
 }
 
-/// The impulse by which the rows of a joint push one of its bodies, N·s.
-Vec3 pullOf(const Group& group, const JointSource& joint, const std::vector<double>& reactions,
-            Row6 Row::*jacobian) {
-  Vec3 sum = Vec3::Zero();
-  for (int i = joint.firstRow; i < joint.firstRow + joint.rowCount; ++i)
-    sum += reactions[i] * (group.rows[i].*jacobian).head<3>().transpose();
-  return sum;
-}
-
 /// The place in a Turn of the reaction of a turning-friction row.
 int placeOf(const std::vector<Row>& rows, std::size_t row) {
   if (rows[row].paired) return 1;
@@ -77,7 +68,6 @@ void Memory::Step::clear() {
   turns.clear();
   rows.clear();
   loads.clear();
-  pulls.clear();
   marked.clear();
 }
 
@@ -245,19 +235,15 @@ void Memory::recallJoints(Group& group) {
   for (JointSource& joint : group.joints) {
     const Owner* owner = last_.joints.find(ownerOf(joint, joint.lastImpulse));
     if (!owner) continue;
-    const std::size_t index = last_.joints.indexOf(*owner);
-    if (index < last_.pulls.size()) {
-      joint.lastPullOnA = last_.pulls[index].onA;
-      joint.lastPullOnB = last_.pulls[index].onB;
-    }
+    joint.lastLoad = last_.loads[last_.joints.indexOf(*owner)];
     // A limit or motor that came or went shifts the rows, and Bullet turns those of some joints.
     const double* reactions = last_.rows.data() + owner->begin;
     double* guess = group.rowGuess.data() + joint.firstRow;
     if (owner->end - owner->begin == joint.rowCount &&
-        makesLoad(group, joint, reactions, last_.loads[index]))
+        makesLoad(group, joint, reactions, joint.lastLoad))
       std::copy_n(reactions, joint.rowCount, guess);
     else
-      takeLoad(group, joint, last_.loads[index], guess);
+      takeLoad(group, joint, joint.lastLoad, guess);
   }
 }
 
@@ -267,8 +253,8 @@ void Memory::fitTimeStep(Group& group, double h) const {
   for (Vec3& guess : group.guess) guess *= ratio;
   for (double& guess : group.rowGuess) guess *= ratio;
   for (JointSource& joint : group.joints) {
-    joint.lastPullOnA *= ratio;
-    joint.lastPullOnB *= ratio;
+    joint.lastLoad.onA *= ratio;
+    joint.lastLoad.onB *= ratio;
   }
 }
 
@@ -317,7 +303,7 @@ void Memory::keepTurns(const Group& group, const Answer& answer) {
   }
 }
 
-void Memory::keep(const Group& group, const Answer& answer, double h, bool withPulls) {
+void Memory::keep(const Group& group, const Answer& answer, double h) {
   if (!announced_) return;
   now_.length = h;
   const void* sign = signOf(group);
@@ -331,7 +317,7 @@ void Memory::keep(const Group& group, const Answer& answer, double h, bool withP
   groups_.insert(sign, 0);
   keepPoints(group, answer);
   keepMarks(group, answer);
-  keepJoints(group, answer, withPulls);
+  keepJoints(group, answer);
   keepTurns(group, answer);
 }
 
@@ -360,14 +346,11 @@ void Memory::keepMarks(const Group& group, const Answer& answer) {
       now_.marked.push_back({group.bodySources[island.markedBody].rigid, island.marks});
 }
 
-void Memory::keepJoints(const Group& group, const Answer& answer, bool withPulls) {
+void Memory::keepJoints(const Group& group, const Answer& answer) {
   for (const JointSource& joint : group.joints) {
     const auto first = static_cast<int>(now_.rows.size());
     for (int i = 0; i < joint.rowCount; ++i) now_.rows.push_back(answer.rows[joint.firstRow + i]);
     now_.loads.push_back(loadOf(group, joint, answer.rows));
-    if (withPulls)
-      now_.pulls.push_back({pullOf(group, joint, answer.rows, &Row::jacobianA),
-                            pullOf(group, joint, answer.rows, &Row::jacobianB)});
     Owner& owner = now_.joints.add(ownerOf(joint, writtenImpulse(group, joint, answer)));
     owner.begin = first;
     owner.end = first + joint.rowCount;
@@ -378,7 +361,7 @@ std::size_t Memory::bytes() const {
   std::size_t sum = marked_.bytes() + groups_.bytes();
   for (const Step* step : {&last_, &now_})
     sum += step->manifolds.bytes() + step->turners.bytes() + step->joints.bytes() +
-           bytesOf(step->points, step->turns, step->rows, step->loads, step->pulls) +
+           bytesOf(step->points, step->turns, step->rows, step->loads) +
            step->marked.capacity() * sizeof(MarkedBody);
   return sum;
 }

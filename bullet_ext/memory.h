@@ -15,7 +15,7 @@ struct Answer;
 /// friction; points that Bullet's narrow phase has put in the place of others; and in single
 /// precision all points, since these round their reactions by more than the tolerance, and no
 /// island would be kept. The reactions serve as guesses only, on which the answer does not depend.
-/// The pulls of joints are kept, too, for GeometricStiffness.
+/// What joints did is kept, too, for GeometricStiffness.
 ///
 /// A fresh point takes over the reaction of the nearest point of its manifold that is gone. Then
 /// all points of the manifold share the rest, so that together they push and turn as those of the
@@ -40,8 +40,8 @@ class Memory {
   void fitTimeStep(Group& group, double h) const;
   /// The length of the last step, s; 0: not known.
   double lastStep() const { return last_.length; }
-  /// h: the length of this step, s. `withPulls`: the pulls of joints are kept, too.
-  void keep(const Group& group, const Answer& answer, double h, bool withPulls = false);
+  /// h: the length of this step, s.
+  void keep(const Group& group, const Answer& answer, double h);
 
   std::size_t bytes() const;
 
@@ -96,9 +96,6 @@ class Memory {
     Vec3 arm;       ///< as above
     Vec3 reaction;  ///< spinning, then rolling about its two axes, N·m·s
   };
-  struct Pulls {
-    Vec3 onA, onB;  ///< JointSource::lastPullOnA, lastPullOnB
-  };
   struct MarkedBody {
     const btCollisionObject* body;
     IslandMarks marks;
@@ -110,7 +107,6 @@ class Memory {
     std::vector<Turn> turns;
     std::vector<double> rows;
     std::vector<JointLoad> loads;  ///< of each joint
-    std::vector<Pulls> pulls;      ///< of each joint; empty without pulls
     /// One body of each island that has marks, with a contact if the island has any.
     std::vector<MarkedBody> marked;
     void clear();
@@ -133,7 +129,7 @@ class Memory {
   // `keep`, part by part.
   void keepPoints(const Group& group, const Answer& answer);
   void keepMarks(const Group& group, const Answer& answer);
-  void keepJoints(const Group& group, const Answer& answer, bool withPulls);
+  void keepJoints(const Group& group, const Answer& answer);
   void keepTurns(const Group& group, const Answer& answer);
 
   bool announced_ = false;

@@ -172,8 +172,8 @@ struct PulledPlate {
                         report);
     for (bullet::JointSource& joint : group.joints) {
       const double sign = joint.firstRow == 0 ? -1 : 1;
-      (group.rows[joint.firstRow].a >= 0 ? joint.lastPullOnA : joint.lastPullOnB) =
-          Vec3(sign * pull, 0, 0);
+      bullet::JointLoad& load = joint.lastLoad;
+      (group.rows[joint.firstRow].a >= 0 ? load.onA : load.onB)[0] = sign * pull;
     }
   }
   int stiffen(double lastStep = BulletWorld::step) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <utility>
 #include <vector>
 
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
@@ -334,17 +335,26 @@ TEST(Memory, ALimitThatGoesTakesItsLoadAlong) {
     EXPECT_NEAR(row.jacobianA * answers.cwiseProduct(missed), 0, 1e-6);
 }
 
-// The load of last time was that of the other body, about another centre.
-TEST(Memory, AJointWhoseFirstBodyStopsStartsFromNothing) {
+// The joint bears on as its other body feels it, about another centre.
+TEST(Memory, AJointWhoseFirstBodyStopsBearsOn) {
   Tie tie;
-  const Group last = tie.rowsOf(Mat3::Identity(), false);
-  Group now = last;
-  for (Row& row : now.rows) {
-    std::swap(row.a, row.b);
-    std::swap(row.jacobianA, row.jacobianB);
+  Group last = tie.rowsOf(Mat3::Identity(), true), now = tie.rowsOf(Mat3::Identity(), false);
+  for (Group* group : {&last, &now}) {
+    for (Row& row : group->rows) {
+      row.jacobianB = row.jacobianA;
+      row.jacobianA.tail<3>() += Vec3(1, 2, 3).cross(row.jacobianA.head<3>().transpose());
+    }
   }
-  const std::vector<double> reactions{1, 2, 3, 4, 5};
-  EXPECT_EQ(tie.recall(last, reactions, now), std::vector<double>(5, 0));
+  for (Row& row : now.rows) std::swap(row.a, row.b);
+  const auto wrenchOnB = [](const Group& group, const std::vector<double>& reactions) {
+    Vec6 sum = Vec6::Zero();
+    for (std::size_t i = 0; i < group.rows.size(); ++i)
+      sum += reactions[i] * group.rows[i].jacobianB.transpose();
+    return sum;
+  };
+  const std::vector<double> reactions{0, 1, 2, 3, 4, 5};
+  const Vec6 load = wrenchOnB(last, reactions);
+  EXPECT_LT((wrenchOnB(now, tie.recall(last, reactions, now)) - load).norm(), 1e-6 * load.norm());
 }
 
 TEST(Memory, PointsThatStayAreLeftAlone) {
