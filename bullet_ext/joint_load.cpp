@@ -27,21 +27,21 @@ Side sideOf(const Group& group, const JointSource& joint) {
   return {isA ? &Row::jacobianA : &Row::jacobianB, isA ? &JointLoad::onA : &JointLoad::onB, scale};
 }
 
-Vec6 sumOf(const Group& group, const JointSource& joint, const double* reactions,
-           Row6 Row::*jacobian) {
-  Vec6 sum = Vec6::Zero();
-  for (int i = 0; i < joint.rowCount; ++i)
-    sum += reactions[i] * (group.rows[joint.firstRow + i].*jacobian).transpose();
-  return sum;
+/// A row of J̃ = J S.
+Vec6 scaledRow(const Group& group, const JointSource& joint, int i, const Side& side) {
+  return (group.rows[joint.firstRow + i].*side.jacobian).transpose().cwiseProduct(side.scale);
 }
 
 }  // namespace
 
 JointLoad loadOf(const Group& group, const JointSource& joint,
                  const std::vector<double>& reactions) {
-  const double* ofRows = reactions.data() + joint.firstRow;
-  return {sumOf(group, joint, ofRows, &Row::jacobianA),
-          sumOf(group, joint, ofRows, &Row::jacobianB)};
+  JointLoad load;
+  for (int i = joint.firstRow; i < joint.firstRow + joint.rowCount; ++i) {
+    load.onA += reactions[i] * group.rows[i].jacobianA.transpose();
+    load.onB += reactions[i] * group.rows[i].jacobianB.transpose();
+  }
+  return load;
 }
 
 bool makesLoad(const Group& group, const JointSource& joint, const double* reactions,
@@ -49,10 +49,14 @@ bool makesLoad(const Group& group, const JointSource& joint, const double* react
   constexpr double nearly = 0.1;
   if (joint.rowCount == 0) return true;
   const Side side = sideOf(group, joint);
-  const Vec6 wanted = load.*side.load;
-  const Vec6 missed = sumOf(group, joint, reactions, side.jacobian) - wanted;
-  return missed.cwiseProduct(side.scale).squaredNorm() <=
-         nearly * nearly * wanted.cwiseProduct(side.scale).squaredNorm();
+  Vec6 missed = -(load.*side.load).cwiseProduct(side.scale);
+  double squares = 0;  // rows may push against each other, and make no load
+  for (int i = 0; i < joint.rowCount; ++i) {
+    const Vec6 push = reactions[i] * scaledRow(group, joint, i, side);
+    missed += push;
+    squares += push.squaredNorm();
+  }
+  return missed.squaredNorm() <= nearly * nearly * squares;
 }
 
 void takeLoad(const Group& group, const JointSource& joint, const JointLoad& load,
@@ -60,9 +64,7 @@ void takeLoad(const Group& group, const JointSource& joint, const JointLoad& loa
   constexpr double rounding = 1e-9;  // ε
   if (joint.rowCount == 0) return;
   const Side side = sideOf(group, joint);
-  const auto scaled = [&](int i) -> Vec6 {
-    return (group.rows[joint.firstRow + i].*side.jacobian).transpose().cwiseProduct(side.scale);
-  };
+  const auto scaled = [&](int i) { return scaledRow(group, joint, i, side); };
   // With each row divided by its length, r = J̃ (J̃ᵀ J̃ + ε)⁻¹ f̃.
   Mat6 K = rounding * Mat6::Identity();
   for (int i = 0; i < joint.rowCount; ++i) {

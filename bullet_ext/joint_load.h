@@ -20,8 +20,8 @@ struct JointLoad {
 JointLoad loadOf(const Group& group, const JointSource& joint,
                  const std::vector<double>& reactions);
 
-/// Whether the reactions, which are those of the joint's rows, make `load` to within a tenth. As in
-/// takeLoad, that on the first of its bodies that moves counts.
+/// Whether the reactions, which are those of the joint's rows, make `load` to within a tenth of
+/// what these rows push. As in takeLoad, that on the first of its bodies that moves counts.
 bool makesLoad(const Group& group, const JointSource& joint, const double* reactions,
                const JointLoad& load);
 
