@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.012308 1e-12 0.012308 0.012308
+0.008883 1e-12 0.008883 0.008883
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.025158 1e-12 0.025158 0.025158
+0.024887 1e-12 0.024887 0.024887
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.015263 1e-12 0.015263 0.015263
+0.015733 1e-12 0.015733 0.015733
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.055362 1e-12 0.055362 0.055362
+0.055572 1e-12 0.055572 0.055572
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.260816 1e-12 0.260816 0.260816
+0.207066 1e-12 0.207066 0.207066
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-1.0366 1e-12 1.0366 1.0366
+1.01695 1e-12 1.01695 1.01695
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.103363 1e-12 0.103363 0.103363
+0.084656 1e-12 0.084656 0.084656
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.023855 1e-12 0.023855 0.023855
+0.019579 1e-12 0.019579 0.019579
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.07382 1e-12 0.07382 0.07382
+0.075462 1e-12 0.075462 0.075462
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.158524 1e-12 0.158524 0.158524
+0.158374 1e-12 0.158374 0.158374
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.0406 1e-12 0.0406 0.0406
+0.042473 1e-12 0.042473 0.042473
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.126047 1e-12 0.126047 0.126047
+0.129432 1e-12 0.129432 0.129432
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-1.68974 1e-12 1.68974 1.68974
+1.5735 1e-12 1.5735 1.5735
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.012308 0.0168827 0.012308 0.012308
+0.008883 0.0168827 0.008883 0.008883
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.025158 0.0123288 0.025158 0.025158
+0.024887 0.0123288 0.024887 0.024887
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.015263 0.0111974 0.015263 0.015263
+0.015733 0.0111974 0.015733 0.015733
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.055362 0.0144332 0.055362 0.055362
+0.055572 0.0144332 0.055572 0.055572
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.260816 0.0144332 0.260816 0.260816
+0.207066 0.0144332 0.207066 0.207066
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-1.0366 0.0144332 1.0366 1.0366
+1.01695 0.0144332 1.01695 1.01695
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.103363 0.0123557 0.103363 0.103363
+0.084656 0.0123557 0.084656 0.084656
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.023855 0.0131251 0.023855 0.023855
+0.019579 0.0131251 0.019579 0.019579
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.07382 0.0129979 0.07382 0.07382
+0.075462 0.0129979 0.075462 0.075462
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.158524 0.0141521 0.158524 0.158524
+0.158374 0.0141521 0.158374 0.158374
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.0406 0.0161089 0.0406 0.0406
+0.042473 0.0161089 0.042473 0.042473
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.126047 0.0122605 0.126047 0.126047
+0.129432 0.0122605 0.129432 0.129432
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-1.68974 0.0469486 1.68974 1.68974
+1.5735 0.0469486 1.5735 1.5735
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.012308 1e-12 0.012308 0.012308
+0.008883 1e-12 0.008883 0.008883
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.025158 0.000104688 0.025158 0.025158
+0.024887 0.000104688 0.024887 0.024887
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.015263 7.46436e-06 0.015263 0.015263
+0.015733 7.46436e-06 0.015733 0.015733
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.055362 7.6924e-09 0.055362 0.055362
+0.055572 7.6924e-09 0.055572 0.055572
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.260816 8.36709e-09 0.260816 0.260816
+0.207066 8.36709e-09 0.207066 0.207066
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-1.0366 1.32551e-08 1.0366 1.0366
+1.01695 1.32551e-08 1.01695 1.01695
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.103363 4.43081e-09 0.103363 0.103363
+0.084656 4.43081e-09 0.084656 0.084656
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.023855 0.000438412 0.023855 0.023855
+0.019579 0.000438412 0.019579 0.019579
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.07382 1.022e-08 0.07382 0.07382
+0.075462 1.022e-08 0.075462 0.075462
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.158524 7.00686e-09 0.158524 0.158524
+0.158374 7.00686e-09 0.158374 0.158374
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.0406 1.25939e-05 0.0406 0.0406
+0.042473 1.25939e-05 0.042473 0.042473
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.126047 7.66175e-09 0.126047 0.126047
+0.129432 7.66175e-09 0.129432 0.129432
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-1.68974 0.26307 1.68974 1.68974
+1.5735 0.26307 1.5735 1.5735
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00848952:6.00608]
+set xrange [0.00601041:5.97246]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -224,24 +224,23 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.1925, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.116339, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0893975, graph 0.5 to graph 0.116339, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.312701, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.548908, graph 0.5 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.759203, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.407852, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.38091, graph 0.5 to graph 0.407852, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.184395, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.157453, graph 0.5 to graph 0.184395, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.356551, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.32961, graph 0.5 to graph 0.356551, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.473027, graph 0.371983 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.446085, graph 0.5 to graph 0.473027, graph 0.371983 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.265438, graph 0.371983 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.238496, graph 0.5 to graph 0.265438, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.438089, graph 0.639655 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.411147, graph 0.5 to graph 0.438089, graph 0.639655 nohead lw 0.6 lc rgb '#555555'
+set label "delassus:1e-3" at graph 0.23282, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.000230351, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.349221, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.539814, graph 0.5 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.770422, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.410211, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.383269, graph 0.5 to graph 0.410211, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.198061, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.171119, graph 0.5 to graph 0.198061, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.393553, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.366611, graph 0.5 to graph 0.393553, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.50097, graph 0.371983 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.474028, graph 0.5 to graph 0.50097, graph 0.371983 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.0992262, graph 0.593103 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.283329, graph 0.5 to graph 0.256387, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.148426, graph 0.371983 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.444787, graph 0.5 to graph 0.417845, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
 set label "lemke" at graph 0.833669, graph 0.534914 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -265,7 +264,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00848952:6.00608]
+set xrange [0.00601041:5.97246]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -276,26 +275,26 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.116339, graph 0.512921 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.438089, graph 0.544254 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.1925, graph 0.626925 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.165558, graph 0.54546 to graph 0.1925, graph 0.626925 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.407852, graph 0.487745 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.38091, graph 0.545934 to graph 0.407852, graph 0.487745 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:50" at graph 0.145506, graph 0.463833 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.32961, graph 0.556936 to graph 0.302668, graph 0.463833 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.184395, graph 0.67543 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.157453, graph 0.559051 to graph 0.184395, graph 0.67543 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.473027, graph 0.680153 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.446085, graph 0.575411 to graph 0.473027, graph 0.680153 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:50" at graph 0.312701, graph 0.440026 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.285759, graph 0.579682 to graph 0.312701, graph 0.440026 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.548908, graph 0.59132 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.759203, graph 0.579682 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.265438, graph 0.731551 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.238496, graph 0.603533 to graph 0.265438, graph 0.731551 nohead lw 0.6 lc rgb '#555555'
-set label "delassus" at graph 0.0835457, graph 0.7301 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566038, graph 0.61372 to graph 0.0835457, graph 0.7301 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:10" at graph 0.000230351, graph 0.524559 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.471729, graph 0.544254 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.23282, graph 0.48727 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.205878, graph 0.54546 to graph 0.23282, graph 0.48727 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.221618, graph 0.545934 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:50" at graph 0.393553, graph 0.603488 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.366611, graph 0.556936 to graph 0.393553, graph 0.603488 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.198061, graph 0.628879 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.171119, graph 0.559051 to graph 0.198061, graph 0.628879 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.50097, graph 0.656877 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.474028, graph 0.575411 to graph 0.50097, graph 0.656877 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:50" at graph 0.349221, graph 0.684423 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.32228, graph 0.579682 to graph 0.349221, graph 0.684423 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.539814, graph 0.486578 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.512872, graph 0.579682 to graph 0.539814, graph 0.486578 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.770422, graph 0.579682 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.0992262, graph 0.684999 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.283329, graph 0.603533 to graph 0.256387, graph 0.684999 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.0835457, graph 0.741738 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566038, graph 0.61372 to graph 0.0835457, graph 0.741738 nohead lw 0.6 lc rgb '#0060a8'
 set label "lemke" at graph 0.833669, graph 0.835812 left front noenhanced textcolor rgb '#999999'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -319,7 +318,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00848952:6.00608]
+set xrange [0.00601041:5.97246]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -331,18 +330,19 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.407852, graph 0.345784 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.473027, graph 0.407646 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.114786, graph 0.410631 left front noenhanced textcolor rgb '#555555'
-set label "si:50" at graph 0.146559, graph 0.352575 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.548908, graph 0.355384 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.356551, graph 0.466808 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.32961, graph 0.385342 to graph 0.356551, graph 0.466808 nohead lw 0.6 lc rgb '#009e73'
-set label "si:1000" at graph 0.759203, graph 0.39403 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.116339, graph 0.605615 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.265438, graph 0.623089 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.1925, graph 0.693838 left front noenhanced textcolor rgb '#0060a8'
-set label "nncg:10" at graph 0.184395, graph 0.741683 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.410211, graph 0.345784 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.50097, graph 0.407646 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.148426, graph 0.410631 left front noenhanced textcolor rgb '#555555'
+set label "si:50" at graph 0.18308, graph 0.352575 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.539814, graph 0.460125 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.512872, graph 0.37866 to graph 0.539814, graph 0.460125 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:50" at graph 0.182508, graph 0.466808 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.366611, graph 0.385342 to graph 0.339669, graph 0.466808 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000" at graph 0.770422, graph 0.39403 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.166372, graph 0.605615 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.310271, graph 0.623089 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.23282, graph 0.693838 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg:10" at graph 0.198061, graph 0.741683 left front noenhanced textcolor rgb '#009e73'
 set label "lemke" at graph 0.833669, graph 0.95539 left front noenhanced textcolor rgb '#999999'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \

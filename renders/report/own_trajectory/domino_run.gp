@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.045667 1e-12 0.045667 0.045667
+0.04695 1e-12 0.04695 0.04695
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.102661 1e-12 0.102661 0.102661
+0.102843 1e-12 0.102843 0.102843
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.051607 0.0113843 0.051607 0.051607
+0.051786 0.0113843 0.051786 0.051786
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.187668 0.00162683 0.187668 0.187668
+0.187187 0.00162683 0.187187 0.187187
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.702049 1e-12 0.702049 0.702049
+0.702129 1e-12 0.702129 0.702129
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-3.44388 1e-12 3.44388 3.44388
+3.43324 1e-12 3.43324 3.43324
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.281416 0.00162046 0.281416 0.281416
+0.281978 0.00162046 0.281978 0.281978
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.064286 0.00955586 0.064286 0.064286
+0.064485 0.00955586 0.064485 0.064485
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.250982 0.000600458 0.250982 0.250982
+0.254567 0.000600458 0.254567 0.254567
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.746184 0.00162683 0.746184 0.746184
+0.734487 0.00162683 0.734487 0.734487
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-1.66725 0.008131 1.66725 1.66725
+1.71447 0.008131 1.71447 1.71447
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-3.41984 1e-12 3.41984 3.41984
+3.48218 1e-12 3.48218 3.48218
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-2241.69 0.0113843 2241.69 2241.69
+1863.99 0.0113843 1863.99 1863.99
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.045667 0.0785153 0.045667 0.045667
+0.04695 0.0785153 0.04695 0.04695
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.102661 0.0786795 0.102661 0.102661
+0.102843 0.0786795 0.102843 0.102843
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.051607 0.0624788 0.051607 0.051607
+0.051786 0.0624788 0.051786 0.051786
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.187668 0.0810167 0.187668 0.187668
+0.187187 0.0810167 0.187187 0.187187
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.702049 0.0805158 0.702049 0.702049
+0.702129 0.0805158 0.702129 0.702129
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-3.44388 0.0665111 3.44388 3.44388
+3.43324 0.0665111 3.43324 3.43324
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.281416 0.0785494 0.281416 0.281416
+0.281978 0.0785494 0.281978 0.281978
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.064286 0.0790071 0.064286 0.064286
+0.064485 0.0790071 0.064485 0.064485
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.250982 0.0736459 0.250982 0.250982
+0.254567 0.0736459 0.254567 0.254567
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.746184 0.0756228 0.746184 0.746184
+0.734487 0.0756228 0.734487 0.734487
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-1.66725 0.0682672 1.66725 1.66725
+1.71447 0.0682672 1.71447 1.71447
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-3.41984 0.0689653 3.41984 3.41984
+3.48218 0.0689653 3.48218 3.48218
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-2241.69 4.55553e-06 2241.69 2241.69
+1863.99 4.55553e-06 1863.99 1863.99
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.045667 0.122335 0.045667 0.045667
+0.04695 0.122335 0.04695 0.04695
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.102661 0.122498 0.102661 0.102661
+0.102843 0.122498 0.102843 0.102843
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.051607 0.124763 0.051607 0.051607
+0.051786 0.124763 0.051786 0.051786
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.187668 0.141059 0.187668 0.187668
+0.187187 0.141059 0.187187 0.187187
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.702049 0.143825 0.702049 0.702049
+0.702129 0.143825 0.702129 0.702129
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-3.44388 0.140012 3.44388 3.44388
+3.43324 0.140012 3.43324 3.43324
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.281416 0.122349 0.281416 0.281416
+0.281978 0.122349 0.281978 0.281978
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.064286 0.154217 0.064286 0.064286
+0.064485 0.154217 0.064485 0.064485
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.250982 0.120444 0.250982 0.250982
+0.254567 0.120444 0.254567 0.254567
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.746184 0.131988 0.746184 0.746184
+0.734487 0.131988 0.734487 0.734487
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-1.66725 0.119852 1.66725 1.66725
+1.71447 0.119852 1.71447 1.71447
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-3.41984 0.12296 3.41984 3.41984
+3.48218 0.12296 3.48218 3.48218
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-2241.69 1e-12 2241.69 2241.69
+1863.99 1e-12 1863.99 1863.99
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0173096:480320]
+set xrange [0.0181383:359420]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -224,21 +224,21 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.106609 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.13081, graph 0.0600575 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.242988, graph 0.153161 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.216046, graph 0.0833333 to graph 0.242988, graph 0.153161 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.33578, graph 0.106609 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.335372, graph 0.199713 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.30843, graph 0.0833333 to graph 0.335372, graph 0.199713 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.18297, graph 0.814874 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.00105459, graph 0.850803 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.166008, graph 0.885859 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.246545, graph 0.944049 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.219603, graph 0.850945 to graph 0.246545, graph 0.944049 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.293454, graph 0.885903 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.103499, graph 0.763729 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0765566, graph 0.915022 to graph 0.103499, graph 0.763729 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.0906805, graph 0.932997 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.130214, graph 0.0600575 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.244541, graph 0.153161 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.217599, graph 0.0833333 to graph 0.244541, graph 0.153161 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.339002, graph 0.106609 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.339845, graph 0.199713 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.312903, graph 0.0833333 to graph 0.339845, graph 0.199713 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.184158, graph 0.814874 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.00165068, graph 0.850803 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.165859, graph 0.885859 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.247222, graph 0.944049 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.22028, graph 0.850945 to graph 0.247222, graph 0.944049 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.297674, graph 0.885903 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.102433, graph 0.763729 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0754914, graph 0.915022 to graph 0.102433, graph 0.763729 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.0893805, graph 0.932997 left front noenhanced textcolor rgb '#d55e00'
 set label "lemke (cut)" at graph 0.713778, graph 0.921359 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -262,7 +262,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0173096:480320]
+set xrange [0.0181383:359420]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -274,28 +274,28 @@ unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.109756 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.0906805, graph 0.787651 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.33578, graph 0.803816 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.293454, graph 0.852254 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.266512, graph 0.805702 to graph 0.293454, graph 0.852254 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.0120686, graph 0.85299 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.30843, graph 0.806438 to graph 0.281488, graph 0.85299 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.18297, graph 0.729726 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.156028, graph 0.811191 to graph 0.18297, graph 0.729726 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.246545, graph 0.906212 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.219603, graph 0.813109 to graph 0.246545, graph 0.906212 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:10" at graph 0.0893805, graph 0.787651 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.339002, graph 0.803816 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.297674, graph 0.852254 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.270732, graph 0.805702 to graph 0.297674, graph 0.852254 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.0165416, graph 0.85299 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.312903, graph 0.806438 to graph 0.285961, graph 0.85299 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.184158, graph 0.729726 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.157216, graph 0.811191 to graph 0.184158, graph 0.729726 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.247222, graph 0.906212 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.22028, graph 0.813109 to graph 0.247222, graph 0.906212 nohead lw 0.6 lc rgb '#cc79a7'
 set label "delassus" at graph 0.0835457, graph 0.955481 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.815826 to graph 0.0835457, graph 0.955481 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.00105459, graph 0.734392 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.162706, graph 0.815857 to graph 0.135764, graph 0.734392 nohead lw 0.6 lc rgb '#e69f00'
-set label "delassus:1e-3" at graph 0.13081, graph 0.676322 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.103869, graph 0.815977 to graph 0.13081, graph 0.676322 nohead lw 0.6 lc rgb '#0060a8'
-set label "nncg:10" at graph 0.103499, graph 0.618433 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0765566, graph 0.816278 to graph 0.103499, graph 0.618433 nohead lw 0.6 lc rgb '#009e73'
-set label "si:200" at graph 0.242988, graph 0.561612 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.216046, graph 0.817647 to graph 0.242988, graph 0.561612 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.166008, graph 0.503872 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.139066, graph 0.818096 to graph 0.166008, graph 0.503872 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.00165068, graph 0.734392 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.163302, graph 0.815857 to graph 0.13636, graph 0.734392 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus:1e-3" at graph 0.130214, graph 0.676322 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.103272, graph 0.815977 to graph 0.130214, graph 0.676322 nohead lw 0.6 lc rgb '#0060a8'
+set label "nncg:10" at graph 0.102433, graph 0.618433 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0754914, graph 0.816278 to graph 0.102433, graph 0.618433 nohead lw 0.6 lc rgb '#009e73'
+set label "si:200" at graph 0.244541, graph 0.561612 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.217599, graph 0.817647 to graph 0.244541, graph 0.561612 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.165859, graph 0.503872 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.138917, graph 0.818096 to graph 0.165859, graph 0.503872 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -318,7 +318,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0173096:480320]
+set xrange [0.0181383:359420]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -330,26 +330,26 @@ unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.293454, graph 0.905851 left front noenhanced textcolor rgb '#555555'
-set label "nncg:50" at graph 0.18297, graph 0.964205 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.297674, graph 0.905851 left front noenhanced textcolor rgb '#555555'
+set label "nncg:50" at graph 0.184158, graph 0.964205 left front noenhanced textcolor rgb '#009e73'
 set label "delassus" at graph 0.0835457, graph 0.894898 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.00105459, graph 0.964729 left front noenhanced textcolor rgb '#e69f00'
-set label "delassus:1e-3" at graph 0.13081, graph 0.836753 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.103869, graph 0.929856 to graph 0.13081, graph 0.836753 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.335372, graph 0.778689 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.30843, graph 0.929982 to graph 0.335372, graph 0.778689 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.0906805, graph 0.779175 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0637386, graph 0.930468 to graph 0.0906805, graph 0.779175 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.246545, graph 0.722866 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.219603, graph 0.932349 to graph 0.246545, graph 0.722866 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:1000" at graph 0.33578, graph 0.666648 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.308839, graph 0.93432 to graph 0.33578, graph 0.666648 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.166008, graph 0.666897 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.139066, graph 0.934569 to graph 0.166008, graph 0.666897 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.0543941, graph 0.725735 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.216046, graph 0.935218 to graph 0.189104, graph 0.725735 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.103499, graph 0.611687 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0765566, graph 0.937549 to graph 0.103499, graph 0.611687 nohead lw 0.6 lc rgb '#009e73'
+set label "si2:50" at graph 0.00165068, graph 0.964729 left front noenhanced textcolor rgb '#e69f00'
+set label "delassus:1e-3" at graph 0.130214, graph 0.836753 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.103272, graph 0.929856 to graph 0.130214, graph 0.836753 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.339845, graph 0.778689 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.312903, graph 0.929982 to graph 0.339845, graph 0.778689 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.0893805, graph 0.779175 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0624386, graph 0.930468 to graph 0.0893805, graph 0.779175 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.247222, graph 0.722866 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.22028, graph 0.932349 to graph 0.247222, graph 0.722866 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:1000" at graph 0.339002, graph 0.666648 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.31206, graph 0.93432 to graph 0.339002, graph 0.666648 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.165859, graph 0.666897 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.138917, graph 0.934569 to graph 0.165859, graph 0.666897 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.0559472, graph 0.725735 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.217599, graph 0.935218 to graph 0.190657, graph 0.725735 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.102433, graph 0.611687 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0754914, graph 0.937549 to graph 0.102433, graph 0.611687 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

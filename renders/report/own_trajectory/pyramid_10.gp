@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.059258 1e-12 0.059258 0.059258
+0.060019 1e-12 0.060019 0.060019
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.625366 8.3829e-06 0.625366 0.625366
+0.584615 8.3829e-06 0.584615 0.584615
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.143683 0.00743872 0.143683 0.143683
+0.140969 0.00743872 0.140969 0.140969
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.55435 0.00478727 0.55435 0.55435
+0.537516 0.00478727 0.537516 0.537516
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-2.09111 0.0019517 2.09111 2.09111
+2.0262 0.0019517 2.0262 2.0262
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-10.3545 0.000311285 10.3545 10.3545
+9.95907 0.000311285 9.95907 9.95907
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.996004 0.0295384 0.996004 0.996004
+0.806894 0.0295384 0.806894 0.806894
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.199795 0.0259801 0.199795 0.199795
+0.19613 0.0259801 0.19613 0.19613
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.829388 0.0140686 0.829388 0.829388
+0.794806 0.0140686 0.794806 0.794806
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-7.41704 0.00467153 7.41704 7.41704
+7.60388 0.00467153 7.60388 7.60388
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-1.77665 0.00743872 1.77665 1.77665
+1.62639 0.00743872 1.62639 1.62639
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-57.6961 1.22696e-05 57.6961 57.6961
+58.9401 1.22696e-05 58.9401 58.9401
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-965.422 0.00546619 965.422 965.422
+950.557 0.00546619 950.557 950.557
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.059258 1e-12 0.059258 0.059258
+0.060019 1e-12 0.060019 0.060019
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.625366 1.76343e-06 0.625366 0.625366
+0.584615 1.76343e-06 0.584615 0.584615
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.143683 0.00193605 0.143683 0.143683
+0.140969 0.00193605 0.140969 0.140969
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.55435 0.000123043 0.55435 0.55435
+0.537516 0.000123043 0.537516 0.537516
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-2.09111 1.20872e-05 2.09111 2.09111
+2.0262 1.20872e-05 2.0262 2.0262
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-10.3545 1.6582e-06 10.3545 10.3545
+9.95907 1.6582e-06 9.95907 9.95907
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.996004 0.00349947 0.996004 0.996004
+0.806894 0.00349947 0.806894 0.806894
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.199795 0.0041112 0.199795 0.199795
+0.19613 0.0041112 0.19613 0.19613
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.829388 0.00735095 0.829388 0.829388
+0.794806 0.00735095 0.794806 0.794806
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-7.41704 0.000115843 7.41704 7.41704
+7.60388 0.000115843 7.60388 7.60388
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-1.77665 0.00193605 1.77665 1.77665
+1.62639 0.00193605 1.62639 1.62639
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-57.6961 1.85382e-06 57.6961 57.6961
+58.9401 1.85382e-06 58.9401 58.9401
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-965.422 0.00193605 965.422 965.422
+950.557 0.00193605 950.557 950.557
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.059258 1e-12 0.059258 0.059258
+0.060019 1e-12 0.060019 0.060019
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.625366 1.74329e-05 0.625366 0.625366
+0.584615 1.74329e-05 0.584615 0.584615
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.143683 0.000915652 0.143683 0.143683
+0.140969 0.000915652 0.140969 0.140969
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.55435 0.000346473 0.55435 0.55435
+0.537516 0.000346473 0.537516 0.537516
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-2.09111 7.95587e-05 2.09111 2.09111
+2.0262 7.95587e-05 2.0262 2.0262
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-10.3545 1.19033e-05 10.3545 10.3545
+9.95907 1.19033e-05 9.95907 9.95907
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.996004 0.00357685 0.996004 0.996004
+0.806894 0.00357685 0.806894 0.806894
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.199795 0.0251522 0.199795 0.199795
+0.19613 0.0251522 0.19613 0.19613
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.829388 0.159299 0.829388 0.829388
+0.794806 0.159299 0.794806 0.794806
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-7.41704 0.000334435 7.41704 7.41704
+7.60388 0.000334435 7.60388 7.60388
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-1.77665 0.000915652 1.77665 1.77665
+1.62639 0.000915652 1.62639 1.62639
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-57.6961 1e-12 57.6961 57.6961
+58.9401 1e-12 58.9401 58.9401
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-965.422 1e-12 965.422 965.422
+950.557 1e-12 950.557 950.557
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0248:119579]
+set xrange [0.0251824:116095]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -224,23 +224,23 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.236674, graph 0.648645 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6 (cut)" at graph 0.530697, graph 0.674069 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.419071, graph 0.791097 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.315116, graph 0.857534 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.39739, graph 0.912397 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.0626989, graph 0.878369 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.231899, graph 0.648645 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6 (cut)" at graph 0.532563, graph 0.674069 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.416683, graph 0.791097 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.312906, graph 0.857534 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.399097, graph 0.912397 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.0602824, graph 0.878369 left front noenhanced textcolor rgb '#d55e00'
 set label "lemke (cut)" at graph 0.713778, graph 0.894807 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.141102, graph 0.824493 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.11416, graph 0.905958 to graph 0.141102, graph 0.824493 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.304526, graph 0.964148 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.277584, graph 0.905958 to graph 0.304526, graph 0.964148 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.0439768, graph 0.975573 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.22808, graph 0.929021 to graph 0.201138, graph 0.975573 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.162525, graph 0.776651 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.135584, graph 0.95122 to graph 0.162525, graph 0.776651 nohead lw 0.6 lc rgb '#009e73'
-set label "si2:50" at graph 0.266918, graph 0.723107 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.239976, graph 0.955866 to graph 0.266918, graph 0.723107 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:10" at graph 0.139196, graph 0.824493 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.112254, graph 0.905958 to graph 0.139196, graph 0.824493 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.298581, graph 0.964148 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.271639, graph 0.905958 to graph 0.298581, graph 0.964148 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.0408709, graph 0.975573 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.224974, graph 0.929021 to graph 0.198032, graph 0.975573 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.160718, graph 0.776651 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.133776, graph 0.95122 to graph 0.160718, graph 0.776651 nohead lw 0.6 lc rgb '#009e73'
+set label "si2:50" at graph 0.2529, graph 0.723107 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.225958, graph 0.955866 to graph 0.2529, graph 0.723107 nohead lw 0.6 lc rgb '#e69f00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -263,7 +263,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0248:119579]
+set xrange [0.0251824:116095]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -275,21 +275,21 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0909091 left front noenhanced textcolor rgb '#0060a8'
-set label "si:1000" at graph 0.419071, graph 0.633055 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.236674, graph 0.693674 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6 (cut)" at graph 0.530697, graph 0.684009 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.315116, graph 0.746395 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.39739, graph 0.823988 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.228841, graph 0.826369 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.141102, graph 0.935174 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.304526, graph 0.935174 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.416683, graph 0.633055 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.231899, graph 0.693674 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6 (cut)" at graph 0.532563, graph 0.684009 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.312906, graph 0.746395 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.399097, graph 0.823988 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.226424, graph 0.826369 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.139196, graph 0.935174 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.298581, graph 0.935174 left front noenhanced textcolor rgb '#555555'
 set label "lemke (cut)" at graph 0.713778, graph 0.935174 left front noenhanced textcolor rgb '#999999'
-set label "si2:50" at graph 0.266918, graph 0.87708 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.239976, graph 0.958546 to graph 0.266918, graph 0.87708 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.162525, graph 0.639044 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.135584, graph 0.964906 to graph 0.162525, graph 0.639044 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.0439768, graph 0.883621 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.22808, graph 0.987849 to graph 0.201138, graph 0.883621 nohead lw 0.6 lc rgb '#009e73'
+set label "si2:50" at graph 0.2529, graph 0.87708 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.225958, graph 0.958546 to graph 0.2529, graph 0.87708 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.160718, graph 0.639044 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.133776, graph 0.964906 to graph 0.160718, graph 0.639044 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.0408709, graph 0.883621 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.224974, graph 0.987849 to graph 0.198032, graph 0.883621 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -312,7 +312,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0248:119579]
+set xrange [0.0251824:116095]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -324,20 +324,20 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6 (cut)" at graph 0.530697, graph 0.100199 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.532563, graph 0.100199 left front noenhanced textcolor rgb '#555555'
 set label "lemke (cut)" at graph 0.713778, graph 0.0536472 left front noenhanced textcolor rgb '#999999'
-set label "si:1000" at graph 0.419071, graph 0.621205 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.236674, graph 0.564124 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.209732, graph 0.633952 to graph 0.236674, graph 0.564124 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:200" at graph 0.315116, graph 0.684668 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.39739, graph 0.732639 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.228841, graph 0.733821 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.141102, graph 0.836115 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.11416, graph 0.766287 to graph 0.141102, graph 0.836115 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.304526, graph 0.789563 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.266918, graph 0.846722 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.162525, graph 0.900243 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.255022, graph 0.95027 left front noenhanced textcolor rgb '#009e73'
+set label "si:1000" at graph 0.416683, graph 0.621205 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.231899, graph 0.564124 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.204957, graph 0.633952 to graph 0.231899, graph 0.564124 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:200" at graph 0.312906, graph 0.684668 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.399097, graph 0.732639 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.226424, graph 0.733821 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.139196, graph 0.836115 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.112254, graph 0.766287 to graph 0.139196, graph 0.836115 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig" at graph 0.298581, graph 0.789563 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.2529, graph 0.846722 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.160718, graph 0.900243 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.251916, graph 0.95027 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

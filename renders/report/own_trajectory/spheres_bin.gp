@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-18.7862 1e-12 18.7862 18.7862
+18.7366 1e-12 18.7366 18.7366
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-17.9507 1e-12 17.9507 17.9507
+18.2625 1e-12 18.2625 18.2625
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-1.63197 1e-12 1.63197 1.63197
+1.46174 1e-12 1.46174 1.46174
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-4.84488 1e-12 4.84488 4.84488
+4.41077 1e-12 4.41077 4.41077
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-16.1938 1e-12 16.1938 16.1938
+15.1403 1e-12 15.1403 15.1403
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-58.6327 1e-12 58.6327 58.6327
+58.9074 1e-12 58.9074 58.9074
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-5.69872 1e-12 5.69872 5.69872
+5.52217 1e-12 5.52217 5.52217
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-2.00483 1e-12 2.00483 2.00483
+1.76276 1e-12 1.76276 1.76276
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-6.30922 1e-12 6.30922 6.30922
+5.92904 1e-12 5.92904 5.92904
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-84.3876 1e-12 84.3876 84.3876
+83.3825 1e-12 83.3825 83.3825
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-13.2568 1e-12 13.2568 13.2568
+29.8313 1e-12 29.8313 29.8313
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-13.0902 1e-12 13.0902 13.0902
+30.6231 1e-12 30.6231 30.6231
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-3.46652 1e-12 3.46652 3.46652
+3.24075 1e-12 3.24075 3.24075
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-18.7862 0.0903329 18.7862 18.7862
+18.7366 0.0903329 18.7366 18.7366
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-17.9507 0.0903357 17.9507 17.9507
+18.2625 0.0903357 18.2625 18.2625
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-1.63197 0.0596164 1.63197 1.63197
+1.46174 0.0596164 1.46174 1.46174
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-4.84488 0.0785919 4.84488 4.84488
+4.41077 0.0785919 4.41077 4.41077
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-16.1938 0.0821982 16.1938 16.1938
+15.1403 0.0821982 15.1403 15.1403
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-58.6327 0.0821606 58.6327 58.6327
+58.9074 0.0821606 58.9074 58.9074
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-5.69872 0.086607 5.69872 5.69872
+5.52217 0.086607 5.52217 5.52217
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-2.00483 0.0606733 2.00483 2.00483
+1.76276 0.0606733 1.76276 1.76276
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-6.30922 0.080631 6.30922 6.30922
+5.92904 0.080631 5.92904 5.92904
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-84.3876 0.0864095 84.3876 84.3876
+83.3825 0.0864095 83.3825 83.3825
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-13.2568 0.047843 13.2568 13.2568
+29.8313 0.0575464 29.8313 29.8313
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-13.0902 0.047836 13.0902 13.0902
+30.6231 0.0576006 30.6231 30.6231
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-3.46652 1e-12 3.46652 3.46652
+3.24075 1e-12 3.24075 3.24075
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-18.7862 0.0779141 18.7862 18.7862
+18.7366 0.0779141 18.7366 18.7366
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-17.9507 0.0851765 17.9507 17.9507
+18.2625 0.0851765 18.2625 18.2625
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-1.63197 0.0127214 1.63197 1.63197
+1.46174 0.0127214 1.46174 1.46174
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-4.84488 0.0203721 4.84488 4.84488
+4.41077 0.0203721 4.41077 4.41077
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-16.1938 0.0325035 16.1938 16.1938
+15.1403 0.0325035 15.1403 15.1403
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-58.6327 1e-12 58.6327 58.6327
+58.9074 1e-12 58.9074 58.9074
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-5.69872 0.0139113 5.69872 5.69872
+5.52217 0.0139113 5.52217 5.52217
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-2.00483 0.0145098 2.00483 2.00483
+1.76276 0.0145098 1.76276 1.76276
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-6.30922 0.0845091 6.30922 6.30922
+5.92904 0.0845091 5.92904 5.92904
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-84.3876 1e-12 84.3876 84.3876
+83.3825 1e-12 83.3825 83.3825
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-13.2568 1e-12 13.2568 13.2568
+29.8313 1e-12 29.8313 29.8313
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-13.0902 1e-12 13.0902 13.0902
+30.6231 1e-12 30.6231 30.6231
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-3.46652 1e-12 3.46652 3.46652
+3.24075 1e-12 3.24075 3.24075
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.1318:727.35]
+set xrange [1.00456:758.255]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -223,26 +223,26 @@ set ylabel "energy gained, J" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus (cut)" at graph 0.461444, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3 (cut)" at graph 0.454407, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus (cut)" at graph 0.468494, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3 (cut)" at graph 0.464626, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.251842, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.249884, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000 (cut)" at graph 0.637478, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.610536, graph 0.5 to graph 0.637478, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si2:50" at graph 0.0883537, graph 0.534914 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.115372, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0884296, graph 0.5 to graph 0.115372, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.292687, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.265745, graph 0.5 to graph 0.292687, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
+set label "si:50" at graph 0.250213, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.247739, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000 (cut)" at graph 0.641359, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.614417, graph 0.5 to graph 0.641359, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.0955327, graph 0.534914 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.111804, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0848616, graph 0.5 to graph 0.111804, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.294855, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.267913, graph 0.5 to graph 0.294855, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
 set label "pgs:50 (cut)" at graph 0.693796, graph 0.593103 left front noenhanced textcolor rgb '#cc79a7'
 set arrow from graph 0.666854, graph 0.5 to graph 0.693796, graph 0.593103 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.0617704, graph 0.593103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.380583, graph 0.5 to graph 0.353641, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6 (cut)" at graph 0.405569, graph 0.371983 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.378627, graph 0.5 to graph 0.405569, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
-set label "lemke (cut)" at graph 0.200065, graph 0.639655 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.173123, graph 0.5 to graph 0.200065, graph 0.639655 nohead lw 0.6 lc rgb '#999999'
+set label "dantzig (cut)" at graph 0.192924, graph 0.593103 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.511737, graph 0.5 to graph 0.484795, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.542632, graph 0.371983 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.515691, graph 0.5 to graph 0.542632, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.203696, graph 0.371983 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.176754, graph 0.5 to graph 0.203696, graph 0.371983 nohead lw 0.6 lc rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -265,7 +265,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.1318:727.35]
+set xrange [1.00456:758.255]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -276,25 +276,25 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke (cut)" at graph 0.200065, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "dantzig:1e-6 (cut)" at graph 0.405569, graph 0.886805 left front noenhanced textcolor rgb '#555555'
-set label "dantzig (cut)" at graph 0.0617704, graph 0.875172 left front noenhanced textcolor rgb '#555555'
+set label "lemke (cut)" at graph 0.203696, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
+set label "dantzig (cut)" at graph 0.538679, graph 0.892979 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.0846196, graph 0.881372 left front noenhanced textcolor rgb '#555555'
 set label "si:10" at graph 0.0835457, graph 0.940711 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.115372, graph 0.824919 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0884296, graph 0.906384 to graph 0.115372, graph 0.824919 nohead lw 0.6 lc rgb '#009e73'
-set label "si:50" at graph 0.251842, graph 0.949943 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:50" at graph 0.292687, graph 0.822781 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.265745, graph 0.915885 to graph 0.292687, graph 0.822781 nohead lw 0.6 lc rgb '#009e73'
-set label "si:1000 (cut)" at graph 0.637478, graph 0.951426 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.438477, graph 0.951442 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.111804, graph 0.824919 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0848616, graph 0.906384 to graph 0.111804, graph 0.824919 nohead lw 0.6 lc rgb '#009e73'
+set label "si:50" at graph 0.250213, graph 0.949943 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.294855, graph 0.834419 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.267913, graph 0.915885 to graph 0.294855, graph 0.834419 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000 (cut)" at graph 0.641359, graph 0.951426 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.436332, graph 0.951442 left front noenhanced textcolor rgb '#d55e00'
 set label "pgs:50 (cut)" at graph 0.693796, graph 0.836732 left front noenhanced textcolor rgb '#cc79a7'
 set arrow from graph 0.666854, graph 0.918197 to graph 0.693796, graph 0.836732 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si2:50" at graph 0.276947, graph 0.76698 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.250005, graph 0.918273 to graph 0.276947, graph 0.76698 nohead lw 0.6 lc rgb '#e69f00'
-set label "delassus (cut)" at graph 0.461444, graph 0.780025 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.434502, graph 0.91968 to graph 0.461444, graph 0.780025 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus:1e-3 (cut)" at graph 0.454407, graph 0.721837 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.427465, graph 0.919681 to graph 0.454407, graph 0.721837 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.284126, graph 0.778618 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.257184, graph 0.918273 to graph 0.284126, graph 0.778618 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus (cut)" at graph 0.468494, graph 0.780025 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.441552, graph 0.91968 to graph 0.468494, graph 0.780025 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus:1e-3 (cut)" at graph 0.464626, graph 0.721837 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.437684, graph 0.919681 to graph 0.464626, graph 0.721837 nohead lw 0.6 lc rgb '#0060a8'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -317,7 +317,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [1.1318:727.35]
+set xrange [1.00456:758.255]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -328,22 +328,23 @@ set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:1000 (cut)" at graph 0.637478, graph 0.100199 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000 (cut)" at graph 0.641359, graph 0.100199 left front noenhanced textcolor rgb '#d55e00'
 set label "pgs:50 (cut)" at graph 0.693796, graph 0.0536472 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.0617704, graph 0.100199 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6 (cut)" at graph 0.405569, graph 0.158389 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.378627, graph 0.0769231 to graph 0.405569, graph 0.158389 nohead lw 0.6 lc rgb '#555555'
-set label "lemke (cut)" at graph 0.200065, graph 0.0536472 left front noenhanced textcolor rgb '#999999'
+set label "dantzig (cut)" at graph 0.192924, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.0846196, graph 0.123475 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.515691, graph 0.0769231 to graph 0.488749, graph 0.123475 nohead lw 0.6 lc rgb '#555555'
+set label "lemke (cut)" at graph 0.203696, graph 0.0303714 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.176754, graph 0.0769231 to graph 0.203696, graph 0.0303714 nohead lw 0.6 lc rgb '#999999'
 set label "si:10" at graph 0.0835457, graph 0.830919 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.276947, graph 0.857182 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.115372, graph 0.893503 left front noenhanced textcolor rgb '#009e73'
-set label "si:50" at graph 0.251842, graph 0.800098 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.2249, graph 0.869926 to graph 0.251842, graph 0.800098 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.438477, graph 0.885533 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus (cut)" at graph 0.461444, graph 0.938016 left front noenhanced textcolor rgb '#0060a8'
-set label "nncg:50" at graph 0.0816422, graph 0.94073 left front noenhanced textcolor rgb '#009e73'
-set label "delassus:1e-3 (cut)" at graph 0.454407, graph 0.836251 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.427465, graph 0.917717 to graph 0.454407, graph 0.836251 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.284126, graph 0.857182 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.111804, graph 0.893503 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.250213, graph 0.800098 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.223271, graph 0.869926 to graph 0.250213, graph 0.800098 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.436332, graph 0.885533 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus (cut)" at graph 0.468494, graph 0.938016 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg:50" at graph 0.0838095, graph 0.94073 left front noenhanced textcolor rgb '#009e73'
+set label "delassus:1e-3 (cut)" at graph 0.464626, graph 0.836251 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.437684, graph 0.917717 to graph 0.464626, graph 0.836251 nohead lw 0.6 lc rgb '#0060a8'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.006369 1e-12 0.006369 0.006369
+0.00651 1e-12 0.00651 0.00651
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.00637 1e-12 0.00637 0.00637
+0.00652 1e-12 0.00652 0.00652
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.015123 0.129696 0.015123 0.015123
+0.015032 0.129696 0.015032 0.015032
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.055622 0.0193733 0.055622 0.055622
+0.055382 0.0193733 0.055382 0.055382
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.206826 0.00359186 0.206826 0.206826
+0.206215 0.00359186 0.206215 0.206215
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-1.01649 0.00633756 1.01649 1.01649
+1.01389 0.00633756 1.01389 1.01389
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.083363 0.0098553 0.083363 0.083363
+0.082722 0.0098553 0.082722 0.082722
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.018467 0.024797 0.018467 0.018467
+0.018587 0.024797 0.018587 0.018587
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.075662 0.0468525 0.075662 0.075662
+0.076363 0.0468525 0.076363 0.076363
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.247486 0.0200612 0.247486 0.247486
+0.246524 0.0200612 0.246524 0.246524
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.044766 0.0568945 0.044766 0.044766
+0.045918 0.0568945 0.045918 0.045918
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.090524 1.12406e-05 0.090524 0.090524
+0.092978 1.12406e-05 0.092978 0.092978
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-1.14956 0.0333484 1.14956 1.14956
+1.36075 0.0337688 1.36075 1.36075
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.006369 1e-12 0.006369 0.006369
+0.00651 1e-12 0.00651 0.00651
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.00637 1e-12 0.00637 0.00637
+0.00652 1e-12 0.00652 0.00652
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.015123 0.00380401 0.015123 0.015123
+0.015032 0.00380401 0.015032 0.015032
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.055622 0.000396081 0.055622 0.055622
+0.055382 0.000396081 0.055382 0.055382
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.206826 0.000105005 0.206826 0.206826
+0.206215 0.000105005 0.206215 0.206215
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-1.01649 3.50737e-06 1.01649 1.01649
+1.01389 3.50737e-06 1.01389 1.01389
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.083363 0.000535392 0.083363 0.083363
+0.082722 0.000535392 0.082722 0.082722
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.018467 0.00816299 0.018467 0.018467
+0.018587 0.00816299 0.018587 0.018587
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.075662 0.0105749 0.075662 0.075662
+0.076363 0.0105749 0.076363 0.076363
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.247486 0.000396081 0.247486 0.247486
+0.246524 0.000396081 0.246524 0.246524
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.044766 0.00461789 0.044766 0.044766
+0.045918 0.00461789 0.045918 0.045918
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.090524 2.04375e-06 0.090524 0.090524
+0.092978 2.04375e-06 0.092978 0.092978
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-1.14956 0.00380401 1.14956 1.14956
+1.36075 0.00380401 1.36075 1.36075
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.006369 1e-12 0.006369 0.006369
+0.00651 1e-12 0.00651 0.00651
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.00637 1e-12 0.00637 0.00637
+0.00652 1e-12 0.00652 0.00652
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.015123 0.000805561 0.015123 0.015123
+0.015032 0.000805561 0.015032 0.015032
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.055622 7.23225e-05 0.055622 0.055622
+0.055382 7.23225e-05 0.055382 0.055382
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.206826 0.00110292 0.206826 0.206826
+0.206215 0.00110292 0.206215 0.206215
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-1.01649 0.00063824 1.01649 1.01649
+1.01389 0.00063824 1.01389 1.01389
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.083363 0.000812162 0.083363 0.083363
+0.082722 0.000812162 0.082722 0.082722
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.018467 0.0531082 0.018467 0.018467
+0.018587 0.0531082 0.018587 0.018587
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.075662 0.3559 0.075662 0.075662
+0.076363 0.3559 0.076363 0.076363
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.247486 0.000442484 0.247486 0.247486
+0.246524 0.000442484 0.246524 0.246524
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.044766 0.239757 0.044766 0.044766
+0.045918 0.239757 0.045918 0.045918
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.090524 1e-12 0.090524 0.090524
+0.092978 1e-12 0.092978 0.092978
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-1.14956 1e-12 1.14956 1.14956
+1.36075 1e-12 1.36075 1.36075
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,7 +212,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00399401:15.1975]
+set xrange [0.00402897:19.3505]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -224,21 +224,21 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835648, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566228, graph 0.0769231 to graph 0.0835648, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.405494, graph 0.619292 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.505719, graph 0.811948 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.698856, graph 0.830917 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.206904, graph 0.834029 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.180275, graph 0.90316 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.527489, graph 0.869412 left front noenhanced textcolor rgb '#cc79a7'
-set label "nncg:10" at graph 0.00162851, graph 0.876492 left front noenhanced textcolor rgb '#009e73'
-set label "lemke (cut)" at graph 0.713778, graph 0.88639 left front noenhanced textcolor rgb '#999999'
-set label "nncg:50" at graph 0.38374, graph 0.921025 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig" at graph 0.109034, graph 0.962426 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.293138, graph 0.904236 to graph 0.266196, graph 0.962426 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.0223, graph 0.827022 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.1615, graph 0.931764 to graph 0.134558, graph 0.827022 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.0837268, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0567848, graph 0.0769231 to graph 0.0837268, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.397222, graph 0.619292 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.491189, graph 0.811948 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.679067, graph 0.830917 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.194841, graph 0.834029 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.169961, graph 0.90316 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.512251, graph 0.869412 left front noenhanced textcolor rgb '#cc79a7'
+set label "nncg:10" at graph 0.207307, graph 0.957958 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.180365, graph 0.876492 to graph 0.207307, graph 0.957958 nohead lw 0.6 lc rgb '#009e73'
+set label "lemke (cut)" at graph 0.713778, graph 0.886809 left front noenhanced textcolor rgb '#999999'
+set label "nncg:50" at graph 0.373999, graph 0.921025 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.313996, graph 0.776219 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.287054, graph 0.904236 to graph 0.313996, graph 0.776219 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.0161233, graph 0.931764 left front noenhanced textcolor rgb '#d55e00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -261,7 +261,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00399401:15.1975]
+set xrange [0.00402897:19.3505]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -273,22 +273,22 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835648, graph 0.129885 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566228, graph 0.0833333 to graph 0.0835648, graph 0.129885 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.0821909, graph 0.609202 left front noenhanced textcolor rgb '#555555'
-set label "si:1000" at graph 0.698856, graph 0.628748 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.505719, graph 0.751768 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.180275, graph 0.799815 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.527489, graph 0.799815 left front noenhanced textcolor rgb '#cc79a7'
-set label "si2:50" at graph 0.395498, graph 0.857274 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.368556, graph 0.810723 to graph 0.395498, graph 0.857274 nohead lw 0.6 lc rgb '#e69f00'
-set label "si:10" at graph 0.0223, graph 0.881687 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.0837268, graph 0.129885 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0567848, graph 0.0833333 to graph 0.0837268, graph 0.129885 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.073919, graph 0.609202 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.679067, graph 0.628748 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.491189, graph 0.751768 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.169961, graph 0.799815 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.512251, graph 0.799815 left front noenhanced textcolor rgb '#cc79a7'
+set label "si2:50" at graph 0.383435, graph 0.857274 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.356493, graph 0.810723 to graph 0.383435, graph 0.857274 nohead lw 0.6 lc rgb '#e69f00'
+set label "si:10" at graph 0.0161233, graph 0.881687 left front noenhanced textcolor rgb '#d55e00'
 set label "lemke (cut)" at graph 0.713778, graph 0.881687 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.109034, graph 0.935255 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.293138, graph 0.888704 to graph 0.266196, graph 0.935255 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.212674, graph 0.862769 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.185732, graph 0.909321 to graph 0.212674, graph 0.862769 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.38374, graph 0.91869 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.102951, graph 0.935255 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.287054, graph 0.888704 to graph 0.260112, graph 0.935255 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.207307, graph 0.862769 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.180365, graph 0.909321 to graph 0.207307, graph 0.862769 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.373999, graph 0.91869 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -311,7 +311,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00399401:15.1975]
+set xrange [0.00402897:19.3505]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -323,19 +323,19 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835648, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566228, graph 0.0769231 to graph 0.0835648, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.405494, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.0837268, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0567848, graph 0.0769231 to graph 0.0837268, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.397222, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
 set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.346417, graph 0.681483 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.527489, graph 0.741992 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:1000" at graph 0.698856, graph 0.75423 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.188442, graph 0.762008 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.395498, graph 0.797194 left front noenhanced textcolor rgb '#e69f00'
-set label "si:200" at graph 0.317125, graph 0.73759 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.212674, graph 0.901936 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig" at graph 0.109034, graph 0.95229 left front noenhanced textcolor rgb '#555555'
-set label "nncg:50" at graph 0.38374, graph 0.965487 left front noenhanced textcolor rgb '#009e73'
+set label "si:50" at graph 0.336103, graph 0.681483 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.512251, graph 0.741992 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:1000" at graph 0.679067, graph 0.75423 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.182265, graph 0.762008 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.383435, graph 0.797194 left front noenhanced textcolor rgb '#e69f00'
+set label "si:200" at graph 0.302596, graph 0.73759 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.207307, graph 0.901936 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.102951, graph 0.95229 left front noenhanced textcolor rgb '#555555'
+set label "nncg:50" at graph 0.373999, graph 0.965487 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

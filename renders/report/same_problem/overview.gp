@@ -1,425 +1,426 @@
 # Draws overview.svg and overview.png: gnuplot overview.gp
 $line0_0 << EOD
-0.000397667 1e-13 0.000384 0.000420667
+0.000423667 1e-13 0.000414 0.000437333
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.000443667 1e-13 0.000443667 0.000443667
+0.000440667 1e-13 0.000440667 0.000440667
 EOD
 $line0_2 << EOD
-0.00137533 1e-13 0.00135233 0.001402
+0.00137533 1e-13 0.00135567 0.00141533
 EOD
 $marks0_2 << EOD
 EOD
 $line1_0 << EOD
-0.00891667 0.208082 0.00889333 0.008947
-0.00894667 0.0403056 0.00888967 0.00900633
-0.0329357 0.0298954 0.0328387 0.034054
-0.040667 0.0227675 0.0405633 0.040997
-0.0561733 0.0227624 0.05606 0.057528
-0.101848 0.0227624 0.101577 0.104491
+0.00791167 0.0403056 0.00788167 0.00793833
+0.0332123 0.0298954 0.032942 0.0351717
+0.040907 0.0227675 0.04059 0.0428937
+0.0562697 0.0227624 0.056013 0.0582393
+0.103456 0.0227624 0.102909 0.105132
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.0115063 0.0407875 0.0115063 0.0115063
+0.012602 0.0407875 0.012602 0.012602
 EOD
 $line1_2 << EOD
-0.0428837 1.72589e-12 0.0427963 0.0431673
-0.0560893 3.24222e-13 0.0559427 0.0565603
+0.0430203 1.72589e-12 0.0429337 0.043204
+0.0689523 3.24222e-13 0.0682543 0.0699603
 EOD
 $marks1_2 << EOD
 EOD
 $line2_0 << EOD
-0.011387 0.716912 0.01133 0.012278
-0.0119407 0.605739 0.0119103 0.011981
-0.0151557 0.579252 0.0151353 0.0151757
-0.018431 0.339693 0.0183773 0.0184773
-0.0326083 0.197973 0.0325517 0.032675
-0.055719 0.130868 0.0556323 0.056003
-0.0746033 0.0427981 0.0744237 0.0760157
-0.091436 0.00061836 0.0900233 0.0940693
+0.010439 0.716912 0.0104223 0.0104687
+0.0118743 0.605739 0.011844 0.011911
+0.015212 0.579252 0.0151987 0.0152423
+0.0202997 0.339693 0.0185873 0.0209643
+0.032548 0.197973 0.0324577 0.0326347
+0.05614 0.130868 0.0560363 0.0562403
+0.0735523 0.0427981 0.073435 0.073649
+0.0924933 0.00061836 0.0915153 0.0948403
 EOD
 $marks2_0 << EOD
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.0151557 0.579252 0.0151557 0.0151557
+0.015212 0.579252 0.015212 0.015212
 EOD
 $line2_2 << EOD
-0.00605933 1e-13 0.00604267 0.00609233
+0.00606867 1e-13 0.006046 0.00609533
 EOD
 $marks2_2 << EOD
 EOD
 $line3_0 << EOD
-0.010422 0.997126 0.010402 0.0104423
-0.0145217 0.997124 0.014498 0.014545
-0.01576 0.995724 0.01574 0.015777
-0.0184573 0.992397 0.0184273 0.0185203
-0.0327483 0.990153 0.0326913 0.0328357
-0.055492 0.985269 0.0554257 0.055539
-0.073849 0.976647 0.0737657 0.074016
-0.105817 0.130574 0.104582 0.107433
+0.0101483 0.997126 0.0101283 0.0101683
+0.014084 0.997124 0.0140677 0.0141077
+0.015209 0.995724 0.0151927 0.0152457
+0.0185473 0.992397 0.018511 0.0185807
+0.0339103 0.990153 0.03385 0.0339703
+0.0556757 0.985269 0.055639 0.055906
+0.073619 0.976647 0.0733853 0.0738023
+0.108457 0.972416 0.108284 0.108915
+0.111224 0.130574 0.108224 0.121446
 EOD
 $marks3_0 << EOD
 EOD
 $line3_1 << EOD
 EOD
 $marks3_1 << EOD
-0.01576 0.995724 0.01576 0.01576
+0.015209 0.995724 0.015209 0.015209
 EOD
 $line3_2 << EOD
-0.00597533 3.24325e-06 0.00595233 0.00602167
-0.00600867 5.85861e-09 0.00597867 0.006039
-0.006009 2.40834e-11 0.00598567 0.00604567
-0.00609933 1.0525e-11 0.00608567 0.00612933
+0.00596167 3.24325e-06 0.00593867 0.005989
+0.005962 2.40834e-11 0.005932 0.005992
+0.00610567 1.0525e-11 0.006082 0.006126
 EOD
 $marks3_2 << EOD
 EOD
 $line4_0 << EOD
-0.0437747 0.926036 0.0435773 0.0441317
-0.048185 0.904292 0.0481243 0.0484117
-0.061237 0.894835 0.061164 0.0614677
-0.0767703 0.822127 0.0766633 0.0771207
-0.135124 0.801754 0.135016 0.135461
-0.250354 0.750351 0.247984 0.252778
-0.329471 0.671472 0.327508 0.336418
-0.444204 0.626558 0.44386 0.446341
-0.643229 0.465567 0.634853 0.669527
-0.849214 0.447062 0.847281 0.882116
-1.30025 0.44045 1.27013 1.33307
-1.30141 0.278849 1.28834 1.34477
-2.32631 0.182198 2.30107 2.35627
-3.14677 0.0703965 3.12233 3.17864
-3.98663 0.00895085 3.94129 4.05925
+0.0406407 0.926036 0.0405903 0.0408073
+0.0480513 0.904292 0.0480107 0.048155
+0.062366 0.894835 0.0622253 0.066635
+0.076323 0.822127 0.0762427 0.0764733
+0.135578 0.801754 0.13517 0.145896
+0.252681 0.750351 0.251315 0.25447
+0.307819 0.671472 0.307088 0.329544
+0.450447 0.626558 0.449672 0.45256
+0.593355 0.465567 0.59226 0.611729
+0.962935 0.447062 0.955821 0.985055
+1.17339 0.278849 1.16667 1.1957
+2.14777 0.182198 2.12459 2.16455
+2.94261 0.0703965 2.92997 2.96865
+3.44798 0.00895085 3.43418 3.47947
 EOD
 $marks4_0 << EOD
 EOD
 $line4_1 << EOD
 EOD
 $marks4_1 << EOD
-0.061237 0.894835 0.061237 0.061237
+0.062366 0.894835 0.062366 0.062366
 EOD
 $line4_2 << EOD
-0.023061 1.51461e-08 0.0230013 0.0231947
-0.0233677 3.92652e-12 0.023334 0.023421
+0.0228037 1.51461e-08 0.0227473 0.022847
+0.0233543 3.92652e-12 0.023288 0.023401
 EOD
 $marks4_2 << EOD
 EOD
 $line5_0 << EOD
-0.0928543 0.44258 0.0927577 0.0933647
-0.113662 0.245927 0.113368 0.115878
-0.181105 0.0597601 0.180397 0.182497
-0.517085 0.00779958 0.516238 0.519476
-0.757641 0.00165521 0.74778 0.797023
-1.00482 0.00119107 0.995644 1.04365
-1.49602 0.000651464 1.46687 1.51232
-1.9569 0.000531489 1.93076 1.97702
-3.00111 0.000162128 2.98278 3.02851
-5.03791 6.25643e-05 4.99314 5.10991
-7.37796 2.16207e-06 7.33541 7.42278
-10.0635 1.97618e-06 9.92295 10.1377
-14.5977 1.60592e-09 14.5977 14.6446
-31.5324 1e-13 31.5324 32.6189
+0.096893 0.44258 0.0934747 0.101297
+0.113852 0.245927 0.113608 0.114456
+0.185104 0.0597601 0.184804 0.186085
+0.518484 0.00779958 0.516932 0.527197
+0.754016 0.00165521 0.747937 0.783412
+0.991748 0.00119107 0.989865 1.01821
+1.48155 0.000651464 1.46237 1.50015
+1.96979 0.000531489 1.94119 1.98908
+2.96076 0.000162128 2.94814 2.97909
+4.94349 6.25643e-05 4.92504 4.95965
+7.36635 2.16207e-06 7.33004 7.39052
+9.90649 1.97618e-06 9.8732 9.91632
+14.4691 1.60592e-09 14.4691 14.5708
+30.4847 1e-13 30.4847 31.9111
 EOD
 $marks5_0 << EOD
 EOD
 $line5_1 << EOD
 EOD
 $marks5_1 << EOD
-0.139827 0.253641 0.139827 0.139827
+0.152192 0.253641 0.152192 0.152192
 EOD
 $line5_2 << EOD
-0.0559863 2.0433e-08 0.0558557 0.0562497
-0.057185 1e-13 0.0570773 0.0573513
+0.056237 2.0433e-08 0.056096 0.0565103
+0.0571777 1e-13 0.057071 0.057405
 EOD
 $marks5_2 << EOD
 EOD
 $line6_0 << EOD
-0.393339 0.704545 0.392294 0.405931
-0.481142 0.591319 0.478425 0.511564
-0.594056 0.583607 0.59257 0.611886
-0.788774 0.32907 0.774336 0.82895
-2.28981 0.181015 2.25377 2.31087
-3.38963 0.180567 3.35805 3.45568
-3.44158 0.082558 3.4136 3.52345
-4.37428 0.0514512 4.34285 4.72046
-6.5551 0.0129409 6.53224 6.6558
-8.48111 0.00834562 8.4493 8.51604
-12.7816 0.00335433 12.7816 13.4133
-21.078 0.00200145 21.078 21.2583
-31.7989 0.000718483 31.7989 32.9891
-41.4074 0.000537575 41.4074 42.959
-62.9235 0.000124728 62.9235 63.8111
-83.0783 8.87081e-05 83.0783 87.7028
-125.154 4.76997e-06 125.154 127.14
+0.404635 0.704545 0.39641 0.421847
+0.509961 0.591319 0.483636 0.557629
+0.595845 0.583607 0.591873 0.611785
+0.846089 0.583178 0.836535 0.88517
+1.00732 0.424197 0.989448 1.03695
+1.06319 0.32907 0.989448 1.13191
+2.37732 0.181015 2.33791 2.43359
+3.41871 0.082558 3.3776 3.44047
+4.64446 0.0514512 4.55717 4.72256
+6.46325 0.0129409 6.42496 6.76926
+10.7121 0.00834562 10.3741 10.742
+13.3925 0.00335433 13.3925 14.1511
+23.4882 0.00200145 23.4882 24.7564
+31.4441 0.000718483 31.4441 31.7487
+44.5008 0.000537575 44.5008 46.7177
+62.6004 0.000124728 62.6004 63.1931
+83.263 8.87081e-05 83.263 84.4463
+124.168 4.76997e-06 124.168 125.201
 EOD
 $marks6_0 << EOD
 EOD
 $line6_1 << EOD
 EOD
 $marks6_1 << EOD
-0.594056 0.583607 0.594056 0.594056
+0.595845 0.583607 0.595845 0.595845
 EOD
 $line6_2 << EOD
-0.227847 1.81934e-08 0.227296 0.229957
-0.233156 1e-13 0.232491 0.235585
+0.227647 1.81934e-08 0.22694 0.229603
+0.232641 1e-13 0.23178 0.234945
 EOD
 $marks6_2 << EOD
 EOD
 $line7_0 << EOD
-0.372738 0.700394 0.371981 0.374701
-0.458218 0.570841 0.451615 0.481172
-0.564409 0.542821 0.56266 0.58325
-0.723344 0.28992 0.718777 0.764021
-1.29959 0.138369 1.27784 1.32439
-2.21627 0.0894565 2.18928 2.24313
-3.04024 0.0194713 3.01199 3.08981
-4.31041 0.0171056 4.19546 4.48024
-6.07197 0.00363577 5.95443 6.17202
-8.14697 0.00345789 8.1055 8.15776
-12.2301 0.000823426 12.148 12.4122
-19.7934 0.000242668 19.7934 20.3205
-29.1973 2.22303e-05 29.1973 30.4629
-39.7231 5.26856e-06 39.7231 40.9063
-57.2536 6.68303e-08 57.2536 57.7252
-79.2471 2.56151e-09 79.2471 80.8416
-117.32 1.41182e-12 117.32 119.139
+0.378357 0.700394 0.374895 0.383567
+0.448487 0.570841 0.445556 0.458712
+0.570601 0.542821 0.567527 0.581804
+0.716373 0.28992 0.712167 0.741591
+1.28277 0.138369 1.27503 1.31028
+2.14681 0.0894565 2.12501 2.16693
+3.08221 0.0194713 3.04209 3.13012
+4.1525 0.0171056 4.12714 4.19591
+6.05559 0.00363577 6.00786 6.11642
+7.97305 0.00345789 7.95338 7.98711
+12.2651 0.000823426 12.2591 12.4679
+19.9225 0.000242668 19.9225 20.1324
+29.3149 2.22303e-05 29.3149 29.5287
+39.8222 5.26856e-06 39.8222 40.4983
+57.9519 6.68303e-08 57.9519 58.2427
+78.5393 2.56151e-09 78.5393 78.8025
+114.545 1.41182e-12 114.545 116.672
 EOD
 $marks7_0 << EOD
 EOD
 $line7_1 << EOD
 EOD
 $marks7_1 << EOD
-0.564409 0.542821 0.564409 0.564409
+0.570601 0.542821 0.570601 0.570601
 EOD
 $line7_2 << EOD
-0.224443 1.82807e-08 0.223868 0.227045
-0.228508 1e-13 0.227831 0.230161
+0.225344 1.82807e-08 0.224406 0.22968
+0.229179 1e-13 0.228281 0.233816
 EOD
 $marks7_2 << EOD
 EOD
 $line8_0 << EOD
-0.022183 0.750738 0.022156 0.022226
-0.030869 0.747617 0.0308323 0.030949
-0.0369313 0.668978 0.036661 0.0371747
-0.041044 0.619391 0.0409407 0.0411073
-0.060179 0.566672 0.059565 0.0607567
-0.0737563 0.560405 0.073692 0.073843
-0.080049 0.536531 0.079985 0.0802523
-0.136402 0.426452 0.134946 0.137941
-0.165762 0.388162 0.165612 0.166159
-0.177339 0.335708 0.177202 0.177683
-0.321987 0.330693 0.321563 0.322864
-0.340397 0.186665 0.340046 0.341506
-0.66011 0.0805268 0.659383 0.675567
-1.63108 0.047614 1.61108 1.64877
-3.24741 0.0352932 3.23972 3.26452
-6.34822 0.0181845 6.32509 6.37491
+0.0220157 0.750738 0.021983 0.0220387
+0.030936 0.747617 0.0309023 0.0310127
+0.033099 0.668978 0.0330593 0.033159
+0.041141 0.619391 0.0411007 0.0413447
+0.055152 0.566672 0.0551083 0.055205
+0.074437 0.560405 0.07437 0.0745133
+0.0800653 0.536531 0.0800187 0.0801723
+0.120842 0.426452 0.120782 0.121369
+0.165288 0.388162 0.165161 0.165708
+0.19142 0.335708 0.182126 0.195697
+0.323873 0.330693 0.323445 0.325545
+0.342524 0.186665 0.342287 0.343765
+0.663649 0.0805268 0.662677 0.676131
+1.64273 0.047614 1.61957 1.65777
+3.27052 0.0352932 3.26067 3.29167
+6.36815 0.0181845 6.36549 6.71737
 EOD
 $marks8_0 << EOD
 EOD
 $line8_1 << EOD
 EOD
 $marks8_1 << EOD
-0.0369313 0.668978 0.0369313 0.0369313
+0.033099 0.668978 0.033099 0.033099
 EOD
 $line8_2 << EOD
-0.0662877 1 0.0659447 0.0669293
-0.067954 0.83692 0.0672593 0.0685313
-0.0748243 0.808751 0.0742833 0.0758257
-0.0897663 0.665631 0.08779 0.0907913
-0.102806 0.396985 0.101403 0.103634
-0.182584 0.169323 0.181288 0.184169
-0.252571 0.046833 0.251862 0.25628
-0.760509 0.00780512 0.736166 0.787616
-0.954727 0.000468234 0.925386 1.00751
-1.03867 2.44863e-05 1.00395 1.06968
-1.19912 8.07944e-06 1.1746 1.21854
-2.85253 2.12088e-06 2.82333 3.05858
-3.16489 2.47224e-07 2.91714 3.25052
-4.1553 9.81226e-09 4.11018 4.20941
-5.61345 2.49356e-09 5.55532 5.63648
+0.0598053 1 0.059618 0.0600757
+0.061501 0.83692 0.0613107 0.0618283
+0.071145 0.808751 0.06755 0.0768637
+0.084558 0.665631 0.082933 0.088211
+0.090103 0.396985 0.0898193 0.091292
+0.16213 0.169323 0.161616 0.163518
+0.26169 0.046833 0.253862 0.265433
+0.732478 0.00780512 0.72291 0.749556
+0.91429 0.000468234 0.905474 0.946318
+1.01615 2.44863e-05 0.997036 1.02932
+1.16942 8.07944e-06 1.15618 1.18852
+2.62349 2.47224e-07 2.606 2.65241
+3.53457 9.81226e-09 3.50754 3.68586
+4.79328 2.49356e-09 4.78137 4.81397
 EOD
 $marks8_2 << EOD
 EOD
 $line9_0 << EOD
-0.0138207 0.281643 0.013764 0.0138573
-0.0204273 0.148726 0.02037 0.020464
-0.0336467 0.0567897 0.0335863 0.03373
-0.0740397 0.00973674 0.0738097 0.0741563
-0.103249 0.00952991 0.102725 0.103667
-0.140004 0.00639293 0.13932 0.140168
-0.210014 0.0062003 0.209547 0.210955
-0.290443 0.00415935 0.271088 0.29486
-0.663248 0.00170462 0.660734 0.685281
-1.2663 0.000482671 1.24953 1.30072
-2.6948 0.000108414 2.66887 2.7115
+0.012084 0.281643 0.0120577 0.0121313
+0.018234 0.148726 0.0182033 0.0182737
+0.0299747 0.0567897 0.0299077 0.0300317
+0.0640813 0.00973674 0.0639613 0.0641817
+0.0969767 0.00952991 0.0968967 0.0970567
+0.121176 0.00639293 0.121013 0.12149
+0.185294 0.0062003 0.18513 0.186133
+0.235889 0.00415935 0.235666 0.236524
+0.600973 0.00170462 0.599658 0.608908
+1.21299 0.000482671 1.20998 1.23648
+2.70595 0.000108414 2.67859 2.72764
 EOD
 $marks9_0 << EOD
 EOD
 $line9_1 << EOD
 EOD
 $marks9_1 << EOD
-0.0204273 0.148726 0.0204273 0.0204273
+0.018234 0.148726 0.018234 0.018234
 EOD
 $line9_2 << EOD
-0.009901 4.89633e-05 0.00987467 0.00993433
-0.0101113 1.09856e-12 0.010078 0.010161
+0.009961 1.58878e-07 0.00992433 0.00999867
+0.0101283 1.09856e-12 0.0100983 0.0101653
 EOD
 $marks9_2 << EOD
 EOD
 $line10_0 << EOD
-0.037005 0.121815 0.036975 0.037055
-0.057235 0.028703 0.057154 0.057315
-0.096863 0.00514684 0.096814 0.097024
-0.137213 0.00413297 0.137073 0.137523
-0.21607 0.00362824 0.215949 0.216981
-0.309769 0.000950887 0.309528 0.31072
-0.598576 0.000192506 0.598356 0.60126
-1.17648 7.56546e-06 1.17499 1.20738
-2.95333 6.47214e-06 2.94505 2.97497
-5.84927 6.47214e-06 5.81343 5.8623
+0.037425 0.121815 0.037385 0.037475
+0.058096 0.028703 0.057996 0.058246
+0.097655 0.00514684 0.097484 0.097855
+0.138465 0.00413297 0.138145 0.139947
+0.217652 0.00362824 0.217452 0.218423
+0.311912 0.000950887 0.311591 0.313574
+0.599928 0.000192506 0.599587 0.602371
+1.179 7.56546e-06 1.17631 1.20978
+2.93635 6.47214e-06 2.9305 2.95549
+5.88276 6.47214e-06 5.87334 5.90419
 EOD
 $marks10_0 << EOD
 EOD
 $line10_1 << EOD
 EOD
 $marks10_1 << EOD
-0.057235 0.028703 0.057235 0.057235
+0.058096 0.028703 0.058096 0.058096
 EOD
 $line10_2 << EOD
-0.062873 0.0640871 0.062632 0.063454
-0.06735 0.0196451 0.0671 0.06771
-0.091115 0.00102291 0.088151 0.106097
-0.124534 0.000820035 0.123262 0.139877
-0.20966 0.000328141 0.208659 0.212705
-0.261086 3.64514e-08 0.260095 0.261998
-0.266064 2.14598e-08 0.265523 0.267175
-0.271331 1e-13 0.270791 0.273595
+0.061851 0.0640871 0.061731 0.062142
+0.066528 0.0196451 0.066388 0.06721
+0.078606 0.00102291 0.078376 0.079768
+0.123393 0.000820035 0.122902 0.125196
+0.212304 0.000328141 0.211973 0.212655
+0.255909 2.14598e-08 0.255508 0.256861
+0.278002 1e-13 0.277151 0.282078
 EOD
 $marks10_2 << EOD
 EOD
 $line11_0 << EOD
-0.00540167 0.579749 0.005361 0.005445
-0.00743767 0.368826 0.00684 0.00753133
-0.00966767 0.246505 0.00960767 0.009721
-0.0120613 0.0448196 0.012011 0.012248
-0.025835 0.0352882 0.0256247 0.026022
-0.031974 0.000309292 0.0318037 0.0354757
+0.00478667 0.579538 0.00477 0.00480367
+0.006937 0.368124 0.00692667 0.00695067
+0.00839233 0.246505 0.00836267 0.008429
+0.0111663 0.0446838 0.01114 0.01119
+0.0237553 0.0352882 0.0237017 0.023792
+0.028001 0.000309292 0.0271633 0.030732
 EOD
 $marks11_0 << EOD
 EOD
 $line11_1 << EOD
 EOD
 $marks11_1 << EOD
-0.00743767 0.368826 0.00743767 0.00743767
+0.006937 0.368124 0.006937 0.006937
 EOD
 $line11_2 << EOD
-0.0338363 8.4587e-07 0.03371 0.034024
+0.0394887 0.000436776 0.039365 0.039809
+0.0396587 0.000436758 0.0393917 0.040887
+0.042296 0.000436713 0.0421487 0.042563
+0.0432203 3.87867e-08 0.0430973 0.043578
 EOD
 $marks11_2 << EOD
 EOD
 $line12_0 << EOD
-0.195946 0.632568 0.195092 0.196932
-0.210365 0.583376 0.206161 0.214727
-0.268948 0.502057 0.267863 0.276656
-0.295063 0.383631 0.285413 0.313594
-0.448618 0.239776 0.443142 0.484718
-0.9344 0.151917 0.91891 0.95525
-1.76699 0.12068 1.74105 1.87137
-3.36523 0.110347 3.34267 3.37873
-8.19974 0.108284 8.1679 8.21239
-16.24 0.108192 16.24 16.566
-31.976 0.108102 31.976 32.0465
+0.196735 0.631169 0.196073 0.198694
+0.20696 0.583489 0.205761 0.217408
+0.269859 0.499434 0.268557 0.273538
+0.289034 0.383847 0.285726 0.300241
+0.445349 0.238228 0.441838 0.458996
+0.923243 0.151403 0.914804 0.966487
+1.73034 0.121282 1.71201 1.75541
+3.33104 0.110888 3.30744 3.35399
+8.13747 0.109641 8.11059 8.21087
+16.1365 0.109577 16.1365 16.2019
+31.9393 0.109486 31.9393 32.1196
 EOD
 $marks12_0 << EOD
 EOD
 $line12_1 << EOD
 EOD
 $marks12_1 << EOD
-0.268948 0.502057 0.268948 0.268948
+0.269859 0.499434 0.269859 0.269859
 EOD
 $line12_2 << EOD
-1.08033 0.264463 1.06403 1.10715
-1.12834 0.122824 1.10954 1.17446
-1.19102 0.0486024 1.1629 1.21913
-1.20875 0.00185644 1.19168 1.22321
-1.41354 0.000280642 1.39275 1.46524
-1.71859 1.66173e-05 1.7016 1.79318
-2.25801 1.21956e-06 2.23479 2.28606
-2.33174 2.18691e-07 2.31398 2.37982
-2.56872 1.06568e-07 2.56112 2.60187
-2.7409 1.73749e-11 2.734 2.78001
+1.085 0.361258 1.06824 1.11215
+1.11946 0.281251 1.09727 1.15355
+1.13051 0.139734 1.10053 1.15781
+1.22965 4.64758e-05 1.20919 1.26767
+1.27426 4.64757e-05 1.25385 1.30716
+1.35509 4.36972e-05 1.31416 1.39462
+1.4374 1.72446e-06 1.41064 1.46352
+1.80052 7.07862e-07 1.78731 1.82298
+2.03051 1.35531e-08 2.01981 2.06689
+2.20176 8.84196e-10 2.12293 2.23996
+2.41199 1.04531e-10 2.3942 2.4653
 EOD
 $marks12_2 << EOD
 EOD
 $line13_0 << EOD
-0.0206337 0.966498 0.0205807 0.020724
-0.0239523 0.965959 0.0239253 0.0253977
-0.0312797 0.964485 0.031029 0.031603
-0.034958 0.96378 0.0349187 0.035042
-0.036681 0.962898 0.0365543 0.0369147
-0.0570913 0.962518 0.057028 0.0571817
-0.106404 0.961405 0.10614 0.106731
-0.121246 0.960556 0.121056 0.121784
-0.206716 0.958498 0.204603 0.208108
-0.244716 0.957642 0.243009 0.248454
-0.390131 0.336842 0.378039 0.466203
+0.0206803 0.966498 0.020657 0.0207373
+0.024109 0.965959 0.024069 0.0241963
+0.0297007 0.964485 0.0296503 0.029774
+0.0351317 0.96378 0.0350953 0.0353323
+0.036167 0.962898 0.0359267 0.0363433
+0.0578053 0.962518 0.0576283 0.058106
+0.100576 0.961405 0.100412 0.101204
+0.123329 0.960556 0.122988 0.123856
+0.190829 0.958498 0.189971 0.192621
+0.230227 0.957642 0.229313 0.231626
+0.396494 0.336842 0.387059 0.426067
 EOD
 $marks13_0 << EOD
 EOD
 $line13_1 << EOD
 EOD
 $marks13_1 << EOD
-0.0312797 0.964485 0.0312797 0.0312797
+0.0297007 0.964485 0.0297007 0.0297007
 EOD
 $line13_2 << EOD
-0.0632473 0.846599 0.06305 0.063894
-0.069383 0.783076 0.0653937 0.075789
-0.0727347 0.62241 0.0723207 0.0735993
-0.0740897 9.35012e-05 0.0737323 0.078012
+0.063851 0.846599 0.0635843 0.065103
+0.065727 0.783076 0.065517 0.0668853
+0.0728447 0.62241 0.0724307 0.0740627
+0.08108 9.35012e-05 0.0777553 0.0845017
 EOD
 $marks13_2 << EOD
 EOD
 $line14_0 << EOD
-0.730247 0.789549 0.688763 0.799009
-1.04208 0.756254 1.00903 1.08951
-1.1753 0.749216 1.05875 1.2822
-1.35829 0.7368 1.24138 1.56684
-1.92388 0.683183 1.69966 2.10732
-2.73703 0.591777 2.6605 2.88606
-6.5946 0.449216 6.3824 6.73408
-9.81852 0.331074 9.71824 9.87385
-17.9384 0.252374 17.9384 18.0887
-42.0287 0.226337 42.0287 46.1889
-82.9315 0.208208 82.9315 86.3666
-175.654 0.200581 175.654 177.691
+0.523325 0.440482 0.519318 0.53346
+0.755769 0.369479 0.751212 0.786284
+0.93918 0.350223 0.931769 0.994422
+1.20811 0.336309 1.07061 1.3404
+1.23727 0.319476 1.2234 1.25208
+1.59284 0.312908 1.57384 1.61642
+2.38985 0.24302 2.31048 2.45669
+5.1054 0.104262 4.95675 5.29206
+8.30956 0.04871 8.23033 8.71465
+16.4979 0.0453047 16.4979 17.2346
 EOD
 $marks14_0 << EOD
 EOD
 $line14_1 << EOD
 EOD
 $marks14_1 << EOD
-1.1753 0.749216 1.1753 1.1753
+0.755769 0.369479 0.755769 0.755769
 EOD
 $line14_2 << EOD
-1.34549 0.737324 1.30212 1.42012
-1.86788 0.600186 1.75365 1.95496
-2.38152 0.491514 2.10138 2.46143
-3.71413 0.32837 3.63778 3.75975
-5.52376 0.234406 5.41945 5.72313
-12.3963 0.132675 12.3453 12.7106
-32.1868 0.043371 32.1868 33.2848
-40.5926 0.0389304 40.5432 43.4587
-47.4528 0.00434495 47.4468 47.6734
-89.5059 0.00335196 89.4825 90.8734
+1.08234 0.567038 1.04418 1.16201
+1.09063 0.361263 1.06096 1.12955
+1.15391 0.220196 1.13519 1.20788
+1.87565 0.116039 1.43475 2.07507
+2.69513 0.0208915 2.14424 2.99091
+3.19733 0.000612713 2.94694 3.2695
+3.19745 4.69375e-05 3.04704 3.40453
+4.40233 9.57477e-07 4.22171 4.55215
+4.59613 4.49752e-09 4.51568 6.46806
+5.23645 4.84202e-10 5.10156 5.36691
+6.20505 4.45109e-11 5.92543 6.40212
+11.1783 2.11589e-13 10.9752 11.1783
 EOD
 $marks14_2 << EOD
 EOD
@@ -441,7 +442,7 @@ set logscale x
 set xtics nomirror (0.0001, 0.0002, 0.0005, 0.001, 0.002, 0.005)
 set mxtics
 set format x "%g"
-set xrange [0.000355834:0.00253546]
+set xrange [0.000381255:0.00245753]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -453,8 +454,8 @@ unset label
 unset arrow
 unset object
 set label "best of Bullet's" at graph 0.0914038, graph 0.037156 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.147146, graph 0.130046 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.112346, graph 0 to graph 0.147146, graph 0.130046 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.112516, graph 0.130046 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0777162, graph 0 to graph 0.112516, graph 0.130046 nohead lw 0.6 lc rgb '#555555'
 set label "delassus" at graph 0.723301, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line0_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
@@ -472,7 +473,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00644859:1.97623]
+set xrange [0.00561971:2.36682]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -484,9 +485,9 @@ unset label
 unset arrow
 unset object
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 3.24222e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.412626, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.449681, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.81123 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.13594, graph 0.866479 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.168438, graph 0.866479 left front noenhanced textcolor rgb '#555555'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line1_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line1_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -503,7 +504,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00422274:2.49036]
+set xrange [0.00422365:2.54988]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -516,7 +517,7 @@ unset arrow
 unset object
 set label "delassus" at graph 0.0914038, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.699374 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.235106, graph 0.948789 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.234919, graph 0.948789 left front noenhanced textcolor rgb '#555555'
 plot $line2_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line2_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line2_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -533,7 +534,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00407647:3.50205]
+set xrange [0.00403904:3.92221]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -545,9 +546,9 @@ unset label
 unset arrow
 unset object
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.0525e-11 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.094444, graph 0.144444 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0948737, graph 0.144444 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.865418 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.0203582, graph 0.891283 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.01296, graph 0.891283 left front noenhanced textcolor rgb '#555555'
 plot $line3_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line3_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line3_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -564,7 +565,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0116182:2114.48]
+set xrange [0.0116951:1553.6]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -576,9 +577,9 @@ unset label
 unset arrow
 unset object
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 3.92652e-12 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.0924945, graph 0.113858 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0934264, graph 0.113858 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.782276 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.172037, graph 0.96228 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.176689, graph 0.96228 left front noenhanced textcolor rgb '#555555'
 plot $line4_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line4_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line4_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -595,7 +596,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0241042:70454.1]
+set xrange [0.0243357:65013.1]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -607,8 +608,8 @@ unset label
 unset arrow
 unset object
 set label "best of Bullet's" at graph 0.516822, graph 0.037156 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus" at graph 0.0928267, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.152882, graph 0.886016 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.0925248, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.15868, graph 0.886016 left front noenhanced textcolor rgb '#555555'
 plot $line5_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line5_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line5_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -625,7 +626,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.098424:271238]
+set xrange [0.0984296:266810]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -636,9 +637,9 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0929569, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0928688, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.548465 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.156026, graph 0.949022 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.156361, graph 0.949022 left front noenhanced textcolor rgb '#555555'
 plot $line6_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line6_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line6_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -655,7 +656,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0975951:239366]
+set xrange [0.0983521:225885]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -666,9 +667,9 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.092624, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.092556, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.0821271 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.154082, graph 0.928196 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.154834, graph 0.928196 left front noenhanced textcolor rgb '#555555'
 plot $line7_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line7_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line7_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -685,7 +686,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0104509:6219.86]
+set xrange [0.0103573:6321.26]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -697,10 +698,10 @@ unset label
 unset arrow
 unset object
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 3.23153e-10 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.507571, graph 0.314059 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.495497, graph 0.314059 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.804264 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.12974, graph 0.767477 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0949395, graph 0.916101 to graph 0.12974, graph 0.767477 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.122012, graph 0.767477 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0872116, graph 0.916101 to graph 0.122012, graph 0.767477 nohead lw 0.6 lc rgb '#555555'
 plot $line8_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line8_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line8_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -717,7 +718,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.00469582:2483.89]
+set xrange [0.00472548:2488.36]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -729,9 +730,9 @@ unset label
 unset arrow
 unset object
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.09856e-12 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.0929989, graph 0.0743445 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.0926683, graph 0.0743445 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.645363 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.146359, graph 0.906612 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.137297, graph 0.906612 left front noenhanced textcolor rgb '#555555'
 plot $line9_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line9_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line9_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -748,7 +749,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0188667:2781.96]
+set xrange [0.019095:2778.96]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -759,9 +760,9 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.258805, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.260083, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.557932 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.128048, graph 0.837001 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.128395, graph 0.837001 left front noenhanced textcolor rgb '#555555'
 plot $line10_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line10_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line10_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -778,7 +779,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00426176:0.280658]
+set xrange [0.00377174:0.254031]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -789,10 +790,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 8.4587e-07 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.529576, graph 0.494807 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.516057, graph 0.677883 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.167787, graph 0.934786 left front noenhanced textcolor rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 3.87867e-08 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.614093, graph 0.399192 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.510986, graph 0.733617 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.179537, graph 0.934727 left front noenhanced textcolor rgb '#555555'
 plot $line11_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line11_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line11_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -809,7 +810,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.0994786:15810]
+set xrange [0.0999474:15692.9]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -820,10 +821,10 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 1.49819e-12 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.311691, graph 0.159994 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.516822, graph 0.85956 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.117846, graph 0.944353 left front noenhanced textcolor rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 2.27268e-13 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.300894, graph 0.21566 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.516822, graph 0.859954 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.11782, graph 0.94419 left front noenhanced textcolor rgb '#555555'
 plot $line12_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line12_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line12_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -840,7 +841,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0139545:13.9832]
+set xrange [0.0139602:14.4541]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -852,10 +853,10 @@ unset label
 unset arrow
 unset object
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 9.35012e-05 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.276409, graph 0.640773 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.288199, graph 0.640773 left front noenhanced textcolor rgb '#0060a8'
 set label "best of Bullet's" at graph 0.516822, graph 0.894816 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.151614, graph 0.55589 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.116814, graph 0.92745 to graph 0.151614, graph 0.55589 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.143544, graph 0.55589 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.108744, graph 0.92745 to graph 0.143544, graph 0.55589 nohead lw 0.6 lc rgb '#555555'
 plot $line13_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line13_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line13_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
@@ -871,8 +872,8 @@ set title "spheres_bin" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "10^{%T}"
-set xrange [0.352081:139293]
+set format x "%g"
+set xrange [0.33065:1101.93]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -883,10 +884,9 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 0.0031805 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.46451, graph 0.751807 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.516822, graph 0.878735 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.128329, graph 0.956771 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.468833, graph 0.037156 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.516822, graph 0.832582 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.136714, graph 0.953419 left front noenhanced textcolor rgb '#555555'
 plot $line14_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line14_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line14_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \

@@ -1,145 +1,145 @@
 # Draws pile.svg and pile.png: gnuplot pile.gp
 $line0_0 << EOD
-2 1.1515 2 2
-19 7.42889 19 19
-60 62.9472 60 60
-134 33.032 134 134
-722 97.5936 722 722
+2 1.1465 2 2
+19 7.56642 19 19
+60 84.0252 60 60
+134 33.3548 134 134
+722 99.4108 722 722
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-2 1.187 2 2
-19 7.00932 19 19
-60 53.7631 60 60
-134 29.1149 134 134
-722 73.3778 722 722
+2 1.167 2 2
+19 7.09311 19 19
+60 53.5715 60 60
+134 29.1807 134 134
+722 73.8959 722 722
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-2 0.2055 2 2
-19 0.356842 19 19
-60 0.3774 60 60
-134 0.389463 134 134
-722 0.418457 722 722
-3051 0.58946 3051 3051
-10851 1.10388 10851 10851
-24829 1.46254 24829 24829
+2 0.2305 2 2
+19 0.356316 19 19
+60 0.37705 60 60
+134 0.393866 134 134
+722 0.418903 722 722
+3051 0.871313 3051 3051
+10851 1.38918 10851 10851
+24829 1.59674 24829 24829
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-2 0.215 2 2
-19 2.32611 19 19
-60 2.4306 60 60
-134 2.54765 134 134
-722 2.70669 722 722
-3051 3.7311 3051 3051
-10851 4.32324 10851 10851
-24829 6.10453 24829 24829
+2 0.2255 2 2
+19 2.31974 19 19
+60 2.46115 60 60
+134 2.49915 134 134
+722 2.89014 722 722
+3051 4.06307 3051 3051
+10851 4.68922 10851 10851
+24829 8.30902 24829 24829
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-2 0.2355 2 2
-19 0.416421 19 19
-60 0.454167 60 60
-134 0.473239 134 134
-722 0.511686 722 722
-3051 0.745811 3051 3051
-10851 1.21697 10851 10851
-24829 1.48693 24829 24829
+2 0.2455 2 2
+19 0.421158 19 19
+60 0.457167 60 60
+134 0.474284 134 134
+722 0.513058 722 722
+3051 1.03378 3051 3051
+10851 1.35099 10851 10851
+24829 1.96029 24829 24829
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-2 0.836 2 2
-19 1.06684 19 19
-60 1.56132 60 60
-134 2.40319 134 134
-722 14.1602 722 722
-3051 112.907 3051 3051
+2 0.8715 2 2
+19 1.06632 19 19
+60 1.56698 60 60
+134 2.39601 134 134
+722 15.5653 722 722
+3051 120.418 3051 3051
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-2 0.6155 2 2
-19 1.25663 19 19
-60 5.4347 60 60
-134 23.9793 134 134
-722 689.02 722 722
+2 0.631 2 2
+19 1.29453 19 19
+60 5.40167 60 60
+134 23.8075 134 134
+722 744.075 722 722
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-2 0.616 2 2
-19 1.25663 19 19
-60 5.31435 60 60
-134 23.3997 134 134
-722 699.406 722 722
+2 0.6255 2 2
+19 1.79842 19 19
+60 5.41535 60 60
+134 23.8809 134 134
+722 706.741 722 722
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-19 15.4803 19 19
-60 145.679 60 60
-134 778.856 134 134
+19 14.9806 19 19
+60 140.287 60 60
+134 730.443 134 134
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-722 5.75898 722 722
+722 6.13171 722 722
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-722 5.71392 722 722
+722 6.07846 722 722
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-3051 4.69811 3051 3051
-10851 16.0973 10851 10851
-24829 40.4439 24829 24829
+3051 5.17325 3051 3051
+10851 15.9334 10851 10851
+24829 40.3333 24829 24829
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-3051 4.69811 3051 3051
-10851 16.0973 10851 10851
-24829 40.4439 24829 24829
+3051 5.17325 3051 3051
+10851 15.9334 10851 10851
+24829 40.3333 24829 24829
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-3051 4.7063 3051 3051
-10851 16.0973 10851 10851
-24829 40.5504 24829 24829
+3051 5.20192 3051 3051
+10851 15.9621 10851 10851
+24829 40.4357 24829 24829
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-722 35.7581 722 722
-3051 601.752 3051 3051
+722 35.6966 722 722
+3051 601.555 3051 3051
 EOD
 $marks1_5 << EOD
 EOD
 $line1_6 << EOD
-134 3.08429 134 134
-722 69.8573 722 722
+134 3.04742 134 134
+722 69.4723 722 722
 EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-134 3.08429 134 134
-722 69.8573 722 722
+134 3.04742 134 134
+722 69.4723 722 722
 EOD
 $marks1_7 << EOD
 EOD
 $line1_8 << EOD
-60 4.2967 60 60
-134 22.0856 134 134
+60 4.1984 60 60
+134 20.8855 134 134
 EOD
 $marks1_8 << EOD
 EOD
@@ -172,18 +172,18 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.291277 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.684225, graph 0.316349 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.446413 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-4" at graph 0.551021, graph 0.797857 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.531598, graph 0.716391 to graph 0.551021, graph 0.797857 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.551021, graph 0.852097 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.531598, graph 0.747355 to graph 0.551021, graph 0.852097 nohead lw 0.6 lc rgb '#0060a8'
-set label "pgs:10" at graph 0.667268, graph 0.739904 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.551021, graph 0.959558 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.551021, graph 0.902993 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.531598, graph 0.961182 to graph 0.551021, graph 0.902993 nohead lw 0.6 lc rgb '#555555'
-set label "lemke" at graph 0.415176, graph 0.972864 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.836374, graph 0.300808 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.684225, graph 0.334718 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.479887 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-4" at graph 0.551021, graph 0.798621 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.531598, graph 0.717155 to graph 0.551021, graph 0.798621 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.551021, graph 0.8541 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.531598, graph 0.749358 to graph 0.551021, graph 0.8541 nohead lw 0.6 lc rgb '#0060a8'
+set label "pgs:10" at graph 0.667268, graph 0.746897 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.551021, graph 0.962315 left front noenhanced textcolor rgb '#555555'
+set label "lemke" at graph 0.415176, graph 0.965897 left front noenhanced textcolor rgb '#999999'
+set label "dantzig" at graph 0.551021, graph 0.909715 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.531598, graph 0.967904 to graph 0.551021, graph 0.909715 nohead lw 0.6 lc rgb '#555555'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -231,18 +231,18 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.389947, graph 0.298863 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.370524, graph 0.252311 to graph 0.389947, graph 0.298863 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.221612, graph 0.253448 left front noenhanced textcolor rgb '#0060a8'
-set label "lemke" at graph 0.17742, graph 0.448037 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.836374, graph 0.535618 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.535618 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.58255 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.535998 to graph 0.836374, graph 0.58255 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.237798, graph 0.614737 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.156868, graph 0.661289 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.370524, graph 0.614737 to graph 0.3511, graph 0.661289 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:10" at graph 0.571811, graph 0.926472 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.389947, graph 0.307816 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.370524, graph 0.261265 to graph 0.389947, graph 0.307816 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.389947, graph 0.250889 left front noenhanced textcolor rgb '#0060a8'
+set label "lemke" at graph 0.17742, graph 0.439948 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.836374, graph 0.535221 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.535221 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.58214 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.535588 to graph 0.836374, graph 0.58214 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.237798, graph 0.613937 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6" at graph 0.156868, graph 0.660489 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.370524, graph 0.613937 to graph 0.3511, graph 0.660489 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:10" at graph 0.571811, graph 0.926425 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \

@@ -1,67 +1,67 @@
 # Draws wall.svg and wall.png: gnuplot wall.gp
 $line0_0 << EOD
-4 1.805 4 4
-8 2.147 8 8
-44 18.8809 44 44
-240 142.687 240 240
-992 594.566 992 992
-4156 994.032 4156 4156
+4 1.83025 4 4
+8 2.12562 8 8
+44 19.1083 44 44
+240 143.035 240 240
+992 567.659 992 992
+4156 989.891 4156 4156
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 1.3945 4 4
-8 1.34325 8 8
-44 12.2663 44 44
-240 14.0564 240 240
-992 14.4144 992 992
-4156 190.903 4156 4156
+4 1.462 4 4
+8 1.34075 8 8
+44 12.2295 44 44
+240 14.0106 240 240
+992 14.3619 992 992
+4156 195.406 4156 4156
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.358 4 4
-8 0.32675 8 8
-44 0.331636 44 44
-240 0.3486 240 240
-992 0.379383 992 992
-4156 0.542381 4156 4156
-17032 0.639984 17032 17032
-42644 0.826528 42644 42644
+4 0.3505 4 4
+8 0.3255 8 8
+44 0.334591 44 44
+240 0.347642 240 240
+992 0.373557 992 992
+4156 0.424124 4156 4156
+17032 0.624932 17032 17032
+42644 0.80371 42644 42644
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 2.4085 4 4
-8 2.23588 8 8
-44 2.25445 44 44
-240 2.49335 240 240
-992 2.67274 992 992
-4156 3.00324 4156 4156
-17032 3.21805 17032 17032
-42644 4.47492 42644 42644
+4 2.411 4 4
+8 2.24962 8 8
+44 2.2572 44 44
+240 2.50225 240 240
+992 2.68609 992 992
+4156 2.97342 4156 4156
+17032 3.47751 17032 17032
+42644 5.35835 42644 42644
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.418 4 4
-8 0.38925 8 8
-44 0.417886 44 44
-240 0.458721 240 240
-992 0.482953 992 992
-4156 0.51244 4156 4156
-17032 0.740226 17032 17032
-42644 1.10813 42644 42644
+4 0.41825 4 4
+8 0.399375 8 8
+44 0.423568 44 44
+240 0.462767 240 240
+992 0.474644 992 992
+4156 0.542557 4156 4156
+17032 0.766046 17032 17032
+42644 1.16669 42644 42644
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 1.064 4 4
-8 0.985125 8 8
-44 2.2902 44 44
-240 5.24664 240 240
-992 25.1887 992 992
-4156 176.836 4156 4156
+4 1.0415 4 4
+8 0.99775 8 8
+44 2.25516 44 44
+240 5.2229 240 240
+992 29.3018 992 992
+4156 172.158 4156 4156
 EOD
 $marks0_5 << EOD
 EOD
@@ -71,11 +71,11 @@ EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 0.59825 4 4
-8 0.64475 8 8
-44 2.14955 44 44
-240 144.055 240 240
-992 7170.15 992 992
+4 0.6135 4 4
+8 0.67475 8 8
+44 2.20873 44 44
+240 143.613 240 240
+992 8403.54 992 992
 EOD
 $marks0_7 << EOD
 EOD
@@ -84,42 +84,42 @@ EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-992 4.17792 992 992
-4156 13.9592 4156 4156
+992 4.11238 992 992
+4156 13.8691 4156 4156
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-992 3.25632 992 992
-4156 13.7585 4156 4156
+992 3.19078 992 992
+4156 13.6724 4156 4156
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4156 10.0106 4156 4156
-17032 33.2964 17032 17032
-42644 54.2597 42644 42644
+4156 9.94099 4156 4156
+17032 33.1694 17032 17032
+42644 54.6529 42644 42644
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4156 10.0106 4156 4156
-17032 33.3005 17032 17032
-42644 54.2597 42644 42644
+4156 9.94099 4156 4156
+17032 33.1694 17032 17032
+42644 54.6529 42644 42644
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4156 10.0762 4156 4156
-17032 33.5708 17032 17032
-42644 54.399 42644 42644
+4156 10.0639 4156 4156
+17032 33.1694 17032 17032
+42644 54.6529 42644 42644
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-240 4.52608 240 240
-992 65.7981 992 992
-4156 1121.06 4156 4156
+240 4.48512 240 240
+992 65.7326 992 992
+4156 1119.81 4156 4156
 EOD
 $marks1_5 << EOD
 EOD
@@ -128,8 +128,8 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-240 8.21248 240 240
-992 128.717 992 992
+240 8.22067 240 240
+992 128.938 992 992
 EOD
 $marks1_7 << EOD
 EOD
@@ -161,21 +161,21 @@ set logscale y
 set ytics 10 nomirror
 set mytics
 set format y "10^{%T}"
-set yrange [0.1:10000]
+set yrange [0.1:100000]
 set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig" at graph 0.076027, graph 0.0757609 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.168864 to graph 0.076027, graph 0.0757609 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.836374, graph 0.183452 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.232194 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.330157 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:10" at graph 0.645488, graph 0.649514 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.645488, graph 0.702714 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.626065, graph 0.656163 to graph 0.645488, graph 0.702714 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.645488, graph 0.79948 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.528039, graph 0.971106 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.076027, graph 0.0592548 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.14072 to graph 0.076027, graph 0.0592548 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.836374, graph 0.15085 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.201102 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.288172 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:10" at graph 0.645488, graph 0.539321 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.645488, graph 0.595041 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.626065, graph 0.54849 to graph 0.645488, graph 0.595041 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.645488, graph 0.665931 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.528039, graph 0.820744 left front noenhanced textcolor rgb '#555555'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -220,15 +220,15 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.245344, graph 0.307918 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.494609, graph 0.228025 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.475186, graph 0.286215 to graph 0.494609, graph 0.228025 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:10" at graph 0.836374, graph 0.433619 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.456895 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.480449 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.433898 to graph 0.836374, graph 0.480449 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig:1e-6" at graph 0.0512482, graph 0.527409 left front noenhanced textcolor rgb '#555555'
-set label "pgs:10" at graph 0.494609, graph 0.762407 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.245344, graph 0.2956 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.494609, graph 0.227322 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.475186, graph 0.285512 to graph 0.494609, graph 0.227322 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.434403 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.457679 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.480955 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.434403 to graph 0.836374, graph 0.480955 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.0512482, graph 0.527595 left front noenhanced textcolor rgb '#555555'
+set label "pgs:10" at graph 0.494609, graph 0.762286 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
