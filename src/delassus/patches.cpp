@@ -5,7 +5,7 @@
 namespace delassus {
 namespace {
 
-constexpr char touched = 2, neighbour = 1, settled = 0;
+constexpr char settled = 0, touched = 1;  // neighbours: touched + ring
 
 /// First unknown of contact or row k.
 int unknownOf(int k, int contacts) { return k < contacts ? 3 * k : 2 * contacts + k; }
@@ -25,17 +25,25 @@ void visitBodies(const Problem& problem, int k, Visit visit) {
 }  // namespace
 
 /// Finds the bodies that belong to patches.
-void Patches::spread(const Problem& problem, const VectorXd& residuals, double unsettled) {
+void Patches::spread(const Problem& problem, const VectorXd& residuals, double unsettled,
+                     int rings) {
   const int count = problem.parts();
   reach_.assign(problem.W.bodySpace().bodies, settled);
   for (int k = 0; k < count; ++k)
     if (residuals[k] > unsettled)
       visitBodies(problem, k, [&](int body) { reach_[body] = touched; });
-  for (int k = 0; k < count; ++k) {
-    bool near = false;
-    visitBodies(problem, k, [&](int body) { near = near || reach_[body] == touched; });
-    if (near)
-      visitBodies(problem, k, [&](int body) { reach_[body] = std::max(reach_[body], neighbour); });
+  for (int ring = 1; ring <= rings; ++ring) {
+    const auto next = static_cast<char>(touched + ring);
+    for (int k = 0; k < count; ++k) {
+      bool isNear = false;
+      visitBodies(problem, k, [&](int body) {
+        isNear = isNear || (reach_[body] != settled && reach_[body] < next);
+      });
+      if (!isNear) continue;
+      visitBodies(problem, k, [&](int body) {
+        if (reach_[body] == settled) reach_[body] = next;
+      });
+    }
   }
 }
 
@@ -95,8 +103,8 @@ void Patches::sort() {
   std::fill(place_.begin(), place_.end(), -1);
 }
 
-void Patches::find(const Problem& problem, const VectorXd& residuals, double unsettled) {
-  spread(problem, residuals, unsettled);
+void Patches::find(const Problem& problem, const VectorXd& residuals, double unsettled, int rings) {
+  spread(problem, residuals, unsettled, rings);
   join(problem);
   leaveOutDisks(problem);
   sort();

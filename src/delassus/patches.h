@@ -13,13 +13,16 @@ namespace delassus {
 /// Sweeps soon settle most of a heap. They leave a few contacts, usually about a self-stress that
 /// grows by the same small amount in every sweep until it meets the wall of a cone. There the law
 /// is solved exactly while the reactions of all others are held: nonlinear elimination (Cai and
-/// Keyes 2002). A patch has the contacts, rows and disks among the bodies that unsettled parts
-/// touch and the neighbours of these bodies. No two patches share a body. For body space only.
+/// Keyes 2002). In a pile at rest they are the places where something has just moved.
+///
+/// A patch has the contacts, rows and disks among the bodies that unsettled parts touch and the
+/// neighbours of these bodies, in one or more rings. No two patches share a body. For body space
+/// only.
 class Patches {
  public:
   /// Finds the patches around the parts whose entry of `residuals` (NaturalMap::residuals) is
-  /// larger than `unsettled`.
-  void find(const Problem& problem, const VectorXd& residuals, double unsettled);
+  /// larger than `unsettled`, with this many rings of neighbours (at most 100).
+  void find(const Problem& problem, const VectorXd& residuals, double unsettled, int rings);
 
   int count() const { return static_cast<int>(begin_.size()) - 1; }
   /// Number of contacts and rows of one patch.
@@ -36,12 +39,12 @@ class Patches {
   }
 
  private:
-  void spread(const Problem& problem, const VectorXd& residuals, double unsettled);
+  void spread(const Problem& problem, const VectorXd& residuals, double unsettled, int rings);
   void join(const Problem& problem);
   void leaveOutDisks(const Problem& problem);
   void sort();
 
-  /// Per body: touched by an unsettled part, or a neighbour, or neither.
+  /// Per body: 0, or 1 if an unsettled part touches it, or 1 + the ring of its neighbourhood.
   std::vector<char> reach_;
   DisjointSets sets_;       ///< bodies of one patch are one set
   std::vector<int> owner_;  ///< contact or row -> root of its patch, or −1

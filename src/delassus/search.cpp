@@ -122,6 +122,7 @@ Outcome Search::pivotRows(const Task& task, Solution& best) {
 ///     (`react`), on a dense matrix if few contacts touch, and then alternating directions.
 /// With them:
 ///   - in piles, and where nothing slid: `hold`, from the last reactions;
+///   - in large piles that are disturbed in few places: patches (`mendPlaces`);
 ///   - with up to a few hundred contacts, except in large piles; and where the last reactions are
 ///     nearly right, except in large heaps: steps in the space of reactions;
 ///   - where much is disturbed: accelerated sweeps as long as they gain, in heaps with patches.

@@ -63,6 +63,7 @@ class Search {
     problem_ = &problem;
     map_.setProblem(problem);
     map_.aimAt(tolerance);
+    patchWork_ = {};
   }
   const NaturalMap& map() const { return map_; }
   /// The threads that help from now on; null: none.
@@ -176,9 +177,20 @@ class Search {
   void sweepWhileItGains(const Task& task, double tolerance, Solution& best);
   void settle(const Task& task, double tolerance, Solution& best);
   bool setSweeps(bool mayGoByColour);
-  void findPatches(double tolerance, double outstanding, const Solution& unsettled);
-  bool mendPatches(const Task& task, double tolerance, double outstanding, Solution& unsettled,
+
+  // search_patches.cpp.
+  /// What is to be mended by patches.
+  struct PatchesAbout {
+    double above;         ///< parts whose residual is larger, m/s
+    int rings;            ///< of neighbours around the bodies of these parts
+    double largestShare;  ///< of the island in one patch
+    double accuracy;      ///< residual of a patch that will do, m/s
+  };
+  void findPatches(const PatchesAbout& about, const Solution& unsettled);
+  bool mendPatches(const Task& task, const PatchesAbout& about, Solution& unsettled,
                    Solution& best);
+  bool mayMendPlaces(const Task& task) const;
+  bool mendPlaces(const Task& task, Solution& best);
 
   // search_find_back.cpp: after a walk that has lost its way.
   template <class Motion>
@@ -240,6 +252,10 @@ class Search {
   Problem patch_;
   VectorXd patchStart_;
   Solution patchAnswer_;
+  /// Work in patches that makes no whole region or sweep yet.
+  struct {
+    double regions = 0, factorisations = 0, sweeps = 0;
+  } patchWork_;
   VectorXd residuals_;
 
   std::unique_ptr<Search> variedSearch_;  ///< for compliant bodies, and less friction

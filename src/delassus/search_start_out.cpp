@@ -80,6 +80,10 @@ Outcome Search::startOut(Engines<Motion>& engines, const Task& task, Solution& b
     if (outcome != Outcome::Lost) return outcome;
   }
   if (!task.isHurried && hold(engines, task, best)) return Outcome::Reached;
+  if (mayMendPlaces(task)) {
+    if (mendPlaces(task, best)) return Outcome::Reached;
+    takeBack(engines);
+  }
   if (task.options.economies.oneRegion && hasOneRegion(*problem_)) {
     const Outcome outcome =
         engines.walk.walk(task.tolerance, weightKnown, task.regionsLeft(best, shortWalk), best);

@@ -1,4 +1,4 @@
-/// The sweeps of the search, before and between walks, and patches where sweeps do not help.
+/// The sweeps of the search, before and between walks, and patches in between.
 #include <algorithm>
 #include <cmath>
 
@@ -123,7 +123,9 @@ void Search::settle(const Task& task, double tolerance, Solution& best) {
     failures = trial_.residualRms < gain * lowest ? 0 : failures + 1;
     lowest = std::min(lowest, trial_.residualRms);
     // Patches that do not help are tried with more around them.
-    if (!mendPatches(task, tolerance, 3.0 / (1 + failures), trial_, best)) return;
+    const double above = 3.0 / (1 + failures) * trial_.residualRms;
+    if (!mendPatches(task, {std::max(above, tolerance), 1, 0.25, 0.1 * tolerance}, trial_, best))
+      return;
     setSweeps(byColour);  // since patches may have been swept
     consider(trial_, best);
   }
@@ -138,69 +140,6 @@ bool Search::setSweeps(bool mayGoByColour) {
   }
   machines().sweeps.setProblem(*problem_, map_);
   return false;
-}
-
-/// Finds the patches about the contacts whose residual is above `outstanding` times the mean. The
-/// threshold doubles until no patch is more than a share of the island.
-void Search::findPatches(double tolerance, double outstanding, const Solution& unsettled) {
-  constexpr double largestShare = 0.25;
-  map_.residuals(unsettled.r, unsettled.u, residuals_);
-  const double largest = largestShare * static_cast<double>(residuals_.size());
-  double threshold = std::max(outstanding * unsettled.residualRms, tolerance);
-  const auto areSmall = [&] {
-    for (int k = 0; k < patches_.count(); ++k)
-      if (patches_.partsOf(k) > largest) return false;
-    return true;
-  };
-  for (;; threshold *= 2) {
-    patches_.find(*problem_, residuals_, threshold);
-    if (areSmall()) return;
-  }
-}
-
-/// Solves the patches, and puts their reactions in the place of those in `unsettled`. Their work is
-/// counted in `best`: a sweep by the patch's share of the island, a region by this share to the
-/// power 3/2, as a factor costs in a flat pile (George 1973). False if there were no patches, or no
-/// work is left. No patches are made in islands of few parts, with explicit W, and within patches
-/// or varied problems.
-bool Search::mendPatches(const Task& task, double tolerance, double outstanding,
-                         Solution& unsettled, Solution& best) {
-  constexpr double accuracy = 0.1;
-  constexpr int fewParts = 20;  // their walk costs no more than that of patches
-  constexpr double mostRegions = 300, mostSweeps = 1000;
-  const int parts = problem_->parts();
-  if (isInner_ || parts <= fewParts || !problem_->W.inBodySpace()) return false;
-  findPatches(tolerance, outstanding, unsettled);
-  if (!patchSearch_) patchSearch_.reset(new Search(machines()));
-  double regions = 0, factorisations = 0, sweeps = 0;
-  int mended = 0;
-  for (int k = 0; k < patches_.count(); ++k) {
-    const double share = static_cast<double>(patches_.partsOf(k)) / parts;
-    const double factorShare = share * std::sqrt(share);
-    const double regionsLeft = task.regionsLeft(best) - regions;
-    const double sweepsLeft = task.sweepsLeft(best) - sweeps;
-    if (!(regionsLeft > 0 && sweepsLeft > 0)) break;
-    Task few{task.options, accuracy * tolerance, &patchStart_};
-    // A patch that is not mended is tried again with more around it, which costs less than a path.
-    few.options.pathBudget = 0;
-    few.options.newtonBudget = static_cast<int>(std::min(mostRegions, regionsLeft / factorShare));
-    few.options.sweepBudget = static_cast<int>(std::min(mostSweeps, sweepsLeft / share));
-    patches_.cutOut(k, *problem_, unsettled.r, unsettled.u, patch_, patchStart_);
-    patchSearch_->setProblem(patch_, few.tolerance);
-    patchAnswer_.start(patch_.q);
-    patchSearch_->offer(patchStart_, patchAnswer_);
-    patchSearch_->walk(few, patchAnswer_);
-    patches_.putBack(k, *problem_, patchAnswer_.r, unsettled.r);
-    regions += factorShare * patchAnswer_.regions;
-    factorisations += factorShare * patchAnswer_.factorisations;
-    sweeps += share * patchAnswer_.sweeps;
-    ++mended;
-  }
-  best.patches += mended;
-  best.regions += static_cast<int>(regions);
-  best.factorisations += static_cast<int>(factorisations);
-  best.sweeps += static_cast<int>(sweeps);
-  return mended > 0;
 }
 
 }  // namespace delassus

@@ -50,7 +50,7 @@ TEST(Patches, WhatIsSettledHasNone) {
   Random random(61);
   const Problem problem = heap(12, random);
   Patches patches;
-  patches.find(problem, VectorXd::Zero(problem.parts()), 0);
+  patches.find(problem, VectorXd::Zero(problem.parts()), 0, 1);
   EXPECT_EQ(patches.count(), 0);
 }
 
@@ -61,14 +61,27 @@ TEST(Patches, FarApartAreTwo) {
   VectorXd residuals = VectorXd::Zero(island.problem.contacts());
   Patches patches;
   residuals[0] = 1;
-  patches.find(island.problem, residuals, 0.5);
+  patches.find(island.problem, residuals, 0.5, 1);
   ASSERT_EQ(patches.count(), 1);
   EXPECT_EQ(patches.partsOf(0), 8);  // the first box's, and those between it and its neighbour
   residuals[residuals.size() - 1] = 1;
-  patches.find(island.problem, residuals, 0.5);
+  patches.find(island.problem, residuals, 0.5, 1);
   ASSERT_EQ(patches.count(), 2);
   EXPECT_EQ(patches.partsOf(0), 8);
   EXPECT_EQ(patches.partsOf(1), 8);  // the last two boxes, and between the second and its neighbour
+}
+
+TEST(Patches, ReachAsManyBoxesFurtherAsTheyHaveRings) {
+  Random random(65);
+  const PileIsland island(makeTower(randomMasses(12, 2, random), 0.5, 0, random));
+  VectorXd residuals = VectorXd::Zero(island.problem.contacts());
+  residuals[0] = 1;
+  Patches patches;
+  for (int rings = 0; rings <= 14; ++rings) {
+    patches.find(island.problem, residuals, 0.5, rings);
+    ASSERT_EQ(patches.count(), 1);
+    EXPECT_EQ(patches.partsOf(0), 4 * std::min(rings + 1, 12));
+  }
 }
 
 // If the other parts are held, a part has in its patch the same velocities, and so the same
@@ -81,7 +94,7 @@ TEST(Patches, SeeTheIslandAsItIs) {
     const VectorXd r = randomReactions(problem, 0.2, random);
     const VectorXd residuals = residualsOf(problem, r);
     Patches patches;
-    patches.find(problem, residuals, uniform(random, 0.5, 1) * residuals.maxCoeff());
+    patches.find(problem, residuals, uniform(random, 0.5, 1) * residuals.maxCoeff(), 1);
     ASSERT_GE(patches.count(), 1);
     double worst = 0;
     int parts = 0;
@@ -109,7 +122,7 @@ TEST(Patches, AreSettledWhenSolved) {
     r.head<3>() += Vec3(0.3, 0.01, 0);
     const double before = residualsOf(problem, r).maxCoeff();
     Patches patches;
-    patches.find(problem, residualsOf(problem, r), 0.3 * before);
+    patches.find(problem, residualsOf(problem, r), 0.3 * before, 1);
     ASSERT_GE(patches.count(), 1);
     std::set<int> changed;
     for (int p = 0; p < patches.count(); ++p) {
@@ -126,6 +139,59 @@ TEST(Patches, AreSettledWhenSolved) {
                 1e-7 * problem.q.cwiseAbs().maxCoeff());
     }
     EXPECT_LT(residualsOf(problem, r).maxCoeff(), before);
+  }
+}
+
+/// A wall of two courses of unit boxes; those of the upper course lie on two of the lower one each.
+Pile makeLowWall(int columns, double friction) {
+  Pile pile;
+  Vec6 v = Vec6::Zero();
+  v[2] = -9.81 / 60;
+  const auto addPoints = [&](int above, int below, double from, double to, double shift) {
+    for (const double x : {from, to})
+      for (const double y : {-0.5, 0.5})
+        pile.contacts.push_back(
+            makeRestingPoint(above, below, {x, y, -0.5}, {x - shift, y, 0.5}, friction));
+  };
+  for (int i = 0; i < columns; ++i) {
+    pile.bodies.push_back(makeBox(1, 0.5, v));
+    addPoints(i, fixedWorld, -0.5, 0.5, 0);
+  }
+  for (int i = 0; i + 1 < columns; ++i) {
+    const auto box = static_cast<int>(pile.bodies.size());
+    pile.bodies.push_back(makeBox(1, 0.5, v));
+    addPoints(box, i, -0.5, 0, -0.5);
+    addPoints(box, i + 1, 0, 0.5, 0.5);
+  }
+  return pile;
+}
+
+// In a long wall at rest two boxes are pushed, so that they slide. What lies far from there keeps
+// its reactions to the last bit.
+TEST(MendedPlaces, LeaveTheRestAsItIs) {
+  constexpr int columns = 60, near = 4;
+  Random random(66);
+  Solver solver;
+  const Pile wall = makeLowWall(columns, 0.5);
+  const VectorXd atRest = solver.solve(PileIsland(wall).problem).r;
+  for (int k = 0; k < 20; ++k) {
+    Pile pile = wall;
+    const int places[] = {k, k + 15 + k};  // of the upper course
+    for (const int place : places) {
+      const double heading = uniform(random, 0, 6.28);
+      pile.bodies[columns + place].velocity.head<2>() += Vec2(std::cos(heading), std::sin(heading));
+    }
+    const PileIsland pushed(pile);
+    const Solution solution = solver.solve(pushed.problem, atRest);
+    ASSERT_EQ(solution.status, Status::Solved);
+    for (int i = 0; i < pushed.problem.contacts(); ++i) {
+      const int above = pile.contacts[i].a;
+      const double column = above < columns ? above : above - columns + 0.5;
+      bool isFar = true;
+      for (const int place : places) isFar = isFar && std::abs(column - place - 0.5) > near;
+      if (!isFar) continue;
+      EXPECT_EQ(solution.r.segment<3>(3 * i), atRest.segment<3>(3 * i)) << "column " << column;
+    }
   }
 }
 
