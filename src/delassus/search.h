@@ -189,7 +189,7 @@ class Search {
   void findPatches(const PatchesAbout& about, const Solution& unsettled);
   bool mendPatches(const Task& task, const PatchesAbout& about, Solution& unsettled,
                    Solution& best);
-  bool mayMendPlaces(const Task& task) const;
+  bool isDisturbedInPlaces(const Task& task, const Solution& best);
   bool mendPlaces(const Task& task, Solution& best);
 
   // search_find_back.cpp: after a walk that has lost its way.

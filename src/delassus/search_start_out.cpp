@@ -80,7 +80,7 @@ Outcome Search::startOut(Engines<Motion>& engines, const Task& task, Solution& b
     if (outcome != Outcome::Lost) return outcome;
   }
   if (!task.isHurried && hold(engines, task, best)) return Outcome::Reached;
-  if (mayMendPlaces(task)) {
+  if (isDisturbedInPlaces(task, best)) {
     if (mendPlaces(task, best)) return Outcome::Reached;
     takeBack(engines);
   }

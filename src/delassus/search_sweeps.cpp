@@ -94,8 +94,8 @@ void Search::sweepWhileItGains(const Task& task, double tolerance, Solution& bes
 /// in this way needs no factor of the whole. The residual may rise on the way, since a contact that
 /// meets a wall lets others go. In heaps of many contacts the sweeps go by colour.
 void Search::settle(const Task& task, double tolerance, Solution& best) {
-  constexpr int patience = 6, fewSweeps = 20, manySweeps = 100, many = 200;
-  constexpr double gain = 0.7;
+  constexpr int patience = 6, fewSweeps = 20, manySweeps = 100, many = 200, rings = 1;
+  constexpr double gain = 0.7, outstanding = 3, largestShare = 0.25, fine = 0.1;
   // The longest memory halves the sweeps; outside heaps its storage is worth more than that time.
   const int memory = isHeap(*problem_) ? Anderson::longest : 4;
   const bool byColour = setSweeps(isHeap(*problem_) && problem_->contacts() > many);
@@ -123,9 +123,9 @@ void Search::settle(const Task& task, double tolerance, Solution& best) {
     failures = trial_.residualRms < gain * lowest ? 0 : failures + 1;
     lowest = std::min(lowest, trial_.residualRms);
     // Patches that do not help are tried with more around them.
-    const double above = 3.0 / (1 + failures) * trial_.residualRms;
-    if (!mendPatches(task, {std::max(above, tolerance), 1, 0.25, 0.1 * tolerance}, trial_, best))
-      return;
+    const double above = outstanding / (1 + failures) * trial_.residualRms;
+    const PatchesAbout about{std::max(above, tolerance), rings, largestShare, fine * tolerance};
+    if (!mendPatches(task, about, trial_, best)) return;
     setSweeps(byColour);  // since patches may have been swept
     consider(trial_, best);
   }
