@@ -77,12 +77,14 @@ bool Search::mendPatches(const Task& task, const PatchesAbout& about, Solution& 
 }
 
 /// Whether a large pile is disturbed in so few places that most of its contacts and rows keep the
-/// law as they did. After a blow through a whole pile a patch would only spoil what many sweeps or
-/// one region mend at once.
+/// law as they did. Where half of a heap moves, patches gain nothing from step to step, and after a
+/// blow through a whole pile a patch would only spoil what many sweeps or one region mend at once.
 bool Search::isDisturbedInPlaces(const Task& task, const Solution& best) {
   if (!task.guess || task.isHurried || isInner_ || !isLargeButNoHeap(*problem_)) return false;
+  constexpr double few = 0.2;  // of all contacts and rows
   map_.residuals(best.r, best.u, residuals_);
-  return 2 * (residuals_.array() > keptShare * task.tolerance).count() <= residuals_.size();
+  const auto disturbed = (residuals_.array() > keptShare * task.tolerance).count();
+  return static_cast<double>(disturbed) <= few * static_cast<double>(residuals_.size());
 }
 
 /// Mends the places that are disturbed, as by a body that rolls over others at rest; the rest needs
@@ -91,8 +93,7 @@ bool Search::isDisturbedInPlaces(const Task& task, const Solution& best) {
 /// They are solved no further than their surroundings are settled.
 ///
 /// In heaps of 5000 contacts between barrels, most of which rest, this takes a third of the time of
-/// regions of the whole heap. Where more is in motion and patches end above the tolerance, they
-/// still pay for themselves: the walk that follows has less to do.
+/// regions of the whole heap.
 bool Search::mendPlaces(const Task& task, Solution& best) {
   constexpr double outstanding = 0.3;  // of the largest residual
   constexpr double gain = 0.7, largestShare = 0.2;
