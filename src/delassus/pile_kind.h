@@ -22,8 +22,8 @@ bool isHeap(const Problem& problem);
 /// more.
 bool isLargeHeap(const Problem& problem);
 
-/// No heap, and more than 200 contacts and rows: mainly boxes at rest, where a patch is as hard as
-/// the whole, but also other large problems: mechanisms, and explicit W.
+/// No heap, and more than 200 contacts and rows: mainly boxes at rest, where patches help only if
+/// few contacts are disturbed, but also other large problems: mechanisms, and explicit W.
 bool isLargeButNoHeap(const Problem& problem);
 
 }  // namespace delassus

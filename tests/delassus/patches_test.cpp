@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "delassus/solver.h"
@@ -193,6 +195,39 @@ TEST(MendedPlaces, LeaveTheRestAsItIs) {
       EXPECT_EQ(solution.r.segment<3>(3 * i), atRest.segment<3>(3 * i)) << "column " << column;
     }
   }
+}
+
+/// The patches made for a wall at rest after two boxes were pushed and all others got this speed,
+/// m/s. Each box has this many weak motors that hold it against any motion.
+int patchesFor(double speed, int motors) {
+  constexpr int columns = 60;
+  Pile pile = makeLowWall(columns, 0.5);
+  for (int box = 0; box < static_cast<int>(pile.bodies.size()); ++box)
+    for (int axis = 0; axis < motors; ++axis) {
+      Row& motor = pile.rows.emplace_back();
+      motor.a = box;
+      motor.jacobianA[axis] = 1;
+      motor.lower = -1e-3, motor.upper = 1e-3;
+    }
+  Solver solver;
+  const VectorXd atRest = solver.solve(PileIsland(pile).problem).r;
+  for (Body& body : pile.bodies) body.velocity[1] += speed;
+  for (const int place : {10, 40}) pile.bodies[columns + place].velocity[1] += 1;
+  const Solution solution = solver.solve(PileIsland(pile).problem, atRest);
+  EXPECT_EQ(solution.status, Status::Solved);
+  return solution.patches;
+}
+
+// Where all is disturbed, however little, the whole comes first.
+TEST(MendedPlaces, AreFew) {
+  EXPECT_GT(patchesFor(0, 0), 0);
+  EXPECT_EQ(patchesFor(1e-4, 0), 0);
+}
+
+// So it does where rows prevail: here there are 119 boxes with 712 contacts.
+TEST(MendedPlaces, HaveMoreContactsThanRows) {
+  EXPECT_GT(patchesFor(0, 5), 0);
+  EXPECT_EQ(patchesFor(0, 6), 0);
 }
 
 }  // namespace
