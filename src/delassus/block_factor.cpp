@@ -1,12 +1,45 @@
 #include "delassus/block_factor.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "delassus/block_inverse.h"
 #include "delassus/block_product.h"
 #include "delassus/bytes.h"
+#include "delassus/hands.h"
 
 namespace delassus {
+namespace {
+
+/// The columns that a hand needs: when it works alone, all that come earlier are ready.
+struct Alone {
+  bool waitFor(int) const { return true; }
+  bool isReady(int) const { return true; }
+};
+
+/// When others work beside it, those of its own task, from `own` on, are ready.
+struct Beside {
+  const std::atomic<bool>* ready;
+  int own;
+  const std::atomic<bool>& hasFailed;
+
+  bool isReady(int column) const {
+    return column >= own || ready[column].load(std::memory_order_acquire);
+  }
+  /// False if another hand has failed: then the column may never be ready.
+  bool waitFor(int column) const {
+    waitUntil([&] { return isReady(column) || hasFailed; });
+    return isReady(column);
+  }
+};
+
+void setZero(Mat6* blocks, int count) {
+  static_assert(sizeof(Mat6) == Mat6::SizeAtCompileTime * sizeof(double));
+  if (count > 0) std::fill_n(blocks->data(), Mat6::SizeAtCompileTime * count, 0.0);
+}
+
+}  // namespace
+
 void BlockFactor::analyse(int bodies, const std::vector<Edge>& edges) {
   // There are only a few shapes of large islands at a time, so the limit counts edges. The largest
   // pattern does not count, since it would drive out all others.
@@ -32,118 +65,168 @@ void BlockFactor::analyse(int bodies, const std::vector<Edge>& edges) {
   upper_.resize(pattern().offDiagonalBlocks());
 }
 
-void BlockFactor::setIdentity(bool isCholesky) {
-  isCholesky_ = isCholesky;
+/// All columns at once, for blocks that are added before the elimination.
+void BlockFactor::clear() {
+  if (isCleared_) return;
   std::fill(diagonal_.begin(), diagonal_.end(), Mat6::Identity());
-  std::fill(lower_.begin(), lower_.end(), Mat6::Zero());
-  if (!isCholesky) std::fill(upper_.begin(), upper_.end(), Mat6::Zero());
+  setZero(lower_.data(), static_cast<int>(lower_.size()));
+  if (!isCholesky_) setZero(upper_.data(), static_cast<int>(upper_.size()));
+  isCleared_ = true;
 }
 
 void BlockFactor::addDiagonal(int body, const Mat36& A, const Mat36& B) {
+  clear();
   const Mat36 *a = &A, *b = &B;
   addProducts(&a, &b, 1, diagonal_[pattern().place[body]]);
 }
 
 void BlockFactor::addOffDiagonal(int edge, const Mat36& Aa, const Mat36& Ba, const Mat36& Ab,
                                  const Mat36& Bb) {
-  const Mat36 *first[2] = {&Aa, &Ba}, *second[2] = {&Ab, &Bb};
-  addOffDiagonal(edge, first, first + 1, second, second + 1, 1);
-}
-
-void BlockFactor::addOffDiagonal(int edge, const Mat36* const* Aa, const Mat36* const* Ba,
-                                 const Mat36* const* Ab, const Mat36* const* Bb, int count) {
+  clear();
+  const Mat36 *a = &Aa, *Ga = &Ba, *b = &Ab, *Gb = &Bb;
   const BlockPattern::Target& t = pattern().target[edge];
-  if (t.reversed) {
-    addProducts(Aa, Bb, count, lower_[t.at]);
-    if (!isCholesky_) addProducts(Ba, Ab, count, upper_[t.at]);
-  } else {
-    addProducts(Ab, Ba, count, lower_[t.at]);
-    if (!isCholesky_) addProducts(Bb, Aa, count, upper_[t.at]);
-  }
+  if (t.reversed) std::swap(a, b), std::swap(Ga, Gb);
+  addProducts(&b, &Ga, 1, lower_[t.at]);
+  if (!isCholesky_) addProducts(&Gb, &a, 1, upper_[t.at]);
 }
 
-void BlockFactor::addContacts(const Response* contacts, int count, int edge) {
-  Mat36 ofA[mostContacts], ofB[mostContacts];  // G J
-  const Mat36 *Ja[mostContacts], *Jb[mostContacts], *Ga[mostContacts], *Gb[mostContacts];
-  const Mat3* G[mostContacts];
-  const int a = contacts->J->a, b = contacts->J->b;
+void BlockFactor::addContacts(const Response* contacts, int count, int edge, Side side) {
+  Mat36 products[mostContacts];  // G J
+  const Mat36 *own[mostContacts] = {}, *other[mostContacts] = {}, *response[mostContacts] = {};
+  const Mat3* G[mostContacts] = {};
+  const bool isA = side == Side::A;
   for (int k = 0; k < count; ++k) {
+    const ContactRows& J = *contacts[k].J;
     G[k] = contacts[k].G;
-    Ja[k] = &contacts[k].J->Ja;
-    Jb[k] = &contacts[k].J->Jb;
-    Ga[k] = &ofA[k];
-    Gb[k] = &ofB[k];
+    own[k] = isA ? &J.Ja : &J.Jb;
+    other[k] = isA ? &J.Jb : &J.Ja;
+    response[k] = &products[k];
   }
-  if (a >= 0) {
-    multiplyRows(G, Ja, count, ofA);
-    addProducts(Ja, Ga, count, diagonal_[pattern().place[a]]);
-  }
-  if (b >= 0) {
-    multiplyRows(G, Jb, count, ofB);
-    addProducts(Jb, Gb, count, diagonal_[pattern().place[b]]);
-  }
-  if (edge >= 0) addOffDiagonal(edge, Ja, Ga, Jb, Gb, count);
+  multiplyRows(G, own, count, products);
+  const BlockPattern& p = pattern();
+  addProducts(own, response, count, diagonal_[p.place[isA ? contacts->J->a : contacts->J->b]]);
+  if (edge < 0 || p.target[edge].reversed == isA) return;  // the block is in the other column
+  const int at = p.target[edge].at;
+  addProducts(other, response, count, lower_[at]);
+  if (isCholesky_) return;
+  multiplyRows(G, other, count, products);
+  addProducts(response, own, count, upper_[at]);
 }
 
-void BlockFactor::addRows(const ScalarRow* rows, const double* g, int count, int edge) {
+void BlockFactor::addRows(const ScalarRow* rows, const double* g, int count, int edge, Side side) {
   constexpr int stride = sizeof(ScalarRow) / sizeof(double);
-  const int a = rows->a, b = rows->b;
-  const double *Ja = rows->Ja.data(), *Jb = rows->Jb.data();
-  if (a >= 0) addRowProducts(Ja, Ja, stride, g, count, diagonal_[pattern().place[a]]);
-  if (b >= 0) addRowProducts(Jb, Jb, stride, g, count, diagonal_[pattern().place[b]]);
-  if (edge < 0) return;
-  const BlockPattern::Target& t = pattern().target[edge];
-  const double *first = t.reversed ? Ja : Jb, *second = t.reversed ? Jb : Ja;
-  addRowProducts(first, second, stride, g, count, lower_[t.at]);
+  const bool isA = side == Side::A;
+  const double *own = isA ? rows->Ja.data() : rows->Jb.data(),
+               *other = isA ? rows->Jb.data() : rows->Ja.data();
+  const BlockPattern& p = pattern();
+  addRowProducts(own, own, stride, g, count, diagonal_[p.place[isA ? rows->a : rows->b]]);
+  if (edge < 0 || p.target[edge].reversed == isA) return;  // the block is in the other column
+  const int at = p.target[edge].at;
+  addRowProducts(other, own, stride, g, count, lower_[at]);
   // The products of rows are symmetric: block (column, row) is the transpose of block (row,
   // column), and upper_ stores transposes.
-  if (!isCholesky_) addRowProducts(first, second, stride, g, count, upper_[t.at]);
+  if (!isCholesky_) addRowProducts(other, own, stride, g, count, upper_[at]);
 }
 
-void BlockFactor::eliminate(int column) {
+void BlockFactor::assemble(int column, const Rest& rest) {
   const BlockPattern& p = pattern();
-  for (int at = p.begin[column]; at < p.begin[column + 1]; ++at) slot_[p.row[at]] = at;
+  if (!isCleared_) {
+    // Not before: now the column comes into the cache where it is needed.
+    const int begin = p.begin[column], count = p.begin[column + 1] - begin;
+    diagonal_[column].setIdentity();
+    setZero(lower_.data() + begin, count);
+    if (!isCholesky_) setZero(upper_.data() + begin, count);
+  }
+  rest.addTo(rest.of, p.bodyAt[column]);
+}
 
-  // Left-looking: subtracts the products of earlier columns j with a block in this row; columns
-  // with the same rows go together.
+/// Left-looking: subtracts from a column the products of the earlier ones with a block in its row;
+/// columns with the same rows go together, as far as they are ready (that changes no bit). False as
+/// `factorise`.
+template <class Others>
+bool BlockFactor::eliminate(int column, int* slot, const Others& others, bool& isNegative) {
+  const BlockPattern& p = pattern();
+  const int begin = p.begin[column], below = p.begin[column + 1] - begin;
+  for (int i = 0; i < below; ++i) slot[p.row[begin + i]] = begin + i;
+
   BlockSource lower[mostSources], upper[mostSources];
   const int end = p.ancestorBegin[column + 1];
   for (int k = p.ancestorBegin[column]; k < end;) {
     const auto [j, first] = p.ancestors[k];
+    if (!others.waitFor(j)) return false;
     const int count = p.begin[j + 1] - first;
     const int* rows = p.row.data() + first;  // this one, and those below it
     int columns = 0;
-    for (; k < end && columns < mostSources && p.leader[p.ancestors[k].column] == p.leader[j];
-         ++k) {
+    do {
       const Mat6* L = &lower_[p.ancestors[k].at];  // L_{column,j}, already times the inverse pivot
       const Mat6* U = isCholesky_ ? L : &upper_[p.ancestors[k].at];  // U_{j,column} transposed
       lower[columns] = {L, U};
       upper[columns++] = {U, L};
-    }
-    subtractProducts(lower, columns, rows, count, slot_.data(), &diagonal_[column], lower_.data());
+      ++k;
+    } while (k < end && columns < mostSources && p.leader[p.ancestors[k].column] == p.leader[j] &&
+             others.isReady(p.ancestors[k].column));
+    subtractProducts(lower, columns, rows, count, slot, &diagonal_[column], lower_.data());
     if (!isCholesky_ && count > 1)
-      subtractProducts(upper, columns, rows, count, slot_.data(), nullptr, upper_.data());
+      subtractProducts(upper, columns, rows, count, slot, nullptr, upper_.data());
   }
+
+  Mat6 &pivot = diagonal_[column], &inverse = diagonalInverse_[column];
+  if (isCholesky_) {
+    if (!invertCholesky(pivot, inverse, pivot)) return false;
+    multiplyByUpper(pivot, lower_.data() + begin, below);
+    return true;
+  }
+  bool isPivotNegative;
+  if (!invert(pivot, inverse, isPivotNegative)) return false;
+  if (isPivotNegative) isNegative = !isNegative;
+  multiplyBy(inverse, lower_.data() + begin, below);
+  return true;
 }
 
-bool BlockFactor::factorise() {
-  const BlockPattern& p = pattern();
+bool BlockFactor::eliminateAll(const Rest& rest) {
+  if (hands_ && pattern().isForMany()) return eliminateTogether(rest);
   isNegative_ = false;
-  for (int column = 0; column < p.bodies; ++column) {
-    eliminate(column);
-    const int first = p.begin[column], count = p.begin[column + 1] - first;
-    Mat6 &pivot = diagonal_[column], &inverse = diagonalInverse_[column];
-    if (isCholesky_) {
-      if (!invertCholesky(pivot, inverse, pivot)) return false;
-      multiplyByUpper(pivot, lower_.data() + first, count);
-      continue;
-    }
-    bool isNegative;
-    if (!invert(pivot, inverse, isNegative)) return false;
-    if (isNegative) isNegative_ = !isNegative_;
-    multiplyBy(inverse, lower_.data() + first, count);
+  for (int column = 0; column < pattern().bodies; ++column) {
+    assemble(column, rest);
+    if (!eliminate(column, slot_.data(), Alone(), isNegative_)) return false;
   }
   return true;
+}
+
+/// All hands take one task after the other. A task that needs a column of an earlier one, which
+/// another hand has taken, waits for it.
+bool BlockFactor::eliminateTogether(const Rest& rest) {
+  const BlockPattern& p = pattern();
+  const auto tasks = static_cast<int>(p.tasks.size());
+  if (isReady_.size() < static_cast<std::size_t>(p.bodies))
+    isReady_ = std::vector<std::atomic<bool>>(p.bodies);
+  for (int column = 0; column < p.bodies; ++column)
+    isReady_[column].store(false, std::memory_order_relaxed);
+  slot_.resize(static_cast<std::size_t>(hands_->count()) * p.bodies);
+  std::atomic<int> nextTask{0}, negatives{0};
+  std::atomic<bool> hasFailed{false};
+  const auto work = [&](int hand) {
+    int* const slot = slot_.data() + static_cast<std::ptrdiff_t>(hand) * p.bodies;
+    bool isNegative = false;
+    for (int i = nextTask++; i < tasks && !hasFailed; i = nextTask++) {
+      const auto [begin, end] = p.tasks[i];
+      const Beside others{isReady_.data(), begin, hasFailed};
+      for (int column = begin; column < end; ++column) {
+        assemble(column, rest);
+        if (!eliminate(column, slot, others, isNegative)) {
+          hasFailed = true;
+          return;
+        }
+      }
+      for (int column = begin; column < end; ++column)
+        isReady_[column].store(true, std::memory_order_release);
+    }
+    if (isNegative) ++negatives;
+  };
+  hands_->together(
+      [](const void* context, int hand) { (*static_cast<decltype(&work)>(context))(hand); }, &work);
+  isNegative_ = negatives % 2 == 1;
+  return !hasFailed;
 }
 
 void BlockFactor::solve(VectorXd& x) const {

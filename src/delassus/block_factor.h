@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <list>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "delassus/types.h"
 
 namespace delassus {
+
+class Hands;
 
 /// Sparse LU or Cholesky factor of a matrix of 6x6 blocks: one block row per body, and an
 /// off-diagonal block for each pair of coupled bodies. Contacts and rows couple their bodies: those
@@ -32,13 +35,18 @@ class BlockFactor {
   /// index `edge` the blocks (a, b) and (b, a). `isCholesky`: the sum will be symmetric and
   /// positive definite, and is to have a Cholesky factor. Blocks may be product expressions: these
   /// are evaluated while they are added.
-  void setIdentity(bool isCholesky = false);
+  void setIdentity(bool isCholesky = false) {
+    isCholesky_ = isCholesky;
+    isCleared_ = false;
+  }
   template <class Block>
   void addDiagonal(int body, const Block& block) {
+    clear();
     diagonal_[pattern().place[body]].noalias() += block;
   }
   template <class BlockAB, class BlockBA>
   void addOffDiagonal(int edge, const BlockAB& ab, const BlockBA& ba) {
+    clear();
     const BlockPattern::Target& t = pattern().target[edge];
     if (t.reversed)
       lower_[t.at].noalias() += ab;
@@ -56,21 +64,36 @@ class BlockFactor {
   void addDiagonal(int body, const Mat36& A, const Mat36& B);
   void addOffDiagonal(int edge, const Mat36& Aa, const Mat36& Ba, const Mat36& Ab, const Mat36& Bb);
 
+  /// Factorises the matrix. Before a block column is eliminated, calls add(body), which adds the
+  /// rest of it by addContacts and addRows; columns come in any order, those of large matrices also
+  /// at the same time. False if a pivot block is singular or not finite, or not positive definite
+  /// as it should be.
+  template <class Add>
+  bool factorise(const Add& add) {
+    return eliminateAll(
+        Rest{&add, [](const void* of, int body) { (*static_cast<const Add*>(of))(body); }});
+  }
+  bool factorise() {
+    return factorise([](int) {});
+  }
+
+  /// Which of the bodies of a contact or row has the block column to which it is added.
+  enum class Side : unsigned char { A, B };
   /// How a contact answers the motion in a region: r = −G J y.
   struct Response {
     const ContactRows* J;
     const Mat3* G;
   };
   static constexpr int mostContacts = 8;
-  /// Adds Σ [Ja Jb]ᵀ G [Ja Jb] over up to mostContacts contacts of the same two bodies; `edge`: the
-  /// edge of these, less than 0 if they are not coupled.
-  void addContacts(const Response* contacts, int count, int edge);
-
+  /// Adds Σ [Ja Jb]ᵀ G [Ja Jb] over up to mostContacts contacts of the same two bodies, as far as
+  /// it belongs to the column of one of these; `edge`: the edge of both, less than 0 if they are
+  /// not coupled.
+  void addContacts(const Response* contacts, int count, int edge, Side side);
   /// The same for `count` rows of the same two bodies, with the weights `g`.
-  void addRows(const ScalarRow* rows, const double* g, int count, int edge);
+  void addRows(const ScalarRow* rows, const double* g, int count, int edge, Side side);
 
-  /// False if a pivot block is singular or not finite, or not positive definite as it should be.
-  bool factorise();
+  /// The threads that help with large matrices from now on; null: none. The same bits.
+  void setHands(Hands* hands) { hands_ = hands; }
   /// The sign of the determinant of the factored matrix.
   bool isDeterminantNegative() const { return isNegative_; }
   bool isCholesky() const { return isCholesky_; }
@@ -90,14 +113,25 @@ class BlockFactor {
 
  private:
   const BlockPattern& pattern() const { return patterns_.front(); }
-  /// Sums of such products.
-  void addOffDiagonal(int edge, const Mat36* const* Aa, const Mat36* const* Ba,
-                      const Mat36* const* Ab, const Mat36* const* Bb, int count);
-  void eliminate(int column);
+  /// What is added to a column when its turn comes.
+  struct Rest {
+    const void* of;
+    void (*addTo)(const void* of, int body);
+  };
+
+  void clear();
+  bool eliminateAll(const Rest& rest);
+  bool eliminateTogether(const Rest& rest);
+  void assemble(int column, const Rest& rest);
+  template <class Others>
+  bool eliminate(int column, int* slot, const Others& others, bool& isNegative);
 
   std::list<BlockPattern> patterns_;  ///< most recently used first
   bool isCholesky_ = false, isNegative_ = false;
-  std::vector<int> slot_;  ///< scratch: row -> block of the column being eliminated
+  bool isCleared_ = false;  ///< all columns are; otherwise each will be when its turn comes
+  std::vector<int> slot_;   ///< scratch, for each hand: row -> block of the column being eliminated
+  Hands* hands_ = nullptr;
+  std::vector<std::atomic<bool>> isReady_;  ///< column -> whether it is eliminated
 
   /// Pivot blocks and their inverses; of a Cholesky factor C⁻ᵀ and C⁻¹ of each.
   std::vector<Mat6> diagonal_, diagonalInverse_;

@@ -34,6 +34,8 @@ std::vector<int> minimumDegreePlaces(int bodies, const std::vector<BlockPattern:
 BlockPattern::BlockPattern(int bodyCount, const std::vector<Edge>& edgeList)
     : bodies(bodyCount), edges(edgeList) {
   place = bodies > 1 ? minimumDegreePlaces(bodies, edges) : std::vector<int>(bodies, 0);
+  bodyAt.resize(bodies);
+  for (int body = 0; body < bodies; ++body) bodyAt[place[body]] = body;
 
   // Pattern of L, column by column: own entries, and those that children in the elimination tree
   // pass up. The own entries of column k are high[own[k]] up to high[own[k + 1]].
@@ -80,10 +82,60 @@ BlockPattern::BlockPattern(int bodyCount, const std::vector<Edge>& edgeList)
   for (int column = 0; column < bodies; ++column)
     for (int at = begin[column]; at < begin[column + 1]; ++at)
       ancestors[next[row[at]]++] = {column, at};
+  findTasks();
+}
+
+/// In the elimination tree, a column needs those below it alone. In the order of minimum degree,
+/// the columns of a subtree follow each other.
+void BlockPattern::findTasks() {
+  constexpr int smallTasks = 64;     // about so many of them would be all the work
+  constexpr int worthwhile = 10000;  // products of two blocks; fewer are made before others come
+  struct Subtree {
+    int first, size = 1;  ///< the lowest column, and the number of columns
+    long long products = 0;
+  };
+  long long products = 0;
+  for (int k = 0; k < bodies; ++k) {
+    const long long rows = begin[k + 1] - begin[k];
+    products += rows * (rows + 1) / 2;
+  }
+  if (products < worthwhile) return;
+
+  std::vector<Subtree> below(bodies);
+  for (int k = 0; k < bodies; ++k) {
+    below[k].first = k;
+    for (int i = ancestorBegin[k]; i < ancestorBegin[k + 1]; ++i)
+      below[k].products += begin[ancestors[i].column + 1] - ancestors[i].at;
+  }
+  const auto parent = [this](int k) { return begin[k] < begin[k + 1] ? row[begin[k]] : bodies; };
+  for (int k = 0; k < bodies; ++k) {
+    if (parent(k) == bodies) continue;
+    Subtree& above = below[parent(k)];
+    above.first = std::min(above.first, below[k].first);
+    above.size += below[k].size;
+    above.products += below[k].products;
+  }
+  std::vector<Task> others;
+  long long last = 0;  // products of the last task
+  for (int k = bodies - 1; k >= 0; --k) {
+    const Subtree& own = below[k];
+    if (smallTasks * own.products > products || k + 1 - own.first != own.size) {
+      others.push_back({k, k + 1});
+      continue;
+    }
+    const bool joins = !tasks.empty() && tasks.back().begin == k + 1 &&
+                       smallTasks * (last + own.products) <= products;
+    if (joins)
+      tasks.back().begin = own.first, last += own.products;
+    else
+      tasks.push_back({own.first, k + 1}), last = own.products;
+    k = own.first;
+  }
+  tasks.insert(tasks.end(), others.rbegin(), others.rend());
 }
 
 std::size_t BlockPattern::bytes() const {
-  return bytesOf(edges, place, target, begin, row, leader, ancestorBegin, ancestors);
+  return bytesOf(edges, place, bodyAt, target, begin, row, leader, ancestorBegin, ancestors, tasks);
 }
 
 }  // namespace delassus

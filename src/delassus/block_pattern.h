@@ -20,24 +20,36 @@ struct BlockPattern {
     int column;  ///< an earlier column with a block in this row
     int at;      ///< where that block is
   };
+  /// Columns from `begin` up to `end`, for one hand to eliminate one after the other.
+  struct Task {
+    int begin, end;
+  };
 
   int bodies = 0;
   std::vector<Edge> edges;          ///< repeated and reversed pairs are welcome
   std::vector<int> place;           ///< body -> place in the elimination order
+  std::vector<int> bodyAt;          ///< and back
   std::vector<Target> target;       ///< edge -> off-diagonal block
   std::vector<int> begin;           ///< column -> its first off-diagonal block; size bodies + 1
   std::vector<int> row;             ///< off-diagonal block -> its row
   std::vector<int> leader;          ///< column -> first of its run of columns with the same rows
   std::vector<int> ancestorBegin;   ///< row -> its first ancestor; size bodies + 1
   std::vector<Ancestor> ancestors;  ///< one per off-diagonal block
+  /// All columns, if there are enough for several hands: first those that need no other task's, then
+  /// the rest one by one. Each needs only columns of its own task and of earlier ones.
+  std::vector<Task> tasks;
 
   BlockPattern(int bodyCount, const std::vector<Edge>& edgeList);
 
   bool isOf(int bodyCount, const std::vector<Edge>& edgeList) const {
     return bodies == bodyCount && edges == edgeList;
   }
+  bool isForMany() const { return !tasks.empty(); }
   int offDiagonalBlocks() const { return static_cast<int>(row.size()); }
   std::size_t bytes() const;
+
+ private:
+  void findTasks();
 };
 
 }  // namespace delassus

@@ -17,6 +17,14 @@ class Hands {
   virtual void together(void (*work)(const void* context, int hand), const void* context) = 0;
 };
 
+/// Waits for what another thread is at work on: some microseconds, unless it has no processor.
+template <class IsOver>
+void waitUntil(const IsOver& isOver) {
+  constexpr int patience = 2000;
+  for (int looks = 0; !isOver(); ++looks)
+    if (looks > patience) std::this_thread::yield();
+}
+
 /// Rounds of shares, one round after the other; hands take the shares. The leader takes shares from
 /// the first on, the others from the last on, so that each finds its own data in its cache. The
 /// leader waits only for hands that are at work on a share, never for a hand without a processor.
@@ -38,7 +46,7 @@ class Rounds {
       ++own;
       left = left_.load(std::memory_order_relaxed);
     }
-    wait([&] { return own + done_.load(std::memory_order_acquire) == shares; });
+    waitUntil([&] { return own + done_.load(std::memory_order_acquire) == shares; });
   }
 
   /// For the others: takes shares of the current round, and of all that follow, until the leader
@@ -47,7 +55,7 @@ class Rounds {
   void help(const Work& work) {
     for (;;) {
       Left left;
-      wait([&] {
+      waitUntil([&] {
         left = left_.load(std::memory_order_acquire);
         return left.begin < left.end || left.round == over;
       });
@@ -69,14 +77,6 @@ class Rounds {
     std::uint32_t round = 0;
     std::uint16_t begin = 0, end = 0;  ///< shares that nobody has taken
   };
-
-  template <class IsOver>
-  static void wait(const IsOver& isOver) {
-    // The wait takes some microseconds, unless the other thread has no processor.
-    constexpr int patience = 2000;
-    for (int looks = 0; !isOver(); ++looks)
-      if (looks > patience) std::this_thread::yield();
-  }
 
   alignas(64) std::atomic<Left> left_{Left{}};
   alignas(64) std::atomic<int> done_{0};

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace delassus {
 namespace {
@@ -100,6 +102,40 @@ void BodyMotion::findPairs() {
     pairOf_.push_back(coupled ? static_cast<int>(pairs_.size()) - 1 : none);
   }
   edgeOf_.assign(pairs_.size(), none);
+  touches_.find(space_->bodies, space_->contacts, static_cast<int>(space_->contacts.size()),
+                [&](int first, int) { return pairOf_[first]; });
+  int edges = 0;
+  joins_.find(space_->bodies, space_->rows, plainRows_, [&](int first, int end) {
+    const ScalarRow& row = space_->rows[first];
+    const bool coupled = row.a >= 0 && row.b >= 0 && row.a != row.b;
+    return coupled ? std::exchange(edges, edges + end - first) : none;
+  });
+}
+
+/// The first `count` of `parts`; edgeOf(begin, end) is called once for each run of them.
+template <class Parts, class EdgeOf>
+void BodyMotion::Bonds::find(int bodies, const Parts& parts, int count, const EdgeOf& edgeOf) {
+  const auto forRuns = [&](const auto& visit) {
+    for (int i = 0, end = 0; i < count; i = end) {
+      while (end < count && parts[end].a == parts[i].a && parts[end].b == parts[i].b) ++end;
+      visit(i, end, parts[i].a, parts[i].b);
+    }
+  };
+  all.clear();
+  if (count == 0) return;
+  // First begin[body + 2] counts, then begin[body + 1] is where the next bond goes.
+  begin.assign(bodies + 2, 0);
+  forRuns([&](int, int, int a, int b) {
+    if (a >= 0) ++begin[a + 2];
+    if (b >= 0 && b != a) ++begin[b + 2];
+  });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  all.resize(begin.back());
+  forRuns([&](int first, int end, int a, int b) {
+    const int edge = edgeOf(first, end);
+    if (a >= 0) all[begin[a + 1]++] = {first, end, edge};
+    if (b >= 0 && b != a) all[begin[b + 1]++] = {first, end, edge};
+  });
 }
 
 bool BodyMotion::hasRoomFor(const Stiffness& G) {
@@ -107,8 +143,11 @@ bool BodyMotion::hasRoomFor(const Stiffness& G) {
   constexpr std::size_t fewPairs = 20;
   constexpr int perIdle = 10;  // coupled pairs
   getsEdge_.assign(pairs_.size(), pairs_.size() <= fewPairs);
-  for (std::size_t i = 0; i < pairOf_.size(); ++i)
-    if (pairOf_[i] != none && G.contacts[i](0, 0) != 0) getsEdge_[pairOf_[i]] = true;
+  presses_.resize(pairOf_.size());
+  for (std::size_t i = 0; i < pairOf_.size(); ++i) {
+    presses_[i] = G.contacts[i](0, 0) != 0;
+    if (pairOf_[i] != none && presses_[i]) getsEdge_[pairOf_[i]] = true;
+  }
   int coupled = 0, missing = 0, idle = 0;
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     const bool hasEdge = edgeOf_[k] != none;
@@ -134,6 +173,7 @@ void BodyMotion::makeRoom() {
   }
   firstOfRows_ = static_cast<int>(edges_.size());
   for (int i = 0; i < plainRows_; ++i) couple(space_->rows[i].a, space_->rows[i].b);
+  endOfRows_ = static_cast<int>(edges_.size());
   forPairsWithParts(*space_, [&](int, int a, const auto&, int b, const auto&) { couple(a, b); });
   for (const Disk& disk : *disks_) {
     findShares(disk);
@@ -153,26 +193,37 @@ bool BodyMotion::factorise(const Stiffness& G) {
 
 bool BodyMotion::factorise(const Stiffness& G, bool asCholesky) {
   factor_.setIdentity(asCholesky);
-  addContacts(G);
-  int edge = addRows(G, firstOfRows_);
+  int edge = endOfRows_;
   if (!space_->parts.empty()) edge = addParts(G, edge);
   if (!disks_->empty()) addDisks(G, edge);
-  return factor_.factorise();
+  return factor_.factorise([&](int body) { addTo(body, G); });
 }
 
-/// Adds contacts of the same bodies all at once, as far as they come one after the other.
-void BodyMotion::addContacts(const Stiffness& G) {
-  const std::vector<ContactRows>& contacts = space_->contacts;
-  const auto n = static_cast<int>(contacts.size());
-  BlockFactor::Response together[BlockFactor::mostContacts];
-  for (int i = 0; i < n;) {
-    const int a = contacts[i].a, b = contacts[i].b, pair = pairOf_[i];
-    int count = 0;
-    for (; i < n && contacts[i].a == a && contacts[i].b == b && count < BlockFactor::mostContacts;
-         ++i)
-      if (G.contacts[i](0, 0) != 0) together[count++] = {&contacts[i], &G.contacts[i]};
-    if (count > 0) factor_.addContacts(together, count, pair == none ? none : edgeOf_[pair]);
-  }
+/// Adds contacts and rows of the same bodies all at once, as far as they come one after the other.
+void BodyMotion::addTo(int body, const Stiffness& G) {
+  const auto forSidesOf = [body](const auto& part, const auto& add) {
+    if (part.a == body) add(BlockFactor::Side::A);
+    if (part.b == body) add(BlockFactor::Side::B);
+  };
+  touches_.forBonds(body, [&](const Bond& bond) {
+    BlockFactor::Response together[BlockFactor::mostContacts];
+    const int edge = bond.edge == none ? none : edgeOf_[bond.edge];
+    for (int i = bond.begin; i < bond.end;) {
+      int count = 0;
+      for (; i < bond.end && count < BlockFactor::mostContacts; ++i)
+        if (presses_[i]) together[count++] = {&space_->contacts[i], &G.contacts[i]};
+      if (count == 0) break;
+      forSidesOf(*together->J,
+                 [&](auto side) { factor_.addContacts(together, count, edge, side); });
+    }
+  });
+  joins_.forBonds(body, [&](const Bond& bond) {
+    const ScalarRow* rows = &space_->rows[bond.begin];
+    const int count = bond.end - bond.begin,
+              edge = bond.edge == none ? none : firstOfRows_ + bond.edge;
+    forSidesOf(*rows,
+               [&](auto side) { factor_.addRows(rows, &G.rows[bond.begin], count, edge, side); });
+  });
 }
 
 bool BodyMotion::condense(const std::vector<int>& unknowns, KeptMatrix& W) {
@@ -247,21 +298,6 @@ void BodyMotion::addDisks(const Stiffness& G, int edge) {
       }
     }
   }
-}
-
-/// Adds rows of the same bodies, as those of a joint, all at once. Returns the edge after theirs.
-int BodyMotion::addRows(const Stiffness& G, int edge) {
-  const std::vector<ScalarRow>& rows = space_->rows;
-  for (int i = 0; i < plainRows_;) {
-    const int a = rows[i].a, b = rows[i].b;
-    int end = i + 1;
-    while (end < plainRows_ && rows[end].a == a && rows[end].b == b) ++end;
-    const bool coupled = a >= 0 && b >= 0 && a != b;
-    factor_.addRows(&rows[i], &G.rows[i], end - i, coupled ? edge : none);
-    if (coupled) edge += end - i;
-    i = end;
-  }
-  return edge;
 }
 
 /// Adds the parts. Returns the edge after theirs.

@@ -63,6 +63,9 @@ class BodyMotion {
   /// Keeps pointers to the problem, which must outlive the use and stay as it is.
   void setProblem(const Problem& problem);
 
+  /// As BlockFactor.
+  void setHands(Hands* hands) { factor_.setHands(hands); }
+
   int size() const { return 6 * space_->bodies; }
   void impulse(const VectorXd& r, VectorXd& y) const { space_->impulse(r, y); }
   void relativeVelocity(const VectorXd& y, VectorXd& u) const { space_->relativeVelocity(y, u); }
@@ -73,8 +76,9 @@ class BodyMotion {
   /// The sign of det K.
   bool isDeterminantNegative() const { return factor_.isDeterminantNegative(); }
   std::size_t bytes() const {
-    return factor_.bytes() +
-           bytesOf(shares_, pairs_, pairOf_, edgeOf_, getsEdge_, edges_, blocks_, blocksBegin_);
+    return factor_.bytes() + touches_.bytes() + joins_.bytes() +
+           bytesOf(shares_, pairs_, pairOf_, presses_, edgeOf_, getsEdge_, edges_, blocks_,
+                   blocksBegin_);
   }
 
  private:
@@ -86,16 +90,34 @@ class BodyMotion {
     Mat36 answer;    ///< of the disk in a region
   };
 
+  /// Contacts `begin` up to `end`, or rows, of the same two bodies, for one of these.
+  struct Bond {
+    int begin, end;
+    int edge;  ///< of a contact: its pair; of a row: its edge among those of rows; or `none`
+  };
+  /// The bonds of each body, in their order.
+  struct Bonds {
+    std::vector<Bond> all;
+    std::vector<int> begin;  ///< body -> its first bond; size bodies + 2, or empty
+    template <class Parts, class EdgeOf>
+    void find(int bodies, const Parts& parts, int count, const EdgeOf& edgeOf);
+    template <class Visit>
+    void forBonds(int body, const Visit& visit) const {
+      if (all.empty()) return;
+      for (int k = begin[body]; k < begin[body + 1]; ++k) visit(all[k]);
+    }
+    std::size_t bytes() const { return bytesOf(all, begin); }
+  };
+
   bool factorise(const Stiffness& G, bool asCholesky);
-  /// Numbers the pairs of bodies that touch.
+  /// Numbers the pairs of bodies that touch, and finds what each body is bound by.
   void findPairs();
   /// Finds the pairs that are to have blocks in the factor of G: those that it couples, and others
   /// that have some, unless these are many. Whether just these pairs have blocks.
   bool hasRoomFor(const Stiffness& G);
   /// Analyses the factor for these pairs.
   void makeRoom();
-  void addContacts(const Stiffness& G);
-  int addRows(const Stiffness& G, int firstEdge);
+  void addTo(int body, const Stiffness& G);
   int addParts(const Stiffness& G, int firstEdge);
   void addDisks(const Stiffness& G, int firstEdge);
   void findShares(const Disk& disk);
@@ -106,10 +128,12 @@ class BodyMotion {
   std::vector<DiskShare> shares_;              ///< of one disk
   std::vector<BlockFactor::Edge> pairs_;       ///< of moving bodies that touch
   std::vector<int> pairOf_;                    ///< contact -> pair, or `none`
+  std::vector<char> presses_;                  ///< contact -> whether it adds to K
   std::vector<int> edgeOf_;                    ///< pair -> edge of the factor, or `none`
   std::vector<char> getsEdge_;                 ///< pair -> whether it is to have an edge
   std::vector<BlockFactor::Edge> edges_;       ///< of pairs, then of rows, parts and disks
-  int firstOfRows_ = 0;                        ///< among the edges
+  int firstOfRows_ = 0, endOfRows_ = 0;        ///< among the edges
+  Bonds touches_, joins_;                      ///< by contacts; by rows of no disk
   std::vector<BlockFactor::RowBlock> blocks_;  ///< scratch of condense
   std::vector<int> blocksBegin_;
   BlockFactor factor_;

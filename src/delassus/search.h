@@ -67,7 +67,10 @@ class Search {
   }
   const NaturalMap& map() const { return map_; }
   /// The threads that help from now on; null: none.
-  void setHands(Hands* hands) { hands_ = hands; }
+  void setHands(Hands* hands) {
+    hands_ = hands;
+    if (machines_) machines_->setHands(hands);
+  }
 
   /// Takes `r`, moved into the cones and bounds, as the best answer if its residual is smaller.
   void offer(const VectorXd& r, Solution& best);
@@ -117,6 +120,10 @@ class Search {
     CondensedNewton condensed;
     Engines<BodyMotion> bodies;
     Engines<FactoredMotion> factored;
+    void setHands(Hands* hands) {
+      coloured.setHands(hands);
+      bodies.space.motion().setHands(hands);
+    }
     std::size_t bytes() const {
       return sweeps.bytes() + coloured.bytes() + path.bytes() + condensed.bytes() + bodies.bytes() +
              factored.bytes();
@@ -128,6 +135,7 @@ class Search {
     if (!machines_) {
       own_.reset(new Machines);  // make_unique would set all its dense matrices to zero first
       machines_ = own_.get();
+      machines_->setHands(hands_);
     }
     return *machines_;
   }

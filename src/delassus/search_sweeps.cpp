@@ -134,10 +134,7 @@ void Search::settle(const Task& task, double tolerance, Solution& best) {
 /// Prepares sweeps by colour, if these are allowed and possible, or else other sweeps. True: by
 /// colour.
 bool Search::setSweeps(bool mayGoByColour) {
-  if (mayGoByColour) {
-    machines().coloured.setHands(hands_);
-    if (machines().coloured.setProblem(*problem_, map_)) return true;
-  }
+  if (mayGoByColour && machines().coloured.setProblem(*problem_, map_)) return true;
   machines().sweeps.setProblem(*problem_, map_);
   return false;
 }

@@ -183,6 +183,13 @@ TEST(Threads, AllOfThemSweepALargeIslandWithTheSameMotion) {
   for (int threads : {2, 3}) expectSame(run(buildBlock, 4, always(threads), options), serial);
 }
 
+TEST(Threads, AllOfThemFactorALargeIslandWithTheSameMotion) {
+  const History serial = run(buildBlock, 4, always(1));
+  EXPECT_GT(serial.mostContacts, 1000);
+  EXPECT_GT(serial.walks, 0);
+  for (int threads : {2, 3}) expectSame(run(buildBlock, 4, always(threads)), serial);
+}
+
 // An island that weighs more than three times all others comes first, on the caller's bench; then
 // the others come, each once.
 TEST(Threads, APredominantIslandComesFirst) {

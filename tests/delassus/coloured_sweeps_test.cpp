@@ -3,13 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <thread>
 #include <vector>
 
 #include "delassus/flush_to_zero.h"
-#include "delassus/hands.h"
 #include "delassus/one_contact.h"
 #include "delassus/solver.h"
+#include "tests/support/hired_hands.h"
 #include "tests/support/random_piles.h"
 #include "tests/support/sphere_heaps.h"
 #include "tests/support/turning_piles.h"
@@ -24,25 +23,6 @@ PileIsland heapOfSpheres(int seed, double friction = 0.5) {
   Random random(seed);
   return PileIsland(makeSphereHeap(200, 4.7, friction, 0.1, random));
 }
-
-/// Hands that are new threads for each task.
-class HiredHands final : public Hands {
- public:
-  explicit HiredHands(int count) : count_(count) {}
-  int count() const override { return count_; }
-  void together(void (*work)(const void* context, int hand), const void* context) override {
-    ++tasks;
-    std::vector<std::thread> others;
-    for (int hand = 1; hand < count_; ++hand) others.emplace_back(work, context, hand);
-    work(context, 0);
-    for (std::thread& other : others) other.join();
-  }
-
-  int tasks = 0;
-
- private:
-  int count_;
-};
 
 /// A tower of boxes whose contacts have different friction, some none.
 PileIsland towerOfMixedFriction(int height, Random& random) {

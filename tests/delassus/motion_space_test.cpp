@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <utility>
 #include <vector>
 
+#include "tests/support/hired_hands.h"
 #include "tests/support/random_piles.h"
 #include "tests/support/turning_piles.h"
 
@@ -15,8 +17,8 @@ namespace {
 using namespace delassus::test;
 
 /// Balls thrown together, with a motor; some contacts resist turning.
-PileIsland heap(Random& random) {
-  Pile pile = makeHeap(20, 0.5, random);
+PileIsland heap(Random& random, int balls = 20) {
+  Pile pile = makeHeap(balls, 0.5, random);
   resistTurning(pile, 0.1, random);
   pile.rows.insert(pile.rows.begin(), makeWeakMotor());  // those of the disks come last
   return PileIsland(pile);
@@ -196,6 +198,105 @@ TEST(BodyMotion, WhatOpensGivesItsRoomBack) {
   used.solve(a);
   fresh.solve(b);
   EXPECT_EQ(a, b);
+}
+
+TEST(BodyMotion, HandsDoNotChangeABitOfItsFactor) {
+  Random random(212);
+  const PileIsland island = heap(random, 150);
+  const Stiffness sliding = randomRegion(island.problem, 1, random);
+  Stiffness sticking = sliding, indefinite = sliding;
+  for (std::size_t i = 0; i < sliding.contacts.size(); ++i) {
+    sticking.contacts[i](1, 2) = sticking.contacts[i](2, 1);
+    indefinite.contacts[i] = -sticking.contacts[i];
+  }
+  for (std::size_t k = 0; k < sliding.disks.size(); ++k)
+    sticking.disks[k].governor = indefinite.disks[k].governor = Mat23::Zero();
+  ASSERT_FALSE(sliding.isSymmetric());
+  ASSERT_TRUE(sticking.isSymmetric() && indefinite.isSymmetric());
+  const std::vector<Stiffness> regions = {sticking, sliding, indefinite};
+  for (const Stiffness& G : regions) {
+    BodyMotion alone;
+    alone.setProblem(island.problem);
+    ASSERT_TRUE(alone.factorise(G));
+    const VectorXd y = normalVector(alone.size(), random);
+    VectorXd x = y;
+    alone.solve(x);
+    for (const int count : {1, 2, 4}) {
+      HiredHands hands(count);
+      BodyMotion together;
+      together.setHands(&hands);
+      together.setProblem(island.problem);
+      for (int again = 1; again <= 3; ++again) {
+        ASSERT_TRUE(together.factorise(G));
+        EXPECT_EQ(hands.tasks, again * (&G == &regions.back() ? 2 : 1));
+        VectorXd z = y;
+        together.solve(z);
+        EXPECT_EQ(z, x) << count << " hands";
+        EXPECT_EQ(together.isDeterminantNegative(), alone.isDeterminantNegative());
+      }
+    }
+  }
+}
+
+// A bound that has been overdrawn turns the sign of one pivot, whichever hand finds it.
+TEST(BodyMotion, HandsAgreeOnTheSignOfTheDeterminant) {
+  Random random(213);
+  const PileIsland island = heap(random, 150);
+  HiredHands hands(3);
+  int negative = 0;
+  for (int k = 0; k < 12; ++k) {
+    Stiffness G = randomRegion(island.problem, 1, random);
+    for (int i = 0; i < k; ++i) G.contacts[4 * i](0, 0) -= 1e4;
+    BodyMotion alone, together;
+    together.setHands(&hands);
+    for (BodyMotion* motion : {&alone, &together}) {
+      motion->setProblem(island.problem);
+      ASSERT_TRUE(motion->factorise(G));
+    }
+    EXPECT_EQ(together.isDeterminantNegative(), alone.isDeterminantNegative()) << k;
+    EXPECT_EQ(hands.tasks, k + 1);
+    negative += alone.isDeterminantNegative();
+  }
+  EXPECT_GT(negative, 2);
+  EXPECT_LT(negative, 10);
+}
+
+// One hand meets the broken pivot while the others are at work or wait for it.
+TEST(BodyMotion, HandsGiveUpTogether) {
+  Random random(214);
+  const PileIsland island = heap(random, 150);
+  const Stiffness sound = randomRegion(island.problem, 1, random);
+  for (const int broken : {0, 100, 200}) {
+    ASSERT_LT(broken, island.problem.contacts());
+    Stiffness G = sound;
+    G.contacts[broken](0, 0) = std::numeric_limits<double>::quiet_NaN();
+    HiredHands hands(3);
+    BodyMotion together, alone;
+    together.setHands(&hands);
+    together.setProblem(island.problem);
+    EXPECT_FALSE(together.factorise(G)) << broken;
+    // Nothing of the failure is left.
+    alone.setProblem(island.problem);
+    ASSERT_TRUE(alone.factorise(sound));
+    ASSERT_TRUE(together.factorise(sound));
+    EXPECT_EQ(hands.tasks, 2);
+    const VectorXd y = normalVector(alone.size(), random);
+    VectorXd a = y, b = y;
+    alone.solve(a);
+    together.solve(b);
+    EXPECT_EQ(a, b);
+  }
+}
+
+TEST(BodyMotion, CallsNoHandsForAFewBodies) {
+  Random random(215);
+  const PileIsland island = heap(random);
+  HiredHands hands(2);
+  BodyMotion motion;
+  motion.setHands(&hands);
+  motion.setProblem(island.problem);
+  ASSERT_TRUE(motion.factorise(randomRegion(island.problem, 1, random)));
+  EXPECT_EQ(hands.tasks, 0);
 }
 
 }  // namespace
