@@ -44,13 +44,13 @@ class btDelassusConstraintSolver : public btConstraintSolver {
                       const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
                       btDispatcher* dispatcher) override;
   /// Solves islands that do not touch side by side on this many threads, the caller's being one of
-  /// them. A large island that makes up most of a group is swept over by all threads together
-  /// (coloured_sweeps.h). This call starts the other threads at once; they sleep between steps. No
-  /// thread is started before it, nor by setThreads(1); a number below 1 counts as 1. The motion,
-  /// the report (but for its seconds and bytes) and the order of events are the same for any
-  /// number. Storage that is kept from step to step is given back. Throws std::system_error where
-  /// no thread is to be had, and std::bad_alloc where there is no room for so many; then the caller
-  /// works alone.
+  /// them. A large island that makes up most of a group is swept over and factored by all threads
+  /// together (coloured_sweeps.h, block_factor.h). This call starts the other threads at once; they
+  /// sleep between steps. No thread is started before it, nor by setThreads(1); a number below 1
+  /// counts as 1. The motion, the report (but for its seconds and bytes) and the order of events
+  /// are the same for any number. Storage that is kept from step to step is given back. Throws
+  /// std::system_error where no thread is to be had, and std::bad_alloc where there is no room for
+  /// so many; then the caller works alone.
   void setThreads(int threads);
   /// Bounds rolling and spinning friction of rigid bodies as Bullet's own solver does, for worlds
   /// that were tuned with it: |τ| ≤ κ min(r_n, 1 N·s) at each point in each step, and no spinning

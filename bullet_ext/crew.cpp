@@ -35,7 +35,6 @@ void Crew::setHands(int hands) {
 }
 
 void Crew::attend(int hand) {
-  const QuietArithmetic quiet;
   unsigned seen = 0;
   while (true) {
     {
@@ -44,6 +43,8 @@ void Crew::attend(int hand) {
       if (dismissed_) return;
       seen = calls_;
     }
+    std::fesetenv(&arithmetic_);
+    const QuietArithmetic quiet;
     takePart(hand);
     const std::lock_guard lock(mutex_);
     if (--busy_ == 0) ended_.notify_one();
@@ -70,6 +71,7 @@ void Crew::workThrough(int hand) {
 }
 
 void Crew::run() {
+  std::fegetenv(&arithmetic_);
   {
     const std::lock_guard lock(mutex_);
     ++calls_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cfenv>
 #include <condition_variable>
 #include <exception>
 #include <memory>
@@ -13,7 +14,8 @@
 namespace delassus::bullet {
 
 /// Threads that go through a list of items together with the caller's thread, or all work on one
-/// job. Between calls they are parked and cost nothing.
+/// job. Between calls they are parked and cost nothing. They calculate as the caller does: with its
+/// rounding and its treatment of tiny numbers.
 ///
 /// Each hand begins with its own part of the list. With the same weights that part is the same in
 /// every call, so that a hand finds in its storage what it left there. A hand that has finished
@@ -52,6 +54,7 @@ class Crew final : public Hands {
             }};
     run();
   }
+  using Hands::together;
   void together(void (*work)(const void* context, int hand), const void* context) override {
     job_ = {context, nullptr, work};
     run();
@@ -78,6 +81,7 @@ class Crew final : public Hands {
 
   std::unique_ptr<Part[]> parts_;  ///< one a hand
   Job job_;
+  std::fenv_t arithmetic_ = {};  ///< of the caller
 
   std::vector<std::thread> threads_;
   std::mutex mutex_;  ///< guards the members below

@@ -290,7 +290,7 @@ void addRunCommand(CLI::App& app, Action& chosen) {
       ->check(greaterThanZero);
   command
       ->add_option("--threads", arguments->threads,
-                   "delassus: threads that solve islands side by side, and sweep together over a "
+                   "delassus: threads that solve islands side by side, and work together on a "
                    "large one; the motion is the same for any number")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();

@@ -11,13 +11,14 @@
 namespace delassus {
 namespace {
 
-/// The columns that a hand needs: when it works alone, all that come earlier are ready.
+/// Which of the earlier columns a hand may use that works alone: all.
 struct Alone {
   bool waitFor(int) const { return true; }
   bool isReady(int) const { return true; }
 };
 
-/// When others work beside it, those of its own task, from `own` on, are ready.
+/// And one that works beside others: those of its own task, from `own` on, and those that are
+/// ready.
 struct Beside {
   const std::atomic<bool>* ready;
   int own;
@@ -33,7 +34,7 @@ struct Beside {
   }
 };
 
-void setZero(Mat6* blocks, int count) {
+void setZero(Mat6* blocks, std::size_t count) {
   static_assert(sizeof(Mat6) == Mat6::SizeAtCompileTime * sizeof(double));
   if (count > 0) std::fill_n(blocks->data(), Mat6::SizeAtCompileTime * count, 0.0);
 }
@@ -69,8 +70,8 @@ void BlockFactor::analyse(int bodies, const std::vector<Edge>& edges) {
 void BlockFactor::clear() {
   if (isCleared_) return;
   std::fill(diagonal_.begin(), diagonal_.end(), Mat6::Identity());
-  setZero(lower_.data(), static_cast<int>(lower_.size()));
-  if (!isCholesky_) setZero(upper_.data(), static_cast<int>(upper_.size()));
+  setZero(lower_.data(), lower_.size());
+  if (!isCholesky_) setZero(upper_.data(), upper_.size());
   isCleared_ = true;
 }
 
@@ -103,10 +104,10 @@ void BlockFactor::addContacts(const Response* contacts, int count, int edge, Sid
     response[k] = &products[k];
   }
   multiplyRows(G, own, count, products);
-  const BlockPattern& p = pattern();
-  addProducts(own, response, count, diagonal_[p.place[isA ? contacts->J->a : contacts->J->b]]);
-  if (edge < 0 || p.target[edge].reversed == isA) return;  // the block is in the other column
-  const int at = p.target[edge].at;
+  addProducts(own, response, count,
+              diagonal_[pattern().place[isA ? contacts->J->a : contacts->J->b]]);
+  const int at = blockIn(edge, side);
+  if (at < 0) return;
   addProducts(other, response, count, lower_[at]);
   if (isCholesky_) return;
   multiplyRows(G, other, count, products);
@@ -118,14 +119,21 @@ void BlockFactor::addRows(const ScalarRow* rows, const double* g, int count, int
   const bool isA = side == Side::A;
   const double *own = isA ? rows->Ja.data() : rows->Jb.data(),
                *other = isA ? rows->Jb.data() : rows->Ja.data();
-  const BlockPattern& p = pattern();
-  addRowProducts(own, own, stride, g, count, diagonal_[p.place[isA ? rows->a : rows->b]]);
-  if (edge < 0 || p.target[edge].reversed == isA) return;  // the block is in the other column
-  const int at = p.target[edge].at;
+  addRowProducts(own, own, stride, g, count, diagonal_[pattern().place[isA ? rows->a : rows->b]]);
+  const int at = blockIn(edge, side);
+  if (at < 0) return;
   addRowProducts(other, own, stride, g, count, lower_[at]);
   // The products of rows are symmetric: block (column, row) is the transpose of block (row,
   // column), and upper_ stores transposes.
   if (!isCholesky_) addRowProducts(other, own, stride, g, count, upper_[at]);
+}
+
+/// The block of an edge if it is in the column of this body; less than 0 if it is in that of the
+/// other, or if there is none.
+int BlockFactor::blockIn(int edge, Side side) const {
+  if (edge < 0) return -1;
+  const BlockPattern::Target& t = pattern().target[edge];
+  return t.reversed == (side == Side::B) ? t.at : -1;
 }
 
 void BlockFactor::assemble(int column, const Rest& rest) {
@@ -142,7 +150,7 @@ void BlockFactor::assemble(int column, const Rest& rest) {
 
 /// Left-looking: subtracts from a column the products of the earlier ones with a block in its row;
 /// columns with the same rows go together, as far as they are ready (that changes no bit). False as
-/// `factorise`.
+/// `factorise`, or if another hand has failed.
 template <class Others>
 bool BlockFactor::eliminate(int column, int* slot, const Others& others, bool& isNegative) {
   const BlockPattern& p = pattern();
@@ -184,7 +192,7 @@ bool BlockFactor::eliminate(int column, int* slot, const Others& others, bool& i
 }
 
 bool BlockFactor::eliminateAll(const Rest& rest) {
-  if (hands_ && pattern().isForMany()) return eliminateTogether(rest);
+  if (hands_ && pattern().isLarge()) return eliminateTogether(rest);
   isNegative_ = false;
   for (int column = 0; column < pattern().bodies; ++column) {
     assemble(column, rest);
@@ -223,8 +231,7 @@ bool BlockFactor::eliminateTogether(const Rest& rest) {
     }
     if (isNegative) ++negatives;
   };
-  hands_->together(
-      [](const void* context, int hand) { (*static_cast<decltype(&work)>(context))(hand); }, &work);
+  hands_->together(work);
   isNegative_ = negatives % 2 == 1;
   return !hasFailed;
 }
@@ -287,8 +294,8 @@ void BlockFactor::condense(const std::vector<RowBlock>& blocks, const std::vecto
 }
 
 std::size_t BlockFactor::bytes() const {
-  std::size_t sum = bytesOf(slot_, diagonal_, diagonalInverse_, lower_, upper_, ordered_, reduced_,
-                            sums_, touched_, sixes_, sixesOf_, rowsOfW_);
+  std::size_t sum = bytesOf(slot_, isReady_, diagonal_, diagonalInverse_, lower_, upper_, ordered_,
+                            reduced_, sums_, touched_, sixes_, sixesOf_, rowsOfW_);
   for (const BlockPattern& kept : patterns_) sum += sizeof(BlockPattern) + kept.bytes();
   return sum;
 }

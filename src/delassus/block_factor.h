@@ -65,9 +65,9 @@ class BlockFactor {
   void addOffDiagonal(int edge, const Mat36& Aa, const Mat36& Ba, const Mat36& Ab, const Mat36& Bb);
 
   /// Factorises the matrix. Before a block column is eliminated, calls add(body), which adds the
-  /// rest of it by addContacts and addRows; columns come in any order, those of large matrices also
-  /// at the same time. False if a pivot block is singular or not finite, or not positive definite
-  /// as it should be.
+  /// rest of it by addContacts and addRows, calls nothing else here, and must not throw. Columns come
+  /// in any order, those of large matrices also at the same time. False if a pivot block is singular
+  /// or not finite, or not positive definite as it should be.
   template <class Add>
   bool factorise(const Add& add) {
     return eliminateAll(
@@ -122,6 +122,7 @@ class BlockFactor {
   void clear();
   bool eliminateAll(const Rest& rest);
   bool eliminateTogether(const Rest& rest);
+  int blockIn(int edge, Side side) const;
   void assemble(int column, const Rest& rest);
   template <class Others>
   bool eliminate(int column, int* slot, const Others& others, bool& isNegative);
@@ -131,7 +132,7 @@ class BlockFactor {
   bool isCleared_ = false;  ///< all columns are; otherwise each will be when its turn comes
   std::vector<int> slot_;   ///< scratch, for each hand: row -> block of the column being eliminated
   Hands* hands_ = nullptr;
-  std::vector<std::atomic<bool>> isReady_;  ///< column -> whether it is eliminated
+  std::vector<std::atomic<bool>> isReady_;  ///< column -> whether its task is done; with hands only
 
   /// Pivot blocks and their inverses; of a Cholesky factor C⁻ᵀ and C⁻¹ of each.
   std::vector<Mat6> diagonal_, diagonalInverse_;

@@ -85,19 +85,20 @@ BlockPattern::BlockPattern(int bodyCount, const std::vector<Edge>& edgeList)
   findTasks();
 }
 
-/// In the elimination tree, a column needs those below it alone. In the order of minimum degree,
-/// the columns of a subtree follow each other.
+/// A column needs only those below it in the elimination tree. In the order of minimum degree, the
+/// columns of a subtree mostly follow each other; where they do not, they come one by one.
 void BlockPattern::findTasks() {
-  constexpr int smallTasks = 64;     // about so many of them would be all the work
-  constexpr int worthwhile = 10000;  // products of two blocks; fewer are made before others come
+  constexpr int sharesOfAll = 64;   // no subtree in a task has more than one of these
+  constexpr int worthwhile = 5000;  // products of two blocks; fewer are made before others come
+  constexpr int perColumn = 4;      // products that take as long as its assembly and its pivot
   struct Subtree {
     int first, size = 1;  ///< the lowest column, and the number of columns
-    long long products = 0;
+    long long products = perColumn;
   };
-  long long products = 0;
+  long long products = 0;  // of all columns
   for (int k = 0; k < bodies; ++k) {
     const long long rows = begin[k + 1] - begin[k];
-    products += rows * (rows + 1) / 2;
+    products += perColumn + rows * (rows + 1) / 2;
   }
   if (products < worthwhile) return;
 
@@ -119,18 +120,19 @@ void BlockPattern::findTasks() {
   long long last = 0;  // products of the last task
   for (int k = bodies - 1; k >= 0; --k) {
     const Subtree& own = below[k];
-    if (smallTasks * own.products > products || k + 1 - own.first != own.size) {
+    if (sharesOfAll * own.products > products || k + 1 - own.first != own.size) {
       others.push_back({k, k + 1});
       continue;
     }
     const bool joins = !tasks.empty() && tasks.back().begin == k + 1 &&
-                       smallTasks * (last + own.products) <= products;
+                       sharesOfAll * (last + own.products) <= products;
     if (joins)
       tasks.back().begin = own.first, last += own.products;
     else
       tasks.push_back({own.first, k + 1}), last = own.products;
     k = own.first;
   }
+  std::reverse(tasks.begin(), tasks.end());
   tasks.insert(tasks.end(), others.rbegin(), others.rend());
 }
 

@@ -35,8 +35,9 @@ struct BlockPattern {
   std::vector<int> leader;          ///< column -> first of its run of columns with the same rows
   std::vector<int> ancestorBegin;   ///< row -> its first ancestor; size bodies + 1
   std::vector<Ancestor> ancestors;  ///< one per off-diagonal block
-  /// All columns, if there are enough for several hands: first those that need no other task's, then
-  /// the rest one by one. Each needs only columns of its own task and of earlier ones.
+  /// All columns, if there is enough work for several hands: first subtrees of the elimination
+  /// tree, which need no columns but their own, then the rest one by one. Each task needs only
+  /// columns of its own and of earlier tasks.
   std::vector<Task> tasks;
 
   BlockPattern(int bodyCount, const std::vector<Edge>& edgeList);
@@ -44,7 +45,7 @@ struct BlockPattern {
   bool isOf(int bodyCount, const std::vector<Edge>& edgeList) const {
     return bodies == bodyCount && edges == edgeList;
   }
-  bool isForMany() const { return !tasks.empty(); }
+  bool isLarge() const { return !tasks.empty(); }
   int offDiagonalBlocks() const { return static_cast<int>(row.size()); }
   std::size_t bytes() const;
 

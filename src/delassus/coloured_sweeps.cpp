@@ -260,9 +260,7 @@ void ColouredSweeps::sweepAs(Pass& pass, const VectorXd& u, VectorXd& r) {
       lead(pass, [&](int round) { rounds.lead(round, shares, part); });
       rounds.end();
     };
-    hands_->together(
-        [](const void* context, int hand) { (*static_cast<decltype(&task)>(context))(hand); },
-        &task);
+    hands_->together(task);
   }
   finish(r);
 }

@@ -32,6 +32,8 @@ class CondensedNewton {
   /// unknowns beside E. If there are more, rows whose `r` is within their bounds
   /// count as held, too. `map` belongs to the problem; both must outlive `solve`.
   bool setProblem(const Problem& problem, const NaturalMap& map, const VectorXd& r, int most);
+  /// As BlockFactor.
+  void setHands(Hands* hands) { motion_.setHands(hands); }
   /// Whether there is an E.
   bool hasHeld() const { return !held_.empty(); }
 

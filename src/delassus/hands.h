@@ -15,14 +15,23 @@ class Hands {
   /// are processors, hand 0 in the caller's thread. Returns when all have ended. `work` must not
   /// throw.
   virtual void together(void (*work)(const void* context, int hand), const void* context) = 0;
+  /// The same for work(hand).
+  template <class Work>
+  void together(const Work& work) {
+    together([](const void* of, int hand) { (*static_cast<const Work*>(of))(hand); }, &work);
+  }
 };
 
-/// Waits for what another thread is at work on: some microseconds, unless it has no processor.
+/// Waits for what another thread is at work on: not for long, unless it has no processor.
 template <class IsOver>
 void waitUntil(const IsOver& isOver) {
   constexpr int patience = 2000;
-  for (int looks = 0; !isOver(); ++looks)
-    if (looks > patience) std::this_thread::yield();
+  int looks = 0;
+  while (!isOver())
+    if (++looks > patience) {
+      looks = patience;
+      std::this_thread::yield();
+    }
 }
 
 /// Rounds of shares, one round after the other; hands take the shares. The leader takes shares from

@@ -98,7 +98,7 @@ class BodyMotion {
   /// The bonds of each body, in their order.
   struct Bonds {
     std::vector<Bond> all;
-    std::vector<int> begin;  ///< body -> its first bond; size bodies + 2, or empty
+    std::vector<int> begin;  ///< body -> its first bond; size bodies + 2, if there are any
     template <class Parts, class EdgeOf>
     void find(int bodies, const Parts& parts, int count, const EdgeOf& edgeOf);
     template <class Visit>
@@ -113,10 +113,12 @@ class BodyMotion {
   /// Numbers the pairs of bodies that touch, and finds what each body is bound by.
   void findPairs();
   /// Finds the pairs that are to have blocks in the factor of G: those that it couples, and others
-  /// that have some, unless these are many. Whether just these pairs have blocks.
+  /// that have some, unless these are many. Whether just these pairs have blocks. Notes which
+  /// contacts press.
   bool hasRoomFor(const Stiffness& G);
   /// Analyses the factor for these pairs.
   void makeRoom();
+  /// Adds contacts and rows to the column of a body. Several hands call this at once.
   void addTo(int body, const Stiffness& G);
   int addParts(const Stiffness& G, int firstEdge);
   void addDisks(const Stiffness& G, int firstEdge);

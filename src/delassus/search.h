@@ -122,6 +122,7 @@ class Search {
     Engines<FactoredMotion> factored;
     void setHands(Hands* hands) {
       coloured.setHands(hands);
+      condensed.setHands(hands);
       bodies.space.motion().setHands(hands);
     }
     std::size_t bytes() const {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cfenv>
 #include <chrono>
 #include <future>
 #include <stdexcept>
@@ -49,6 +50,20 @@ TEST(Crew, AllHandsWorkAtTheSameTime) {
   });
 }
 
+// The caller may change its arithmetic after the hands have come.
+TEST(Crew, CalculatesAsTheCallerDoes) {
+  Crew crew;
+  crew.setHands(3);
+  const int before = std::fegetround();
+  for (const int rounding : {FE_UPWARD, FE_DOWNWARD, before}) {
+    std::fesetround(rounding);
+    std::atomic<int> same{0};
+    crew.together([&](int) { same += std::fegetround() == rounding; });
+    EXPECT_EQ(same, 3);
+  }
+  std::fesetround(before);
+}
+
 // In each round every share is done once, by whichever hand takes it. That hand sees what was done
 // in the round before.
 TEST(Crew, AllHandsTakePartInRounds) {
@@ -68,9 +83,7 @@ TEST(Crew, AllHandsTakePartInRounds) {
       }
       rounds.end();
     };
-    crew.together(
-        [](const void* context, int hand) { (*static_cast<decltype(&task)>(context))(hand); },
-        &task);
+    crew.together(task);
   }
 }
 

@@ -184,10 +184,13 @@ TEST(Threads, AllOfThemSweepALargeIslandWithTheSameMotion) {
 }
 
 TEST(Threads, AllOfThemFactorALargeIslandWithTheSameMotion) {
-  const History serial = run(buildBlock, 4, always(1));
+  Options options;
+  options.newtonBudget = 10;
+  options.sweepBudget = 100;
+  const History serial = run(buildBlock, 4, always(1), options);
   EXPECT_GT(serial.mostContacts, 1000);
   EXPECT_GT(serial.walks, 0);
-  for (int threads : {2, 3}) expectSame(run(buildBlock, 4, always(threads)), serial);
+  for (int threads : {2, 3}) expectSame(run(buildBlock, 4, always(threads), options), serial);
 }
 
 // An island that weighs more than three times all others comes first, on the caller's bench; then

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/box_piles.h"
 #include "tests/support/hired_hands.h"
 #include "tests/support/random_piles.h"
 #include "tests/support/turning_piles.h"
@@ -200,7 +201,48 @@ TEST(BodyMotion, WhatOpensGivesItsRoomBack) {
   EXPECT_EQ(a, b);
 }
 
-TEST(BodyMotion, HandsDoNotChangeABitOfItsFactor) {
+/// Boxes piled up to a pyramid, with joints of three rows between some of them. In contrast to a heap
+/// of balls that resist turning, all of K is added when the turn of its columns comes.
+PileIsland pyramid(int base, Random& random) {
+  Pile pile = makePyramid(base, 0.5, 0.1, 1, random);
+  const auto bodies = static_cast<int>(pile.bodies.size());
+  for (int body = 0; body + 3 < bodies; body += 5)
+    for (int k = 0; k < 3; ++k) {
+      Row& row = pile.rows.emplace_back(makeWeakMotor());
+      row.a = body + 3;
+      row.b = body;
+      row.jacobianB = normalVector(6, random);
+    }
+  return PileIsland(pile);
+}
+
+// One motion after the other, large and small.
+TEST(BodyMotion, HandsDoNotChangeABitOfPyramids) {
+  Random random(216);
+  HiredHands hands(3);
+  BodyMotion together;
+  together.setHands(&hands);
+  int shared = 0;
+  for (const int base : {8, 2, 9, 8}) {
+    const PileIsland island = pyramid(base, random);
+    const Stiffness G = randomRegion(island.problem, 0.9, random);
+    BodyMotion alone;
+    for (BodyMotion* motion : {&alone, &together}) {
+      motion->setProblem(island.problem);
+      ASSERT_TRUE(motion->factorise(G));
+    }
+    const VectorXd y = normalVector(alone.size(), random);
+    VectorXd a = y, b = y;
+    alone.solve(a);
+    together.solve(b);
+    EXPECT_EQ(a, b) << base;
+    EXPECT_LE((a + stiffnessTimes(G, island.problem, a) - y).norm(), 1e-9 * y.norm());
+    shared += base > 2;
+    EXPECT_EQ(hands.tasks, shared);
+  }
+}
+
+TEST(BodyMotion, HandsDoNotChangeABitOfHeaps) {
   Random random(212);
   const PileIsland island = heap(random, 150);
   const Stiffness sliding = randomRegion(island.problem, 1, random);

@@ -12,6 +12,7 @@ class HiredHands final : public Hands {
  public:
   explicit HiredHands(int count) : count_(count) {}
   int count() const override { return count_; }
+  using Hands::together;
   void together(void (*work)(const void* context, int hand), const void* context) override {
     ++tasks;
     std::vector<std::thread> others;

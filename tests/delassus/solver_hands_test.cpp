@@ -1,0 +1,45 @@
+/// Threads that a host lends to a solver.
+#include <gtest/gtest.h>
+
+#include "delassus/solver.h"
+#include "tests/support/box_piles.h"
+#include "tests/support/hired_hands.h"
+#include "tests/support/random_piles.h"
+
+namespace delassus {
+namespace {
+
+using namespace delassus::test;
+
+// Without sweeps, all that hands can share is the factor. They may come before the first problem or
+// later, and go again.
+TEST(SolverHands, FactorLargeProblemsWithTheSameBits) {
+  Random random(217);
+  const PileIsland pile(makePyramid(8, 0.5, 0.1, 1, random));
+  Options options;
+  options.sweepBudget = 0;
+  const auto expectSame = [](const Solution& a, const Solution& b) {
+    EXPECT_EQ(a.r, b.r);
+    EXPECT_EQ(a.regions, b.regions);
+    EXPECT_EQ(a.factorisations, b.factorisations);
+  };
+  Solver alone(options), early(options), late(options);
+  const Solution expected = alone.solve(pile.problem);
+  EXPECT_GT(expected.factorisations, 0);
+  HiredHands hands(2);
+  early.setHands(&hands);
+  expectSame(early.solve(pile.problem), expected);
+  const int once = hands.tasks;
+  EXPECT_GT(once, 0);
+
+  late.solve(pile.problem);
+  late.setHands(&hands);
+  expectSame(late.solve(pile.problem), expected);
+  EXPECT_EQ(hands.tasks, 2 * once);
+  late.setHands(nullptr);
+  expectSame(late.solve(pile.problem), expected);
+  EXPECT_EQ(hands.tasks, 2 * once);
+}
+
+}  // namespace
+}  // namespace delassus
