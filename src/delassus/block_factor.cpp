@@ -57,6 +57,9 @@ void BlockFactor::analyse(int bodies, const std::vector<Edge>& edges) {
       largest = std::max(largest, p.edges.size());
       return ++count > 1 && (count > mostPatterns || sum - largest > mostEdges);
     });
+    bytesOfPatterns_ = 0;
+    for (const BlockPattern& kept : patterns_)
+      bytesOfPatterns_ += sizeof(BlockPattern) + kept.bytes();
   }
 
   slot_.resize(bodies);
@@ -66,17 +69,21 @@ void BlockFactor::analyse(int bodies, const std::vector<Edge>& edges) {
   upper_.resize(pattern().offDiagonalBlocks());
 }
 
+void BlockFactor::setIdentity(bool isCholesky) {
+  isCholesky_ = isCholesky;
+  isCleared_ = false;
+  std::fill(diagonal_.begin(), diagonal_.end(), Mat6::Identity());
+}
+
 /// All columns at once, for blocks that are added before the elimination.
 void BlockFactor::clear() {
   if (isCleared_) return;
-  std::fill(diagonal_.begin(), diagonal_.end(), Mat6::Identity());
   setZero(lower_.data(), lower_.size());
   if (!isCholesky_) setZero(upper_.data(), upper_.size());
   isCleared_ = true;
 }
 
 void BlockFactor::addDiagonal(int body, const Mat36& A, const Mat36& B) {
-  clear();
   const Mat36 *a = &A, *b = &B;
   addProducts(&a, &b, 1, diagonal_[pattern().place[body]]);
 }
@@ -91,26 +98,19 @@ void BlockFactor::addOffDiagonal(int edge, const Mat36& Aa, const Mat36& Ba, con
   if (!isCholesky_) addProducts(&Gb, &a, 1, upper_[t.at]);
 }
 
-void BlockFactor::addContacts(const Response* contacts, int count, int edge, Side side) {
-  Mat36 products[mostContacts];  // G J
-  const Mat36 *own[mostContacts] = {}, *other[mostContacts] = {}, *response[mostContacts] = {};
-  const Mat3* G[mostContacts] = {};
-  const bool isA = side == Side::A;
-  for (int k = 0; k < count; ++k) {
-    const ContactRows& J = *contacts[k].J;
-    G[k] = contacts[k].G;
-    own[k] = isA ? &J.Ja : &J.Jb;
-    other[k] = isA ? &J.Jb : &J.Ja;
-    response[k] = &products[k];
-  }
-  multiplyRows(G, own, count, products);
-  addProducts(own, response, count,
-              diagonal_[pattern().place[isA ? contacts->J->a : contacts->J->b]]);
-  const int at = blockIn(edge, side);
+void BlockFactor::addContacts(Responses& contacts, int edge) {
+  Mat36 products[Responses::most];  // G J
+  const Mat36* response[Responses::most];
+  for (int k = 0; k < Responses::most; ++k) response[k] = &products[k];
+  const Mat36 *const *own = contacts.own_, *const *other = contacts.other_;
+  const int count = std::exchange(contacts.count_, 0);
+  multiplyRows(contacts.G_, own, count, products);
+  addProducts(own, response, count, diagonal_[pattern().place[contacts.body_]]);
+  const int at = blockIn(edge, contacts.side_);
   if (at < 0) return;
   addProducts(other, response, count, lower_[at]);
   if (isCholesky_) return;
-  multiplyRows(G, other, count, products);
+  multiplyRows(contacts.G_, other, count, products);
   addProducts(response, own, count, upper_[at]);
 }
 
@@ -141,7 +141,6 @@ void BlockFactor::assemble(int column, const Rest& rest) {
   if (!isCleared_) {
     // Not before: now the column comes into the cache where it is needed.
     const int begin = p.begin[column], count = p.begin[column + 1] - begin;
-    diagonal_[column].setIdentity();
     setZero(lower_.data() + begin, count);
     if (!isCholesky_) setZero(upper_.data() + begin, count);
   }
@@ -294,10 +293,9 @@ void BlockFactor::condense(const std::vector<RowBlock>& blocks, const std::vecto
 }
 
 std::size_t BlockFactor::bytes() const {
-  std::size_t sum = bytesOf(slot_, isReady_, diagonal_, diagonalInverse_, lower_, upper_, ordered_,
-                            reduced_, sums_, touched_, sixes_, sixesOf_, rowsOfW_);
-  for (const BlockPattern& kept : patterns_) sum += sizeof(BlockPattern) + kept.bytes();
-  return sum;
+  return bytesOfPatterns_ + bytesOf(slot_, isReady_, diagonal_, diagonalInverse_, lower_, upper_,
+                                    ordered_, reduced_, sums_, touched_, sixes_, sixesOf_,
+                                    rowsOfW_);
 }
 
 }  // namespace delassus

@@ -35,13 +35,9 @@ class BlockFactor {
   /// index `edge` the blocks (a, b) and (b, a). `isCholesky`: the sum will be symmetric and
   /// positive definite, and is to have a Cholesky factor. Blocks may be product expressions: these
   /// are evaluated while they are added.
-  void setIdentity(bool isCholesky = false) {
-    isCholesky_ = isCholesky;
-    isCleared_ = false;
-  }
+  void setIdentity(bool isCholesky = false);
   template <class Block>
   void addDiagonal(int body, const Block& block) {
-    clear();
     diagonal_[pattern().place[body]].noalias() += block;
   }
   template <class BlockAB, class BlockBA>
@@ -65,9 +61,9 @@ class BlockFactor {
   void addOffDiagonal(int edge, const Mat36& Aa, const Mat36& Ba, const Mat36& Ab, const Mat36& Bb);
 
   /// Factorises the matrix. Before a block column is eliminated, calls add(body), which adds the
-  /// rest of it by addContacts and addRows, calls nothing else here, and must not throw. Columns come
-  /// in any order, those of large matrices also at the same time. False if a pivot block is singular
-  /// or not finite, or not positive definite as it should be.
+  /// rest of it by addContacts and addRows, calls nothing else here, and must not throw. Columns
+  /// come in any order, those of large matrices also at the same time. False if a pivot block is
+  /// singular or not finite, or not positive definite as it should be.
   template <class Add>
   bool factorise(const Add& add) {
     return eliminateAll(
@@ -79,16 +75,32 @@ class BlockFactor {
 
   /// Which of the bodies of a contact or row has the block column to which it is added.
   enum class Side : unsigned char { A, B };
-  /// How a contact answers the motion in a region: r = −G J y.
-  struct Response {
-    const ContactRows* J;
-    const Mat3* G;
+  /// Up to `most` contacts of the same two bodies, and how they answer the motion in a region: r =
+  /// −G J y.
+  class Responses {
+   public:
+    static constexpr int most = 8;
+    /// For the column of the body on this side.
+    explicit Responses(Side side) : side_(side) {}
+    void add(const ContactRows& J, const Mat3& G) {
+      own_[count_] = side_ == Side::A ? &J.Ja : &J.Jb;
+      other_[count_] = side_ == Side::A ? &J.Jb : &J.Ja;
+      body_ = side_ == Side::A ? J.a : J.b;
+      G_[count_++] = &G;
+    }
+    bool isEmpty() const { return count_ == 0; }
+    bool isFull() const { return count_ == most; }
+
+   private:
+    friend class BlockFactor;
+    Side side_;
+    int count_ = 0, body_ = 0;
+    const Mat36 *own_[most], *other_[most];
+    const Mat3* G_[most];
   };
-  static constexpr int mostContacts = 8;
-  /// Adds Σ [Ja Jb]ᵀ G [Ja Jb] over up to mostContacts contacts of the same two bodies, as far as
-  /// it belongs to the column of one of these; `edge`: the edge of both, less than 0 if they are
-  /// not coupled.
-  void addContacts(const Response* contacts, int count, int edge, Side side);
+  /// Adds Σ [Ja Jb]ᵀ G [Ja Jb] as far as it belongs to the column of the body on their side;
+  /// `edge`: the edge of both bodies, less than 0 if they are not coupled. Then there are none.
+  void addContacts(Responses& contacts, int edge);
   /// The same for `count` rows of the same two bodies, with the weights `g`.
   void addRows(const ScalarRow* rows, const double* g, int count, int edge, Side side);
 
@@ -128,8 +140,9 @@ class BlockFactor {
   bool eliminate(int column, int* slot, const Others& others, bool& isNegative);
 
   std::list<BlockPattern> patterns_;  ///< most recently used first
+  std::size_t bytesOfPatterns_ = 0;
   bool isCholesky_ = false, isNegative_ = false;
-  bool isCleared_ = false;  ///< all columns are; otherwise each will be when its turn comes
+  bool isCleared_ = false;  ///< beside the diagonal; otherwise each column when its turn comes
   std::vector<int> slot_;   ///< scratch, for each hand: row -> block of the column being eliminated
   Hands* hands_ = nullptr;
   std::vector<std::atomic<bool>> isReady_;  ///< column -> whether its task is done; with hands only

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <utility>
 
 namespace delassus {
 namespace {
@@ -90,89 +88,53 @@ void BodyMotion::setProblem(const Problem& problem) {
   hasRoom_ = false;
 }
 
-void BodyMotion::findPairs() {
-  pairs_.clear();
-  pairOf_.clear();
-  pairOf_.reserve(space_->contacts.size());
-  for (const ContactRows& c : space_->contacts) {
-    const bool coupled = c.a >= 0 && c.b >= 0 && c.a != c.b;
-    const BlockFactor::Edge pair{c.a, c.b};
-    // Most contacts come after another of the same two bodies.
-    if (coupled && (pairs_.empty() || !(pairs_.back() == pair))) pairs_.push_back(pair);
-    pairOf_.push_back(coupled ? static_cast<int>(pairs_.size()) - 1 : none);
-  }
-  edgeOf_.assign(pairs_.size(), none);
-  touches_.find(space_->bodies, space_->contacts, static_cast<int>(space_->contacts.size()),
-                [&](int first, int) { return pairOf_[first]; });
-  int edges = 0;
-  joins_.find(space_->bodies, space_->rows, plainRows_, [&](int first, int end) {
-    const ScalarRow& row = space_->rows[first];
-    const bool coupled = row.a >= 0 && row.b >= 0 && row.a != row.b;
-    return coupled ? std::exchange(edges, edges + end - first) : none;
-  });
-}
-
-/// The first `count` of `parts`; edgeOf(begin, end) is called once for each run of them.
-template <class Parts, class EdgeOf>
-void BodyMotion::Bonds::find(int bodies, const Parts& parts, int count, const EdgeOf& edgeOf) {
-  const auto forRuns = [&](const auto& visit) {
-    for (int i = 0, end = 0; i < count; i = end) {
-      while (end < count && parts[end].a == parts[i].a && parts[end].b == parts[i].b) ++end;
-      visit(i, end, parts[i].a, parts[i].b);
-    }
-  };
-  all.clear();
-  if (count == 0) return;
-  // First begin[body + 2] counts, then begin[body + 1] is where the next bond goes.
-  begin.assign(bodies + 2, 0);
-  forRuns([&](int, int, int a, int b) {
-    if (a >= 0) ++begin[a + 2];
-    if (b >= 0 && b != a) ++begin[b + 2];
-  });
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  all.resize(begin.back());
-  forRuns([&](int first, int end, int a, int b) {
-    const int edge = edgeOf(first, end);
-    if (a >= 0) all[begin[a + 1]++] = {first, end, edge};
-    if (b >= 0 && b != a) all[begin[b + 1]++] = {first, end, edge};
-  });
-}
-
 bool BodyMotion::hasRoomFor(const Stiffness& G) {
   // Few pairs all get room at once: one order serves all regions, and no region takes memory anew.
-  constexpr std::size_t fewPairs = 20;
+  constexpr int fewPairs = 20;
   constexpr int perIdle = 10;  // coupled pairs
-  getsEdge_.assign(pairs_.size(), pairs_.size() <= fewPairs);
-  presses_.resize(pairOf_.size());
-  for (std::size_t i = 0; i < pairOf_.size(); ++i) {
-    presses_[i] = G.contacts[i](0, 0) != 0;
-    if (pairOf_[i] != none && presses_[i]) getsEdge_[pairOf_[i]] = true;
-  }
+  const std::vector<Bond>& touches = touches_.all();
+  const auto pairs =
+      std::count_if(touches.begin(), touches.end(), [](const Bond& bond) { return bond.couples; });
+  getsEdge_.assign(touches.size(), false);
+  presses_.resize(space_->contacts.size());
   int coupled = 0, missing = 0, idle = 0;
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    const bool hasEdge = edgeOf_[k] != none;
+  for (std::size_t k = 0; k < touches.size(); ++k) {
+    const Bond& bond = touches[k];
+    bool presses = false;
+    for (int i = bond.begin; i < bond.end; ++i) {
+      presses_[i] = G.contacts[i](0, 0) != 0;
+      presses = presses || presses_[i];
+    }
+    if (!bond.couples) continue;
+    const bool hasEdge = bond.edge >= 0;
+    getsEdge_[k] = presses || pairs <= fewPairs;
     coupled += getsEdge_[k];
     missing += getsEdge_[k] && !hasEdge;
     idle += !getsEdge_[k] && hasEdge;
   }
   if (perIdle * idle > coupled) return false;
-  for (std::size_t k = 0; k < pairs_.size(); ++k)
-    if (edgeOf_[k] != none) getsEdge_[k] = true;
+  for (std::size_t k = 0; k < touches.size(); ++k)
+    if (touches[k].edge >= 0) getsEdge_[k] = true;
   return hasRoom_ && missing == 0;
 }
 
 void BodyMotion::makeRoom() {
   edges_.clear();
-  edges_.reserve(pairs_.size() + plainRows_);
+  edges_.reserve(touches_.all().size() + joins_.all().size());
   const auto couple = [&](int a, int b) {
     if (a >= 0 && b >= 0 && a != b) edges_.push_back({a, b});
   };
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    edgeOf_[k] = getsEdge_[k] ? static_cast<int>(edges_.size()) : none;
-    if (getsEdge_[k]) edges_.push_back(pairs_[k]);
+  const auto giveEdge = [&](Bond& bond, const auto& part) {
+    bond.edge = static_cast<int>(edges_.size());
+    edges_.push_back({part.a, part.b});
+  };
+  for (std::size_t k = 0; k < touches_.all().size(); ++k) {
+    Bond& bond = touches_.all()[k];
+    bond.edge = none;
+    if (getsEdge_[k]) giveEdge(bond, space_->contacts[bond.begin]);
   }
-  firstOfRows_ = static_cast<int>(edges_.size());
-  for (int i = 0; i < plainRows_; ++i) couple(space_->rows[i].a, space_->rows[i].b);
+  for (Bond& bond : joins_.all())
+    if (bond.couples) giveEdge(bond, space_->rows[bond.begin]);
   endOfRows_ = static_cast<int>(edges_.size());
   forPairsWithParts(*space_, [&](int, int a, const auto&, int b, const auto&) { couple(a, b); });
   for (const Disk& disk : *disks_) {
@@ -185,7 +147,10 @@ void BodyMotion::makeRoom() {
 }
 
 bool BodyMotion::factorise(const Stiffness& G) {
-  if (!hasRoom_) findPairs();
+  if (!hasRoom_) {
+    touches_.find(space_->bodies, space_->contacts, static_cast<int>(space_->contacts.size()));
+    joins_.find(space_->bodies, space_->rows, plainRows_);
+  }
   if (!hasRoomFor(G)) makeRoom();
   // Rounding alone can make a symmetric K indefinite: K ≥ 1.
   return (G.isSymmetric() && factorise(G, true)) || factorise(G, false);
@@ -199,30 +164,19 @@ bool BodyMotion::factorise(const Stiffness& G, bool asCholesky) {
   return factor_.factorise([&](int body) { addTo(body, G); });
 }
 
-/// Adds contacts and rows of the same bodies all at once, as far as they come one after the other.
 void BodyMotion::addTo(int body, const Stiffness& G) {
-  const auto forSidesOf = [body](const auto& part, const auto& add) {
-    if (part.a == body) add(BlockFactor::Side::A);
-    if (part.b == body) add(BlockFactor::Side::B);
-  };
-  touches_.forBonds(body, [&](const Bond& bond) {
-    BlockFactor::Response together[BlockFactor::mostContacts];
-    const int edge = bond.edge == none ? none : edgeOf_[bond.edge];
-    for (int i = bond.begin; i < bond.end;) {
-      int count = 0;
-      for (; i < bond.end && count < BlockFactor::mostContacts; ++i)
-        if (presses_[i]) together[count++] = {&space_->contacts[i], &G.contacts[i]};
-      if (count == 0) break;
-      forSidesOf(*together->J,
-                 [&](auto side) { factor_.addContacts(together, count, edge, side); });
+  touches_.forBondsOf(body, [&](const Bond& bond, BlockFactor::Side side) {
+    BlockFactor::Responses together(side);
+    for (int i = bond.begin; i < bond.end; ++i) {
+      if (!presses_[i]) continue;
+      if (together.isFull()) factor_.addContacts(together, bond.edge);
+      together.add(space_->contacts[i], G.contacts[i]);
     }
+    if (!together.isEmpty()) factor_.addContacts(together, bond.edge);
   });
-  joins_.forBonds(body, [&](const Bond& bond) {
-    const ScalarRow* rows = &space_->rows[bond.begin];
-    const int count = bond.end - bond.begin,
-              edge = bond.edge == none ? none : firstOfRows_ + bond.edge;
-    forSidesOf(*rows,
-               [&](auto side) { factor_.addRows(rows, &G.rows[bond.begin], count, edge, side); });
+  joins_.forBondsOf(body, [&](const Bond& bond, BlockFactor::Side side) {
+    const int begin = bond.begin, count = bond.end - begin;
+    factor_.addRows(&space_->rows[begin], &G.rows[begin], count, bond.edge, side);
   });
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "delassus/block_factor.h"
+#include "delassus/bonds.h"
 #include "delassus/problem.h"
 
 namespace delassus {
@@ -77,8 +78,7 @@ class BodyMotion {
   bool isDeterminantNegative() const { return factor_.isDeterminantNegative(); }
   std::size_t bytes() const {
     return factor_.bytes() + touches_.bytes() + joins_.bytes() +
-           bytesOf(shares_, pairs_, pairOf_, presses_, edgeOf_, getsEdge_, edges_, blocks_,
-                   blocksBegin_);
+           bytesOf(shares_, presses_, getsEdge_, edges_, blocks_, blocksBegin_);
   }
 
  private:
@@ -90,33 +90,12 @@ class BodyMotion {
     Mat36 answer;    ///< of the disk in a region
   };
 
-  /// Contacts `begin` up to `end`, or rows, of the same two bodies, for one of these.
-  struct Bond {
-    int begin, end;
-    int edge;  ///< of a contact: its pair; of a row: its edge among those of rows; or `none`
-  };
-  /// The bonds of each body, in their order.
-  struct Bonds {
-    std::vector<Bond> all;
-    std::vector<int> begin;  ///< body -> its first bond; size bodies + 2, if there are any
-    template <class Parts, class EdgeOf>
-    void find(int bodies, const Parts& parts, int count, const EdgeOf& edgeOf);
-    template <class Visit>
-    void forBonds(int body, const Visit& visit) const {
-      if (all.empty()) return;
-      for (int k = begin[body]; k < begin[body + 1]; ++k) visit(all[k]);
-    }
-    std::size_t bytes() const { return bytesOf(all, begin); }
-  };
-
   bool factorise(const Stiffness& G, bool asCholesky);
-  /// Numbers the pairs of bodies that touch, and finds what each body is bound by.
-  void findPairs();
-  /// Finds the pairs that are to have blocks in the factor of G: those that it couples, and others
-  /// that have some, unless these are many. Whether just these pairs have blocks. Notes which
+  /// Finds the bonds of contacts that are to have blocks in the factor of G: those that it couples,
+  /// and others that have some, unless these are many. Whether just these have blocks. Notes which
   /// contacts press.
   bool hasRoomFor(const Stiffness& G);
-  /// Analyses the factor for these pairs.
+  /// Analyses the factor for these bonds.
   void makeRoom();
   /// Adds contacts and rows to the column of a body. Several hands call this at once.
   void addTo(int body, const Stiffness& G);
@@ -126,16 +105,13 @@ class BodyMotion {
 
   const BodySpace* space_ = nullptr;
   const std::vector<Disk>* disks_ = nullptr;
-  int plainRows_ = 0;                          ///< rows of no disk
-  std::vector<DiskShare> shares_;              ///< of one disk
-  std::vector<BlockFactor::Edge> pairs_;       ///< of moving bodies that touch
-  std::vector<int> pairOf_;                    ///< contact -> pair, or `none`
-  std::vector<char> presses_;                  ///< contact -> whether it adds to K
-  std::vector<int> edgeOf_;                    ///< pair -> edge of the factor, or `none`
-  std::vector<char> getsEdge_;                 ///< pair -> whether it is to have an edge
-  std::vector<BlockFactor::Edge> edges_;       ///< of pairs, then of rows, parts and disks
-  int firstOfRows_ = 0, endOfRows_ = 0;        ///< among the edges
-  Bonds touches_, joins_;                      ///< by contacts; by rows of no disk
+  int plainRows_ = 0;                     ///< rows of no disk
+  std::vector<DiskShare> shares_;         ///< of one disk
+  Bonds touches_, joins_;                 ///< of contacts; of rows of no disk
+  std::vector<char> presses_;             ///< contact -> whether it adds to K
+  std::vector<char> getsEdge_;            ///< bond of contacts -> whether it is to have an edge
+  std::vector<BlockFactor::Edge> edges_;  ///< of contacts, then of rows, parts and disks
+  int endOfRows_ = 0;                     ///< among the edges
   std::vector<BlockFactor::RowBlock> blocks_;  ///< scratch of condense
   std::vector<int> blocksBegin_;
   BlockFactor factor_;

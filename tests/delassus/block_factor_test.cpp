@@ -63,16 +63,14 @@ class DenseBeside {
 
   bool factorise() {
     return factor_.factorise([this](int body) {
-      for (const Touch& touch : touches_) {
-        std::vector<BlockFactor::Response> contacts;
-        for (std::size_t k = 0; k < touch.rows.size(); ++k)
-          contacts.push_back({&touch.rows[k], &touch.G[k]});
-        const auto count = static_cast<int>(contacts.size());
-        if (touch.rows[0].a == body)
-          factor_.addContacts(contacts.data(), count, touch.edge, BlockFactor::Side::A);
-        if (touch.rows[0].b == body)
-          factor_.addContacts(contacts.data(), count, touch.edge, BlockFactor::Side::B);
-      }
+      for (const Touch& touch : touches_)
+        for (const auto side : {BlockFactor::Side::A, BlockFactor::Side::B}) {
+          if ((side == BlockFactor::Side::A ? touch.rows[0].a : touch.rows[0].b) != body) continue;
+          BlockFactor::Responses contacts(side);
+          for (std::size_t k = 0; k < touch.rows.size(); ++k)
+            contacts.add(touch.rows[k], touch.G[k]);
+          factor_.addContacts(contacts, touch.edge);
+        }
     });
   }
 

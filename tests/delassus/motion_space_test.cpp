@@ -201,8 +201,8 @@ TEST(BodyMotion, WhatOpensGivesItsRoomBack) {
   EXPECT_EQ(a, b);
 }
 
-/// Boxes piled up to a pyramid, with joints of three rows between some of them. In contrast to a heap
-/// of balls that resist turning, all of K is added when the turn of its columns comes.
+/// Boxes piled up to a pyramid, with joints of three rows between some of them. In contrast to a
+/// heap of balls that resist turning, all of K is added when the turn of its columns comes.
 PileIsland pyramid(int base, Random& random) {
   Pile pile = makePyramid(base, 0.5, 0.1, 1, random);
   const auto bodies = static_cast<int>(pile.bodies.size());
