@@ -99,7 +99,7 @@ class BlockFactor {
     const Mat3* G_[most];
   };
   /// Adds Σ [Ja Jb]ᵀ G [Ja Jb] as far as it belongs to the column of the body on their side;
-  /// `edge`: the edge of both bodies, less than 0 if they are not coupled. Then there are none.
+  /// `edge`: the edge of both bodies, less than 0 if they are not coupled. Then takes them out.
   void addContacts(Responses& contacts, int edge);
   /// The same for `count` rows of the same two bodies, with the weights `g`.
   void addRows(const ScalarRow* rows, const double* g, int count, int edge, Side side);
