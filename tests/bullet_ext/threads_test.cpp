@@ -174,23 +174,17 @@ TEST(Threads, TheMotionTheReportAndTheEventsAreTheSame) {
   EXPECT_GT(run(buildField, 2, always(1)).mostContacts, 2000);
 }
 
-TEST(Threads, AllOfThemSweepALargeIslandWithTheSameMotion) {
-  Options options;
-  options.newtonBudget = 0;
-  options.sweepBudget = 100;
-  const History serial = run(buildBlock, 4, always(1), options);
-  EXPECT_GT(serial.mostContacts, 1000);
-  for (int threads : {2, 3}) expectSame(run(buildBlock, 4, always(threads), options), serial);
-}
-
-TEST(Threads, AllOfThemFactorALargeIslandWithTheSameMotion) {
-  Options options;
-  options.newtonBudget = 10;
-  options.sweepBudget = 100;
-  const History serial = run(buildBlock, 4, always(1), options);
-  EXPECT_GT(serial.mostContacts, 1000);
-  EXPECT_GT(serial.walks, 0);
-  for (int threads : {2, 3}) expectSame(run(buildBlock, 4, always(threads), options), serial);
+// With sweeps alone, and with some regions, whose factors they share.
+TEST(Threads, AllOfThemWorkOnALargeIslandWithTheSameMotion) {
+  for (const int regions : {0, 10}) {
+    Options options;
+    options.newtonBudget = regions;
+    options.sweepBudget = 100;
+    const History serial = run(buildBlock, 4, always(1), options);
+    EXPECT_GT(serial.mostContacts, 1000);
+    EXPECT_GT(serial.walks, 0);
+    for (int threads : {2, 3}) expectSame(run(buildBlock, 4, always(threads), options), serial);
+  }
 }
 
 // An island that weighs more than three times all others comes first, on the caller's bench; then

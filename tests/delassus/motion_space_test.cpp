@@ -60,6 +60,15 @@ VectorXd stiffnessTimes(const Stiffness& G, const Problem& problem, const Vector
   return sum;
 }
 
+/// Expects that two factors answer alike, to the bit.
+void expectSame(const BodyMotion& a, const BodyMotion& b, Random& random) {
+  const VectorXd y = normalVector(a.size(), random);
+  VectorXd x = y, z = y;
+  a.solve(x);
+  b.solve(z);
+  EXPECT_EQ(x, z);
+}
+
 // The velocities that reactions cause where a region answers: J̃ K⁻¹ J̃ᵀ.
 TEST(BodyMotion, CondensesToSomeUnknowns) {
   Random random(172);
@@ -162,11 +171,7 @@ TEST(BodyMotion, HasNoMemoryOfRegionsOfAnotherProblem) {
     motion->setProblem(other.problem);
     ASSERT_TRUE(motion->factorise(few));
   }
-  const VectorXd y = normalVector(fresh.size(), random);
-  VectorXd a = y, b = y;
-  used.solve(a);
-  fresh.solve(b);
-  EXPECT_EQ(a, b);
+  expectSame(used, fresh, random);
 }
 
 TEST(BodyMotion, WhatIsOpenTakesNoRoom) {
@@ -194,11 +199,7 @@ TEST(BodyMotion, WhatOpensGivesItsRoomBack) {
   ASSERT_TRUE(used.factorise(all));
   ASSERT_TRUE(used.factorise(few));
   ASSERT_TRUE(fresh.factorise(few));
-  const VectorXd y = normalVector(fresh.size(), random);
-  VectorXd a = y, b = y;
-  used.solve(a);
-  fresh.solve(b);
-  EXPECT_EQ(a, b);
+  expectSame(used, fresh, random);
 }
 
 /// Boxes piled up to a pyramid, with joints of three rows between some of them. In contrast to a
@@ -322,11 +323,7 @@ TEST(BodyMotion, HandsGiveUpTogether) {
     ASSERT_TRUE(alone.factorise(sound));
     ASSERT_TRUE(together.factorise(sound));
     EXPECT_EQ(hands.tasks, 2);
-    const VectorXd y = normalVector(alone.size(), random);
-    VectorXd a = y, b = y;
-    alone.solve(a);
-    together.solve(b);
-    EXPECT_EQ(a, b);
+    expectSame(alone, together, random);
   }
 }
 
