@@ -149,6 +149,8 @@ class Search {
   template <class Motion>
   Outcome walkOnce(Engines<Motion>& engines, const Task& task, Solution& best);
   template <class Motion>
+  Outcome walkFromHere(Engines<Motion>& engines, const Task& task, Solution& best);
+  template <class Motion>
   Outcome walkCold(Engines<Motion>& engines, const Task& task, Solution& best);
   void setOutApart(const VectorXd* guess, Solution& best);
   Outcome comeBack(Outcome outcome, Solution& best) const;
@@ -209,6 +211,7 @@ class Search {
   template <class Motion>
   Outcome wander(Engines<Motion>& engines, const Task& task, Solution& best);
   Outcome outlast(const Task& task, Solution& best);
+  Outcome sweepAndWalk(const Task& task);
 
   // search_vary.cpp: answers to easier problems.
   void vary();
@@ -226,13 +229,14 @@ class Search {
   /// after other walks were lost.
   static constexpr double leastWeightAtFirst = 1e-2, leastWeightAfar = 1e-4;
   /// Numbers of regions: of the steps that finish; of a try; of a walk that is long enough for most
-  /// cases; and of one where nothing else is left.
-  static constexpr int fewRegions = 8, shortWalk = 16, fairWalk = 80, longWalk = 400;
+  /// cases; of one where nothing else is left; and the patience of one that goes on.
+  static constexpr int fewRegions = 8, shortWalk = 16, fairWalk = 80, longWalk = 400,
+                       patientWalk = 300;
   /// The proximal weight of a walk's first step from here, by how much is left to correct; at least
   /// `least`.
   double firstWeight(const Solution& from, double least) const;
-  /// Regions worth a walk from here: few in large heaps where too much is left to correct.
-  int regionsFrom(const Solution& from, const Task& task, int most) const;
+  /// Whether a large heap has too much left to correct for a walk to be likely to end soon.
+  bool isFar(const Solution& from) const;
 
   /// Completes u and the residuals of a candidate r.
   void measure(Solution& candidate);

@@ -36,8 +36,8 @@ bool Search::setOutOnPath(const Task& task, int budget, Solution& best) {
 Outcome Search::harden(const Task& task, Solution& best) {
   constexpr double nearlyRigid = 1e-5, rigid = 1e-8, finest = 1e-7;
   constexpr int few = 600, regions = 60;
-  const int budget =
-      static_cast<int>(task.options.pathBudget * std::min(1.0, double(few) / problem_->parts()));
+  const double smaller = std::min(1.0, double(few) / problem_->parts());
+  const int budget = static_cast<int>(task.options.pathBudget * smaller * smaller);
   if (budget <= 0 || isLargeButNoHeap(*problem_) || !CompliancePath::canFollow(*problem_))
     return Outcome::Lost;
   const int begun = best.factorisations, walked = best.regions;
