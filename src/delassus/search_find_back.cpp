@@ -35,15 +35,15 @@ Outcome Search::findBack(Engines<Motion>& engines, const Task& task, Solution& b
 /// A heap of spheres has as many contacts as motions. Its stresses grow by the same small amount in
 /// every sweep until a contact slips, and which contact slips next depends on all slips before.
 /// Accelerated sweeps run past that order and end far from any answer, though their residual is
-/// small. Plain sweeps go through it slip after slip, as the heap does. Sweeps from the last
-/// reactions, which squeeze the heap, often go round for ever: of 26 steps in a wedged bin whose
-/// first walk was lost, those from nothing ended 10; of the others half the reactions 2 of 13, and
-/// all of them 1 of 11. For body space only, as plain sweeps are.
+/// small. Plain sweeps go through it slip after slip, as the heap does. The last reactions may
+/// squeeze it so that sweeps go round for ever: of 20 steps in a wedged bin whose first walk was
+/// lost, sweeps from nothing ended 10 and those from the last reactions 5; of 25 in which the latter
+/// were lost, too, those from half the reactions ended 6. For body space only, as plain sweeps are.
 Outcome Search::outlast(const Task& task, Solution& best) {
   constexpr double shares[] = {0, 0.5, 1};
   int startsLeft = 3;
   for (const double share : shares) {
-    if (share > 0 && !task.guess) break;
+    if ((share > 0 && !task.guess) || task.sweepsLeft(best) <= 0) break;
     wandering_.r.setZero(problem_->size());
     if (share > 0) wandering_.r = share * *task.guess;
     setOutApart(&wandering_.r, best);
