@@ -53,9 +53,9 @@ struct Options {
   /// Most factorisations along a path of compliance (compliance_path.h), the last resort; 0 or
   /// less: no path. The number is for an island of up to 600 contacts and rows. Larger islands,
   /// where each factorisation costs more, get fewer: a quarter at twice the size. The budget is
-  /// checked between strides,
-  /// of which one may make a hundred factorisations. The start of a path takes up to 10 000 sweeps
-  /// and 600 regions, and its end up to 240 regions; no other budget limits these.
+  /// checked between strides, of which one may make a hundred factorisations. The start of a path
+  /// takes up to 10 000 sweeps and 600 regions, and its end up to 240 regions; no other budget
+  /// limits these.
   ///
   /// No path is followed with rolling or spinning friction, where W is explicit, nor in large piles
   /// (pile_kind.h). A large pile that has no reactions to start from, and is left with more than
