@@ -23,7 +23,7 @@ double coefficient(btScalar value) {
 }
 
 /// Whether the body can turn at all.
-bool turns(const Group& group, int body) {
+bool canTurn(const Group& group, int body) {
   return group.movable(body) && group.bodies[body].inverseInertia.any();
 }
 
@@ -52,7 +52,7 @@ void gatherTurningFriction(Group& group, bool asStock) {
   const std::size_t others = group.rows.size();
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {
     const Contact& contact = group.contacts[i];
-    if (!turns(group, contact.a) && !turns(group, contact.b)) continue;
+    if (!canTurn(group, contact.a) && !canTurn(group, contact.b)) continue;
     const bool rigid = !group.isLimb(contact.a) && !group.isLimb(contact.b);
     addRows(turningFrictionOf(group.contactSources[i], asStock && rigid), contact,
             static_cast<int>(i), group.rows);

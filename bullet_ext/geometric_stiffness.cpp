@@ -12,8 +12,10 @@
 #include "BulletDynamics/ConstraintSolver/btPoint2PointConstraint.h"
 #include "BulletDynamics/ConstraintSolver/btSliderConstraint.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "bullet_ext/arcs.h"
 #include "bullet_ext/convert.h"
 #include "bullet_ext/group.h"
+#include "bullet_ext/thrown_bodies.h"
 
 namespace delassus::bullet {
 namespace {
@@ -69,22 +71,48 @@ Arms armsOf(const btTypedConstraint& joint) {
   return {a.getBasis() * arms.onA, b.getBasis() * arms.onB};
 }
 
-/// h² K of an impulse at an arm, kg m².
-Mat3 stiffnessOf(const Vec3& impulse, const Vec3& arm, double h) {
-  const double size = impulse.norm(), length = arm.norm();
-  if (!(size > 0 && length > 0)) return Mat3::Zero();
-  const Vec3 s = arm / length + impulse / size;
-  return 0.25 * h * size * length * (s.squaredNorm() * Mat3::Identity() - s * s.transpose());
+/// The directions about which the joint lets its bodies turn against each other, as a projection.
+Mat3 freeTurns(const Group& group, const JointSource& joint) {
+  Mat3 free = Mat3::Identity();
+  for (int k = joint.firstRow; k < joint.firstRow + joint.rowCount; ++k) {
+    const Row& row = group.rows[k];
+    if (!turns(row) || drives(group, k, true) || drives(group, k, false)) continue;
+    const Row6& J = group.movable(row.a) ? row.jacobianA : row.jacobianB;
+    const Vec3 axis = free * J.tail<3>().transpose();
+    // An axis that lies among the others leaves only rounding.
+    if (axis.squaredNorm() > 1e-6 * J.squaredNorm())
+      free -= axis * axis.transpose() / axis.squaredNorm();
+  }
+  return free;
 }
 
-/// The largest eigenvalue of A B, both symmetric and without negative eigenvalues.
-double largestEigenvalue(const Mat3& A, const Mat3& B) {
-  Eigen::SelfAdjointEigenSolver<Mat3> solver;
-  solver.compute(B);
-  const Mat3 root =
-      solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
-  solver.compute(root.transpose() * A * root, Eigen::EigenvaluesOnly);
-  return solver.eigenvalues()[2];
+/// h² K of an impulse at an arm, kg m².
+Mat3 stiffnessOf(const Vec3& impulse, const Vec3& arm, double h) {
+  const Mat3 outer = arm * impulse.transpose();
+  return h * (outer.trace() * Mat3::Identity() - 0.5 * (outer + outer.transpose()));
+}
+
+/// What turns a body too fast: the part of I⁻¹ h² K in the directions x with h² K x = (ω h)² I x
+/// where (ω h)² is above `limit`. It grows from nothing there to all of it from an eighth more on.
+/// Zero if there are none, or if the forces are too large to compute with.
+Mat3 tooFast(const Mat3& inverseInertia, const Mat3& K, double limit) {
+  const double ramp = 0.125 * limit;
+  Eigen::SelfAdjointEigenSolver<Mat3> solver(inverseInertia);
+  const Vec3 root = solver.eigenvalues().cwiseMax(0).cwiseSqrt();
+  const Mat3 axes = solver.eigenvectors(), scaled = axes * root.asDiagonal();
+  const Mat3 inScale = scaled.transpose() * K * scaled;
+  if (!inScale.allFinite()) return Mat3::Zero();
+  solver.compute(inScale);
+  Vec3 part = Vec3::Zero(), perRoot = Vec3::Zero();
+  for (int i = 0; i < 3; ++i) {
+    const double square = solver.eigenvalues()[i];
+    part[i] = std::clamp((square - limit) / ramp, 0.0, 1.0) * square;
+    if (root[i] > 0) perRoot[i] = 1 / root[i];
+  }
+  if (part.isZero(0)) return Mat3::Zero();
+  const Mat3 directions = solver.eigenvectors();
+  return scaled * directions * part.asDiagonal() * directions.transpose() * perRoot.asDiagonal() *
+         axes.transpose();
 }
 
 }  // namespace
@@ -97,25 +125,23 @@ int GeometricStiffness::stiffen(Group& group, const btContactSolverInfo& info, d
     if (joint.rowCount == 0) continue;
     const Row& first = group.rows[joint.firstRow];
     const Arms arms = armsOf(*joint.constraint);
+    const Mat3 free = freeTurns(group, joint);
     const auto add = [&](int body, const Vec3& pull, const btVector3& arm) {
-      if (group.movable(body)) stiffness_[body] += stiffnessOf(pull, toCore(arm), h);
+      if (group.movable(body)) stiffness_[body] += free * stiffnessOf(pull, toCore(arm), h) * free;
     };
     add(first.a, joint.lastLoad.onA.head<3>(), arms.onA);
     add(first.b, joint.lastLoad.onB.head<3>(), arms.onB);
   }
 
-  // Bounds of (ω h)².
-  const double limit = lastStep == 0 || lastStep == h ? 4 : 0.5, beyond = 1.125 * limit;
+  const double limit = lastStep == 0 || lastStep == h ? 4 : 0.5;  // of (ω h)²
   int changed = 0;
   for (std::size_t i = 0; i < group.bodies.size(); ++i) {
     Body& body = group.bodies[i];
-    const Mat3 ratio = body.inverseInertia * stiffness_[i];
-    if (!(ratio.trace() > limit)) continue;
-    const double fastest = largestEigenvalue(body.inverseInertia, stiffness_[i]);
-    const double share = std::min((fastest - limit) / (beyond - limit), 1.0);
-    if (!(share > 0)) continue;
-    const Mat3 slowed = (Mat3::Identity() + share * ratio).inverse();
-    if (!slowed.allFinite()) continue;  // the forces are too large to compute with
+    if (!(body.inverseInertia.trace() * stiffness_[i].norm() > limit)) continue;
+    const Mat3 ratio = tooFast(body.inverseInertia, stiffness_[i], limit);
+    if (ratio.isZero(0)) continue;
+    const Mat3 slowed = (Mat3::Identity() + ratio).inverse();
+    if (!slowed.allFinite()) continue;
     const Mat3 inverse = slowed * body.inverseInertia;
     body.inverseInertia = 0.5 * (inverse + inverse.transpose());
     body.velocity.tail<3>() = (slowed * body.velocity.tail<3>()).eval();

@@ -15,19 +15,20 @@ struct Group;
 /// turns to and fro too fast for steps of h once ω h > 2, and gains energy, whoever solves the
 /// step. The torque a × f turns the body back with the geometric stiffness
 ///
-///     K = |a| |f| (|s|² 1 − s sᵀ)/4,   s = a/|a| + f/|f|
+///     K = (a·f) 1 − (a fᵀ + f aᵀ)/2
 ///
-/// This is the symmetric part of (a·f) 1 − a fᵀ where a ∥ f; elsewhere it is the positive part of
-/// that, or a little more: forces that push add nothing. K is summed over the joints of a body, and
-/// ω² is the largest eigenvalue of I⁻¹ K. A body with ω h > 2 turns in this step as if it were held
-/// by implicit springs of that stiffness (Tournier, Nesme, Gilles, Faure 2015; only where it is
-/// needed: Andrews, Teichmann, Kövecses 2017),
+/// in the directions about which the joint lets its bodies turn against each other; a hinge does
+/// about its axis. K is summed over the joints of a body: where they pull against each other, as
+/// two hinges of a door do that are a little out of place, there is none about the line between
+/// them. In the directions x with K x = ω² I x where ω h > 2, and in no others, the body turns in
+/// this step as if it were held by implicit springs of that stiffness (Tournier, Nesme, Gilles,
+/// Faure 2015; only where it is needed: Andrews, Teichmann, Kövecses 2017),
 ///
-///     (I + h² K) ω' = I ω + h T + moments of the reactions,
+///     (I + h² K') ω' = I ω + h T + moments of the reactions,
 ///
-/// where K reaches its full size once (ω h)² is an eighth above its bound. If the last step had
-/// another length, ω h is bounded by 0.7 instead of 2, since such steps can follow less. Other
-/// bodies stay as they are.
+/// K' being the part of K in these directions. It reaches its full size once (ω h)² is an eighth
+/// above its bound. If the last step had another length, ω h is bounded by 0.7 instead of 2, since
+/// such steps can follow less. Other bodies stay as they are.
 class GeometricStiffness {
  public:
   /// Changes the inertia and the free velocity of such bodies; call it when all is gathered and

@@ -153,13 +153,13 @@ struct PulledPlate {
       world.addBox(btVector3(1, btScalar(0.5), btScalar(0.1)), btVector3(0, 5, 0), 3);
   double pull = 900;  ///< N·s
 
-  explicit PulledPlate(const Join& join = hinge) {
+  explicit PulledPlate(const Join& join = point) {
     for (const int x : {-1, 1}) join(world, plate, btVector3(btScalar(x), 0, 0));
     // Six-dof joints that are met to the last bit have no rows, so the plate is shifted a little.
     plate.translate(btVector3(1, 1, 1) * btScalar(1e-3));
   }
-  static void hinge(DelassusWorld& world, btRigidBody& body, const btVector3& pivot) {
-    world.addJoint<btHingeConstraint>(body, pivot, btVector3(0, pivot.x(), 1).normalized());
+  static void point(DelassusWorld& world, btRigidBody& body, const btVector3& pivot) {
+    world.addJoint<btPoint2PointConstraint>(body, pivot);
   }
   /// Gathers as the solver does. The reactions of the last step are those of the pull.
   void gather() {
@@ -197,16 +197,9 @@ void expectInertiaOfSprings(PulledPlate& pulled) {
 TEST(GeometricStiffness, HasItFromJointsOfEveryKind) {
   const auto frame = [](const btVector3& pivot) { return DelassusWorld::at(pivot); };
   const std::vector<Join> kinds{
-      PulledPlate::hinge,
-      [](DelassusWorld& world, btRigidBody& body, const btVector3& pivot) {
-        world.addJoint<btPoint2PointConstraint>(body, pivot);
-      },
+      PulledPlate::point,
       [&](DelassusWorld& world, btRigidBody& body, const btVector3& pivot) {
         world.addJoint<btConeTwistConstraint>(body, frame(pivot));
-      },
-      [](DelassusWorld& world, btRigidBody& body, const btVector3& pivot) {
-        const btQuaternion across(btVector3(0, 1, 0), btScalar(M_PI / 2));  // slides along z
-        world.addJoint<btSliderConstraint>(body, btTransform(across, pivot), true);
       },
       [&](DelassusWorld& world, btRigidBody& body, const btVector3& pivot) {
         world.addJoint<btGeneric6DofConstraint>(body, frame(pivot), false);
@@ -218,6 +211,45 @@ TEST(GeometricStiffness, HasItFromJointsOfEveryKind) {
     SCOPED_TRACE(kind);
     PulledPlate pulled(kinds[kind]);
     expectInertiaOfSprings(pulled);
+  }
+}
+
+// A hinge holds all other turns.
+TEST(GeometricStiffness, HasItAboutTheAxisOfAHinge) {
+  const Vec3 axis(0, 0.6, 0.8);
+  PulledPlate pulled([&](DelassusWorld& world, btRigidBody& body, const btVector3& pivot) {
+    auto& hinge = world.addJoint<btHingeConstraint>(body, pivot, bullet::toBullet(axis));
+    // Neither a motor nor a limit holds the turn about the axis.
+    hinge.enableAngularMotor(true, 1, 10);
+    hinge.setLimit(btScalar(-0.1), btScalar(0.1));
+  });
+  const Mat3 inertia = bullet::toCore(pulled.plate.getInvInertiaTensorWorld()).inverse();
+  EXPECT_EQ(pulled.stiffen(), 1);
+  const Mat3 expected = inertia + needed * axis * axis.transpose();
+  EXPECT_LT((pulled.group.bodies[0].inverseInertia.inverse() - expected).norm(),
+            1000 * precision * needed);
+}
+
+TEST(GeometricStiffness, HasNoneFromJointsThatHoldAllTurns) {
+  const std::vector<Join> kinds{
+      [](DelassusWorld& world, btRigidBody& body, const btVector3& pivot) {
+        const btQuaternion across(btVector3(0, 1, 0), btScalar(M_PI / 2));  // slides along z
+        world.addJoint<btSliderConstraint>(body, btTransform(across, pivot), true);
+      },
+      [](DelassusWorld& world, btRigidBody& body, const btVector3& pivot) {
+        auto& joint =
+            world.addJoint<btGeneric6DofConstraint>(body, DelassusWorld::at(pivot), false);
+        joint.setAngularLowerLimit({0, 0, 0});
+        joint.setAngularUpperLimit({0, 0, 0});
+      }};
+  for (const Join& kind : kinds) {
+    PulledPlate pulled(kind);
+    pulled.plate.setAngularVelocity({1, 2, 3});
+    // Six-dof joints have rows only for turns that they find.
+    pulled.plate.setWorldTransform(
+        btTransform(btQuaternion(btVector3(1, 1, 1).normalized(), btScalar(1e-3)),
+                    pulled.plate.getWorldTransform().getOrigin()));
+    EXPECT_EQ(pulled.stiffen(), 0);
   }
 }
 
@@ -234,9 +266,12 @@ TEST(GeometricStiffness, ComesGraduallyWhereStepsFollowNoMore) {
       ASSERT_GT(inverse(1, 1), inverse(2, 2));
       pulled.pull = stiffness / (2 * BulletWorld::step);
       EXPECT_EQ(pulled.stiffen(changes ? 2 * BulletWorld::step : BulletWorld::step), over > 1);
-      const double share = std::clamp((over - 1) / 0.125, 0.0, 1.0);
-      const Mat3 expected =
-          inverse.inverse() + Mat3(share * Vec3(0, stiffness, stiffness).asDiagonal());
+      // Each direction counts by itself.
+      const auto shareAbout = [&](int axis) {
+        return std::clamp((stiffness * inverse(axis, axis) / limit - 1) / 0.125, 0.0, 1.0);
+      };
+      const Vec3 held = stiffness * Vec3(0, shareAbout(1), shareAbout(2));
+      const Mat3 expected = inverse.inverse() + Mat3(held.asDiagonal());
       EXPECT_LT((pulled.group.bodies[0].inverseInertia.inverse() - expected).norm(),
                 1e4 * precision);
     }
@@ -276,6 +311,47 @@ TEST(GeometricStiffness, HasNoneOfWhatPushes) {
   PulledPlate pulled;
   pulled.pull = -pulled.pull;
   EXPECT_EQ(pulled.stiffen(), 0);
+}
+
+// What joints pull against each other across a body does not turn it about the line between them.
+TEST(GeometricStiffness, HasNoneAboutTheLineOfItsPulls) {
+  for (const double pull : {900.0, 9e6, -9e6}) {
+    PulledPlate pulled([](DelassusWorld& world, btRigidBody& body, const btVector3& pivot) {
+      world.addJoint<btPoint2PointConstraint>(body, pivot + btVector3(0, btScalar(0.5), 0));
+    });
+    pulled.pull = pull;
+    const Mat3 inverse = bullet::toCore(pulled.plate.getInvInertiaTensorWorld());
+    pulled.plate.setAngularVelocity({1, 0, 0});
+    EXPECT_EQ(pulled.stiffen(), pull > 0);
+    const Body& body = pulled.group.bodies[0];
+    EXPECT_NEAR(body.inverseInertia(0, 0), inverse(0, 0), 10 * precision * inverse(0, 0));
+    EXPECT_NEAR(body.velocity[3], 1, 10 * precision);
+  }
+}
+
+// A door whose hinges are further apart on the frame than on the door: they press it with tens of
+// kN along the axis about which it swings.
+TEST(GeometricStiffness, LeavesDoorsToSwing) {
+  constexpr double speed = 2;
+  for (const double mismatch : {1e-4, 1e-3, -1e-3}) {
+    SCOPED_TRACE(mismatch);
+    DelassusWorld world;
+    btRigidBody& frame = world.addBox({0.5, 1, btScalar(0.05)}, {btScalar(-0.5), 2, 0}, 0);
+    btRigidBody& door = world.addBox({0.5, 1, btScalar(0.05)}, {btScalar(0.5), 2, 0}, 20);
+    door.setDamping(0, 0);
+    for (const double y : {-0.9, 0.9}) {
+      const double onFrame = y + (y > 0 ? mismatch : 0);
+      world.addJoint<btHingeConstraint>(frame, door, btVector3(0.5, btScalar(onFrame), 0),
+                                        btVector3(-0.5, btScalar(y), 0), btVector3(0, 1, 0),
+                                        btVector3(0, 1, 0));
+    }
+    frame.setCollisionFlags(frame.getCollisionFlags() | btCollisionObject::CF_NO_CONTACT_RESPONSE);
+    door.setAngularVelocity({0, btScalar(speed), 0});
+    door.setLinearVelocity({0, 0, btScalar(-0.5 * speed)});
+    world.advance(60);
+    EXPECT_NEAR(door.getAngularVelocity().y(), speed, 0.01 * speed);
+    EXPECT_EQ(world.report().outOfBudget + world.report().incompatible, 0);
+  }
 }
 
 TEST(GeometricStiffness, IsNeverWithoutNumbers) {
