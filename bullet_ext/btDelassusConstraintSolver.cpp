@@ -223,7 +223,7 @@ btDelassusConstraintSolver::Work btDelassusConstraintSolver::solve(const GroupIn
   const Bench::Counts counts = w.workshop.takeCounts();
   w.pushes.clear();
   if (plan.pushContacts > 0) {
-    solvePushes(w.group, w.workshop, w.pushes);
+    solvePushes(w.group, info.m_timeStep, w.workshop, w.pushes);
     laps.end(report_.secondsPush);
   }
   report_.plan.add(plan);
@@ -289,8 +289,8 @@ void btDelassusConstraintSolver::setGeometricStiffness(bool on) { geometricStiff
 void btDelassusConstraintSolver::reset() {
   const int threads = workspace_->workshop.threads();
   workspace_ = std::make_unique<Workspace>(workspace_->workshop.options());
-  setThreads(threads);
   report_ = {};
+  setThreads(threads);
 }
 
 void btDelassusConstraintSolver::setContactListener(

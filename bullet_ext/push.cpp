@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "bullet_ext/group.h"
 #include "bullet_ext/thrown_bodies.h"
 #include "delassus/bytes.h"
@@ -16,15 +17,51 @@ double slipOf(const std::vector<Body>& bodies, const Contact& c) {
   return (v - n.dot(v) * n).norm();
 }
 
-void findContacts(const Group& group, std::vector<Contact>& found) {
+/// Lets a contact of the group take part. `target`: its least normal velocity, m/s.
+void add(const Group& group, std::size_t i, double target, Pushes& pushes) {
+  Contact& contact = pushes.contacts.emplace_back(group.contacts[i]);
+  contact.friction = 0;
+  contact.target = {target, 0, 0};
+  pushes.takesPart[i] = 1;
+}
+
+void findContacts(const Group& group, Pushes& pushes) {
   const auto asksForPush = [](double push) { return push > 0; };
   const bool all = std::none_of(group.pushes.begin(), group.pushes.end(), asksForPush);
-  for (std::size_t i = 0; i < group.contacts.size(); ++i) {
-    if (!all && !asksForPush(group.pushes[i])) continue;
-    Contact& contact = found.emplace_back(group.contacts[i]);
-    contact.friction = 0;
-    contact.target = {group.pushes[i], 0, 0};
+  pushes.takesPart.assign(group.contacts.size(), 0);
+  for (std::size_t i = 0; i < group.contacts.size(); ++i)
+    if (all || asksForPush(group.pushes[i])) add(group, i, group.pushes[i], pushes);
+}
+
+/// How far the bodies of a contact are apart, m; 0 if they overlap.
+double gapOf(const PointSource& source) {
+  return std::max<double>(source.manifold->getContactPoint(source.point).getDistance(), 0);
+}
+
+/// Lets those contacts take part that pushes would close faster than any contact beside them is to
+/// open: pushes add up along a column, and would drive its foot through the floor. False if there
+/// are none.
+bool addClosed(const Group& group, double h, Pushes& pushes) {
+  pushes.largest.assign(group.bodies.size(), 0);
+  for (int i = 0; i < pushes.islands; ++i) {
+    const Island& island = pushes.assembler.island(i);
+    double largest = 0;
+    for (const int k : island.frictionless)
+      largest = std::max(largest, pushes.contacts[k].target[0]);
+    for (const int body : island.bodies) pushes.largest[body] = largest;
   }
+  const auto largestOf = [&](int body) { return body >= 0 ? pushes.largest[body] : 0; };
+  const std::size_t before = pushes.contacts.size();
+  for (std::size_t i = 0; i < group.contacts.size(); ++i) {
+    const Contact& c = group.contacts[i];
+    const double most = std::max(largestOf(c.a), largestOf(c.b));
+    if (most == 0 || pushes.takesPart[i]) continue;
+    const double closes = -c.frame.col(0).dot(slip(pushes.bodies, c));
+    if (!(closes > most)) continue;
+    const double allowed = gapOf(group.contactSources[i]) / h;
+    if (closes > allowed + most) add(group, i, -allowed, pushes);
+  }
+  return pushes.contacts.size() > before;
 }
 
 /// Whether bodies of the island slip past each other faster than pushes may move them.
@@ -47,25 +84,10 @@ void pushIsland(const Island& island, Bench& bench, Pushes& pushes) {
   if (r.allFinite()) applyReaction(pushes.bodies, pushes.contacts, noRows, island, r);
 }
 
-}  // namespace
-
-void Pushes::clear() {
-  contacts.clear();
-  bodies.clear();
-  islands = softened = 0;
-  counts = {};
-}
-
-std::size_t Pushes::bytes() const {
-  return bytesOf(bodies, contacts, isSoftened) + assembler.bytes();
-}
-
-void solvePushes(const Group& group, Workshop& workshop, Pushes& pushes) {
-  pushes.clear();
-  findContacts(group, pushes.contacts);
+/// Solves the push problem of the contacts that take part.
+void solve(const Group& group, Workshop& workshop, Pushes& pushes) {
   pushes.bodies = group.bodies;
   for (Body& body : pushes.bodies) body.velocity.setZero();
-
   pushes.assembler.split(pushes.bodies, pushes.contacts, {});
   pushes.islands = pushes.assembler.islands();
   pushes.isSoftened.assign(pushes.islands, 0);
@@ -82,7 +104,32 @@ void solvePushes(const Group& group, Workshop& workshop, Pushes& pushes) {
       });
   pushes.softened =
       static_cast<int>(std::count(pushes.isSoftened.begin(), pushes.isSoftened.end(), 1));
-  pushes.counts = workshop.takeCounts();
+  const Bench::Counts counts = workshop.takeCounts();
+  pushes.counts.add(counts);
+  pushes.counts.unsolved = counts.unsolved;
+}
+
+}  // namespace
+
+void Pushes::clear() {
+  contacts.clear();
+  bodies.clear();
+  islands = softened = 0;
+  counts = {};
+}
+
+std::size_t Pushes::bytes() const {
+  return bytesOf(bodies, contacts, isSoftened, takesPart, largest) + assembler.bytes();
+}
+
+void solvePushes(const Group& group, double h, Workshop& workshop, Pushes& pushes) {
+  // Each time, bodies that lie on what moves may begin to move, too.
+  constexpr int most = 20;
+  pushes.clear();
+  findContacts(group, pushes);
+  solve(group, workshop, pushes);
+  for (int times = 1; times < most && addClosed(group, h, pushes); ++times)
+    solve(group, workshop, pushes);
 }
 
 }  // namespace delassus::bullet

@@ -16,7 +16,8 @@ struct Group;
 ///
 ///     0 ≤ r' ⟂ W r' + s' r' − p ≥ 0
 ///
-/// Bodies start from rest. Only contacts with p > 0 take part, without friction or joints.
+/// Bodies start from rest. Contacts with p > 0 take part, without friction or joints. So do, with p
+/// = −gap/h, others that pushes would close faster than the largest p of the island opens.
 ///
 /// A body pinched between faces that lean against each other by ε would leave them at p/ε. In a
 /// plane world so would a body that can move only along a small part of a normal. If bodies of an
@@ -31,13 +32,15 @@ struct Pushes {
   Bench::Counts counts;
   Assembler assembler;           ///< the one that split them
   std::vector<char> isSoftened;  ///< of each island
+  std::vector<char> takesPart;   ///< of each contact of the group
+  std::vector<double> largest;   ///< p of the island of each body, m/s
 
   void clear();
   std::size_t bytes() const;
 };
 
 /// If no contact has p > 0, all contacts take part and nothing moves: that is the cost of a step
-/// that does not check whether it needs pushes (Economies::pushes).
-void solvePushes(const Group& group, Workshop& workshop, Pushes& pushes);
+/// that does not check whether it needs pushes (Economies::pushes). h: the step, s.
+void solvePushes(const Group& group, double h, Workshop& workshop, Pushes& pushes);
 
 }  // namespace delassus::bullet

@@ -61,7 +61,8 @@ void Search::measure(Solution& candidate) {
 
 void Search::consider(Solution& candidate, Solution& best) {
   measure(candidate);
-  if (candidate.residual < best.residual) best.takeReactions(candidate);
+  if (candidate.residual < best.residual || (takesEnergy_ && workOf(candidate) < workOf(best)))
+    best.takeReactions(candidate);
 }
 
 void Search::offer(const VectorXd& r, Solution& best) {
@@ -70,11 +71,12 @@ void Search::offer(const VectorXd& r, Solution& best) {
   consider(trial_, best);
 }
 
+double Search::workOf(const Solution& s) const { return s.r.dot(problem_->q + s.u) / 2; }
+
 void Search::startBetter(const Options& options, Solution& best) {
   constexpr double hopeless = 30;
   constexpr int few = 20;  // sweeps
   const double guessed = best.residualRms;
-  const auto workOf = [&](const Solution& s) { return s.r.dot(problem_->q + s.u) / 2; };
   const bool drives = options.sweepBudget < few && problem_->rows() == 0 && workOf(best) > 0;
   if (!drives && std::isfinite(guessed) && guessed <= hopeless * leastRmsFromNothing(*problem_))
     return;
@@ -171,7 +173,7 @@ void Search::polishWith(Engines<Motion>& engines, const Task& task, Solution& be
 
 /// Searches from the last reactions and then, except in large heaps, whose search includes that,
 /// from nothing; or, without last reactions, from nothing and then from the answers for less
-/// friction.
+/// friction. The last resort is a path from softer contacts (`harden`).
 template <class Motion>
 Outcome Search::walkTwice(Engines<Motion>& engines, const Task& task, Solution& best) {
   if (task.isHurried) return walkOnce(engines, task, best);
@@ -226,6 +228,7 @@ Outcome Search::walkCold(Engines<Motion>& engines, const Task& task, Solution& b
 Outcome Search::walk(const Task& asked, Solution& best) {
   Task task = asked;
   task.isHurried = isHurried(asked.options);
+  takesEnergy_ = task.isHurried && !task.guess;
   if (!problem_->W.inBodySpace() && problem_->size() > fewUnknowns &&
       sweepAndLearn(task, task.tolerance, best))
     return Outcome::Reached;

@@ -32,8 +32,8 @@ struct Task {
   double tolerance;       ///< natural residual to reach, m/s
   const VectorXd* guess;  ///< reactions of a last step; null: there are none
   int reserved = 0;       ///< regions that are kept for later ways
-  /// Whether exactness gives way to time, by the budget that the user has given, whatever share of
-  /// it this task has. Then no sweep is spent on ways that may gain nothing.
+  /// Whether exactness gives way to time, by the budget with which Search::walk was called,
+  /// whatever share of it this task has. Then no sweep is spent on ways that may gain nothing.
   bool isHurried = false;
 
   /// Regions left of those that may gain nothing (regionsInVain).
@@ -238,9 +238,13 @@ class Search {
   /// Whether a large heap has too much left to correct for a walk to be likely to end soon.
   bool isFar(const Solution& from) const;
 
+  /// r·(q + u)/2, J: what reactions add to the energy of a motion, where nothing is asked for.
+  double workOf(const Solution& s) const;
   /// Completes u and the residuals of a candidate r.
   void measure(Solution& candidate);
-  /// Measures it, and takes it as the best answer if its residual is smaller.
+  /// Measures it, and takes it as the best answer if its residual is smaller. With few sweeps from
+  /// nothing, also if it takes more energy: where bodies lie deep in each other, few sweeps may
+  /// raise the residual, and yet are all that moves the bodies apart.
   void consider(Solution& candidate, Solution& best);
   /// Puts the answer of a walk back into cones and bounds, if rounding or a compromise has left
   /// them; only then measures it again.
@@ -251,6 +255,7 @@ class Search {
   NaturalMap map_;
   DenseNewton<Eigen::Dynamic> dense_;
   bool isInner_ = false;  ///< for patches or a varied problem, with the machines of another search
+  bool takesEnergy_ = false;  ///< whether `consider` judges by energy, too
   std::unique_ptr<Machines> own_;
   Machines* machines_ = nullptr;
   Solution trial_;      ///< a candidate
