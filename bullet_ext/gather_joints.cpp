@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
+#include "BulletDynamics/ConstraintSolver/btGeneric6DofConstraint.h"
+#include "BulletDynamics/ConstraintSolver/btGeneric6DofSpring2Constraint.h"
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "bullet_ext/arcs.h"
 #include "bullet_ext/convert.h"
@@ -48,16 +50,7 @@ Row6 jacobian(const btScalar* linear, const btScalar* angular) {
   return J;
 }
 
-/// J M⁻¹ Jᵀ of one body.
-double responseOf(const Group& group, int body, const Row6& J) {
-  if (!group.movable(body)) return 0;
-  const Body& moved = group.bodies[body];
-  const Vec3 linear = J.head<3>().transpose(), angular = J.tail<3>().transpose();
-  return linear.dot(moved.inverseMass.cwiseProduct(linear)) +
-         angular.dot(moved.inverseInertia * angular);
-}
-
-/// The same without linear and angular factors.
+/// J M⁻¹ Jᵀ of one body, without linear and angular factors.
 double unfactoredResponse(const Group& group, int body, const Row6& J) {
   if (!group.movable(body)) return 0;
   const btRigidBody& rigid = *group.bodySources[body].rigid;
@@ -80,7 +73,7 @@ bool hasNoAxis(const Row& row) {
 /// inertia about it.
 bool movesNothing(const Group& group, const Row& row) {
   const auto isDeaf = [&](int body, const Row6& J) {
-    return responseOf(group, body, J) <= inVain * unfactoredResponse(group, body, J);
+    return diagonalShare(group.bodies, body, J) <= inVain * unfactoredResponse(group, body, J);
   };
   return isDeaf(row.a, row.jacobianA) && isDeaf(row.b, row.jacobianB);
 }
@@ -134,6 +127,10 @@ void gatherRows(Group& group, btTypedConstraint& joint, double lastImpulse, doub
   const int a = bodyIndex(group, joint.getRigidBodyA(), info, report);
   const int b = bodyIndex(group, joint.getRigidBodyB(), info, report);
   if (a == leftOut || b == leftOut || (!group.movable(a) && !group.movable(b))) return;
+  if (a == b) {
+    report.leaveOut(nameOf(joint), "it joins a body with itself");
+    return;
+  }
 
   JointSource source{&joint, static_cast<int>(group.rows.size()), 0, -1, lastImpulse};
   for (std::size_t i = 0; i < group.asked.size(); ++i) {
@@ -174,18 +171,31 @@ void softenLoops(Group& group) {
       row.compliance = std::max(row.compliance, loopSoftness * unfactoredResponse(group, row));
 }
 
+/// Whether a six-dof joint leaves no play along some axis.
+template <class Joint>
+bool locksAnAxis(btTypedConstraint& joint) {
+  auto* sixDof = dynamic_cast<Joint*>(&joint);
+  if (!sixDof) return true;  // a class of the user's own that reports this type
+  btVector3 lower, upper;
+  sixDof->getLinearLowerLimit(lower);
+  sixDof->getLinearUpperLimit(upper);
+  return lower.x() == upper.x() || lower.y() == upper.y() || lower.z() == upper.z();
+}
+
 /// Whether the joint fixes the relative place of its bodies in at least one direction.
-bool holds(const btTypedConstraint& joint) {
+bool holds(btTypedConstraint& joint) {
   switch (joint.getConstraintType()) {
     case POINT2POINT_CONSTRAINT_TYPE:
     case HINGE_CONSTRAINT_TYPE:
     case CONETWIST_CONSTRAINT_TYPE:
-    case D6_CONSTRAINT_TYPE:
-    case D6_SPRING_CONSTRAINT_TYPE:
-    case D6_SPRING_2_CONSTRAINT_TYPE:
     case SLIDER_CONSTRAINT_TYPE:
     case FIXED_CONSTRAINT_TYPE:
       return true;
+    case D6_CONSTRAINT_TYPE:
+    case D6_SPRING_CONSTRAINT_TYPE:
+      return locksAnAxis<btGeneric6DofConstraint>(joint);
+    case D6_SPRING_2_CONSTRAINT_TYPE:
+      return locksAnAxis<btGeneric6DofSpring2Constraint>(joint);
     default:
       return false;
   }
@@ -196,7 +206,7 @@ bool holds(const btTypedConstraint& joint) {
 void gatherJoined(Group& group, const GroupInput& input) {
   const btRigidBody& world = btTypedConstraint::getFixedBody();
   for (int i = 0; i < input.constraintCount; ++i) {
-    const btTypedConstraint& joint = *input.constraints[i];
+    btTypedConstraint& joint = *input.constraints[i];
     const btRigidBody &a = joint.getRigidBodyA(), &b = joint.getRigidBodyB();
     if (joint.isEnabled() && holds(joint) && &a != &world && &b != &world) group.joined.add(a, b);
   }

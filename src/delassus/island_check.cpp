@@ -31,7 +31,7 @@ double reachOf(const Body& body) {
 }
 
 /// Whether no body moves faster than `speed`, nor turns so fast that the island's longest arm, of a
-/// contact or of a row along an axis, would.
+/// contact or a row, would. The arm of a row about an axis is that of its arc.
 bool isSlower(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
               const std::vector<Row>& rows, const Island& island, double speed) {
   const double square = speed * speed;
@@ -51,7 +51,7 @@ bool isSlower(const std::vector<Body>& bodies, const std::vector<Contact>& conta
   });
   const auto squaredArm = [](const Row6& J) {
     const double along = J.head<3>().squaredNorm();
-    return along > 0 ? J.tail<3>().squaredNorm() / along : 0;
+    return J.tail<3>().squaredNorm() / (along > 0 ? along : 1);
   };
   for (int i : island.rows) {
     reachTo(rows[i].a, squaredArm(rows[i].jacobianA));
@@ -82,6 +82,7 @@ bool IslandCheck::isFree(const std::vector<Body>& bodies, const std::vector<Cont
   const auto leaves = [&](int i) {
     const Contact& c = contacts[i];
     const double q = normalVelocity(bodies, c);
+    if (!std::isfinite(q) || !(c.friction >= 0)) return false;  // the solver names it
     if (q >= 0) return residuals.add(0);
     const auto normal = [&](int body, const Vec3& arm) {
       return c.frame.col(0).dot(velocityAt(bodies, body, arm));
@@ -93,7 +94,7 @@ bool IslandCheck::isFree(const std::vector<Body>& bodies, const std::vector<Cont
     if (c.governor >= 0) return residuals.add(0);  // its disk is a point
     if (c.lower > 0 || c.upper < 0) return false;
     const double q = relativeVelocity(bodies, c);
-    if (!std::isfinite(q)) return false;  // the solver names it
+    if (!std::isfinite(q)) return false;
     const double missed = std::max(c.lower < 0 ? q : 0, c.upper > 0 ? -q : 0);
     return missed <= roundOff(along(bodies, c.a, c.jacobianA), along(bodies, c.b, c.jacobianB)) &&
            residuals.add(std::max(missed, 0.0));

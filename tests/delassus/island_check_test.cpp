@@ -286,6 +286,27 @@ TEST(IslandCheck, WhatIsNoNumberIsNotFree) {
     }
 }
 
+// Nor is a contact whose bodies part at once, or whose friction is none: no law can be stated there.
+TEST(IslandCheck, AContactThatIsNoNumberIsNotFree) {
+  constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
+  Random random(86);
+  for (const double friction : {0.5, 0.0})
+    for (const double speed : {infinity, notANumber, 1.0}) {
+      Pile pile = makeTower({1}, friction, 0, random);
+      pile.bodies[0].velocity = speed * Vec6::Unit(2);
+      const auto isFree = [&] {
+        Solution seen;
+        return IslandCheck(Options()).isFree(
+            pile.bodies, pile.contacts, pile.rows,
+            splitIslands(pile.bodies, pile.contacts, pile.rows).at(0), seen);
+      };
+      EXPECT_EQ(isFree(), speed == 1);
+      if (speed != 1) continue;
+      pile.contacts[0].friction = notANumber;
+      EXPECT_FALSE(isFree());
+    }
+}
+
 // Bodies that fall together touch with q_n = 0, up to the rounding of their velocities.
 TEST(IslandCheck, RoundingIsNoApproach) {
   Random random(84);
