@@ -128,7 +128,8 @@ const Problem& recoveryProblem(const Group& group, const Island& island, Bench& 
     Row& row = bench.softRows[k];
     row = group.rows[k];
     if (row.governor >= 0) {
-      row.upper = 0;
+      row.jacobianA.setZero();
+      row.jacobianB.setZero();
     } else if (isMotor(group, k)) {
       row.lower = row.upper = 0;
     } else if (isHard(group, k)) {

@@ -10,6 +10,7 @@
 #include "bullet_ext/solve_group.h"
 #include "bullet_ext/solve_island.h"
 #include "bullet_ext/thrown_bodies.h"
+#include "bullet_ext/workshop.h"
 #include "delassus/contact_motion.h"
 #include "delassus/residual.h"
 

@@ -6,6 +6,7 @@
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "bullet_ext/group.h"
 #include "bullet_ext/solve_island.h"
+#include "bullet_ext/workshop.h"
 #include "delassus/bytes.h"
 #include "delassus/island.h"
 
@@ -38,6 +39,7 @@ void takeBackChanged(const Group& group, Answer& answer) {
       continue;
     answer.unanswered.push_back(i);
     answer.results[i].isAnswered = false;
+    answer.results[i].marks = {};
     for (int body : island.bodies) {
       answer.bodies[body] = group.bodies[body];
       if (const Articulation::Limb* limb = group.articulation.limbOf(body))

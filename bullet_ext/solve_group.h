@@ -6,7 +6,6 @@
 #include "bullet_ext/group.h"
 #include "bullet_ext/group_islands.h"
 #include "bullet_ext/obsolete.h"
-#include "bullet_ext/workshop.h"
 #include "delassus/active_set.h"
 #include "delassus/articulation.h"
 #include "delassus/body.h"
@@ -20,6 +19,8 @@ struct StepReport;
 }
 
 namespace delassus::bullet {
+
+class Workshop;
 
 /// How the solve of one island ended.
 struct IslandResult {

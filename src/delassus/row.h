@@ -11,8 +11,8 @@ namespace delassus {
 ///
 /// With a governor it is friction that grows with the normal reaction r_n of a contact between the
 /// same bodies (disk.h): |r| ≤ upper r_n, and √(r² + r'²) ≤ upper r_n for two paired rows.
-/// `mostLoad` limits the r_n that counts. `upper` is then the κ of disk.h; `lower` and `compliance`
-/// are not read. Such rows come after all others.
+/// `mostLoad` limits the r_n that counts. `upper` is then the κ > 0 of disk.h; `lower` and
+/// `compliance` are not read. Such rows come after all others.
 ///
 /// The units below are those of rows along an axis; rows about an axis have rad/s, N·m·s and
 /// 1/(kg·m²). Since answers are compared by their largest error, such rows are better stated along

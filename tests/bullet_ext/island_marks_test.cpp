@@ -134,6 +134,44 @@ TEST(RestlessIslands, AreThoseWhoseFirstReactionsWereOthers) {
   EXPECT_FALSE(AboveASinkingFloor(good).isRestless());
 }
 
+/// A constraint without rows that lets its body rise at 1 m/s.
+class Lift : public btTypedConstraint {
+ public:
+  explicit Lift(btRigidBody& body) : btTypedConstraint(MAX_CONSTRAINT_TYPE, body) {}
+  void getInfo1(btConstraintInfo1* info) override { info->m_numConstraintRows = info->nub = 0; }
+  void getInfo2(btConstraintInfo2*) override {}
+  void setParam(int, btScalar, int) override {}
+  btScalar getParam(int, int) const override { return 0; }
+  void solveConstraintObsolete(btSolverBody& body, btSolverBody&, btScalar) override {
+    const btVector3 velocity =
+        body.m_linearVelocity + body.m_externalForceImpulse + body.m_deltaLinearVelocity;
+    body.m_deltaLinearVelocity += btVector3(1, 0, 0) - velocity;
+  }
+};
+
+struct Lifted : Falling {
+  explicit Lifted(const Options& options) {
+    for (Vec3& guess : group.guess) guess.setZero();
+    rigid_.setLinearVelocity({-1, 0, 0});
+    group.indexOf.insert(&rigid_, 0);
+    group.obsolete.push_back(&lift_);
+    solve({}, options);
+  }
+
+ private:
+  Lift lift_{rigid_};
+};
+
+// What a constraint without rows has lifted off needs no answer any more, nor a longer search.
+TEST(LostIslands, AreForgottenIfTheSameStepSolvesThemAgain) {
+  Options none;
+  none.newtonBudget = none.sweepBudget = 0;
+  const Lifted lifted(none);
+  EXPECT_EQ(lifted.answer.results[0].status, Status::Solved);
+  EXPECT_NEAR(lifted.answer.bodies[0].velocity[0], 1, 10 * tolerance(1e-9, 1e-6));
+  EXPECT_FALSE(lifted.marks().any());
+}
+
 // A whole search comes after one, two, four, eight steps in vain, and where a short search leaves
 // much more than the last whole one did.
 TEST(LostIslands, AreSearchedWhollyEverLessOften) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "tests/support/bullet_world.h"
 
@@ -64,6 +65,23 @@ TEST(Quarrels, APlateThatIsPinnedInTheFloorPressesWithItsWeight) {
         EXPECT_THAT(pinned.world.report().messages, Each(HasSubstr("no motion meets its demand")));
         EXPECT_THAT(pinned.world.report().messages, Not(IsEmpty()));
       }
+}
+
+// Friction against turning carries no weight, and bears on none.
+TEST(Quarrels, FrictionAgainstTurningChangesNothingOfThat) {
+  for (const auto& [rolling, spinning] : {std::pair(0.01, 0.0), {0.0, 0.01}, {0.01, 0.01}}) {
+    SCOPED_TRACE(testing::Message() << rolling << ", " << spinning);
+    PinnedPlate pinned(0.01, 0.05, 0.7);
+    pinned.plate.setRollingFriction(btScalar(rolling));
+    pinned.plate.setSpinningFriction(btScalar(spinning));
+    for (int step = 0; step < 60; ++step) {
+      pinned.world.advance();
+      ASSERT_EQ(pinned.world.report().incompatible, 1) << step;
+    }
+    const Plan& plan = pinned.world.report().plan;
+    EXPECT_GT(plan.rolling + plan.spinning, 0);
+    EXPECT_LT(pinned.feedback.m_appliedForceBodyA.length(), 1.1 * weight);
+  }
 }
 
 // A ramp that lies on the floor, and a bit in it, with a hinge just behind its edge. To rise it has
