@@ -73,7 +73,7 @@ void writeIsland(const std::string& file, const Problem& problem) {
   if (contacts == 0 || rows == 0) {
     write(problem);
     std::fprintf(words, "%s: %d %s\n", file.c_str(), std::max(contacts, rows),
-                 contacts > 0 ? "contacts" : "rows");
+                 contacts > 0 ? "contacts" : "rows (lcp v1)");
     return;
   }
   const Problem form = contactForm(problem);

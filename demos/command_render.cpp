@@ -32,12 +32,14 @@ struct RenderArguments {
   bool plain = false, timing = false;
 };
 
+constexpr int longestSide = 8192;  ///< of a picture, pixels
+
 /// "1280x720" as two numbers; {0, 0} if it is not one.
 std::pair<int, int> readSize(const std::string& text) {
   int width = 0, height = 0, end = 0;
-  constexpr int most = 8192;
   if (std::sscanf(text.c_str(), "%5dx%5d%n", &width, &height, &end) != 2 ||
-      end != int(text.size()) || std::min(width, height) < 1 || std::max(width, height) > most)
+      end != int(text.size()) || std::min(width, height) < 1 ||
+      std::max(width, height) > longestSide)
     return {0, 0};
   return {width, height};
 }
@@ -214,8 +216,10 @@ void addRenderCommand(CLI::App& app, Action& chosen) {
       ->type_name("WxH")
       ->capture_default_str()
       ->check([](const std::string& text) {
-        return readSize(text).first > 0 ? std::string()
-                                        : "'" + text + "' is not a size such as 1280x720";
+        return readSize(text).first > 0
+                   ? std::string()
+                   : "'" + text + "' is not a size such as 1280x720, of at most " +
+                         std::to_string(longestSide) + " pixels a side";
       });
   CLI::Option* plain =
       command->add_flag("--plain", arguments->plain, "without captions, contacts and reactions");

@@ -28,9 +28,10 @@ std::string commandFault(const CLI::App& app, int argc, char** argv) {
     existing += (existing.empty() ? "" : ", ") + command->get_name();
   }
   return (argc < 2            ? "a command is required"
-          : argv[1][0] == '-' ? "there is no option '" + std::string(argv[1]) + "' of all commands"
+          : argv[1][0] == '-' ? "before a command there is no option '" + std::string(argv[1]) +
+                                    "' (there are --help and --version)"
                               : "there is no command '" + std::string(argv[1]) + "'") +
-         "; there are " + existing;
+         "; the commands are " + existing;
 }
 
 /// The fault of an option of a sub-command; empty if all given options exist. CLI11 would only say

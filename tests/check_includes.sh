@@ -6,7 +6,7 @@
 #   demos/scenes <-- demos/{hello, main, render, atlas, report}
 #   (src/delassus also sets the processor's control word: xmmintrin.h)
 #   demos/process <-- demos/{main, report}; it knows only the system
-#   demos/whole_file <-- {atlas, report}, which do not include each other, nor render
+#   {atlas, report, render} do not include each other
 #
 # Tests may include everything; nothing includes tests.
 set -euo pipefail
@@ -35,7 +35,7 @@ check src/**/*.{h,cpp} -- "$core"
 check bullet_ext/**/*.{h,cpp} -- "$door"
 check demos/scenes/**/*.{h,cpp} -- "$scenes"
 check demos/render/**/*.{h,cpp} -- "$scenes|$pictures|\"demos/render/[a-z_]+\.h\""
-check demos/atlas/**/*.{h,cpp} -- "$scenes|$vectors|\"demos/(atlas/[a-z_]+|whole_file)\.h\""
+check demos/atlas/**/*.{h,cpp} -- "$scenes|$vectors|\"demos/atlas/[a-z_]+\.h\""
 check demos/process/**/*.{h,cpp} -- "$processes"
 check demos/report/**/*.{h,cpp} -- "$programs|\"demos/(report/(stability/)?)?[a-z_]+\.h\""
 check demos/*.{h,cpp} -- "$programs|\"demos/((render|atlas|report|report/stability)/)?[a-z_]+\.h\""

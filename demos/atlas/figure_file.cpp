@@ -6,7 +6,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "demos/whole_file.h"
+#include "delassus/whole_file.h"
 
 namespace demos::atlas {
 
@@ -60,8 +60,8 @@ void writeFigure(const std::string& folder, const Figure& figure) {
   if (failed)
     throw std::runtime_error("cannot make the folder '" + folder + "': " + failed.message());
   const std::filesystem::path base = std::filesystem::path(folder) / figure.name;
-  writeFile(base.string() + ".png", png);
-  writeFile(base.string() + ".svg", svg);
+  delassus::writeFile(base.string() + ".png", png);
+  delassus::writeFile(base.string() + ".svg", svg);
 }
 
 }  // namespace demos::atlas

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "demos/whole_file.h"
+#include "delassus/whole_file.h"
 
 namespace demos::report {
 
@@ -69,18 +69,20 @@ double CsvTable::number(int row, const std::string& column) const {
 void CsvTable::write(const std::filesystem::path& file) const {
   std::string text = joined(columns_);
   for (const auto& row : rows_) text += joined(row);
-  writeFile(file, text);
+  delassus::writeFile(file, text);
 }
 
 CsvTable CsvTable::read(const std::filesystem::path& file) {
-  std::istringstream text(readFile(file));
+  std::istringstream text(delassus::readFile(file));
   std::string line;
   std::getline(text, line);
   CsvTable table(split(line));
   while (std::getline(text, line)) {
     std::vector<std::string> row = split(line);
     if (row.size() != table.columns_.size())
-      throw std::runtime_error("'" + file.string() + "' has a line of another length: " + line);
+      throw std::runtime_error(file.string() + ": this line does not have " +
+                               std::to_string(table.columns_.size()) + " cells: " + line +
+                               "; delete the file to have it made anew");
     table.rows_.push_back(std::move(row));
   }
   return table;

@@ -7,10 +7,10 @@
 #include <map>
 #include <sstream>
 
+#include "delassus/whole_file.h"
 #include "demos/process/other_command.h"
 #include "demos/report/csv.h"
 #include "demos/report/label_places.h"
-#include "demos/whole_file.h"
 
 namespace demos::report {
 
@@ -321,7 +321,7 @@ std::string drawScript(const std::string& script, const std::filesystem::path& f
     for (const char* kind : {".svg", ".png"}) std::filesystem::remove(folder / (name + kind));
   };
   removePictures();
-  writeFile(folder / (name + ".gp"), script);
+  delassus::writeFile(folder / (name + ".gp"), script);
   const CommandResult drawn =
       callCommand({"env", "--chdir=" + folder.string(), "gnuplot", name + ".gp"});
   if (drawn.status == 0) return "";

@@ -4,12 +4,12 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "delassus/whole_file.h"
 #include "demos/process/interrupt.h"
 #include "demos/process/other_command.h"
 #include "demos/progress_bar.h"
 #include "demos/report/figure.h"
 #include "demos/subject.h"
-#include "demos/whole_file.h"
 
 namespace demos::report {
 
@@ -50,7 +50,7 @@ void stamp(const fs::path& folder, const std::string& command, bool resume,
   const fs::path file = folder / "command.txt";
   const std::string text = command + "\nin " + precisionName() + " precision\n";
   std::error_code ignored;  // of a folder that cannot be read: nor can it be written
-  const std::string made = fs::exists(file, ignored) ? readFile(file) : "";
+  const std::string made = fs::exists(file, ignored) ? delassus::readFile(file) : "";
   if (!made.empty() && made.rfind("delassus report", 0) != 0)
     throw std::runtime_error("'" + file.string() +
                              "' is not of a report: it needs a folder of its own");
@@ -63,7 +63,7 @@ void stamp(const fs::path& folder, const std::string& command, bool resume,
   for (const Part& part : parts) makeFolder(folder / part.name);
   // Measures of an earlier report must not pass for those of this one.
   if (!resume) removeMeasures(folder, parts);
-  writeFile(file, text);
+  delassus::writeFile(file, text);
 }
 
 int measure(const std::vector<Part>& parts, const fs::path& folder) {

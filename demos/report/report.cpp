@@ -1,9 +1,9 @@
 #include <algorithm>
 
+#include "delassus/whole_file.h"
 #include "demos/command.h"
 #include "demos/report/machine.h"
 #include "demos/report/part.h"
-#include "demos/whole_file.h"
 
 namespace demos::report {
 
@@ -45,7 +45,7 @@ void writePage(const ReportArguments& arguments, const std::vector<Part>& parts,
   if (missing > 0)
     page += "**Not complete**: " + std::to_string(missing) +
             " measures are missing; the same command with `--resume` goes on.\n\n";
-  writeFile(fs::path(arguments.out) / "report.md", page + front + body);
+  delassus::writeFile(fs::path(arguments.out) / "report.md", page + front + body);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "LinearMath/btScalar.h"
 #include "bullet_ext/btDelassusConstraintSolver.h"
 #include "demos/scenes/solver_in_world.h"
 #include "demos/scenes/statistics.h"
@@ -48,6 +49,10 @@ void count(RunSummary& summary, const delassus::StepReport& report) {
 int stepsIn(double seconds, double hz) {
   const double steps = std::round(seconds * hz);
   if (!(steps <= 1e9)) throw std::runtime_error("more than a billion steps were asked for");
+  const double most = 1 / double(SIMD_EPSILON);
+  if (hz > most)
+    throw std::runtime_error("more than " + std::to_string(static_cast<long long>(most)) +
+                             " steps a second were asked for: Bullet leaves out steps so short");
   return int(steps);
 }
 

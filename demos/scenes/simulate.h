@@ -19,7 +19,7 @@ struct RunSettings {
 };
 
 /// seconds · hz as a whole number. Throws std::runtime_error above a billion, since such a run
-/// would take too long.
+/// would take too long, and where the steps are so short that Bullet leaves them out.
 int stepsIn(double seconds, double hz);
 
 /// One solver on one world: what moved, how well the law was kept, what it cost. The keys of `run

@@ -10,6 +10,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "bullet_ext/btDelassusConstraintSolver.h"
 
@@ -30,20 +31,30 @@ const SolverForm* formOf(const SolverName& name) {
       "; there are " + listOfSolverForms(" and "));
 }
 
+[[noreturn]] void refuse(const SolverName& name, const std::string& expected) {
+  throw UnknownSolver("there is no solver '" + name.text() + "': " + formOf(name)->name.text() +
+                      " takes " + expected);
+}
+
 /// The name's part after the mark, as a count of at least 1.
-int countIn(const std::string& name, const std::string& argument) {
+int countIn(const SolverName& name) {
   int count = 0;
+  const std::string& argument = name.argument;
   const char* end = argument.data() + argument.size();
   const auto [stop, error] = std::from_chars(argument.data(), end, count);
-  if (error != std::errc() || stop != end || count < 1) refuse(name);
+  if (error != std::errc() || stop != end || count < 1)
+    refuse(name, "a whole number from 1 to " + std::to_string(std::numeric_limits<int>::max()));
   return count;
 }
 
-/// The name's part after the mark, as a number greater than zero.
-double numberIn(const std::string& name, const std::string& argument) {
+/// The name's part after the mark, as a number greater than zero and below `end`.
+double numberIn(const SolverName& name, double end) {
   char* stop = nullptr;
+  const std::string& argument = name.argument;
   const double number = std::strtod(argument.c_str(), &stop);
-  if (argument.empty() || *stop != '\0' || !std::isfinite(number) || number <= 0) refuse(name);
+  if (argument.empty() || *stop != '\0' || !(number > 0 && number < end))
+    refuse(name,
+           std::isfinite(end) ? "a number greater than 0 and below 1" : "a number greater than 0");
   return number;
 }
 
@@ -104,33 +115,35 @@ std::string solverInWords(const std::string& name) {
 }
 
 NamedSolver::NamedSolver(const std::string& name) : name_(name) {
-  const auto [family, mark, argument] = parseSolverName(name);
-  if (formOf({family, mark}) == nullptr) refuse(name);
+  const SolverName parsed = parseSolverName(name);
+  if (formOf(parsed) == nullptr) refuse(name);
+  const std::string& family = parsed.family;
+  const char mark = parsed.mark;
 
   if (family == "delassus") {
     delassus::Options options;
     if (mark == '/') {
-      options = delassus::Options::bounded(countIn(name, argument));
+      options = delassus::Options::bounded(countIn(parsed));
     } else if (mark == ':') {
-      options.tolerance = numberIn(name, argument);
+      options.tolerance = numberIn(parsed, 1);
     }
     auto solver = std::make_unique<btDelassusConstraintSolver>(options);
     delassus_ = solver.get();
     solver_ = std::move(solver);
   } else if (family == "si" || family == "si2") {
-    sweeps_ = countIn(name, argument);
+    sweeps_ = countIn(parsed);
     twoFrictionDirections_ = family == "si2";
     solver_ = std::make_unique<btSequentialImpulseConstraintSolver>();
   } else if (family == "nncg") {
-    sweeps_ = countIn(name, argument);
+    sweeps_ = countIn(parsed);
     solver_ = std::make_unique<btNNCGConstraintSolver>();
   } else if (family == "dantzig") {
-    if (mark == ':') cfm_ = numberIn(name, argument);
+    if (mark == ':') cfm_ = numberIn(parsed, std::numeric_limits<double>::infinity());
     method_ = std::make_unique<btDantzigSolver>();
   } else if (family == "lemke") {
     method_ = std::make_unique<btLemkeSolver>();
   } else if (family == "pgs") {
-    sweeps_ = countIn(name, argument);
+    sweeps_ = countIn(parsed);
     method_ = std::make_unique<btSolveProjectedGaussSeidel>();
   } else {
     refuse(name);

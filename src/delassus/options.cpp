@@ -1,6 +1,5 @@
 #include "delassus/options.h"
 
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -11,8 +10,8 @@ void check(const Options& options) {
     throw std::invalid_argument("delassus::Options: " + std::string(what) + ", not " +
                                 std::to_string(number));
   };
-  if (!(options.tolerance > 0 && std::isfinite(options.tolerance)))
-    refuse("tolerance must be a number > 0", options.tolerance);
+  if (!(options.tolerance > 0 && options.tolerance < 1))
+    refuse("tolerance must be > 0 and < 1", options.tolerance);
   if (!(options.guessShare > 0 && options.guessShare <= 1))
     refuse("guessShare must be > 0 and no more than 1", options.guessShare);
 }

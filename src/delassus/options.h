@@ -26,8 +26,8 @@ struct Options {
   }
 
   /// Natural residual to reach, relative to the island's largest demand (Problem::demand, m/s), but
-  /// no less than the rounding of q (Problem::roundOff); > 0. Where friction is more
-  /// than 1, toleranceFor(friction) takes its place.
+  /// no less than the rounding of q (Problem::roundOff); > 0, < 1. Where friction is more than 1,
+  /// toleranceFor(friction) takes its place.
   double tolerance = 1e-8;
   /// Most regions visited per island. Budgets count work, never time: the same input takes the same
   /// work everywhere. Work in a patch of an island counts by the patch's share of what the island
@@ -62,7 +62,8 @@ struct Options {
   /// 1e-6 of its demands, sets out from the answers for less friction instead, within newtonBudget
   /// (in proportion less for more than 1000 contacts and rows).
   int pathBudget = 30000;
-  /// A guess whose residual is within this share of the tolerance is returned unchanged; > 0, ≤ 1.
+  /// A guess whose residual is within this share of the tolerance is returned as it is, but for
+  /// what is outside of cones and bounds; > 0, ≤ 1.
   /// The Bullet solvers set it to at most polishedShare; but before they solve, they keep the last
   /// reactions where these are within keptShare.
   double guessShare = 1;

@@ -127,7 +127,7 @@ Head readHead(WordReader& in, const char* sizeWord, const char* entriesWord, int
   Head head{};
   in.keyword("name");
   head.name = in.word("a name");
-  in.keyword(sizeWord);
+  in.keyword(sizeWord, " after a name of one word");
   head.size = in.integer("the number of " + std::string(side == 3 ? "contacts" : "unknowns"), 0,
                          mostValues);
   in.keyword(entriesWord);

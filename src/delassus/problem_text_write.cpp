@@ -1,14 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <map>
 
 #include "delassus/problem_text.h"
+#include "delassus/whole_file.h"
 #include "delassus/word_reader.h"
 
 namespace delassus {
@@ -157,16 +156,6 @@ std::string solutionText(const Problem& problem, const Solution& solution) {
   return text;
 }
 
-void writeText(const std::string& path, const std::string& text) {
-  errno = 0;
-  std::ofstream out(path, std::ios::binary);
-  out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  out.close();
-  if (!out)
-    throw std::runtime_error(
-        path + ": cannot be written: " + (errno ? std::strerror(errno) : "output error"));
-}
-
 void writeText(std::ostream& out, const std::string& text) {
   out.write(text.data(), static_cast<std::streamsize>(text.size()));
 }
@@ -178,7 +167,7 @@ void writeProblem(std::ostream& out, const Problem& problem) {
 }
 
 void writeProblem(const std::string& path, const Problem& problem) {
-  writeText(path, problemText(problem));
+  writeFile(path, problemText(problem));
 }
 
 void writeSolution(std::ostream& out, const Problem& problem, const Solution& solution) {
@@ -186,7 +175,7 @@ void writeSolution(std::ostream& out, const Problem& problem, const Solution& so
 }
 
 void writeSolution(const std::string& path, const Problem& problem, const Solution& solution) {
-  writeText(path, solutionText(problem, solution));
+  writeFile(path, solutionText(problem, solution));
 }
 
 }  // namespace delassus

@@ -3,6 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "delassus/pivoting.h"
 #include "delassus/quiet_arithmetic.h"
@@ -64,8 +66,12 @@ void lookAtWalls(const Walls& walls, const Walls& others, double zero, ReleaseAn
 }  // namespace
 
 ReleaseAnalysis analyseRelease(const MatrixXd& W, const VectorXd& q) {
-  const QuietArithmetic quiet;
   const auto n = q.size();
+  if (W.rows() != n || W.cols() != n)
+    throw std::invalid_argument("analyseRelease: W is " + std::to_string(W.rows()) + " x " +
+                                std::to_string(W.cols()) + ", and q has " + std::to_string(n) +
+                                " entries: they must be n x n and n");
+  const QuietArithmetic quiet;
   const VectorXd infinite = VectorXd::Constant(n, infinity);
   const PivotResult motion = pivot(W, q, VectorXd::Zero(n), infinite);
 

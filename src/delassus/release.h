@@ -46,7 +46,8 @@ struct ReleaseAnalysis {
 /// 1/kg; q: size n, m/s. If status is not Solved, r and u are the best found, and the walls are
 /// those of this r and u only. If numbers are not finite, status is NonFinite and no other member
 /// is to be read. Where contacts are redundant, f and r are the shares of least norm, Σ W_ii f_i²,
-/// and the distances are those at which these shares lose a contact.
+/// and the distances are those at which these shares lose a contact. Throws std::invalid_argument
+/// if W is not n × n.
 ReleaseAnalysis analyseRelease(const MatrixXd& W, const VectorXd& q);
 
 }  // namespace delassus

@@ -79,10 +79,10 @@ void WordReader::readWordAfterComments() {
   readWord();
 }
 
-void WordReader::keyword(const char* word) {
+void WordReader::keyword(const char* word, const char* hint) {
   if (!std::exchange(pending_, false)) readWordAfterComments();
   section_ = nullptr;
-  if (word_ != word) fail(quoted(word));
+  if (word_ != word) fail(quoted(word) + hint);
 }
 
 void WordReader::openSection(const char* name, int entries) {
@@ -131,7 +131,11 @@ double WordReader::numberOr(const char* word, double itsValue) {
 double WordReader::finite(const char* expected) const {
   double value = 0;
   const char* const end = word_.data() + word_.size();
-  const auto [stop, error] = std::from_chars(word_.data(), end, value);
+  // The library knows no plus sign.
+  const char* const begin = word_.data() + (word_.size() > 1 && word_[0] == '+' && word_[1] != '-');
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  if (error == std::errc::result_out_of_range && stop == end)
+    fail(std::string(expected) + " within the range of a double");
   if (error != std::errc() || stop != end || !std::isfinite(value)) fail(expected);
   return value;
 }
@@ -143,7 +147,8 @@ void WordReader::end() {
 }
 
 void WordReader::fail(const std::string& expected) const {
-  if (word_.empty()) fail(expected, "the end of the text");
+  if (word_.empty())
+    fail(expected, isEnd(text_->sgetc()) ? "the end of the text" : "an empty line");
   // A comment inside a list is not allowed; the error says so rather than show its first word.
   if (word_[0] == '#' && wordStartsLine_ && section_)
     fail(expected, "a comment (comments stand only between sections)");

@@ -22,7 +22,7 @@ class WordReader {
   std::string firstLine();
 
   /// Skips comments, then takes `word`, which opens a section or announces a value.
-  void keyword(const char* word);
+  void keyword(const char* word, const char* hint = "");
   /// Takes the keyword of a section with `entries` entries.
   void openSection(const char* name, int entries);
   /// The same if the section is there; false if not.

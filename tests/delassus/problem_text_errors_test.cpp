@@ -42,7 +42,8 @@ TEST(ProblemTextErrors, ErrorsNameTheLineAndWhatWasExpected) {
        "delassus-problem v1",
        "found '\\xef\\xbb\\xbfdelassus-problem v1'"},
       {contactText, 3, "nome two", ":3: expected 'name', found 'nome'"},
-      {contactText, 3, "name two words", ":3: expected 'contacts', found 'words'"},
+      {contactText, 3, "name two words",
+       ":3: expected 'contacts' after a name of one word, found 'words'"},
       {contactText, 3,
        "name a\x01"
        "b",
@@ -53,7 +54,7 @@ TEST(ProblemTextErrors, ErrorsNameTheLineAndWhatWasExpected) {
        ":4: expected the number of contacts from 0 to 238609294, found '-1'"},
       {contactText, 4, "contacts 1.0", ", found '1.0'"},
       {contactText, 4, "contacts 99999999999999999999", ", found '99999999999999999999'"},
-      {contactText, 4, "size 2", ":4: expected 'contacts', found 'size'"},
+      {contactText, 4, "size 2", ":4: expected 'contacts' after a name of one word, found 'size'"},
       {contactText, 5, "blocks 1", ":5: expected the number of blocks from 2 to 4, found '1'"},
       {contactText, 5, "blocks 5", ":5: expected the number of blocks from 2 to 4, found '5'"},
       // Lists that are too short, too long, or not numbers.

@@ -1,11 +1,10 @@
 // CSV files: what is written can be read, and a file is either whole or not there.
 #include "demos/report/csv.h"
+#include "delassus/whole_file.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "demos/whole_file.h"
 
 namespace demos::report {
 namespace {
@@ -40,7 +39,7 @@ TEST_F(Csv, TellsWordsFromNumbers) {
 }
 
 TEST_F(Csv, RefusesALineOfAnotherLength) {
-  writeFile(folder_ / "t.csv", "a,b\n1,2\n3\n");
+  delassus::writeFile(folder_ / "t.csv", "a,b\n1,2\n3\n");
   EXPECT_THROW(CsvTable::read(folder_ / "t.csv"), std::runtime_error);
 }
 

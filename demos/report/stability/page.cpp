@@ -5,13 +5,13 @@
 #include <functional>
 #include <map>
 
+#include "delassus/whole_file.h"
 #include "demos/report/csv.h"
 #include "demos/report/figure.h"
 #include "demos/report/machine.h"
 #include "demos/report/markdown.h"
 #include "demos/report/stability/strips.h"
 #include "demos/table.h"
-#include "demos/whole_file.h"
 
 namespace demos::report::stability {
 
@@ -300,9 +300,10 @@ void writeMapPage(const fs::path& out, const std::string& command,
   if (missing > 0)
     page += "**Not complete**: " + std::to_string(missing) +
             " sweeps are missing; the same command with `--resume` goes on.\n\n";
-  writeFile(out / "stability.md",
-            page + "## At a glance\n\nThe longest run of values over which the law holds.\n\n" +
-                overview.text() + trouble + body);
+  delassus::writeFile(
+      out / "stability.md",
+      page + "## At a glance\n\nThe longest run of values over which the law holds.\n\n" +
+          overview.text() + trouble + body);
 }
 
 }  // namespace demos::report::stability

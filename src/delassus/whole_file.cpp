@@ -1,0 +1,59 @@
+#include "delassus/whole_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+
+namespace delassus {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Why it could not be written; empty if it was.
+std::string write(const fs::path& file, const std::string& text) {
+  errno = 0;
+  std::ofstream out(file, std::ios::binary);
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  out.close();
+  if (out) return {};
+  return errno ? std::strerror(errno) : "output error";
+}
+
+/// The same for a file that already exists or not, which is replaced once the text is complete.
+std::string replace(const fs::path& file, const std::string& text) {
+  const fs::path unfinished = file.string() + ".unfinished";
+  std::string fault = write(unfinished, text);
+  std::error_code error;
+  if (fault.empty()) {
+    fs::rename(unfinished, file, error);
+    if (error) fault = error.message();
+  }
+  if (!fault.empty()) fs::remove(unfinished, error);
+  return fault;
+}
+
+}  // namespace
+
+void writeFile(const fs::path& file, const std::string& text) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(file, ignored);
+  const bool isSpecial = fs::exists(status) && !fs::is_regular_file(status);
+  // A link stays one.
+  const fs::path target =
+      fs::is_symlink(file, ignored) ? fs::weakly_canonical(file, ignored) : file;
+  const std::string fault = isSpecial ? write(file, text) : replace(target, text);
+  if (!fault.empty()) throw std::runtime_error(file.string() + ": cannot be written: " + fault);
+}
+
+std::string readFile(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw std::runtime_error(file.string() + ": cannot be read");
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+}  // namespace delassus
