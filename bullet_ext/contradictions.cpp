@@ -89,6 +89,7 @@ void blame(const Group& group, int row, double missed, Answer& answer) {
     if (isDriven(group, island, row, answer)) return;
     result.status = Status::Incompatible;
     result.residualMax = std::max(result.residualMax, missed);
+    result.residualRms = std::hypot(result.residualRms, missed / std::sqrt(result.parts));
     result.blamed = {static_cast<int>(3 * island.frictional.size() + island.frictionless.size() +
                                       (found - island.rows.begin()))};
     return;

@@ -1,10 +1,8 @@
 #pragma once
 /// All conversions between Bullet's types, in the library's precision, and the core's, in double.
 
-#include "BulletCollision/NarrowPhaseCollision/btManifoldPoint.h"
 #include "LinearMath/btMatrix3x3.h"
 #include "LinearMath/btVector3.h"
-#include "delassus/active_set.h"
 #include "delassus/types.h"
 
 namespace delassus::bullet {
@@ -35,21 +33,6 @@ inline double toCoreBound(btScalar bound) {
   if (bound >= BT_LARGE_FLOAT) return infinity;
   if (bound <= -BT_LARGE_FLOAT) return -infinity;
   return bound;
-}
-
-/// The mode a contact point had after the last solve.
-///
-/// It is kept in the point's m_prevRHS. Bullet carries that number along with the impulses when it
-/// replaces, moves or saves a point, and clears it in a new point; only the articulated solver
-/// reads it.
-inline Mode rememberedMode(const btManifoldPoint& point) {
-  if (point.m_prevRHS == static_cast<btScalar>(Mode::Stick)) return Mode::Stick;
-  if (point.m_prevRHS == static_cast<btScalar>(Mode::Slide)) return Mode::Slide;
-  return Mode::Open;
-}
-
-inline void rememberMode(btManifoldPoint& point, Mode mode) {
-  point.m_prevRHS = static_cast<btScalar>(mode);
 }
 
 }  // namespace delassus::bullet

@@ -49,7 +49,7 @@ struct JointSource {
   btTypedConstraint* constraint;
   int firstRow, rowCount;  ///< among Group::rows
   int lastRow;             ///< the joint's own last row, or -1 if that row takes no part
-  double lastImpulse;      ///< that the last step left in the joint, N·s
+  double lastImpulse;      ///< that the last step left in the joint, N·s or N·m·s
   bool isSoft = false;     ///< the joint asks for a compliance of its own
   /// What its rows did in the last step. The last reactions do not tell it, since Bullet turns the
   /// rows of a hinge.
@@ -120,7 +120,7 @@ struct Group {
   int bouncing = 0;  ///< contacts with restitution
   int turning = 0;   ///< contacts with rolling or spinning friction
 
-  std::vector<Row> rows;            ///< of joints, then of turning friction
+  std::vector<Row> rows;            ///< of joints, then of an Extension, then of turning friction
   int turningRows = 0;              ///< how many of the last rows are turning friction
   int softRows = 0;                 ///< rows whose joint asks for a compliance
   std::vector<double> arcs;         ///< ℓ of each row (arcs.h); empty until these are set

@@ -49,8 +49,9 @@ class Memory {
   struct Owner {
     const void *object, *bodyA, *bodyB;  ///< object: manifold or joint
     int numberOfA, numberOfB;            ///< of the bodies, in the broadphase; 0 if in none
-    double impulse = 0;                  ///< the impulse of the joint at the end of the step, N·s
-    int begin = 0, end = 0;              ///< among points or rows
+    /// What the step left as the joint's applied impulse: N·s, or N·m·s of a row about an axis.
+    double impulse = 0;
+    int begin = 0, end = 0;  ///< among points or rows
     bool isSame(const Owner& other) const {
       return object == other.object && bodyA == other.bodyA && bodyB == other.bodyB &&
              numberOfA == other.numberOfA && numberOfB == other.numberOfB &&
@@ -94,7 +95,7 @@ class Memory {
   /// The reactions of a contact that resists turning.
   struct Turn {
     Vec3 arm;       ///< as above
-    Vec3 reaction;  ///< spinning, then rolling about its two axes, N·m·s
+    Vec3 reaction;  ///< spinning, then rolling about its two axes, N·s along arcs (arcs.h)
   };
   struct MarkedBody {
     const btCollisionObject* body;

@@ -336,10 +336,7 @@ bool fitsBullet(const VectorXd& r) { return r.size() == 0 || r.cwiseAbs().sum() 
 std::string nameOf(const Group& group, const Island& island, int unknown) {
   const Part part = partAt(group, island, unknown);
   if (part.contact >= 0) return nameOf(group.contactSources[part.contact]);
-  const auto joint =
-      std::find_if(group.joints.begin(), group.joints.end(),
-                   [&](const JointSource& j) { return part.row < j.firstRow + j.rowCount; });
-  if (joint != group.joints.end()) return nameOf(*joint->constraint);
+  if (const JointSource* joint = jointOf(group, part.row)) return nameOf(*joint->constraint);
   const auto source =
       std::find_if(group.multiBodyRows.begin(), group.multiBodyRows.end(),
                    [&](const MultiBodyRowSource& candidate) { return candidate.row == part.row; });

@@ -28,7 +28,7 @@ struct StepReport {
   int sweeps = 0;          ///< sweeps and alternations, pushes included
   int patches = 0;         ///< parts of islands that were solved apart on the way, pushes included
   /// Natural residual (residual.h), m/s, along arcs for rows about an axis (arcs.h); without
-  /// pushes.
+  /// pushes. Infinite if numbers of an island overflow.
   double residualMax = 0;
   double residualRms = 0;  ///< m/s, over contacts and rows
   int solved = 0, outOfBudget = 0, incompatible = 0, nonFinite = 0;  ///< islands by status

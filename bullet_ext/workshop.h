@@ -97,18 +97,20 @@ class Workshop {
  public:
   explicit Workshop(const Options& options) : options_(options) { clear(); }
 
+  /// Throws std::system_error or std::bad_alloc where threads or their benches are not to be had:
+  /// then the caller works alone.
   void setThreads(int threads) {
-    crew_.setHands(std::max(threads, 1));
-    clear();
+    crew_.setHands(1);
+    benches_.resize(1);
+    Benches benches = makeBenches(std::max(threads, 1));
+    crew_.setHands(static_cast<int>(benches.size()));
+    benches_.swap(benches);
   }
   int threads() const { return crew_.count(); }
   const Options& options() const { return options_; }
 
   /// Makes new benches.
-  void clear() {
-    benches_.clear();
-    for (int i = 0; i < crew_.count(); ++i) benches_.push_back(std::make_unique<Bench>(options_));
-  }
+  void clear() { benches_ = makeBenches(crew_.count()); }
 
   /// Calls work(bench, i) for all i < count. Other threads than the caller's take part if there is
   /// enough to do, by the sum of weight(i), in unknowns, not by the clock.
@@ -157,6 +159,14 @@ class Workshop {
   }
 
  private:
+  using Benches = std::vector<std::unique_ptr<Bench>>;  ///< one a hand
+
+  Benches makeBenches(int count) const {
+    Benches benches;
+    for (int i = 0; i < count; ++i) benches.push_back(std::make_unique<Bench>(options_));
+    return benches;
+  }
+
   /// Lends hands to a solver for its lifetime.
   struct Lent {
     Lent(Solver& to, Hands& hands) : solver(to) { solver.setHands(&hands); }
@@ -179,7 +189,7 @@ class Workshop {
 
   Options options_;
   Crew crew_;
-  std::vector<std::unique_ptr<Bench>> benches_;  ///< one a hand
+  Benches benches_;
 };
 
 }  // namespace delassus::bullet

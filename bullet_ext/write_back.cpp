@@ -1,5 +1,6 @@
 #include "bullet_ext/write_back.h"
 
+#include "BulletCollision/NarrowPhaseCollision/btManifoldPoint.h"
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
@@ -18,6 +19,21 @@ namespace {
 
 void count(Mode mode, StepReport& report) {
   addTo(mode == Mode::Open ? report.open : mode == Mode::Stick ? report.stick : report.slide, 1);
+}
+
+/// The mode a contact point had after the last solve.
+///
+/// It is kept in the point's m_prevRHS. Bullet carries that number along with the impulses when it
+/// replaces, moves or saves a point, and clears it in a new point; only the articulated solver
+/// reads it.
+Mode rememberedMode(const btManifoldPoint& point) {
+  if (point.m_prevRHS == static_cast<btScalar>(Mode::Stick)) return Mode::Stick;
+  if (point.m_prevRHS == static_cast<btScalar>(Mode::Slide)) return Mode::Slide;
+  return Mode::Open;
+}
+
+void rememberMode(btManifoldPoint& point, Mode mode) {
+  point.m_prevRHS = static_cast<btScalar>(mode);
 }
 
 /// Notes the mode of a point and returns the one before; a change is counted.
@@ -127,22 +143,18 @@ void writeJoints(const Group& group, const Answer& answer, const btContactSolver
     // Read before anything is disabled: the joint breaks as a whole, after its last feedback.
     const double breakingImpulse = joint.getBreakingImpulseThreshold();
     bool breaks = breakingImpulse <= 0;  // then none of its rows takes part
-    Vec6 onA = Vec6::Zero(), onB = Vec6::Zero();
-    for (int row = source.firstRow; row < source.firstRow + source.rowCount; ++row) {
-      const double r = answer.rows[row];
-      onA += group.rows[row].jacobianA.transpose() * r;
-      onB += group.rows[row].jacobianB.transpose() * r;
-      breaks |= std::abs(r) >= breakingImpulse / group.arcOf(row);
-    }
+    for (int row = source.firstRow; row < source.firstRow + source.rowCount; ++row)
+      breaks |= std::abs(answer.rows[row]) >= breakingImpulse / group.arcOf(row);
 
     joint.internalSetAppliedImpulse(writtenImpulse(group, source, answer));
     if (btJointFeedback* feedback = joint.getJointFeedback()) {
       const btRigidBody &a = joint.getRigidBodyA(), &b = joint.getRigidBodyB();
       const double h = info.m_timeStep;
-      feedback->m_appliedForceBodyA = toBullet(onA.head<3>() / h) * a.getLinearFactor();
-      feedback->m_appliedTorqueBodyA = toBullet(onA.tail<3>() / h) * a.getAngularFactor();
-      feedback->m_appliedForceBodyB = toBullet(onB.head<3>() / h) * b.getLinearFactor();
-      feedback->m_appliedTorqueBodyB = toBullet(onB.tail<3>() / h) * b.getAngularFactor();
+      const JointLoad load = loadOf(group, source, answer.rows);
+      feedback->m_appliedForceBodyA = toBullet(load.onA.head<3>() / h) * a.getLinearFactor();
+      feedback->m_appliedTorqueBodyA = toBullet(load.onA.tail<3>() / h) * a.getAngularFactor();
+      feedback->m_appliedForceBodyB = toBullet(load.onB.head<3>() / h) * b.getLinearFactor();
+      feedback->m_appliedTorqueBodyB = toBullet(load.onB.tail<3>() / h) * b.getAngularFactor();
     }
     if (breaks) joint.setEnabled(false);
   }

@@ -94,6 +94,13 @@ struct Rows {
   }
 };
 
+/// Infinite pivots leave no trace in the inverse.
+DELASSUS_WIDE_INLINE bool areFinite(const double (&pivots)[6]) {
+  double none = 0;
+  for (const double pivot : pivots) none += 0 * pivot;
+  return none == 0;
+}
+
 /// Inverts without pivoting. False where that could cost digits. A symmetric positive matrix loses
 /// none, and its pivots are no larger than its diagonal.
 DELASSUS_WIDE_INLINE bool invertInOrder(const Mat6& A, Mat6& inverse, bool& isNegative) {
@@ -108,12 +115,13 @@ DELASSUS_WIDE_INLINE bool invertInOrder(const Mat6& A, Mat6& inverse, bool& isNe
     if (pivots[i] < 0) isNegative = !isNegative;
   }
   rows.store(inverse.data());
-  return !grows && rows.areFinite();
+  return !grows && areFinite(pivots) && rows.areFinite();
 }
 
 /// Inverts by Gauss's elimination with partial pivoting of the columns. False if A is singular or
 /// not finite.
 DELASSUS_WIDE_INLINE bool invertPivoting(const Mat6& A, Mat6& inverse, bool& isNegative) {
+  if (!A.allFinite()) return false;
   // Rows of [Aᵀ 1], that is columns of A. The 1 becomes A⁻ᵀ by rows, that is A⁻¹ by columns.
   constexpr int width = 12;
   double rows[6][width] = {};
@@ -162,7 +170,8 @@ bool invertCholesky(const Mat6& A, Mat6& inverseC, Mat6& transposed) {
                             rows.eliminateBelow<2>(), rows.eliminateBelow<3>(),
                             rows.eliminateBelow<4>(), rows.eliminateBelow<5>()};
   for (int i = 0; i < 6; ++i) rows.scale(i, 1 / std::sqrt(pivots[i]));
-  if (!rows.areFinite()) return false;  // as where a pivot is not positive
+  // Where a pivot is not positive, its root is not finite.
+  if (!areFinite(pivots) || !rows.areFinite()) return false;
   rows.keepLower();
   rows.store(transposed.data());
   inverseC = transposed.transpose();

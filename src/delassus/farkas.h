@@ -23,9 +23,6 @@ class FarkasProof {
 
   /// The right side, less what rounding may add to it; 0 if r proves nothing.
   double leastMotion(const VectorXd& r) { return weigh(r).leastMotion; }
-  /// |v|_M of the motion that meets only the hardest of these demands: the largest missing
-  /// |u_i|/√W_ii at u = q.
-  double hardestAlone() const;
 
   /// Looks, from the reactions `start`, for a proof that no motion meets the demands of `problem`,
   /// or none in any proportion to them. Uses up the region budget and counts its work in `count`.
@@ -48,6 +45,9 @@ class FarkasProof {
     bool movesNothing = false;  ///< beyond rounding
   };
   Push weigh(const VectorXd& r);
+  /// |v|_M of the motion that meets only the hardest of these demands: the largest missing
+  /// |u_i|/√W_ii at u = q.
+  double hardestAlone() const;
   bool refine(ProximalWalk<BodyMotion>& walk, const Problem& problem, const NaturalMap& map,
               int& regionBudget, Solution& scratch, WorkDone& count);
   void keepPushes(VectorXd& r) const;

@@ -8,15 +8,6 @@ namespace delassus {
 /// interior-point method.
 namespace lorentz {
 
-/// x ∘ y in the Jordan algebra of the cone.
-Vec3 product(const Vec3& x, const Vec3& y);
-
-/// c with x ∘ c = b.
-Vec3 quotient(const Vec3& x, const Vec3& b);
-
-/// √(x_0² − ‖x_1‖²) for x in the interior of the cone.
-double cornerDistance(const Vec3& x);
-
 /// Largest t with x + t d in the cone.
 double longestStep(const Vec3& x, const Vec3& d);
 

@@ -7,8 +7,22 @@ namespace {
 
 constexpr char settled = 0, touched = 1;  // neighbours: touched + ring
 
-/// First unknown of contact or row k.
-int unknownOf(int k, int contacts) { return k < contacts ? 3 * k : 2 * contacts + k; }
+/// Makes room in a problem for these parts, without bodies and disks.
+BodySpace& makeRoom(int contacts, int rows, Problem& cut) {
+  cut.friction.resize(contacts);
+  cut.lower.resize(rows);
+  cut.upper.resize(rows);
+  cut.q.resize(cut.size());
+  cut.disks.clear();
+  BodySpace& space = cut.W.refill(cut.size());
+  space.contacts.clear();
+  space.rows.clear();
+  space.contacts.reserve(contacts);
+  space.rows.reserve(rows);
+  space.bodies = 0;
+  space.compliance.resize(cut.size());
+  return space;
+}
 
 /// Calls `visit` with every body that contact or row k moves.
 template <class Visit>
@@ -19,7 +33,7 @@ void visitBodies(const Problem& problem, int k, Visit visit) {
   const int b = k < n ? space.contacts[k].b : space.rows[k - n].b;
   if (a >= 0) visit(a);
   if (b >= 0) visit(b);
-  for (const BodySpace::Part& part : space.partsOf(unknownOf(k, n))) visit(part.body);
+  for (const BodySpace::Part& part : space.partsOf(problem.unknownOf(k))) visit(part.body);
 }
 
 }  // namespace
@@ -71,10 +85,8 @@ void Patches::join(const Problem& problem) {
 /// Leaves out disks whose governor, or a row of theirs, is held: they have no law of their own in a
 /// patch.
 void Patches::leaveOutDisks(const Problem& problem) {
-  const int n = problem.contacts();
   for (const Disk& disk : problem.disks) {
-    const int governor = disk.governor < 3 * n ? disk.governor / 3 : disk.governor - 2 * n;
-    const int first = disk.first - 2 * n;
+    const int governor = problem.partAt(disk.governor), first = problem.partAt(disk.first);
     bool held = owner_[governor] < 0;
     for (int k = first; k < first + disk.unknowns; ++k) held = held || owner_[k] < 0;
     if (held) std::fill_n(owner_.begin() + first, disk.unknowns, -1);
@@ -118,22 +130,10 @@ void Patches::cutOut(int patch, const Problem& problem, const VectorXd& r, const
   const int* last = parts_.data() + begin_[patch + 1];
   const int contacts = static_cast<int>(std::lower_bound(first, last, n) - first);
   const int rows = static_cast<int>(last - first) - contacts;
-  const int size = 3 * contacts + rows;
 
-  BodySpace& own = cut.W.refill(size);
-  own.contacts.clear();
-  own.rows.clear();
-  own.contacts.reserve(contacts);
-  own.rows.reserve(rows);
-  own.bodies = 0;
-  own.compliance.resize(size);
-  cut.q.resize(size);
-  cut.friction.resize(contacts);
-  cut.lower.resize(rows);
-  cut.upper.resize(rows);
-  cut.disks.clear();
+  BodySpace& own = makeRoom(contacts, rows, cut);
   cut.roundOff = problem.roundOff;
-  reactions.resize(size);
+  reactions.resize(cut.size());
   const auto numberOf = [&](int body) {
     if (body < 0) return body;
     if (place_[body] < 0) place_[body] = own.bodies++;
@@ -141,7 +141,7 @@ void Patches::cutOut(int patch, const Problem& problem, const VectorXd& r, const
   };
   std::size_t disk = 0;
   for (int i = 0; i < contacts + rows; ++i) {
-    const int k = first[i], from = unknownOf(k, n), to = unknownOf(i, contacts);
+    const int k = first[i], from = problem.unknownOf(k), to = cut.unknownOf(i);
     const int unknowns = k < n ? 3 : 1;
     if (k < n) {
       own.contacts.push_back(space.contacts[k]);
@@ -167,9 +167,8 @@ void Patches::cutOut(int patch, const Problem& problem, const VectorXd& r, const
     while (disk < problem.disks.size() && problem.disks[disk].first < from) ++disk;
     if (disk == problem.disks.size() || problem.disks[disk].first != from) continue;
     Disk law = problem.disks[disk];
-    const int governor = law.governor < 3 * n ? law.governor / 3 : law.governor - 2 * n;
-    const int place = static_cast<int>(std::lower_bound(first, last, governor) - first);
-    law.governor = unknownOf(place, contacts);
+    const int* governor = std::lower_bound(first, last, problem.partAt(law.governor));
+    law.governor = cut.unknownOf(static_cast<int>(governor - first));
     law.first = to;
     cut.disks.push_back(law);
   }
@@ -185,7 +184,7 @@ void Patches::putBack(int patch, const Problem& problem, const VectorXd& reactio
   int to = 0;
   for (int at = begin_[patch]; at < begin_[patch + 1]; ++at) {
     const int unknowns = parts_[at] < n ? 3 : 1;
-    r.segment(unknownOf(parts_[at], n), unknowns) = reactions.segment(to, unknowns);
+    r.segment(problem.unknownOf(parts_[at]), unknowns) = reactions.segment(to, unknowns);
     to += unknowns;
   }
 }

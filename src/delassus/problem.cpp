@@ -138,11 +138,9 @@ Interval allowedWithoutFriction(const Problem& problem, int unknown) {
 std::vector<int> unfitParts(const Problem& problem) {
   std::vector<int> unfit;
   const int contacts = problem.contacts();
-  for (int part = areContactsFit(problem) ? contacts : 0; part < contacts + problem.rows();
-       ++part) {
-    const bool contact = part < contacts;
-    const int first = contact ? 3 * part : 2 * contacts + part;
-    if (!isFit(problem, part, first, contact ? 3 : 1)) unfit.push_back(first);
+  for (int part = areContactsFit(problem) ? contacts : 0; part < problem.parts(); ++part) {
+    const int first = problem.unknownOf(part);
+    if (!isFit(problem, part, first, part < contacts ? 3 : 1)) unfit.push_back(first);
   }
   for (std::size_t k = 0; k < problem.disks.size(); ++k) {
     const bool last = k + 1 == problem.disks.size();

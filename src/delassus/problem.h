@@ -32,6 +32,11 @@ struct Problem {
   int rows() const { return static_cast<int>(lower.size()); }
   int parts() const { return contacts() + rows(); }  ///< rows of disks included
   int size() const { return 3 * contacts() + rows(); }
+  /// The first unknown of a part; contacts come before rows.
+  int unknownOf(int part) const { return part < contacts() ? 3 * part : 2 * contacts() + part; }
+  int partAt(int unknown) const {
+    return unknown < 3 * contacts() ? unknown / 3 : unknown - 2 * contacts();
+  }
   /// Of W only the storage of the body space is counted.
   std::size_t bytes() const { return W.bytes() + bytesOf(q, friction, lower, upper, disks); }
   int disksBegin() const { return disks.empty() ? size() : disks.front().first; }

@@ -26,7 +26,7 @@ class ProximalSpace {
     forgetFactor();
     return motion_;
   }
-  /// A method that keeps the space for longer calls this each time it has factored in it.
+  /// A method that keeps the motion space, and factors in it on its own, calls this.
   void forgetFactor() { hasFactor_ = false; }
   /// Whether a region that is already factored is not factored again.
   void keepFactors(bool keep) { keepsFactors_ = keep; }

@@ -20,7 +20,7 @@ class ProximalWeight {
   /// Call it if no answer was found.
   void grow() {
     constexpr double growth = 10;
-    value_ *= growth;
+    value_ = std::min(most_, growth * value_);
     shrink_ = std::sqrt(shrink_);
     easyInARow_ = 0;
   }

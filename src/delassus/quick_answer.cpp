@@ -37,7 +37,8 @@ bool QuickAnswer::find(Solution& answer) {
     best_.activeSet.contacts.resize(problem_.contacts());
     for (int i = 0; i < problem_.contacts(); ++i) best_.activeSet.contacts[i] = modeOf(i);
   } else if (!isSmall() || !walk()) {
-    if (isSmall()) measure();  // the reactions that a walk has left
+    // What a rocking sweep has left, or no sweeps.
+    if (isSmall() && !std::isfinite(best_.residual)) measure();
     return false;
   }
   answer = std::move(best_);

@@ -88,7 +88,7 @@ void blockSizes(const Problem& problem, const VectorXd& diagonal, ContactSize co
   sizes.tail(m) = diagonal.tail(m).cwiseAbs();
   for (const Disk& disk : problem.disks)
     if (disk.unknowns == 2)
-      sizes.segment<2>(disk.first - 2 * n)
+      sizes.segment<2>(problem.partAt(disk.first))
           .setConstant(spectralNorm(problem.W.pairBlock(disk.first)));
 
   const double largest = sizes.size() > 0 ? sizes.maxCoeff() : 0;
@@ -136,7 +136,7 @@ void visitNaturalMap(const Problem& problem, const VectorXd& r, const VectorXd& 
     visit(n + i, at, (whole * part) * (whole * part));
   }
   for (const Disk& disk : problem.disks) {
-    const int k = disk.first - 2 * n;
+    const int k = problem.partAt(disk.first);
     const double whole = size(k);
     const Vec2 part =
         disk.of(r) - projectOnDisk(disk.of(r) - 1 / whole * disk.of(u), disk.radiusAt(r));

@@ -39,7 +39,8 @@ Outcome Search::findBack(Engines<Motion>& engines, const Task& task, Solution& b
 /// squeeze it so that sweeps go round for ever: of 20 steps in a wedged bin whose first walk was
 /// lost, sweeps from nothing ended 10 and those from the last reactions 5. In another sample, of 25
 /// steps that both a walk and the last reactions had lost, half of these ended 6. For body space
-/// only, as plain sweeps are.
+/// only, as plain sweeps are. Without last reactions it uses no more than its first third: `wander`
+/// has the rest.
 Outcome Search::outlast(const Task& task, Solution& best) {
   constexpr double shares[] = {0, 0.5, 1};
   int startsLeft = 3;
@@ -77,7 +78,6 @@ Outcome Search::sweepAndWalk(const Task& task) {
     apart_.sweeps += sweepsLeft;
     consider(wandering_, apart_);
     const double before = apart_.residual;
-    takeBack(engines);
     const int most = isFar(wandering_) ? std::min(regionsLeft, aNudge) : regionsLeft;
     outcome = engines.walk.walkFrom(wandering_, task.tolerance,
                                     firstWeight(wandering_, leastWeightAfar), most, apart_);

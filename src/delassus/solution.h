@@ -58,7 +58,9 @@ struct Solution : WorkDone {
   // In a search, errors stand in the place of residuals (NaturalMap::error).
   /// Of the guess, m/s; infinite without one. Where friction is above 2, its error.
   double startResidual = 0;
-  double residual = 0;     ///< natural residual, largest over contacts, rows and disks, m/s
+  /// Natural residual, largest over contacts, rows and disks, m/s; infinite where the problem has
+  /// numbers for which no law can be stated.
+  double residual = 0;
   double residualRms = 0;  ///< its root mean square, m/s
   /// First unknowns of the contacts and rows that keep the problem from being solved: those with
   /// incompatible demands or non-finite numbers; if out of budget, the one with the largest

@@ -1,5 +1,5 @@
 #pragma once
-/// Fixed-size types shared by the whole core. Double precision always; frames are normal first.
+/// Vectors and matrices shared by the whole core. Double precision always; frames are normal first.
 
 #include <Eigen/Core>
 #include <limits>

@@ -12,7 +12,6 @@ namespace delassus {
 namespace {
 
 using Mat63 = Eigen::Matrix<double, 6, 3>;
-using Mat6 = Eigen::Matrix<double, 6, 6>;
 
 /// Jᵀ
 Mat63 wrenchPerReaction(const FeltPoint& point) {

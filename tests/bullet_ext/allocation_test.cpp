@@ -10,6 +10,7 @@
 #include "bullet_ext/gather.h"
 #include "bullet_ext/solve_group.h"
 #include "bullet_ext/write_back.h"
+#include "delassus/solver.h"
 #include "tests/support/allocations.h"
 #include "tests/support/bullet_world.h"
 #include "tests/support/pressed_piles.h"
@@ -21,6 +22,13 @@ namespace delassus::test {
 thread_local long allocations = 0;
 namespace {
 thread_local long heldBytes = 0;  ///< taken and not given back, by this thread
+thread_local long granted = -1;   ///< how often this thread will get memory yet; −1: always
+
+bool isRefused() {
+  if (granted == 0) return true;
+  if (granted > 0) --granted;
+  return false;
+}
 
 void* taken(void* memory) {
   ++allocations;
@@ -38,7 +46,10 @@ void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
 void __libc_free(void* memory);
 
-void* malloc(std::size_t size) { return delassus::test::taken(__libc_malloc(size)); }
+void* malloc(std::size_t size) {
+  if (delassus::test::isRefused()) return nullptr;
+  return delassus::test::taken(__libc_malloc(size));
+}
 void* realloc(void* memory, std::size_t size) {
   delassus::test::givenBack(memory);
   return delassus::test::taken(__libc_realloc(memory, size));
@@ -47,6 +58,7 @@ void* calloc(std::size_t count, std::size_t size) {
   return delassus::test::taken(__libc_calloc(count, size));
 }
 void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  if (delassus::test::isRefused()) return nullptr;
   return delassus::test::taken(__libc_memalign(alignment, size));
 }
 void free(void* memory) {
@@ -320,6 +332,33 @@ TEST(Allocation, AContactTakesFourKilobytesAtMost) {
   };
   EXPECT_LE(bytesPerContact(buildPyramid), 4096);
   EXPECT_LE(bytesPerContact(buildStack), 4096);
+}
+
+// Whatever memory is missing for more threads, the caller then works alone.
+TEST(Allocation, WhereThereIsNoneForThreadsTheCallerWorksAlone) {
+  int refusals = 0;
+  for (int enough = 0;; ++enough) {
+    SCOPED_TRACE(enough);
+    DelassusWorld world;
+    world.addGround();
+    for (int i = 0; i < 20; ++i) world.addCube({btScalar(3 * i), btScalar(0.5), 0});
+    world.delassus().setThreads(2);
+    world.advance();
+    bool isRefused = false;
+    granted = enough;
+    try {
+      world.delassus().setThreads(4);
+    } catch (const std::bad_alloc&) {
+      isRefused = true;
+    }
+    granted = -1;
+    world.advance();
+    ASSERT_EQ(world.report().contacts, 80);
+    ASSERT_EQ(world.report().solved, 20);
+    if (!isRefused) break;
+    ++refusals;
+  }
+  EXPECT_GT(refusals, 3);
 }
 
 }  // namespace

@@ -64,10 +64,18 @@ TEST(BlockInverse, SingularAndBrokenBlocksHaveNoInverse) {
   Mat6 broken = Mat6::Identity();
   broken(4, 1) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(invert(broken, inverse, isNegative));
+  // An infinite pivot leaves only zeros behind.
+  Mat6 infinite = Mat6::Identity();
+  infinite(2, 2) = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(invert(infinite, inverse, isNegative));
+  Mat6 coupled = infinite;
+  coupled(5, 2) = coupled(2, 5) = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(invert(coupled, inverse, isNegative));
 
   Mat6 transposed, indefinite = Mat6::Identity();
   indefinite(3, 3) = -1;
-  for (const Mat6& A : {Mat6(Mat6::Zero()), Mat6(Mat6::Ones()), broken, indefinite})
+  for (const Mat6& A :
+       {Mat6(Mat6::Zero()), Mat6(Mat6::Ones()), broken, infinite, coupled, indefinite})
     EXPECT_FALSE(invertCholesky(A, inverse, transposed));
 }
 

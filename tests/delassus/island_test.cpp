@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "delassus/contact_motion.h"
 #include "tests/support/random_problems.h"
 
 namespace delassus {
@@ -156,6 +157,23 @@ TEST(Assemble, WIsOneMatrixHoweverItIsAsked) {
   const VectorXd r = normalVector(problem.size(), random);
   EXPECT_LT((problem.W * r - W * r).norm(), 1e-13 * W.norm() * r.norm());
   EXPECT_GT(r.dot(W * r), 0);
+}
+
+// What one contact or row responds to itself needs no W.
+TEST(Assemble, ItsDiagonalIsThatOfTheSinglePartsAndTheirCompliance) {
+  Random random(34);
+  const Step s(random);
+  const Island island = splitIslands(s.bodies, s.contacts, s.rows).at(0);
+  const VectorXd expected = assemble(s.bodies, s.contacts, s.rows, island).W.diagonal() -
+                            compliances(s.contacts, s.rows, island);
+  std::vector<double> alone;
+  for (const int k : island.frictional)
+    for (int axis = 0; axis < 3; ++axis) alone.push_back(diagonal(s.bodies, s.contacts[k], axis));
+  for (const int k : island.frictionless) alone.push_back(diagonal(s.bodies, s.contacts[k], 0));
+  for (const int k : island.rows) alone.push_back(diagonal(s.bodies, s.rows[k]));
+  ASSERT_EQ(static_cast<int>(alone.size()), expected.size());
+  for (std::size_t i = 0; i < alone.size(); ++i)
+    EXPECT_NEAR(alone[i], expected[static_cast<int>(i)], 1e-13 * expected.maxCoeff()) << i;
 }
 
 TEST(Assemble, UnknownsStandInTheirOrderWithFrictionAndBounds) {

@@ -25,6 +25,47 @@ struct Script {
   void goBack() { at = kept; }
 };
 
+// Where no answer is found, the weight grows; it then shrinks in ever smaller steps, until answers
+// come easily.
+TEST(ProximalWeight, ShrinksMoreGentlyAfterAFailure) {
+  constexpr double least = 1e-12, most = 1;
+  const auto shrinkOf = [](ProximalWeight weight) {
+    const double before = weight.value();
+    weight.shrink();
+    return weight.value() / before;
+  };
+  ProximalWeight weight(1e-3, least, most);
+  double last = shrinkOf(weight);
+  EXPECT_LT(last, 1);
+  for (int failures = 1; failures <= 2; ++failures) {
+    const double before = weight.value();
+    weight.grow();
+    EXPECT_GT(weight.value(), before);
+    EXPECT_GT(shrinkOf(weight), last);
+    last = shrinkOf(weight);
+  }
+  weight.learn(true);
+  EXPECT_EQ(shrinkOf(weight), last) << "one easy answer may be luck";
+  for (int answers = 0; answers < 20; ++answers) weight.learn(true);
+  EXPECT_NEAR(shrinkOf(weight), shrinkOf(ProximalWeight(1e-3, least, most)), 1e-15);
+}
+
+TEST(ProximalWeight, StaysWithinItsBounds) {
+  constexpr double least = 1e-10, most = 1e-1;
+  ProximalWeight weight(1e-3, least, most);
+  const auto expectWithin = [&] {
+    EXPECT_GE(weight.value(), least);
+    EXPECT_LE(weight.value(), most);
+  };
+  for (int i = 0; i < 20; ++i) weight.shrink(), expectWithin();
+  EXPECT_TRUE(weight.isLeast());
+  for (int i = 0; i < 20; ++i) {
+    weight.grow(), expectWithin();
+    if (i % 3 == 0) weight.shrink(), expectWithin();
+  }
+  EXPECT_TRUE(weight.isMost());
+}
+
 TEST(ProximalCenters, AStepThatMissesMayBeTheWayToOneThatGains) {
   Script script{{1, 30, 5, 0.1}};
   const Descent descent = descend(script, 0.2, 10);
