@@ -34,6 +34,38 @@ struct Bolted {
   }
 };
 
+// A joint that leaves all play, as one that only a spring or a limit makes use of, is no bond.
+TEST(JoinedBodies, AreThoseThatAJointHolds) {
+  constexpr int boxes = 5;
+  constexpr double heavy = 500;
+  const auto sunk = [](bool hasSpring2, bool isLocked) {
+    DelassusWorld world;
+    world.addGround();
+    btRigidBody* below = nullptr;
+    for (int i = 0; i <= boxes; ++i) {
+      btRigidBody& box = world.addCube({0, btScalar(0.5) + i, 0}, i < boxes ? 1 : btScalar(heavy));
+      const btTransform up = world.at({0, btScalar(0.5), 0}),
+                        down = world.at({0, btScalar(-0.5), 0});
+      const btVector3 most(1, 1, 1), least = isLocked ? btVector3(1, -1, -1) : -most;
+      const auto leavePlay = [&](auto& joint) {
+        joint.setLinearLowerLimit(least);
+        joint.setLinearUpperLimit(most);
+      };
+      if (below && hasSpring2)
+        leavePlay(world.addJoint<btGeneric6DofSpring2Constraint>(*below, box, up, down));
+      else if (below)
+        leavePlay(world.addJoint<btGeneric6DofConstraint>(*below, box, up, down, true));
+      below = &box;
+    }
+    world.advance(60);
+    return boxes + 0.5 - below->getWorldTransform().getOrigin().y();
+  };
+  for (const bool hasSpring2 : {false, true}) {
+    EXPECT_NEAR(sunk(hasSpring2, false), 0, tolerance(1e-6, 1e-3));
+    EXPECT_GT(sunk(hasSpring2, true), 0.01) << "contacts of joined bodies give";
+  }
+}
+
 // By default, bodies that a joint links collide in Bullet. The joint holds, and they press no
 // harder than contacts that give by joinedSoftness.
 TEST(JoinedBodies, DoNotPressWithoutBounds) {

@@ -228,6 +228,30 @@ TEST(LockedAxes, ABallThatCannotRiseSlidesOverWhatItOverlaps) {
 // -------------------------------------------------------------------------------------------------
 
 // applyTorque applies the factor already, so it counts once.
+// A body that keeps its place is at rest only if it does not turn.
+TEST(LockedAxes, WhatCannotGoTurnsOn) {
+  const btVector3 axis(0, 1, 0);
+  constexpr double torque = 0.5, mass = 10;
+  for (const bool isDriven : {false, true}) {
+    SCOPED_TRACE(isDriven ? "a motor at its largest impulse" : "a motor that holds its speed");
+    DelassusWorld world;
+    btRigidBody& wheel =
+        world.addBox({btScalar(0.3), btScalar(0.1), btScalar(0.3)}, {0, 0, 0}, mass);
+    wheel.setLinearFactor({0, 0, 0});
+    wheel.setDamping(0, 0);
+    const double inertia = 1 / wheel.getInvInertiaTensorWorld()[1][1];
+    auto& hinge = world.addJoint<btHingeConstraint>(wheel, btVector3(0, 0, 0), axis);
+    constexpr double most = 0.01, target = 3;  // N·m·s, rad/s
+    hinge.enableAngularMotor(true, btScalar(target), btScalar(isDriven ? most : 100));
+    for (int step = 1; step <= 30; ++step) {
+      if (!isDriven) wheel.applyTorque(axis * -btScalar(torque));
+      world.advance();
+      const double expected = isDriven ? std::min(step * most / inertia, target) : target;
+      ASSERT_NEAR(wheel.getAngularVelocity().y(), expected, tolerance(1e-9, 1e-5)) << step;
+    }
+  }
+}
+
 TEST(LockedAxes, AFractionalAngularFactorTakesItsPartOfATorque) {
   for (const double factor : {0.5, 0.25, 2.0}) {
     const auto gain = [&](BulletWorld& world) {
