@@ -29,6 +29,7 @@ std::string Table::text() const {
 
 std::string shortNumber(double value, int digits) {
   if (std::isnan(value)) return "nan";  // printf may give it a sign
+  if (value == 0) return "0";           // and to zero
   char word[32];
   std::snprintf(word, sizeof word, "%.*g", digits, value);
   return word;

@@ -109,11 +109,13 @@ bool isCut(const CsvTable& table, int row) {
 
 /// Marks with names: `column` against time.
 Panel panelOf(const CsvTable& table, const std::string& title, const std::string& column) {
-  constexpr double least = 1e-12;  // drawn on the border: as good as zero
+  constexpr double least = 1e-12;  // as good as zero
   Panel panel;
   panel.title = title;
   panel.xLabel = "ms a step";
   panel.yLabel = title;
+  for (int row = 0; row < table.rows(); ++row)
+    if (table.number(row, column) <= least) panel.yLabel = title + " (lowest: none)";
   for (int row = 0; row < table.rows(); ++row) {
     const double value = table.number(row, column);
     if (!std::isfinite(value)) continue;
@@ -137,9 +139,10 @@ Figure figureOf(const SceneDescription& scene, const CsvTable& table) {
   figure.title = scene.name + ", each solver on its own: lower left is better";
   figure.columns = 3;
   figure.panelWidth = 400;
-  figure.panels.push_back(shouldStand(scene)
-                              ? panelOf(table, "furthest drift of a body, m", "drift")
-                              : panelOf(table, "energy gained, J", "energy_gain"));
+  if (shouldStand(scene))
+    figure.panels.push_back(panelOf(table, "furthest drift of a body, m", "drift"));
+  else if (!scene.driven)
+    figure.panels.push_back(panelOf(table, "energy gained, J", "energy_gain"));
   figure.panels.push_back(panelOf(table, "deepest overlap, m", "overlap"));
   figure.panels.push_back(
       anyAbove(table, "joint_error", 0)
@@ -170,7 +173,7 @@ std::string tableOf(const SceneDescription& scene, const CsvTable& table) {
     page.add({name, shortMs(table.number(row, "ms")), shortMs(table.number(row, "ms_p95")),
               value("drift"), value("overlap"), value("energy_gain"), value("joint_error"),
               shortNumber(table.number(row, "reaction"), 4), value("reaction_noise"),
-              value("fallbacks"),
+              std::to_string(int(table.number(row, "fallbacks"))),
               table.text(row, "steps") + (isCut(table, row) ? " (time limit)" : ""),
               stands(scene, table, row)});
   }
@@ -198,9 +201,9 @@ Words writeOwnTrajectory(const Plan& plan, const std::filesystem::path& report) 
       "gained are the worst of the run. Reaction over weight is the mean of the second half (at "
       "rest: 1), its noise the root\n"
       "mean square of its changes from step to step. A scene that should stand has fallen where a "
-      "body drifts 0.1 m.\nWhere a plot says cut, the time limit ended the run, whose worst may "
-      "have been yet to come.\n\n" +
-      words.body + trouble;
+      "body drifts 0.1 m.\nWhere a plot says cut, the time limit of " +
+      shortNumber(plan.trajectoryLimit) +
+      " s ended the run, whose worst may have been yet to come.\n\n" + words.body + trouble;
   return words;
 }
 

@@ -40,7 +40,8 @@ Panel modesPanel(const SceneView& view) {
 
 std::string percent(const SceneView& view, const std::string& method) {
   for (const Effort& effort : view.modes)
-    if (effort.method == method) return shortNumber(100 * effort.error, 2);
+    if (effort.method == method)
+      return shortNumber(100 * effort.error, effort.error < 0.995 ? 2 : 3);
   return "–";
 }
 

@@ -167,6 +167,7 @@ void addRoundAndHungScenes(std::vector<SceneDescription>& scenes) {
   scenes.push_back({"gripper", "two driven fingers lift a box by friction", 4,
                     seenFrom(4, 3, 9, 1.2), "the box rises 1 m with the fingers and does not slip",
                     [] { return buildGripper(); }});
+  scenes.back().driven = true;
 }
 
 /// The scenes of Bullet's own benchmark, and its vehicle.

@@ -32,6 +32,7 @@ struct SceneDescription {
   std::function<std::unique_ptr<World>()> build;
   double hz = 60;  ///< steps a second
   std::optional<Law> law = std::nullopt;
+  bool driven = false;  ///< something in it does work: energy is gained
 };
 
 }  // namespace demos
