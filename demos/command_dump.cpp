@@ -113,6 +113,18 @@ void refuseToShare(const std::string& file, std::size_t islands) {
                    std::to_string(islands) + ": name a file, and each gets one of its own");
 }
 
+/// Files that an earlier dump of more islands has left would pass for some of this step.
+void nameOlderFiles(const std::string& out, std::size_t islands) {
+  const auto file = [&](std::size_t island) { return fileOf(out, island, islands + 2); };
+  const std::size_t first = islands > 1 ? islands : 0;
+  std::size_t end = first;
+  std::error_code ignored;
+  while (std::filesystem::exists(file(end), ignored)) ++end;
+  if (end > first)
+    std::fprintf(stderr, "delassus: not of this step, but of an earlier dump: %s to %s\n",
+                 file(first).c_str(), file(end - 1).c_str());
+}
+
 int dumpProblems(const DumpArguments& arguments) {
   refuseToReplaceAWorld(arguments.out);
   Subject subject = openSubject(arguments.subject);
@@ -159,6 +171,7 @@ int dumpProblems(const DumpArguments& arguments) {
   }
   if (written == 0)
     throw std::runtime_error("nothing to write: no island of that step fits a problem format");
+  nameOlderFiles(arguments.out, islands);
   return exitDone;
 }
 
@@ -185,6 +198,10 @@ void addDumpCommand(CLI::App& app, Action& chosen) {
       ->required()
       ->type_name("FILE")
       ->check(notEmpty);
+  command->footer(
+      "A problem file has W as entries, and no reactions of a last step. 'solve' may take far "
+      "longer\n"
+      "over it than the step took in its world.");
   command->callback(
       [&chosen, arguments] { chosen = [arguments] { return dumpProblems(*arguments); }; });
 }

@@ -107,18 +107,18 @@ bool isCut(const CsvTable& table, int row) {
   return table.number(row, "steps") < table.number(row, "steps_wanted");
 }
 
-/// Marks with names: `column` against time.
+constexpr double least = 1e-12;  ///< as good as zero
+
+/// Marks with names: `column` against time. Of a run that was cut, zero tells nothing.
 Panel panelOf(const CsvTable& table, const std::string& title, const std::string& column) {
-  constexpr double least = 1e-12;  // as good as zero
   Panel panel;
   panel.title = title;
   panel.xLabel = "ms a step";
   panel.yLabel = title;
-  for (int row = 0; row < table.rows(); ++row)
-    if (table.number(row, column) <= least) panel.yLabel = title + " (lowest: none)";
   for (int row = 0; row < table.rows(); ++row) {
     const double value = table.number(row, column);
-    if (!std::isfinite(value)) continue;
+    if (!std::isfinite(value) || (value <= least && isCut(table, row))) continue;
+    if (value <= least) panel.yLabel = title + " (lowest: none)";
     Curve mark;
     mark.colour = familyColour(table.text(row, "family"));
     mark.marks = {{table.number(row, "ms"), std::max(value, least)}};
@@ -141,7 +141,7 @@ Figure figureOf(const SceneDescription& scene, const CsvTable& table) {
   figure.panelWidth = 400;
   if (shouldStand(scene))
     figure.panels.push_back(panelOf(table, "furthest drift of a body, m", "drift"));
-  else if (!scene.driven)
+  else if (!scene.driven && anyAbove(table, "energy_gain", least))
     figure.panels.push_back(panelOf(table, "energy gained, J", "energy_gain"));
   figure.panels.push_back(panelOf(table, "deepest overlap, m", "overlap"));
   figure.panels.push_back(

@@ -61,6 +61,7 @@ class Search {
   /// The residual is to be brought within the tolerance, m/s.
   void setProblem(const Problem& problem, double tolerance) {
     problem_ = &problem;
+    takesEnergy_ = false;
     map_.setProblem(problem);
     map_.aimAt(tolerance);
     patchWork_ = {};

@@ -87,6 +87,7 @@ TEST_F(Command, LostOutputIsAFailure) {
 
 TEST_F(Command, RefusesRunsWithoutEnd) {
   for (const std::string& endless : {std::string("run one_box --seconds 1e30"),
+                                     std::string("run one_box --hz 1e16 --seconds 1e-15"),
                                      "dump one_box --at 1e30 --out " + file("a.fc3d")}) {
     const Outcome outcome = call(endless);
     EXPECT_EQ(outcome.status, 1) << endless;

@@ -1,9 +1,11 @@
 // What the command does with problem files: `solve` and `dump`.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "tests/command_call.h"
 #include "tests/support/shared_data.h"
@@ -93,6 +95,62 @@ TEST_F(ProblemFiles, DoesNotWriteOverItsInput) {
   EXPECT_FALSE(std::filesystem::exists(file("many-0.bullet"))) << "nothing or all of it";
   EXPECT_EQ(call("dump one_box --at 0 --out " + file("new.fc3d")).status, 0);
   EXPECT_EQ(call("dump one_box --at 0 --out " + file("new.fc3d")).status, 0) << "its own, again";
+}
+
+// A file keeps what it has until what replaces it is complete.
+TEST_F(ProblemFiles, LosesNothingWhereThereIsNoRoom) {
+  const std::string problem = easyProblem();
+  const std::string solution = write("old.sol", "somebody's"),
+                    dumped = write("old.fc3d", "somebody's");
+  for (const auto& [arguments, target] :
+       {std::pair("solve " + problem + " --solution " + solution, solution),
+        std::pair("dump stack_10 --at 0 --out " + dumped, dumped)}) {
+    // Files of at most no blocks.
+    const std::string line = "(trap '' XFSZ; ulimit -f 0; " + std::string(DELASSUS_COMMAND) + " " +
+                             arguments + " 2>&1) | cat > " + file("said");
+    ASSERT_EQ(std::system(("bash -c \"" + line + "\"").c_str()), 0);
+    EXPECT_NE(read(file("said")).find(target + ": cannot be written"), std::string::npos)
+        << read(file("said"));
+    EXPECT_EQ(read(target), "somebody's");
+    EXPECT_FALSE(std::filesystem::exists(target + ".unfinished"));
+  }
+}
+
+TEST_F(ProblemFiles, ALinkToASolutionStaysOne) {
+  const std::string solution = write("real.sol", "somebody's");
+  std::filesystem::create_symlink(solution, file("link.sol"));
+  ASSERT_EQ(call("solve " + easyProblem() + " --solution " + file("link.sol")).status, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(file("link.sol")));
+  EXPECT_EQ(read(solution).rfind("solution v1\n", 0), 0U);
+}
+
+TEST_F(ProblemFiles, NamesFilesOfAnEarlierDump) {
+  for (const char* island : {"0", "11", "12", "13"})
+    write(std::string("step-") + island + ".fc3d", "older");
+  const Outcome outcome = call("dump box_headings --at 0 --out " + file("step.fc3d"));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
+  EXPECT_NE(outcome.err.find(file("step-12.fc3d") + " to " + file("step-13.fc3d")),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_NE(read(file("step-11.fc3d")), "older");
+  EXPECT_EQ(read(file("step-12.fc3d")), "older");
+}
+
+// In a wide cone the published measures hardly show that a contact approaches.
+TEST_F(ProblemFiles, NothingApproachesWhereItIsSolved) {
+  for (const char* mu : {"1e3", "1e8", "1e101", "1e140", "1e300"}) {
+    std::string text = read(easyProblem());
+    text.replace(text.find("0.5"), 3, mu);
+    const Outcome outcome =
+        call("solve " + write("wide.fc3d", text) + " --json --solution " + file("wide.sol"));
+    const json solved = json::parse(outcome.out);
+    EXPECT_EQ(outcome.status, solved["status"] == "solved" ? 0 : 3) << mu;
+    if (solved["status"] != "solved") continue;
+    // The contact sticks: r = −q.
+    EXPECT_NE(read(file("wide.sol")).find("\n1 -0.1 "), std::string::npos)
+        << mu << read(file("wide.sol"));
+  }
 }
 
 // Names are bytes, but JSON is UTF-8.

@@ -392,5 +392,51 @@ TEST(Solver, AGuessThatIsNotAllowedIsMovedIntoItsConeAndBounds) {
   EXPECT_LE(infeasibility(problem, solution.r), 1e-15);
 }
 
+// Where bodies lie deep in each other, a few sweeps from nothing raise the residual. They are kept
+// all the same, since they take energy; not if there is a guess, which may be nearer.
+TEST(Solver, FewSweepsFromNothingTakeEnergy) {
+  // Balls that all overlap: each demand presses all others.
+  constexpr int balls = 12;
+  Pile pile;
+  Random random(211);
+  for (int i = 0; i < balls; ++i) pile.bodies.push_back(makeBox(1, 0.5, Vec6::Zero()));
+  for (int a = 0; a < balls; ++a)
+    for (int b = 0; b < a; ++b) {
+      Contact& contact = pile.contacts.emplace_back();
+      contact.a = a;
+      contact.b = b;
+      contact.frame = Eigen::AngleAxisd(uniform(random, 0, 3), normalVector(3, random).normalized())
+                          .toRotationMatrix();
+      contact.target[0] = 1;
+    }
+  const PileIsland island(pile);
+  const auto energyOf = [&](const VectorXd& r) {
+    return r.dot(island.problem.q + (island.problem.W * r + island.problem.q)) / 2;
+  };
+  for (const int sweeps : {2, 5, 10}) {
+    const Solution solution = Solver(Options::bounded(sweeps)).solve(island.problem);
+    EXPECT_LT(energyOf(solution.r), 0) << sweeps;
+    const VectorXd guess = 1e-3 * VectorXd::Ones(island.problem.size());
+    const Solution next = Solver(Options::bounded(sweeps)).solve(island.problem, guess);
+    EXPECT_LE(next.residual, next.startResidual) << sweeps;
+  }
+}
+
+TEST(Solver, HasNoMemoryOfEarlierProblems) {
+  for (const Options& options : {Options(), Options::bounded(3)}) {
+    Random random(212);
+    Solver used(options);
+    for (int k = 0; k < 24; ++k) {
+      Pile pile = makeTower(randomMasses(2 + k % 5, 10, random), 0.6, 0.05, random);
+      mixFriction(pile, 1, random);
+      const PileIsland island(pile);
+      const VectorXd guess =
+          k % 2 ? VectorXd() : VectorXd(VectorXd::Constant(island.problem.size(), 0.01 * k));
+      const Solution again = used.solve(island.problem, guess);
+      EXPECT_EQ(again.r, Solver(options).solve(island.problem, guess).r) << k;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace delassus

@@ -174,8 +174,10 @@ SweepGroup stackPair() {
 }
 
 SweepGroup chainPair() {
-  SweepGroup group{
-      "chain_pair", "Ball on 20 links of 1 kg, let go from 30 degrees", {}, "time step"};
+  SweepGroup group{"chain_pair",
+                   "Ball on 20 links of 1 kg, let go from 30 degrees, 1 s instead of 2",
+                   {},
+                   "time step"};
   for (const double rate : {60, 240, 960, 3840}) {
     Sweep sweep = chain(20);
     sweep.name = "chain_" + std::to_string(int(rate));

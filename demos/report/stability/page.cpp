@@ -224,14 +224,14 @@ Section pairSection(const SweepGroup& group, const std::vector<Reading>& reading
 }
 
 constexpr const char* legend =
-    R"(Each sweep makes one thing harder and leaves all else; the last pictures make two things harder at once, the second one
+    R"(Each series of trials makes one thing harder and leaves all else; the last pictures make two things harder at once, the second one
 from row to row. A cell is one run:
 
-- **holds**: the law of the sweep is kept, nothing was reported;
+- **holds**: the law of the series is kept, nothing was reported;
 - **holds and says so** (o): the law is kept; steps that ended above the tolerance were reported (out of budget,
   incompatible demands; a stock MLCP solver: given up);
 - **fails and says so** (!): the law is broken, and steps were reported;
-- **fails** (x): the law is broken and nobody said a word. Stock's sweeps never report anything. Where ours is red, the
+- **fails** (x): the law is broken and nobody said a word. Stock's sweeps never report anything. Where ours does, the
   law of the step was kept to its tolerance and something else broke the motion: the time stepping, the narrow phase or
   the rounding of poses. Its residual stands in the table, the cause above it;
 - **too slow** (t): it held until its time was up, or a step had no end; **crashes** (#): or asks for more than 6 GB.

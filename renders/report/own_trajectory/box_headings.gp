@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.008883 1e-12 0.008883 0.008883
+0.008903 1e-12 0.008903 0.008903
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.024887 1e-12 0.024887 0.024887
+0.025308 1e-12 0.025308 0.025308
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.015733 1e-12 0.015733 0.015733
+0.015302 1e-12 0.015302 0.015302
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.055572 1e-12 0.055572 0.055572
+0.055793 1e-12 0.055793 0.055793
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.207066 1e-12 0.207066 0.207066
+0.207117 1e-12 0.207117 0.207117
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-1.01695 1e-12 1.01695 1.01695
+1.0171 1e-12 1.0171 1.0171
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.084656 1e-12 0.084656 0.084656
+0.084495 1e-12 0.084495 0.084495
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.019579 1e-12 0.019579 0.019579
+0.018538 1e-12 0.018538 0.018538
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.075462 1e-12 0.075462 0.075462
+0.07417 1e-12 0.07417 0.07417
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.158374 1e-12 0.158374 0.158374
+0.156632 1e-12 0.156632 0.156632
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.042473 1e-12 0.042473 0.042473
+0.04081 1e-12 0.04081 0.04081
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.129432 1e-12 0.129432 0.129432
+0.126417 1e-12 0.126417 0.126417
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-1.5735 1e-12 1.5735 1.5735
+1.51498 1e-12 1.51498 1.51498
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.008883 0.0168827 0.008883 0.008883
+0.008903 0.0168827 0.008903 0.008903
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.024887 0.0123288 0.024887 0.024887
+0.025308 0.0123288 0.025308 0.025308
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.015733 0.0111974 0.015733 0.015733
+0.015302 0.0111974 0.015302 0.015302
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.055572 0.0144332 0.055572 0.055572
+0.055793 0.0144332 0.055793 0.055793
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.207066 0.0144332 0.207066 0.207066
+0.207117 0.0144332 0.207117 0.207117
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-1.01695 0.0144332 1.01695 1.01695
+1.0171 0.0144332 1.0171 1.0171
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.084656 0.0123557 0.084656 0.084656
+0.084495 0.0123557 0.084495 0.084495
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.019579 0.0131251 0.019579 0.019579
+0.018538 0.0131251 0.018538 0.018538
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.075462 0.0129979 0.075462 0.075462
+0.07417 0.0129979 0.07417 0.07417
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.158374 0.0141521 0.158374 0.158374
+0.156632 0.0141521 0.156632 0.156632
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.042473 0.0161089 0.042473 0.042473
+0.04081 0.0161089 0.04081 0.04081
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.129432 0.0122605 0.129432 0.129432
+0.126417 0.0122605 0.126417 0.126417
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-1.5735 0.0469486 1.5735 1.5735
+1.51498 0.0469486 1.51498 1.51498
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.008883 1e-12 0.008883 0.008883
+0.008903 1e-12 0.008903 0.008903
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.024887 0.000104688 0.024887 0.024887
+0.025308 0.000104688 0.025308 0.025308
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.015733 7.46436e-06 0.015733 0.015733
+0.015302 7.46436e-06 0.015302 0.015302
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.055572 7.6924e-09 0.055572 0.055572
+0.055793 7.6924e-09 0.055793 0.055793
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.207066 8.36709e-09 0.207066 0.207066
+0.207117 8.36709e-09 0.207117 0.207117
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-1.01695 1.32551e-08 1.01695 1.01695
+1.0171 1.32551e-08 1.0171 1.0171
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.084656 4.43081e-09 0.084656 0.084656
+0.084495 4.43081e-09 0.084495 0.084495
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.019579 0.000438412 0.019579 0.019579
+0.018538 0.000438412 0.018538 0.018538
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.075462 1.022e-08 0.075462 0.075462
+0.07417 1.022e-08 0.07417 0.07417
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.158374 7.00686e-09 0.158374 0.158374
+0.156632 7.00686e-09 0.156632 0.156632
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-0.042473 1.25939e-05 0.042473 0.042473
+0.04081 1.25939e-05 0.04081 0.04081
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-0.129432 7.66175e-09 0.129432 0.129432
+0.126417 7.66175e-09 0.126417 0.126417
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-1.5735 0.26307 1.5735 1.5735
+1.51498 0.26307 1.51498 1.51498
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,35 +212,36 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00601041:5.97246]
+set xrange [0.00604222:5.69118]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
 set mytics
 set format y "%g"
 set yrange [1e-13:1e-11]
-set ylabel "energy gained, J" noenhanced
+set ylabel "energy gained, J (lowest: none)" noenhanced
 unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.23282, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.000230351, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.349221, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.539814, graph 0.5 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.770422, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.410211, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.383269, graph 0.5 to graph 0.410211, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.198061, graph 0.418534 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.171119, graph 0.5 to graph 0.198061, graph 0.418534 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.393553, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.366611, graph 0.5 to graph 0.393553, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.50097, graph 0.371983 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.474028, graph 0.5 to graph 0.50097, graph 0.371983 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.0992262, graph 0.593103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.283329, graph 0.5 to graph 0.256387, graph 0.593103 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.148426, graph 0.371983 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.444787, graph 0.5 to graph 0.417845, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
+set label "delassus:1e-3" at graph 0.236108, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.162635, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.135693, graph 0.5 to graph 0.162635, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.351549, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.543087, graph 0.5 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.775484, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.412158, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.385216, graph 0.5 to graph 0.412158, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:10" at graph 0.190649, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.163707, graph 0.5 to graph 0.190649, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.393125, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.366184, graph 0.5 to graph 0.393125, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.502289, graph 0.371983 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.475347, graph 0.5 to graph 0.502289, graph 0.371983 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.305882, graph 0.371983 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.27894, graph 0.5 to graph 0.305882, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.470993, graph 0.639655 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.444051, graph 0.5 to graph 0.470993, graph 0.639655 nohead lw 0.6 lc rgb '#555555'
 set label "lemke" at graph 0.833669, graph 0.534914 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -264,7 +265,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00601041:5.97246]
+set xrange [0.00604222:5.69118]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -275,26 +276,25 @@ set ylabel "deepest overlap, m" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.000230351, graph 0.524559 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.471729, graph 0.544254 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.23282, graph 0.48727 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.205878, graph 0.54546 to graph 0.23282, graph 0.48727 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.221618, graph 0.545934 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:50" at graph 0.393553, graph 0.603488 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.366611, graph 0.556936 to graph 0.393553, graph 0.603488 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:10" at graph 0.198061, graph 0.628879 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.171119, graph 0.559051 to graph 0.198061, graph 0.628879 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.50097, graph 0.656877 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.474028, graph 0.575411 to graph 0.50097, graph 0.656877 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:50" at graph 0.349221, graph 0.684423 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.32228, graph 0.579682 to graph 0.349221, graph 0.684423 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.539814, graph 0.486578 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.512872, graph 0.579682 to graph 0.539814, graph 0.486578 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.770422, graph 0.579682 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.0992262, graph 0.684999 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.283329, graph 0.603533 to graph 0.256387, graph 0.684999 nohead lw 0.6 lc rgb '#555555'
-set label "delassus" at graph 0.0835457, graph 0.741738 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566038, graph 0.61372 to graph 0.0835457, graph 0.741738 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:10" at graph 0.162635, graph 0.512921 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.470993, graph 0.544254 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.236108, graph 0.626925 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.209166, graph 0.54546 to graph 0.236108, graph 0.626925 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.412158, graph 0.487745 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.385216, graph 0.545934 to graph 0.412158, graph 0.487745 nohead lw 0.6 lc rgb '#e69f00'
+set label "nncg:50" at graph 0.18208, graph 0.463833 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.366184, graph 0.556936 to graph 0.339242, graph 0.463833 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:10" at graph 0.190649, graph 0.67543 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.163707, graph 0.559051 to graph 0.190649, graph 0.67543 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.502289, graph 0.680153 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.475347, graph 0.575411 to graph 0.502289, graph 0.680153 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:50" at graph 0.185407, graph 0.579682 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.543087, graph 0.59132 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.775484, graph 0.579682 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.305882, graph 0.731551 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.27894, graph 0.603533 to graph 0.305882, graph 0.731551 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.0835457, graph 0.7301 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566038, graph 0.61372 to graph 0.0835457, graph 0.7301 nohead lw 0.6 lc rgb '#0060a8'
 set label "lemke" at graph 0.833669, graph 0.835812 left front noenhanced textcolor rgb '#999999'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -318,31 +318,31 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00601041:5.97246]
+set xrange [0.00604222:5.69118]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
 unset mytics
 set format y "10^{%T}"
 set yrange [1e-13:1]
-set ylabel "noise of ground reaction / weight" noenhanced
+set ylabel "noise of ground reaction / weight (lowest: none)" noenhanced
 unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.410211, graph 0.345784 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.50097, graph 0.407646 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.148426, graph 0.410631 left front noenhanced textcolor rgb '#555555'
-set label "si:50" at graph 0.18308, graph 0.352575 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.539814, graph 0.460125 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.512872, graph 0.37866 to graph 0.539814, graph 0.460125 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:50" at graph 0.182508, graph 0.466808 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.366611, graph 0.385342 to graph 0.339669, graph 0.466808 nohead lw 0.6 lc rgb '#009e73'
-set label "si:1000" at graph 0.770422, graph 0.39403 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.166372, graph 0.605615 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.310271, graph 0.623089 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.23282, graph 0.693838 left front noenhanced textcolor rgb '#0060a8'
-set label "nncg:10" at graph 0.198061, graph 0.741683 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.412158, graph 0.345784 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.502289, graph 0.407646 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.147689, graph 0.410631 left front noenhanced textcolor rgb '#555555'
+set label "si:50" at graph 0.185407, graph 0.352575 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.543087, graph 0.460125 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.516145, graph 0.37866 to graph 0.543087, graph 0.460125 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:50" at graph 0.18208, graph 0.466808 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.366184, graph 0.385342 to graph 0.339242, graph 0.466808 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000" at graph 0.775484, graph 0.39403 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.162635, graph 0.605615 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.305882, graph 0.623089 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.236108, graph 0.693838 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg:10" at graph 0.190649, graph 0.741683 left front noenhanced textcolor rgb '#009e73'
 set label "lemke" at graph 0.833669, graph 0.95539 left front noenhanced textcolor rgb '#999999'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \

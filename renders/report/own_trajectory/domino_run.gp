@@ -2,197 +2,197 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.04695 1e-12 0.04695 0.04695
+0.04744 1e-12 0.04744 0.04744
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.102843 1e-12 0.102843 0.102843
+0.103663 1e-12 0.103663 0.103663
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.051786 0.0113843 0.051786 0.051786
+0.051636 0.0113843 0.051636 0.051636
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.187187 0.00162683 0.187187 0.187187
+0.187718 0.00162683 0.187718 0.187718
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.702129 1e-12 0.702129 0.702129
+0.702119 1e-12 0.702119 0.702119
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-3.43324 1e-12 3.43324 3.43324
+3.44657 1e-12 3.44657 3.44657
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.281978 0.00162046 0.281978 0.281978
+0.286984 0.00162046 0.286984 0.286984
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.064485 0.00955586 0.064485 0.064485
+0.064055 0.00955586 0.064055 0.064055
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.254567 0.000600458 0.254567 0.254567
+0.2495 0.000600458 0.2495 0.2495
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.734487 0.00162683 0.734487 0.734487
+0.73664 0.00162683 0.73664 0.73664
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-1.71447 0.008131 1.71447 1.71447
+1.66095 0.008131 1.66095 1.66095
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-3.48218 1e-12 3.48218 3.48218
+3.38233 1e-12 3.38233 3.38233
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-1863.99 0.0113843 1863.99 1863.99
+1913.32 0.0113843 1913.32 1913.32
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.04695 0.0785153 0.04695 0.04695
+0.04744 0.0785153 0.04744 0.04744
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.102843 0.0786795 0.102843 0.102843
+0.103663 0.0786795 0.103663 0.103663
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.051786 0.0624788 0.051786 0.051786
+0.051636 0.0624788 0.051636 0.051636
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.187187 0.0810167 0.187187 0.187187
+0.187718 0.0810167 0.187718 0.187718
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.702129 0.0805158 0.702129 0.702129
+0.702119 0.0805158 0.702119 0.702119
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-3.43324 0.0665111 3.43324 3.43324
+3.44657 0.0665111 3.44657 3.44657
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.281978 0.0785494 0.281978 0.281978
+0.286984 0.0785494 0.286984 0.286984
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.064485 0.0790071 0.064485 0.064485
+0.064055 0.0790071 0.064055 0.064055
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.254567 0.0736459 0.254567 0.254567
+0.2495 0.0736459 0.2495 0.2495
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.734487 0.0756228 0.734487 0.734487
+0.73664 0.0756228 0.73664 0.73664
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-1.71447 0.0682672 1.71447 1.71447
+1.66095 0.0682672 1.66095 1.66095
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-3.48218 0.0689653 3.48218 3.48218
+3.38233 0.0689653 3.38233 3.38233
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-1863.99 4.55553e-06 1863.99 1863.99
+1913.32 4.55553e-06 1913.32 1913.32
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.04695 0.122335 0.04695 0.04695
+0.04744 0.122335 0.04744 0.04744
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.102843 0.122498 0.102843 0.102843
+0.103663 0.122498 0.103663 0.103663
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.051786 0.124763 0.051786 0.051786
+0.051636 0.124763 0.051636 0.051636
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.187187 0.141059 0.187187 0.187187
+0.187718 0.141059 0.187718 0.187718
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-0.702129 0.143825 0.702129 0.702129
+0.702119 0.143825 0.702119 0.702119
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-3.43324 0.140012 3.43324 3.43324
+3.44657 0.140012 3.44657 3.44657
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-0.281978 0.122349 0.281978 0.281978
+0.286984 0.122349 0.286984 0.286984
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.064485 0.154217 0.064485 0.064485
+0.064055 0.154217 0.064055 0.064055
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-0.254567 0.120444 0.254567 0.254567
+0.2495 0.120444 0.2495 0.2495
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-0.734487 0.131988 0.734487 0.734487
+0.73664 0.131988 0.73664 0.73664
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-1.71447 0.119852 1.71447 1.71447
+1.66095 0.119852 1.66095 1.66095
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-3.48218 0.12296 3.48218 3.48218
+3.38233 0.12296 3.38233 3.38233
 EOD
 $line2_12 << EOD
 EOD
 $marks2_12 << EOD
-1863.99 1e-12 1863.99 1863.99
+1913.32 1e-12 1913.32 1913.32
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -212,33 +212,33 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0181383:359420]
+set xrange [0.0183018:371830]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
 unset mytics
 set format y "10^{%T}"
 set yrange [1e-13:0.1]
-set ylabel "energy gained, J" noenhanced
+set ylabel "energy gained, J (lowest: none)" noenhanced
 unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.106609 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.130214, graph 0.0600575 left front noenhanced textcolor rgb '#0060a8'
-set label "si:200" at graph 0.244541, graph 0.153161 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.217599, graph 0.0833333 to graph 0.244541, graph 0.153161 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.339002, graph 0.106609 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.339845, graph 0.199713 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.312903, graph 0.0833333 to graph 0.339845, graph 0.199713 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.184158, graph 0.814874 left front noenhanced textcolor rgb '#009e73'
-set label "si2:50" at graph 0.00165068, graph 0.850803 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.165859, graph 0.885859 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.247222, graph 0.944049 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.22028, graph 0.850945 to graph 0.247222, graph 0.944049 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.297674, graph 0.885903 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.102433, graph 0.763729 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0754914, graph 0.915022 to graph 0.102433, graph 0.763729 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.0893805, graph 0.932997 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.13, graph 0.0600575 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.243684, graph 0.153161 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.216742, graph 0.0833333 to graph 0.243684, graph 0.153161 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.338237, graph 0.106609 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.337118, graph 0.199713 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.310176, graph 0.0833333 to graph 0.337118, graph 0.199713 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.182197, graph 0.814874 left front noenhanced textcolor rgb '#009e73'
+set label "si2:50" at graph 0.00192109, graph 0.850803 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.165288, graph 0.885859 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.246536, graph 0.944049 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.219594, graph 0.850945 to graph 0.246536, graph 0.944049 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig" at graph 0.294854, graph 0.885903 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.101391, graph 0.763729 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0744487, graph 0.915022 to graph 0.101391, graph 0.763729 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.0885825, graph 0.932997 left front noenhanced textcolor rgb '#d55e00'
 set label "lemke (cut)" at graph 0.713778, graph 0.921359 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -262,7 +262,7 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0181383:359420]
+set xrange [0.0183018:371830]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
@@ -274,28 +274,28 @@ unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.109756 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.0893805, graph 0.787651 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.339002, graph 0.803816 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.297674, graph 0.852254 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.270732, graph 0.805702 to graph 0.297674, graph 0.852254 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.0165416, graph 0.85299 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.312903, graph 0.806438 to graph 0.285961, graph 0.85299 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.184158, graph 0.729726 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.157216, graph 0.811191 to graph 0.184158, graph 0.729726 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.247222, graph 0.906212 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.22028, graph 0.813109 to graph 0.247222, graph 0.906212 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:10" at graph 0.0885825, graph 0.787651 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.338237, graph 0.803816 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.294854, graph 0.852254 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.267912, graph 0.805702 to graph 0.294854, graph 0.852254 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig:1e-6" at graph 0.0138151, graph 0.85299 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.310176, graph 0.806438 to graph 0.283234, graph 0.85299 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:50" at graph 0.182197, graph 0.729726 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.155255, graph 0.811191 to graph 0.182197, graph 0.729726 nohead lw 0.6 lc rgb '#009e73'
+set label "pgs:50" at graph 0.246536, graph 0.906212 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.219594, graph 0.813109 to graph 0.246536, graph 0.906212 nohead lw 0.6 lc rgb '#cc79a7'
 set label "delassus" at graph 0.0835457, graph 0.955481 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.815826 to graph 0.0835457, graph 0.955481 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.00165068, graph 0.734392 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.163302, graph 0.815857 to graph 0.13636, graph 0.734392 nohead lw 0.6 lc rgb '#e69f00'
-set label "delassus:1e-3" at graph 0.130214, graph 0.676322 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.103272, graph 0.815977 to graph 0.130214, graph 0.676322 nohead lw 0.6 lc rgb '#0060a8'
-set label "nncg:10" at graph 0.102433, graph 0.618433 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0754914, graph 0.816278 to graph 0.102433, graph 0.618433 nohead lw 0.6 lc rgb '#009e73'
-set label "si:200" at graph 0.244541, graph 0.561612 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.217599, graph 0.817647 to graph 0.244541, graph 0.561612 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.165859, graph 0.503872 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.138917, graph 0.818096 to graph 0.165859, graph 0.503872 nohead lw 0.6 lc rgb '#d55e00'
+set label "si2:50" at graph 0.00192109, graph 0.734392 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.163573, graph 0.815857 to graph 0.136631, graph 0.734392 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus:1e-3" at graph 0.13, graph 0.676322 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.103058, graph 0.815977 to graph 0.13, graph 0.676322 nohead lw 0.6 lc rgb '#0060a8'
+set label "nncg:10" at graph 0.101391, graph 0.618433 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0744487, graph 0.816278 to graph 0.101391, graph 0.618433 nohead lw 0.6 lc rgb '#009e73'
+set label "si:200" at graph 0.243684, graph 0.561612 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.216742, graph 0.817647 to graph 0.243684, graph 0.561612 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.165288, graph 0.503872 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.138346, graph 0.818096 to graph 0.165288, graph 0.503872 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -318,38 +318,38 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0181383:359420]
+set xrange [0.0183018:371830]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
 unset mytics
 set format y "10^{%T}"
 set yrange [1e-13:1]
-set ylabel "noise of ground reaction / weight" noenhanced
+set ylabel "noise of ground reaction / weight (lowest: none)" noenhanced
 unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.297674, graph 0.905851 left front noenhanced textcolor rgb '#555555'
-set label "nncg:50" at graph 0.184158, graph 0.964205 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.294854, graph 0.905851 left front noenhanced textcolor rgb '#555555'
+set label "nncg:50" at graph 0.182197, graph 0.964205 left front noenhanced textcolor rgb '#009e73'
 set label "delassus" at graph 0.0835457, graph 0.894898 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.00165068, graph 0.964729 left front noenhanced textcolor rgb '#e69f00'
-set label "delassus:1e-3" at graph 0.130214, graph 0.836753 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.103272, graph 0.929856 to graph 0.130214, graph 0.836753 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.339845, graph 0.778689 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.312903, graph 0.929982 to graph 0.339845, graph 0.778689 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.0893805, graph 0.779175 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0624386, graph 0.930468 to graph 0.0893805, graph 0.779175 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.247222, graph 0.722866 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.22028, graph 0.932349 to graph 0.247222, graph 0.722866 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:1000" at graph 0.339002, graph 0.666648 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.31206, graph 0.93432 to graph 0.339002, graph 0.666648 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.165859, graph 0.666897 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.138917, graph 0.934569 to graph 0.165859, graph 0.666897 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.0559472, graph 0.725735 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.217599, graph 0.935218 to graph 0.190657, graph 0.725735 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.102433, graph 0.611687 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0754914, graph 0.937549 to graph 0.102433, graph 0.611687 nohead lw 0.6 lc rgb '#009e73'
+set label "si2:50" at graph 0.00192109, graph 0.964729 left front noenhanced textcolor rgb '#e69f00'
+set label "delassus:1e-3" at graph 0.13, graph 0.836753 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.103058, graph 0.929856 to graph 0.13, graph 0.836753 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.337118, graph 0.778689 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.310176, graph 0.929982 to graph 0.337118, graph 0.778689 nohead lw 0.6 lc rgb '#555555'
+set label "si:10" at graph 0.0885825, graph 0.779175 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0616405, graph 0.930468 to graph 0.0885825, graph 0.779175 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.246536, graph 0.722866 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.219594, graph 0.932349 to graph 0.246536, graph 0.722866 nohead lw 0.6 lc rgb '#cc79a7'
+set label "si:1000" at graph 0.338237, graph 0.666648 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.311295, graph 0.93432 to graph 0.338237, graph 0.666648 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:50" at graph 0.165288, graph 0.666897 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.138346, graph 0.934569 to graph 0.165288, graph 0.666897 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.0550903, graph 0.725735 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.216742, graph 0.935218 to graph 0.1898, graph 0.725735 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.101391, graph 0.611687 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0744487, graph 0.937549 to graph 0.101391, graph 0.611687 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

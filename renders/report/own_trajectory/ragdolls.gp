@@ -2,167 +2,167 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-1.8619 1e-12 1.8619 1.8619
+1.74695 1e-12 1.74695 1.74695
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-1.32726 1e-12 1.32726 1.32726
+1.28227 1e-12 1.28227 1.28227
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.320043 1e-12 0.320043 0.320043
+0.314727 1e-12 0.314727 0.314727
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.986389 1e-12 0.986389 0.986389
+0.984547 1e-12 0.984547 0.984547
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-3.47143 1e-12 3.47143 3.47143
+3.48076 1e-12 3.48076 3.48076
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-17.1196 1e-12 17.1196 17.1196
+16.7977 1e-12 16.7977 16.7977
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-1.06946 1e-12 1.06946 1.06946
+1.07242 1e-12 1.07242 1.07242
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-5.11541 1e-12 5.11541 5.11541
+5.12616 1e-12 5.12616 5.12616
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-39.1894 1e-12 39.1894 39.1894
+39.2803 1e-12 39.2803 39.2803
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-38.358 1e-12 38.358 38.358
+38.9928 1e-12 38.9928 38.9928
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-404.248 1e-12 404.248 404.248
+414.45 1e-12 414.45 414.45
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-1.8619 0.100162 1.8619 1.8619
+1.74695 0.100162 1.74695 1.74695
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-1.32726 0.118207 1.32726 1.32726
+1.28227 0.118207 1.28227 1.28227
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.320043 0.070909 0.320043 0.320043
+0.314727 0.070909 0.314727 0.314727
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.986389 0.0672482 0.986389 0.986389
+0.984547 0.0672482 0.984547 0.984547
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-3.47143 0.0753632 3.47143 3.47143
+3.48076 0.0753632 3.48076 3.48076
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-17.1196 0.0696225 17.1196 17.1196
+16.7977 0.0696225 16.7977 16.7977
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-1.06946 0.100681 1.06946 1.06946
+1.07242 0.100681 1.07242 1.07242
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-5.11541 0.0731354 5.11541 5.11541
+5.12616 0.0731354 5.12616 5.12616
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-39.1894 0.0847997 39.1894 39.1894
+39.2803 0.0847997 39.2803 39.2803
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-38.358 0.0786604 38.358 38.358
+38.9928 0.0786604 38.9928 38.9928
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-404.248 1e-12 404.248 404.248
+414.45 1e-12 414.45 414.45
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-1.8619 0.0388272 1.8619 1.8619
+1.74695 0.0389056 1.74695 1.74695
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-1.32726 0.0437125 1.32726 1.32726
+1.28227 0.0437125 1.28227 1.28227
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.320043 0.0657587 0.320043 0.320043
+0.314727 0.0657587 0.314727 0.314727
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-0.986389 0.0320519 0.986389 0.986389
+0.984547 0.0320519 0.984547 0.984547
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-3.47143 0.037435 3.47143 3.47143
+3.48076 0.037435 3.48076 3.48076
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-17.1196 0.0379267 17.1196 17.1196
+16.7977 0.0379267 16.7977 16.7977
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-1.06946 0.0412119 1.06946 1.06946
+1.07242 0.0412119 1.07242 1.07242
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-5.11541 0.0356133 5.11541 5.11541
+5.12616 0.0356133 5.12616 5.12616
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-39.1894 0.049883 39.1894 39.1894
+39.2803 0.049883 39.2803 39.2803
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-38.358 0.0428533 38.358 38.358
+38.9928 0.0428533 38.9928 38.9928
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-404.248 1e-12 404.248 404.248
+414.45 1e-12 414.45 414.45
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -182,31 +182,31 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.168521:14052.7]
+set xrange [0.165103:14708.8]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 10 nomirror
 set mytics
 set format y "%g"
 set yrange [1e-13:1e-11]
-set ylabel "energy gained, J" noenhanced
+set ylabel "energy gained, J (lowest: none)" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.238947, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.209076, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.233924, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.206792, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
 set label "si:10" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0167392, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.293925, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.266983, graph 0.5 to graph 0.293925, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.434744, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.00142366, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.163075, graph 0.5 to graph 0.136133, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
-set label "pgs:50" at graph 0.139546, graph 0.418534 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.301198, graph 0.5 to graph 0.274256, graph 0.418534 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.507833, graph 0.534914 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6 (cut)" at graph 0.50594, graph 0.418534 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.478998, graph 0.5 to graph 0.50594, graph 0.418534 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.0174685, graph 0.534914 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.29441, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.267468, graph 0.5 to graph 0.29441, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.432511, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.00251758, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.164169, graph 0.5 to graph 0.137227, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
+set label "pgs:50" at graph 0.139781, graph 0.418534 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.301432, graph 0.5 to graph 0.27449, graph 0.418534 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.507044, graph 0.534914 left front noenhanced textcolor rgb '#555555'
+set label "dantzig:1e-6 (cut)" at graph 0.506399, graph 0.418534 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.479457, graph 0.5 to graph 0.506399, graph 0.418534 nohead lw 0.6 lc rgb '#555555'
 set label "lemke (cut)" at graph 0.713778, graph 0.488362 left front noenhanced textcolor rgb '#999999'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
@@ -228,34 +228,34 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.168521:14052.7]
+set xrange [0.165103:14708.8]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
 unset mytics
 set format y "10^{%T}"
 set yrange [1e-13:1]
-set ylabel "deepest overlap, m" noenhanced
+set ylabel "deepest overlap, m (lowest: none)" noenhanced
 unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.182881, graph 0.886546 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.434744, graph 0.887705 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.18361, graph 0.886546 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.432511, graph 0.887705 left front noenhanced textcolor rgb '#d55e00'
 set label "si:10" at graph 0.0835457, graph 0.958144 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.911592 to graph 0.0835457, graph 0.958144 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.32814, graph 0.935901 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.293925, graph 0.832162 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.266983, graph 0.913628 to graph 0.293925, graph 0.832162 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig:1e-6 (cut)" at graph 0.50594, graph 0.938334 left front noenhanced textcolor rgb '#555555'
-set label "dantzig (cut)" at graph 0.507833, graph 0.836103 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.480891, graph 0.917569 to graph 0.507833, graph 0.836103 nohead lw 0.6 lc rgb '#555555'
-set label "delassus" at graph 0.00545048, graph 0.830028 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.212005, graph 0.923131 to graph 0.185063, graph 0.830028 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.00142366, graph 0.876752 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.163075, graph 0.923304 to graph 0.136133, graph 0.876752 nohead lw 0.6 lc rgb '#e69f00'
-set label "delassus:1e-3" at graph 0.209076, graph 0.777372 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.182134, graph 0.928665 to graph 0.209076, graph 0.777372 nohead lw 0.6 lc rgb '#0060a8'
+set label "pgs:50" at graph 0.328374, graph 0.935901 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.29441, graph 0.832162 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.267468, graph 0.913628 to graph 0.29441, graph 0.832162 nohead lw 0.6 lc rgb '#d55e00'
+set label "dantzig:1e-6 (cut)" at graph 0.506399, graph 0.938334 left front noenhanced textcolor rgb '#555555'
+set label "dantzig (cut)" at graph 0.507044, graph 0.836103 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.480102, graph 0.917569 to graph 0.507044, graph 0.836103 nohead lw 0.6 lc rgb '#555555'
+set label "delassus" at graph 0.000427163, graph 0.876579 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.206982, graph 0.923131 to graph 0.18004, graph 0.876579 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.00251758, graph 0.818562 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.164169, graph 0.923304 to graph 0.137227, graph 0.818562 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus:1e-3" at graph 0.206792, graph 0.777372 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.17985, graph 0.928665 to graph 0.206792, graph 0.777372 nohead lw 0.6 lc rgb '#0060a8'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -276,33 +276,33 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "10^{%T}"
-set xrange [0.168521:14052.7]
+set xrange [0.165103:14708.8]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
 unset mytics
 set format y "10^{%T}"
 set yrange [1e-13:0.1]
-set ylabel "joints pulled apart, m" noenhanced
+set ylabel "joints pulled apart, m (lowest: none)" noenhanced
 unset label
 unset arrow
 unset object
 set label "lemke (cut)" at graph 0.713778, graph 0.0833333 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.0167392, graph 0.958821 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.32814, graph 0.939358 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.105332, graph 0.90625 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.266983, graph 0.96444 to graph 0.240041, graph 0.90625 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.434744, graph 0.883447 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.407802, graph 0.964912 to graph 0.434744, graph 0.883447 nohead lw 0.6 lc rgb '#d55e00'
-set label "delassus" at graph 0.238947, graph 0.849382 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.212005, graph 0.965761 to graph 0.238947, graph 0.849382 nohead lw 0.6 lc rgb '#0060a8'
-set label "si2:50" at graph 0.00142366, graph 0.851539 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.163075, graph 0.967919 to graph 0.136133, graph 0.851539 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig:1e-6 (cut)" at graph 0.50594, graph 0.969332 left front noenhanced textcolor rgb '#555555'
-set label "delassus:1e-3" at graph 0.209076, graph 0.795482 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.182134, graph 0.970051 to graph 0.209076, graph 0.795482 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig (cut)" at graph 0.507833, graph 0.835174 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.480891, graph 0.974829 to graph 0.507833, graph 0.835174 nohead lw 0.6 lc rgb '#555555'
+set label "si:50" at graph 0.0174685, graph 0.958821 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.328374, graph 0.939358 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.105816, graph 0.90625 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.267468, graph 0.96444 to graph 0.240526, graph 0.90625 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:1000" at graph 0.432511, graph 0.883447 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.405569, graph 0.964912 to graph 0.432511, graph 0.883447 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.233924, graph 0.849455 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.206982, graph 0.965834 to graph 0.233924, graph 0.849455 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.00251758, graph 0.851539 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.164169, graph 0.967919 to graph 0.137227, graph 0.851539 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig:1e-6 (cut)" at graph 0.506399, graph 0.969332 left front noenhanced textcolor rgb '#555555'
+set label "delassus:1e-3" at graph 0.206792, graph 0.795482 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.17985, graph 0.970051 to graph 0.206792, graph 0.795482 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig (cut)" at graph 0.507044, graph 0.835174 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.480102, graph 0.974829 to graph 0.507044, graph 0.835174 nohead lw 0.6 lc rgb '#555555'
 set label "si:10" at graph 0.0835457, graph 0.802155 left front noenhanced textcolor rgb '#d55e00'
 set arrow from graph 0.0566038, graph 0.984829 to graph 0.0835457, graph 0.802155 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \

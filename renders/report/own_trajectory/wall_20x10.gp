@@ -2,182 +2,182 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.237181 1e-12 0.237181 0.237181
+0.23642 1e-12 0.23642 0.23642
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.233976 1e-12 0.233976 0.233976
+0.239745 1e-12 0.239745 0.239745
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.585236 0.0438397 0.585236 0.585236
+0.591746 0.0438397 0.591746 0.591746
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-2.13861 0.0105485 2.13861 2.13861
+2.18571 0.0105485 2.18571 2.18571
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-7.93124 0.00659824 7.93124 7.93124
+8.05217 0.00659824 8.05217 8.05217
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-39.7708 0.00105672 39.7708 39.7708
+39.4912 0.00105672 39.4912 39.4912
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-3.28661 0.0199257 3.28661 3.28661
+3.26973 0.0199257 3.26973 3.26973
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.759634 0.0231155 0.759634 0.759634
+0.766474 0.0231155 0.766474 0.766474
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-3.13062 0.0149387 3.13062 3.13062
+3.11865 0.0149387 3.11865 3.11865
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-111.458 0.0037179 111.458 111.458
+113.868 0.0037179 113.868 113.868
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-70.5004 0.0228851 70.5004 70.5004
+72.3783 0.0228851 72.3783 72.3783
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-5701.2 5.93084e-06 5701.2 5701.2
+6003.58 3.27933e-06 6003.58 6003.58
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.237181 1e-12 0.237181 0.237181
+0.23642 1e-12 0.23642 0.23642
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.233976 1e-12 0.233976 0.233976
+0.239745 1e-12 0.239745 0.239745
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.585236 0.00529454 0.585236 0.585236
+0.591746 0.00529454 0.591746 0.591746
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-2.13861 0.000600495 2.13861 2.13861
+2.18571 0.000600495 2.18571 2.18571
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-7.93124 0.00158638 7.93124 7.93124
+8.05217 0.00158638 8.05217 8.05217
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-39.7708 5.61565e-06 39.7708 39.7708
+39.4912 5.61565e-06 39.4912 39.4912
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-3.28661 0.00400995 3.28661 3.28661
+3.26973 0.00400995 3.26973 3.26973
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.759634 0.00505557 0.759634 0.759634
+0.766474 0.00505557 0.766474 0.766474
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-3.13062 0.00532771 3.13062 3.13062
+3.11865 0.00532771 3.11865 3.11865
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-111.458 0.000547417 111.458 111.458
+113.868 0.000547417 113.868 113.868
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-70.5004 0.00501571 70.5004 70.5004
+72.3783 0.00501571 72.3783 72.3783
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-5701.2 9.88466e-07 5701.2 5701.2
+6003.58 1e-12 6003.58 6003.58
 EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
-0.237181 1e-12 0.237181 0.237181
+0.23642 1e-12 0.23642 0.23642
 EOD
 $line2_1 << EOD
 EOD
 $marks2_1 << EOD
-0.233976 1e-12 0.233976 0.233976
+0.239745 1e-12 0.239745 0.239745
 EOD
 $line2_2 << EOD
 EOD
 $marks2_2 << EOD
-0.585236 0.00394506 0.585236 0.585236
+0.591746 0.00394506 0.591746 0.591746
 EOD
 $line2_3 << EOD
 EOD
 $marks2_3 << EOD
-2.13861 0.000987845 2.13861 2.13861
+2.18571 0.000987845 2.18571 2.18571
 EOD
 $line2_4 << EOD
 EOD
 $marks2_4 << EOD
-7.93124 0.000209218 7.93124 7.93124
+8.05217 0.000209218 8.05217 8.05217
 EOD
 $line2_5 << EOD
 EOD
 $marks2_5 << EOD
-39.7708 2.36969e-05 39.7708 39.7708
+39.4912 2.36969e-05 39.4912 39.4912
 EOD
 $line2_6 << EOD
 EOD
 $marks2_6 << EOD
-3.28661 0.00328214 3.28661 3.28661
+3.26973 0.00328214 3.26973 3.26973
 EOD
 $line2_7 << EOD
 EOD
 $marks2_7 << EOD
-0.759634 0.00685518 0.759634 0.759634
+0.766474 0.00685518 0.766474 0.766474
 EOD
 $line2_8 << EOD
 EOD
 $marks2_8 << EOD
-3.13062 0.105036 3.13062 3.13062
+3.11865 0.105036 3.11865 3.11865
 EOD
 $line2_9 << EOD
 EOD
 $marks2_9 << EOD
-111.458 1e-12 111.458 111.458
+113.868 1e-12 113.868 113.868
 EOD
 $line2_10 << EOD
 EOD
 $marks2_10 << EOD
-70.5004 1e-12 70.5004 70.5004
+72.3783 1e-12 72.3783 72.3783
 EOD
 $line2_11 << EOD
 EOD
 $marks2_11 << EOD
-5701.2 1e-12 5701.2 5701.2
+6003.58 1e-12 6003.58 6003.58
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -197,35 +197,35 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0729104:6.4398e+07]
+set xrange [0.0733217:7.04502e+07]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
 unset mytics
 set format y "10^{%T}"
 set yrange [1e-13:0.1]
-set ylabel "furthest drift of a body, m" noenhanced
+set ylabel "furthest drift of a body, m (lowest: none)" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0842062, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.129885 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566038, graph 0.0833333 to graph 0.0835457, graph 0.129885 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.64776 left front noenhanced textcolor rgb '#555555'
-set label "si:1000 (cut)" at graph 0.332861, graph 0.83533 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50 (cut)" at graph 0.382888, graph 0.892496 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:200" at graph 0.0659957, graph 0.889981 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.190962, graph 0.965151 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.164021, graph 0.918599 to graph 0.190962, graph 0.965151 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:50" at graph 0.209462, graph 0.7799 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.18252, graph 0.931193 to graph 0.209462, graph 0.7799 nohead lw 0.6 lc rgb '#009e73'
-set label "si2:50" at graph 0.0232292, graph 0.836876 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.184881, graph 0.941618 to graph 0.157939, graph 0.836876 nohead lw 0.6 lc rgb '#e69f00'
-set label "dantzig (cut)" at graph 0.360652, graph 0.946629 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.140714, graph 0.725871 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.113772, graph 0.946992 to graph 0.140714, graph 0.725871 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.128052, graph 0.679207 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.10111, graph 0.970156 to graph 0.128052, graph 0.679207 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.0835457, graph 0.0833333 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0842209, graph 0.129885 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.057279, graph 0.0833333 to graph 0.0842209, graph 0.129885 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.626315 left front noenhanced textcolor rgb '#555555'
+set label "si:1000 (cut)" at graph 0.331002, graph 0.83533 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.382201, graph 0.892496 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.0655286, graph 0.889981 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.191076, graph 0.965151 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.164134, graph 0.918599 to graph 0.191076, graph 0.965151 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:50" at graph 0.208262, graph 0.7799 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.18132, graph 0.931193 to graph 0.208262, graph 0.7799 nohead lw 0.6 lc rgb '#009e73'
+set label "si2:50" at graph 0.0219556, graph 0.836876 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.183607, graph 0.941618 to graph 0.156665, graph 0.836876 nohead lw 0.6 lc rgb '#e69f00'
+set label "dantzig (cut)" at graph 0.360293, graph 0.946629 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.140412, graph 0.725871 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.11347, graph 0.946992 to graph 0.140412, graph 0.725871 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.127904, graph 0.679207 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.100962, graph 0.970156 to graph 0.127904, graph 0.679207 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -247,34 +247,34 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0729104:6.4398e+07]
+set xrange [0.0733217:7.04502e+07]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
 unset mytics
 set format y "10^{%T}"
 set yrange [1e-13:0.01]
-set ylabel "deepest overlap, m" noenhanced
+set ylabel "deepest overlap, m (lowest: none)" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0842062, graph 0.0909091 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.137461 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566038, graph 0.0909091 to graph 0.0835457, graph 0.137461 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.635906 left front noenhanced textcolor rgb '#555555'
-set label "si:1000 (cut)" at graph 0.332861, graph 0.704491 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50 (cut)" at graph 0.382888, graph 0.885302 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.190962, graph 0.888955 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.254589, graph 0.938948 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0232292, graph 0.940646 left front noenhanced textcolor rgb '#e69f00'
-set label "dantzig (cut)" at graph 0.360652, graph 0.833102 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.333711, graph 0.972758 to graph 0.360652, graph 0.833102 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.140714, graph 0.833415 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.113772, graph 0.97307 to graph 0.140714, graph 0.833415 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.128052, graph 0.777049 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.10111, graph 0.974893 to graph 0.128052, graph 0.777049 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:50" at graph 0.209462, graph 0.649278 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.18252, graph 0.97514 to graph 0.209462, graph 0.649278 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus" at graph 0.0835457, graph 0.0909091 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0842209, graph 0.137461 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.057279, graph 0.0909091 to graph 0.0842209, graph 0.137461 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.0909091 left front noenhanced textcolor rgb '#555555'
+set label "si:1000 (cut)" at graph 0.331002, graph 0.704491 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.382201, graph 0.885302 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.191076, graph 0.888955 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.254122, graph 0.938948 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.0219556, graph 0.940646 left front noenhanced textcolor rgb '#e69f00'
+set label "dantzig (cut)" at graph 0.360293, graph 0.833102 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.333351, graph 0.972758 to graph 0.360293, graph 0.833102 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.140412, graph 0.833415 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.11347, graph 0.97307 to graph 0.140412, graph 0.833415 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.127904, graph 0.777049 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.100962, graph 0.974893 to graph 0.127904, graph 0.777049 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:50" at graph 0.208262, graph 0.649278 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.18132, graph 0.97514 to graph 0.208262, graph 0.649278 nohead lw 0.6 lc rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -296,34 +296,34 @@ set logscale x
 set xtics 100 nomirror
 unset mxtics
 set format x "10^{%T}"
-set xrange [0.0729104:6.4398e+07]
+set xrange [0.0733217:7.04502e+07]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
 unset mytics
 set format y "10^{%T}"
 set yrange [1e-13:1]
-set ylabel "noise of ground reaction / weight" noenhanced
+set ylabel "noise of ground reaction / weight (lowest: none)" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0842062, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0835457, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0566038, graph 0.0769231 to graph 0.0835457, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
-set label "pgs:50 (cut)" at graph 0.382888, graph 0.100199 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.360652, graph 0.0536472 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.0842209, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.057279, graph 0.0769231 to graph 0.0842209, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
+set label "pgs:50 (cut)" at graph 0.382201, graph 0.100199 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig (cut)" at graph 0.360293, graph 0.0536472 left front noenhanced textcolor rgb '#555555'
 set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.158389 left front noenhanced textcolor rgb '#555555'
 set arrow from graph 0.546963, graph 0.0769231 to graph 0.573905, graph 0.158389 nohead lw 0.6 lc rgb '#555555'
-set label "si:1000 (cut)" at graph 0.332861, graph 0.644207 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.254589, graph 0.716969 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.190962, graph 0.768822 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.211823, graph 0.820573 left front noenhanced textcolor rgb '#e69f00'
-set label "si:10" at graph 0.128052, graph 0.873271 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.10111, graph 0.815081 to graph 0.128052, graph 0.873271 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.140714, graph 0.949919 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.113772, graph 0.83354 to graph 0.140714, graph 0.949919 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.209462, graph 0.587218 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.18252, graph 0.924718 to graph 0.209462, graph 0.587218 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000 (cut)" at graph 0.331002, graph 0.644207 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.254122, graph 0.716969 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.191076, graph 0.768822 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.210549, graph 0.820573 left front noenhanced textcolor rgb '#e69f00'
+set label "si:10" at graph 0.127904, graph 0.873271 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.100962, graph 0.815081 to graph 0.127904, graph 0.873271 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.140412, graph 0.949919 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.11347, graph 0.83354 to graph 0.140412, graph 0.949919 nohead lw 0.6 lc rgb '#009e73'
+set label "nncg:50" at graph 0.208262, graph 0.587218 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.18132, graph 0.924718 to graph 0.208262, graph 0.587218 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \

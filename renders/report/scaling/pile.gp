@@ -1,145 +1,145 @@
 # Draws pile.svg and pile.png: gnuplot pile.gp
 $line0_0 << EOD
-2 1.1465 2 2
-19 7.56642 19 19
-60 84.0252 60 60
-134 33.3548 134 134
-722 99.4108 722 722
+2 1.182 2 2
+19 9.02284 19 19
+60 61.7793 60 60
+134 33.8971 134 134
+722 98.8833 722 722
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-2 1.167 2 2
-19 7.09311 19 19
-60 53.5715 60 60
-134 29.1807 134 134
-722 73.8959 722 722
+2 1.172 2 2
+19 7.21279 19 19
+60 54.7343 60 60
+134 30.1617 134 134
+722 75.142 722 722
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-2 0.2305 2 2
-19 0.356316 19 19
-60 0.37705 60 60
-134 0.393866 134 134
-722 0.418903 722 722
-3051 0.871313 3051 3051
-10851 1.38918 10851 10851
-24829 1.59674 24829 24829
+2 0.2055 2 2
+19 0.355263 19 19
+60 0.376717 60 60
+134 0.385567 134 134
+722 0.41746 722 722
+3051 0.688203 3051 3051
+10851 1.3123 10851 10851
+24829 1.97047 24829 24829
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-2 0.2255 2 2
-19 2.31974 19 19
-60 2.46115 60 60
-134 2.49915 134 134
-722 2.89014 722 722
-3051 4.06307 3051 3051
-10851 4.68922 10851 10851
-24829 8.30902 24829 24829
+2 0.21 2 2
+19 2.34716 19 19
+60 2.44628 60 60
+134 2.48285 134 134
+722 2.70974 722 722
+3051 3.89863 3051 3051
+10851 4.57632 10851 10851
+24829 7.90111 24829 24829
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-2 0.2455 2 2
-19 0.421158 19 19
-60 0.457167 60 60
-134 0.474284 134 134
-722 0.513058 722 722
-3051 1.03378 3051 3051
-10851 1.35099 10851 10851
-24829 1.96029 24829 24829
+2 0.2305 2 2
+19 0.417474 19 19
+60 0.453667 60 60
+134 0.469948 134 134
+722 0.524432 722 722
+3051 0.898262 3051 3051
+10851 1.73244 10851 10851
+24829 1.85484 24829 24829
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-2 0.8715 2 2
-19 1.06632 19 19
+2 0.831 2 2
+19 1.02889 19 19
 60 1.56698 60 60
-134 2.39601 134 134
-722 15.5653 722 722
-3051 120.418 3051 3051
+134 2.55012 134 134
+722 13.1031 722 722
+3051 119.282 3051 3051
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-2 0.631 2 2
-19 1.29453 19 19
-60 5.40167 60 60
-134 23.8075 134 134
-722 744.075 722 722
+2 0.666 2 2
+19 1.25711 19 19
+60 5.64635 60 60
+134 23.4456 134 134
+722 724.121 722 722
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-2 0.6255 2 2
-19 1.79842 19 19
-60 5.41535 60 60
-134 23.8809 134 134
-722 706.741 722 722
+2 0.651 2 2
+19 1.25816 19 19
+60 5.64902 60 60
+134 23.2204 134 134
+722 703.566 722 722
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-19 14.9806 19 19
-60 140.287 60 60
-134 730.443 134 134
+19 14.5131 19 19
+60 138.771 60 60
+134 744.164 134 134
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-722 6.13171 722 722
+722 6.37338 722 722
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-722 6.07846 722 722
+722 6.32422 722 722
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-3051 5.17325 3051 3051
-10851 15.9334 10851 10851
-24829 40.3333 24829 24829
+3051 5.18554 3051 3051
+10851 16.1546 10851 10851
+24829 40.5135 24829 24829
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-3051 5.17325 3051 3051
-10851 15.9334 10851 10851
-24829 40.3333 24829 24829
+3051 5.18554 3051 3051
+10851 16.1546 10851 10851
+24829 40.5135 24829 24829
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-3051 5.20192 3051 3051
-10851 15.9621 10851 10851
-24829 40.4357 24829 24829
+3051 5.26336 3051 3051
+10851 16.2202 10851 10851
+24829 40.6856 24829 24829
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-722 35.6966 722 722
-3051 601.555 3051 3051
+722 35.8441 722 722
+3051 602.341 3051 3051
 EOD
 $marks1_5 << EOD
 EOD
 $line1_6 << EOD
-134 3.04742 134 134
-722 69.4723 722 722
+134 3.1703 134 134
+722 69.6852 722 722
 EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-134 3.04742 134 134
-722 69.4723 722 722
+134 3.1703 134 134
+722 69.6648 722 722
 EOD
 $marks1_7 << EOD
 EOD
 $line1_8 << EOD
-60 4.1984 60 60
-134 20.8855 134 134
+60 4.28851 60 60
+134 20.9715 134 134
 EOD
 $marks1_8 << EOD
 EOD
@@ -172,18 +172,18 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.300808 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.684225, graph 0.334718 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.479887 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-4" at graph 0.551021, graph 0.798621 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.531598, graph 0.717155 to graph 0.551021, graph 0.798621 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.551021, graph 0.8541 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.531598, graph 0.749358 to graph 0.551021, graph 0.8541 nohead lw 0.6 lc rgb '#0060a8'
-set label "pgs:10" at graph 0.667268, graph 0.746897 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.551021, graph 0.962315 left front noenhanced textcolor rgb '#555555'
-set label "lemke" at graph 0.415176, graph 0.965897 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.551021, graph 0.909715 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.531598, graph 0.967904 to graph 0.551021, graph 0.909715 nohead lw 0.6 lc rgb '#555555'
+set label "nncg:10" at graph 0.836374, graph 0.317077 left front noenhanced textcolor rgb '#009e73'
+set label "si:10" at graph 0.716597, graph 0.346919 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.836374, graph 0.474422 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-4" at graph 0.551021, graph 0.800436 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.531598, graph 0.718971 to graph 0.551021, graph 0.800436 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.551021, graph 0.853522 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.531598, graph 0.748781 to graph 0.551021, graph 0.853522 nohead lw 0.6 lc rgb '#0060a8'
+set label "pgs:10" at graph 0.667268, graph 0.745868 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.551021, graph 0.961826 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.551021, graph 0.906763 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.531598, graph 0.964953 to graph 0.551021, graph 0.906763 nohead lw 0.6 lc rgb '#555555'
+set label "lemke" at graph 0.415176, graph 0.967917 left front noenhanced textcolor rgb '#999999'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -231,18 +231,18 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.389947, graph 0.307816 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.370524, graph 0.261265 to graph 0.389947, graph 0.307816 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.389947, graph 0.250889 left front noenhanced textcolor rgb '#0060a8'
-set label "lemke" at graph 0.17742, graph 0.439948 left front noenhanced textcolor rgb '#999999'
-set label "si:10" at graph 0.836374, graph 0.535221 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.535221 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.58214 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.535588 to graph 0.836374, graph 0.58214 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.237798, graph 0.613937 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6" at graph 0.156868, graph 0.660489 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.370524, graph 0.613937 to graph 0.3511, graph 0.660489 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:10" at graph 0.571811, graph 0.926425 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.389947, graph 0.313554 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.370524, graph 0.267002 to graph 0.389947, graph 0.313554 nohead lw 0.6 lc rgb '#0060a8'
+set label "delassus" at graph 0.389947, graph 0.256485 left front noenhanced textcolor rgb '#0060a8'
+set label "lemke" at graph 0.17742, graph 0.440543 left front noenhanced textcolor rgb '#999999'
+set label "si:10" at graph 0.836374, graph 0.535867 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.535867 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.583032 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.53648 to graph 0.836374, graph 0.583032 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.156868, graph 0.614338 left front noenhanced textcolor rgb '#555555'
+set label "dantzig" at graph 0.237798, graph 0.660932 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.370524, graph 0.61438 to graph 0.3511, graph 0.660932 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:10" at graph 0.571811, graph 0.926614 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \

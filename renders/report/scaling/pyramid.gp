@@ -1,128 +1,129 @@
 # Draws pyramid.svg and pyramid.png: gnuplot pyramid.gp
 $line0_0 << EOD
-4 1.73 4 4
-16 17.5203 16 16
-64 22.8649 64 64
-256 193.71 256 256
-1024 612.631 1024 1024
-4096 1114.15 4096 4096
+4 1.73775 4 4
+16 17.9553 16 16
+64 22.5969 64 64
+256 199.007 256 256
+1024 606.943 1024 1024
+4096 1096.2 4096 4096
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 1.342 4 4
-16 12.9285 16 16
-64 13.5701 64 64
-256 15.9184 256 256
-1024 70.4082 1024 1024
-4096 367.38 4096 4096
+4 1.332 4 4
+16 13.0443 16 16
+64 13.4158 64 64
+256 15.8934 256 256
+1024 69.7833 1024 1024
+4096 363.266 4096 4096
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.3705 4 4
-16 0.329875 16 16
-64 0.370859 64 64
-256 0.344414 256 256
-1024 0.380378 1024 1024
-4096 0.407363 4096 4096
-15876 0.58379 15876 15876
-40000 0.856113 40000 40000
+4 0.3555 4 4
+16 0.33175 16 16
+64 0.339578 64 64
+256 0.35584 256 256
+1024 0.364524 1024 1024
+4096 0.512524 4096 4096
+15876 0.581787 15876 15876
+40000 0.764151 40000 40000
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
-4 2.579 4 4
-16 2.346 16 16
-64 2.71214 64 64
-256 2.44131 256 256
-1024 2.60536 1024 1024
-4096 2.88488 4096 4096
-15876 3.30648 15876 15876
-40000 5.33427 40000 40000
+4 2.406 4 4
+16 2.35913 16 16
+64 2.41169 64 64
+256 2.61672 256 256
+1024 2.57085 1024 1024
+4096 2.93917 4096 4096
+15876 2.96681 15876 15876
+40000 4.93731 40000 40000
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.423 4 4
-16 0.415625 16 16
-64 0.476953 64 64
-256 0.43584 256 256
-1024 0.465738 1024 1024
-4096 0.556138 4096 4096
-15876 0.724214 15876 15876
-40000 1.04349 40000 40000
+4 0.40825 4 4
+16 0.416875 16 16
+64 0.432203 64 64
+256 0.455871 256 256
+1024 0.454697 1024 1024
+4096 0.500646 4096 4096
+15876 0.729122 15876 15876
+40000 1.00251 40000 40000
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
-4 1.05675 4 4
-16 1.77263 16 16
-64 2.92573 64 64
-256 7.92368 256 256
-1024 56.9331 1024 1024
-4096 190.313 4096 4096
+4 1.019 4 4
+16 1.69312 16 16
+64 2.93341 64 64
+256 8.05673 256 256
+1024 54.8455 1024 1024
+4096 189.24 4096 4096
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 0.6985 4 4
-16 0.881937 16 16
-64 6.34956 64 64
+4 0.6735 4 4
+16 0.84375 16 16
+64 6.7057 64 64
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 0.6685 4 4
-16 1.12294 16 16
-64 5.34259 64 64
-256 308.969 256 256
-1024 5921.2 1024 1024
+4 0.666 4 4
+16 0.89825 16 16
+64 5.25387 64 64
+256 304.921 256 256
+1024 5622.09 1024 1024
 EOD
 $marks0_7 << EOD
 EOD
 $line0_8 << EOD
-4 5.57325 4 4
+4 5.31025 4 4
 EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-1024 4.46464 1024 1024
-4096 14.0083 4096 4096
+256 2.048 256 256
+1024 4.6039 1024 1024
+4096 14.1885 4096 4096
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-1024 4.37453 1024 1024
-4096 13.91 4096 4096
+1024 4.51789 1024 1024
+4096 14.0902 4096 4096
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4096 5.26336 4096 4096
-15876 17.1745 15876 15876
-40000 53.4774 40000 40000
+4096 5.39443 4096 4096
+15876 17.9323 15876 15876
+40000 66.1176 40000 40000
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4096 5.26336 4096 4096
-15876 17.1745 15876 15876
-40000 53.4774 40000 40000
+4096 5.39443 4096 4096
+15876 17.9323 15876 15876
+40000 66.1217 40000 40000
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4096 5.39443 4096 4096
-15876 17.4285 15876 15876
-40000 53.4774 40000 40000
+4096 5.57875 4096 4096
+15876 18.2559 15876 15876
+40000 66.1955 40000 40000
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-256 5.0217 256 256
-1024 69.9269 1024 1024
-4096 1084.69 4096 4096
+256 5.1241 256 256
+1024 70.058 1024 1024
+4096 1085.47 4096 4096
 EOD
 $marks1_5 << EOD
 EOD
@@ -131,8 +132,8 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-256 9.28154 256 256
-1024 137.22 1024 1024
+256 9.39622 256 256
+1024 137.482 1024 1024
 EOD
 $marks1_7 << EOD
 EOD
@@ -169,17 +170,17 @@ set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "si:10" at graph 0.836374, graph 0.186506 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.684225, graph 0.226974 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.345415 left front noenhanced textcolor rgb '#d55e00'
-set label "lemke" at graph 0.076027, graph 0.453963 left front noenhanced textcolor rgb '#999999'
-set arrow from graph 0.0566038, graph 0.349222 to graph 0.076027, graph 0.453963 nohead lw 0.6 lc rgb '#999999'
-set label "dantzig" at graph 0.304914, graph 0.244169 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.285491, graph 0.360549 to graph 0.304914, graph 0.244169 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:10" at graph 0.648245, graph 0.655894 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.648245, graph 0.713023 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.648245, graph 0.809389 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.533801, graph 0.954482 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.836374, graph 0.176636 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.223493 left front noenhanced textcolor rgb '#009e73'
+set label "si:100" at graph 0.836374, graph 0.338698 left front noenhanced textcolor rgb '#d55e00'
+set label "lemke" at graph 0.076027, graph 0.449764 left front noenhanced textcolor rgb '#999999'
+set arrow from graph 0.0566038, graph 0.345023 to graph 0.076027, graph 0.449764 nohead lw 0.6 lc rgb '#999999'
+set label "dantzig" at graph 0.304914, graph 0.24891 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.285491, graph 0.365289 to graph 0.304914, graph 0.24891 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:10" at graph 0.648245, graph 0.655403 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.648245, graph 0.712045 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.648245, graph 0.807978 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.533801, graph 0.94998 left front noenhanced textcolor rgb '#555555'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -227,14 +228,14 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.244093, graph 0.29747 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.493358, graph 0.309872 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.836374, graph 0.432043 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.44368 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.478594 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.432043 to graph 0.836374, graph 0.478594 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig:1e-6" at graph 0.0516134, graph 0.534354 left front noenhanced textcolor rgb '#555555'
-set label "pgs:10" at graph 0.493358, graph 0.758826 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.244093, graph 0.310505 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.493358, graph 0.31126 left front noenhanced textcolor rgb '#0060a8'
+set label "si:10" at graph 0.836374, graph 0.455079 left front noenhanced textcolor rgb '#d55e00'
+set label "si:100" at graph 0.700411, graph 0.466724 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.501759 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.455207 to graph 0.836374, graph 0.501759 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.0516134, graph 0.534562 left front noenhanced textcolor rgb '#555555'
+set label "pgs:10" at graph 0.493358, graph 0.758904 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \

@@ -1,81 +1,81 @@
 # Draws wall.svg and wall.png: gnuplot wall.gp
 $line0_0 << EOD
-4 1.83025 4 4
-8 2.12562 8 8
-44 19.1083 44 44
-240 143.035 240 240
-992 567.659 992 992
-4156 989.891 4156 4156
+4 1.81525 4 4
+8 2.22075 8 8
+44 20.3795 44 44
+240 145.484 240 240
+992 575.379 992 992
+4156 985.794 4156 4156
 EOD
 $marks0_0 << EOD
 EOD
 $line0_1 << EOD
-4 1.462 4 4
-8 1.34075 8 8
-44 12.2295 44 44
-240 14.0106 240 240
-992 14.3619 992 992
-4156 195.406 4156 4156
+4 1.4095 4 4
+8 1.3495 8 8
+44 13.2712 44 44
+240 14.2448 240 240
+992 14.514 992 992
+4156 192.178 4156 4156
 EOD
 $marks0_1 << EOD
 EOD
 $line0_2 << EOD
-4 0.3505 4 4
-8 0.3255 8 8
-44 0.334591 44 44
-240 0.347642 240 240
-992 0.373557 992 992
-4156 0.424124 4156 4156
-17032 0.624932 17032 17032
-42644 0.80371 42644 42644
+4 0.46325 4 4
+8 0.36675 8 8
+44 0.334795 44 44
+240 0.363538 240 240
+992 0.371225 992 992
+4156 0.527559 4156 4156
+17032 0.573115 17032 17032
+42644 0.769039 42644 42644
 EOD
 $marks0_2 << EOD
 EOD
 $line0_3 << EOD
 4 2.411 4 4
-8 2.24962 8 8
-44 2.2572 44 44
-240 2.50225 240 240
-992 2.68609 992 992
-4156 2.97342 4156 4156
-17032 3.47751 17032 17032
-42644 5.35835 42644 42644
+8 2.68137 8 8
+44 2.272 44 44
+240 2.65351 240 240
+992 2.6256 992 992
+4156 2.97047 4156 4156
+17032 3.10995 17032 17032
+42644 4.65805 42644 42644
 EOD
 $marks0_3 << EOD
 EOD
 $line0_4 << EOD
-4 0.41825 4 4
-8 0.399375 8 8
-44 0.423568 44 44
-240 0.462767 240 240
-992 0.474644 992 992
-4156 0.542557 4156 4156
-17032 0.766046 17032 17032
-42644 1.16669 42644 42644
+4 0.4205 4 4
+8 0.429375 8 8
+44 0.426091 44 44
+240 0.480462 240 240
+992 0.482014 992 992
+4156 0.520467 4156 4156
+17032 0.707266 17032 17032
+42644 1.01062 42644 42644
 EOD
 $marks0_4 << EOD
 EOD
 $line0_5 << EOD
 4 1.0415 4 4
-8 0.99775 8 8
-44 2.25516 44 44
-240 5.2229 240 240
-992 29.3018 992 992
-4156 172.158 4156 4156
+8 0.97025 8 8
+44 2.23241 44 44
+240 5.2418 240 240
+992 26.3839 992 992
+4156 192.422 4156 4156
 EOD
 $marks0_5 << EOD
 EOD
 $line0_6 << EOD
-4 0.69875 4 4
+4 1.20425 4 4
 EOD
 $marks0_6 << EOD
 EOD
 $line0_7 << EOD
-4 0.6135 4 4
-8 0.67475 8 8
-44 2.20873 44 44
-240 143.613 240 240
-992 8403.54 992 992
+4 1.059 4 4
+8 0.651 8 8
+44 2.12609 44 44
+240 144.5 240 240
+992 7260.77 992 992
 EOD
 $marks0_7 << EOD
 EOD
@@ -84,42 +84,42 @@ EOD
 $marks0_8 << EOD
 EOD
 $line1_0 << EOD
-992 4.11238 992 992
-4156 13.8691 4156 4156
+992 4.23936 992 992
+4156 14.0984 4156 4156
 EOD
 $marks1_0 << EOD
 EOD
 $line1_1 << EOD
-992 3.19078 992 992
-4156 13.6724 4156 4156
+992 3.33005 992 992
+4156 13.9018 4156 4156
 EOD
 $marks1_1 << EOD
 EOD
 $line1_2 << EOD
-4156 9.94099 4156 4156
-17032 33.1694 17032 17032
-42644 54.6529 42644 42644
+4156 9.99834 4156 4156
+17032 34.4064 17032 17032
+42644 54.3539 42644 42644
 EOD
 $marks1_2 << EOD
 EOD
 $line1_3 << EOD
-4156 9.94099 4156 4156
-17032 33.1694 17032 17032
-42644 54.6529 42644 42644
+4156 9.99834 4156 4156
+17032 34.4023 17032 17032
+42644 54.3498 42644 42644
 EOD
 $marks1_3 << EOD
 EOD
 $line1_4 << EOD
-4156 10.0639 4156 4156
-17032 33.1694 17032 17032
-42644 54.6529 42644 42644
+4156 10.1908 4156 4156
+17032 34.4719 17032 17032
+42644 54.4154 42644 42644
 EOD
 $marks1_4 << EOD
 EOD
 $line1_5 << EOD
-240 4.48512 240 240
-992 65.7326 992 992
-4156 1119.81 4156 4156
+240 4.47693 240 240
+992 65.8145 992 992
+4156 1120.15 4156 4156
 EOD
 $marks1_5 << EOD
 EOD
@@ -128,8 +128,8 @@ EOD
 $marks1_6 << EOD
 EOD
 $line1_7 << EOD
-240 8.22067 240 240
-992 128.938 992 992
+240 8.24115 240 240
+992 128.995 992 992
 EOD
 $marks1_7 << EOD
 EOD
@@ -161,21 +161,20 @@ set logscale y
 set ytics 10 nomirror
 set mytics
 set format y "10^{%T}"
-set yrange [0.1:100000]
+set yrange [0.1:10000]
 set ylabel "time, µs a contact" noenhanced
 unset label
 unset arrow
 unset object
-set label "dantzig" at graph 0.076027, graph 0.0592548 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.0566038, graph 0.14072 to graph 0.076027, graph 0.0592548 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.836374, graph 0.15085 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.201102 left front noenhanced textcolor rgb '#009e73'
-set label "si:100" at graph 0.836374, graph 0.288172 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:10" at graph 0.645488, graph 0.539321 left front noenhanced textcolor rgb '#cc79a7'
-set label "delassus:1e-4" at graph 0.645488, graph 0.595041 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.626065, graph 0.54849 to graph 0.645488, graph 0.595041 nohead lw 0.6 lc rgb '#0060a8'
-set label "delassus" at graph 0.645488, graph 0.665931 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.528039, graph 0.820744 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.836374, graph 0.17719 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.224194 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.076027, graph 0.0764882 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.0566038, graph 0.216143 to graph 0.076027, graph 0.0764882 nohead lw 0.6 lc rgb '#555555'
+set label "si:100" at graph 0.836374, graph 0.333641 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-4" at graph 0.645488, graph 0.656741 left front noenhanced textcolor rgb '#0060a8'
+set label "pgs:10" at graph 0.509525, graph 0.656851 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus" at graph 0.645488, graph 0.798757 left front noenhanced textcolor rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.528039, graph 0.972197 left front noenhanced textcolor rgb '#555555'
 plot $line0_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line0_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line0_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
@@ -220,15 +219,15 @@ set ylabel "memory at its highest, MB" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus:1e-4" at graph 0.245344, graph 0.2956 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus" at graph 0.494609, graph 0.227322 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.475186, graph 0.285512 to graph 0.494609, graph 0.227322 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:10" at graph 0.836374, graph 0.434403 left front noenhanced textcolor rgb '#d55e00'
-set label "si:100" at graph 0.700411, graph 0.457679 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.836374, graph 0.480955 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.81695, graph 0.434403 to graph 0.836374, graph 0.480955 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig:1e-6" at graph 0.0512482, graph 0.527595 left front noenhanced textcolor rgb '#555555'
-set label "pgs:10" at graph 0.494609, graph 0.762286 left front noenhanced textcolor rgb '#cc79a7'
+set label "delassus:1e-4" at graph 0.245344, graph 0.309044 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus" at graph 0.494609, graph 0.229103 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.475186, graph 0.287293 to graph 0.494609, graph 0.229103 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:100" at graph 0.836374, graph 0.4338 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.716597, graph 0.457084 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.836374, graph 0.480482 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.81695, graph 0.43393 to graph 0.836374, graph 0.480482 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig:1e-6" at graph 0.0512482, graph 0.527643 left front noenhanced textcolor rgb '#555555'
+set label "pgs:10" at graph 0.494609, graph 0.762319 left front noenhanced textcolor rgb '#cc79a7'
 plot $line1_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a00060a8', \
   $line1_0 using 1:2 with lines lw 3 lc rgb '#0060a8', \
   $line1_0 using 1:2 with points pt 7 ps 0.8 lc rgb '#0060a8', \
