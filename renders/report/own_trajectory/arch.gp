@@ -189,11 +189,6 @@ EOD
 $marks2_11 << EOD
 0.076293 0.156361 0.076293 0.076293
 EOD
-$line2_12 << EOD
-EOD
-$marks2_12 << EOD
-10.1326 1e-12 10.1326 10.1326
-EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
 if (kind eq "png") { set terminal pngcairo size 1200,470 font 'DejaVu Sans,9' background '#ffffff' }
@@ -313,37 +308,34 @@ set title "noise of ground reaction / weight" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "10^{%T}"
-set xrange [0.0064254:290.917]
+set format x "%g"
+set xrange [0.00850241:2.73156]
 set xlabel "ms a step" noenhanced
 set logscale y
-set ytics 1000 nomirror
+set ytics 100 nomirror
 unset mytics
 set format y "10^{%T}"
-set yrange [1e-13:1]
-set ylabel "noise of ground reaction / weight (lowest: none)" noenhanced
+set yrange [1e-12:1]
+set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "delassus" at graph 0.296135, graph 0.139991 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.398138, graph 0.820413 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.339135, graph 0.900187 left front noenhanced textcolor rgb '#e69f00'
-set label "dantzig" at graph 0.178111, graph 0.876503 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.151169, graph 0.934693 to graph 0.178111, graph 0.876503 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.0835457, graph 0.972101 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig:1e-6" at graph 0.257744, graph 0.763441 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.230802, graph 0.93801 to graph 0.257744, graph 0.763441 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:50" at graph 0.0112585, graph 0.906296 left front noenhanced textcolor rgb '#009e73'
-set label "si:50" at graph 0.0276295, graph 0.849639 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.166829, graph 0.942742 to graph 0.139888, graph 0.849639 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.0933111, graph 0.793112 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0663692, graph 0.944405 to graph 0.0933111, graph 0.793112 nohead lw 0.6 lc rgb '#009e73'
-set label "si:1000" at graph 0.455153, graph 0.953616 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.326801, graph 0.710304 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.299859, graph 0.9547 to graph 0.326801, graph 0.710304 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:200" at graph 0.105067, graph 0.735365 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.266718, graph 0.956485 to graph 0.239776, graph 0.735365 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.478377, graph 0.068324 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.667821, graph 0.805447 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.558238, graph 0.891869 left front noenhanced textcolor rgb '#e69f00'
+set label "dantzig" at graph 0.259176, graph 0.905975 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.0835457, graph 0.908677 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig:1e-6" at graph 0.0837714, graph 0.967758 left front noenhanced textcolor rgb '#555555'
+set label "nncg:50" at graph 0.341253, graph 0.854846 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.314311, graph 0.936311 to graph 0.341253, graph 0.854846 nohead lw 0.6 lc rgb '#009e73'
+set label "si:50" at graph 0.12212, graph 0.856505 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.26132, graph 0.937971 to graph 0.234378, graph 0.856505 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.101682, graph 0.800117 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0747405, graph 0.939773 to graph 0.101682, graph 0.800117 nohead lw 0.6 lc rgb '#009e73'
+set label "si:1000" at graph 0.773711, graph 0.94975 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.53533, graph 0.950926 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:200" at graph 0.47378, graph 0.801566 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.446838, graph 0.952859 to graph 0.47378, graph 0.801566 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -355,7 +347,6 @@ plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
   $marks2_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
   $marks2_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
 unset multiplot
 }

@@ -2,196 +2,131 @@
 $line0_0 << EOD
 EOD
 $marks0_0 << EOD
-0.008903 1e-12 0.008903 0.008903
+0.008903 0.0168827 0.008903 0.008903
 EOD
 $line0_1 << EOD
 EOD
 $marks0_1 << EOD
-0.025308 1e-12 0.025308 0.025308
+0.025308 0.0123288 0.025308 0.025308
 EOD
 $line0_2 << EOD
 EOD
 $marks0_2 << EOD
-0.015302 1e-12 0.015302 0.015302
+0.015302 0.0111974 0.015302 0.015302
 EOD
 $line0_3 << EOD
 EOD
 $marks0_3 << EOD
-0.055793 1e-12 0.055793 0.055793
+0.055793 0.0144332 0.055793 0.055793
 EOD
 $line0_4 << EOD
 EOD
 $marks0_4 << EOD
-0.207117 1e-12 0.207117 0.207117
+0.207117 0.0144332 0.207117 0.207117
 EOD
 $line0_5 << EOD
 EOD
 $marks0_5 << EOD
-1.0171 1e-12 1.0171 1.0171
+1.0171 0.0144332 1.0171 1.0171
 EOD
 $line0_6 << EOD
 EOD
 $marks0_6 << EOD
-0.084495 1e-12 0.084495 0.084495
+0.084495 0.0123557 0.084495 0.084495
 EOD
 $line0_7 << EOD
 EOD
 $marks0_7 << EOD
-0.018538 1e-12 0.018538 0.018538
+0.018538 0.0131251 0.018538 0.018538
 EOD
 $line0_8 << EOD
 EOD
 $marks0_8 << EOD
-0.07417 1e-12 0.07417 0.07417
+0.07417 0.0129979 0.07417 0.07417
 EOD
 $line0_9 << EOD
 EOD
 $marks0_9 << EOD
-0.156632 1e-12 0.156632 0.156632
+0.156632 0.0141521 0.156632 0.156632
 EOD
 $line0_10 << EOD
 EOD
 $marks0_10 << EOD
-0.04081 1e-12 0.04081 0.04081
+0.04081 0.0161089 0.04081 0.04081
 EOD
 $line0_11 << EOD
 EOD
 $marks0_11 << EOD
-0.126417 1e-12 0.126417 0.126417
+0.126417 0.0122605 0.126417 0.126417
 EOD
 $line0_12 << EOD
 EOD
 $marks0_12 << EOD
-1.51498 1e-12 1.51498 1.51498
+1.51498 0.0469486 1.51498 1.51498
 EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
-0.008903 0.0168827 0.008903 0.008903
+0.008903 1e-12 0.008903 0.008903
 EOD
 $line1_1 << EOD
 EOD
 $marks1_1 << EOD
-0.025308 0.0123288 0.025308 0.025308
+0.025308 0.000104688 0.025308 0.025308
 EOD
 $line1_2 << EOD
 EOD
 $marks1_2 << EOD
-0.015302 0.0111974 0.015302 0.015302
+0.015302 7.46436e-06 0.015302 0.015302
 EOD
 $line1_3 << EOD
 EOD
 $marks1_3 << EOD
-0.055793 0.0144332 0.055793 0.055793
+0.055793 7.6924e-09 0.055793 0.055793
 EOD
 $line1_4 << EOD
 EOD
 $marks1_4 << EOD
-0.207117 0.0144332 0.207117 0.207117
+0.207117 8.36709e-09 0.207117 0.207117
 EOD
 $line1_5 << EOD
 EOD
 $marks1_5 << EOD
-1.0171 0.0144332 1.0171 1.0171
+1.0171 1.32551e-08 1.0171 1.0171
 EOD
 $line1_6 << EOD
 EOD
 $marks1_6 << EOD
-0.084495 0.0123557 0.084495 0.084495
+0.084495 4.43081e-09 0.084495 0.084495
 EOD
 $line1_7 << EOD
 EOD
 $marks1_7 << EOD
-0.018538 0.0131251 0.018538 0.018538
+0.018538 0.000438412 0.018538 0.018538
 EOD
 $line1_8 << EOD
 EOD
 $marks1_8 << EOD
-0.07417 0.0129979 0.07417 0.07417
+0.07417 1.022e-08 0.07417 0.07417
 EOD
 $line1_9 << EOD
 EOD
 $marks1_9 << EOD
-0.156632 0.0141521 0.156632 0.156632
+0.156632 7.00686e-09 0.156632 0.156632
 EOD
 $line1_10 << EOD
 EOD
 $marks1_10 << EOD
-0.04081 0.0161089 0.04081 0.04081
+0.04081 1.25939e-05 0.04081 0.04081
 EOD
 $line1_11 << EOD
 EOD
 $marks1_11 << EOD
-0.126417 0.0122605 0.126417 0.126417
+0.126417 7.66175e-09 0.126417 0.126417
 EOD
 $line1_12 << EOD
 EOD
 $marks1_12 << EOD
-1.51498 0.0469486 1.51498 1.51498
-EOD
-$line2_0 << EOD
-EOD
-$marks2_0 << EOD
-0.008903 1e-12 0.008903 0.008903
-EOD
-$line2_1 << EOD
-EOD
-$marks2_1 << EOD
-0.025308 0.000104688 0.025308 0.025308
-EOD
-$line2_2 << EOD
-EOD
-$marks2_2 << EOD
-0.015302 7.46436e-06 0.015302 0.015302
-EOD
-$line2_3 << EOD
-EOD
-$marks2_3 << EOD
-0.055793 7.6924e-09 0.055793 0.055793
-EOD
-$line2_4 << EOD
-EOD
-$marks2_4 << EOD
-0.207117 8.36709e-09 0.207117 0.207117
-EOD
-$line2_5 << EOD
-EOD
-$marks2_5 << EOD
-1.0171 1.32551e-08 1.0171 1.0171
-EOD
-$line2_6 << EOD
-EOD
-$marks2_6 << EOD
-0.084495 4.43081e-09 0.084495 0.084495
-EOD
-$line2_7 << EOD
-EOD
-$marks2_7 << EOD
-0.018538 0.000438412 0.018538 0.018538
-EOD
-$line2_8 << EOD
-EOD
-$marks2_8 << EOD
-0.07417 1.022e-08 0.07417 0.07417
-EOD
-$line2_9 << EOD
-EOD
-$marks2_9 << EOD
-0.156632 7.00686e-09 0.156632 0.156632
-EOD
-$line2_10 << EOD
-EOD
-$marks2_10 << EOD
-0.04081 1.25939e-05 0.04081 0.04081
-EOD
-$line2_11 << EOD
-EOD
-$marks2_11 << EOD
-0.126417 7.66175e-09 0.126417 0.126417
-EOD
-$line2_12 << EOD
-EOD
-$marks2_12 << EOD
 1.51498 0.26307 1.51498 1.51498
 EOD
 do for [kind in "svg png"] {
@@ -205,59 +140,6 @@ unset key
 set multiplot title "box_headings, each solver on its own: lower left is better" noenhanced
 set lmargin at screen 0.0616667
 set rmargin at screen 0.32
-set tmargin at screen 0.851064
-set bmargin at screen 0.110638
-set title "energy gained, J" noenhanced
-set logscale x
-set xtics 10 nomirror
-set mxtics
-set format x "%g"
-set xrange [0.00604222:5.69118]
-set xlabel "ms a step" noenhanced
-set logscale y
-set ytics 10 nomirror
-set mytics
-set format y "%g"
-set yrange [1e-13:1e-11]
-set ylabel "energy gained, J (lowest: none)" noenhanced
-unset label
-unset arrow
-unset object
-set label "delassus" at graph 0.0835457, graph 0.476724 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.236108, graph 0.534914 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.162635, graph 0.418534 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.135693, graph 0.5 to graph 0.162635, graph 0.418534 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.351549, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.543087, graph 0.5 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.775484, graph 0.476724 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.412158, graph 0.418534 left front noenhanced textcolor rgb '#e69f00'
-set arrow from graph 0.385216, graph 0.5 to graph 0.412158, graph 0.418534 nohead lw 0.6 lc rgb '#e69f00'
-set label "nncg:10" at graph 0.190649, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.163707, graph 0.5 to graph 0.190649, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.393125, graph 0.593103 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.366184, graph 0.5 to graph 0.393125, graph 0.593103 nohead lw 0.6 lc rgb '#009e73'
-set label "pgs:50" at graph 0.502289, graph 0.371983 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.475347, graph 0.5 to graph 0.502289, graph 0.371983 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig" at graph 0.305882, graph 0.371983 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.27894, graph 0.5 to graph 0.305882, graph 0.371983 nohead lw 0.6 lc rgb '#555555'
-set label "dantzig:1e-6" at graph 0.470993, graph 0.639655 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.444051, graph 0.5 to graph 0.470993, graph 0.639655 nohead lw 0.6 lc rgb '#555555'
-set label "lemke" at graph 0.833669, graph 0.534914 left front noenhanced textcolor rgb '#999999'
-plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
-  $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
-  $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks0_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks0_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks0_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks0_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
-  $marks0_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks0_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks0_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
-  $marks0_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks0_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks0_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
-set lmargin at screen 0.395
-set rmargin at screen 0.653333
 set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "deepest overlap, m" noenhanced
@@ -296,21 +178,21 @@ set arrow from graph 0.27894, graph 0.603533 to graph 0.305882, graph 0.731551 n
 set label "delassus" at graph 0.0835457, graph 0.7301 left front noenhanced textcolor rgb '#0060a8'
 set arrow from graph 0.0566038, graph 0.61372 to graph 0.0835457, graph 0.7301 nohead lw 0.6 lc rgb '#0060a8'
 set label "lemke" at graph 0.833669, graph 0.835812 left front noenhanced textcolor rgb '#999999'
-plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
-  $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
-  $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks1_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks1_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks1_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks1_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
-  $marks1_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks1_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks1_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
-  $marks1_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks1_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks1_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
-set lmargin at screen 0.728333
-set rmargin at screen 0.986667
+plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
+  $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
+  $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks0_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks0_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks0_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks0_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
+  $marks0_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks0_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks0_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
+  $marks0_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks0_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks0_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+set lmargin at screen 0.395
+set rmargin at screen 0.653333
 set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "noise of ground reaction / weight" noenhanced
@@ -344,18 +226,18 @@ set label "dantzig" at graph 0.305882, graph 0.623089 left front noenhanced text
 set label "delassus:1e-3" at graph 0.236108, graph 0.693838 left front noenhanced textcolor rgb '#0060a8'
 set label "nncg:10" at graph 0.190649, graph 0.741683 left front noenhanced textcolor rgb '#009e73'
 set label "lemke" at graph 0.833669, graph 0.95539 left front noenhanced textcolor rgb '#999999'
-plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
-  $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
-  $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks2_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks2_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks2_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
-  $marks2_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
-  $marks2_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks2_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks2_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
-  $marks2_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
+  $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
+  $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks1_3 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks1_4 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks1_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
+  $marks1_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
+  $marks1_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks1_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
+  $marks1_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
+  $marks1_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks1_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
+  $marks1_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
 unset multiplot
 }

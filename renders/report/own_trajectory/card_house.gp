@@ -189,11 +189,6 @@ EOD
 $marks2_11 << EOD
 0.288857 0.364726 0.288857 0.288857
 EOD
-$line2_12 << EOD
-EOD
-$marks2_12 << EOD
-236.298 1e-12 236.298 236.298
-EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
 if (kind eq "png") { set terminal pngcairo size 1200,470 font 'DejaVu Sans,9' background '#ffffff' }
@@ -306,10 +301,10 @@ set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "noise of ground reaction / weight" noenhanced
 set logscale x
-set xtics 100 nomirror
-unset mxtics
+set xtics 10 nomirror
+set mxtics
 set format x "10^{%T}"
-set xrange [0.000621932:82706.7]
+set xrange [0.00105856:11.695]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -320,24 +315,20 @@ set ylabel "noise of ground reaction / weight (lowest: none)" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.176981, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
-set label "nncg:50" at graph 0.0835457, graph 0.11798 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0566038, graph 0.0714286 to graph 0.0835457, graph 0.11798 nohead lw 0.6 lc rgb '#009e73'
-set label "lemke (cut)" at graph 0.713778, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
-set label "delassus:1e-3" at graph 0.290624, graph 0.746727 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.107484, graph 0.749347 left front noenhanced textcolor rgb '#e69f00'
-set label "si:50" at graph 0.284231, graph 0.855892 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.0485674, graph 0.879611 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.102978, graph 0.93721 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.287081, graph 0.890659 to graph 0.260139, graph 0.93721 nohead lw 0.6 lc rgb '#555555'
-set label "pgs:50" at graph 0.368652, graph 0.927295 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.355229, graph 0.80418 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.328287, graph 0.897283 to graph 0.355229, graph 0.80418 nohead lw 0.6 lc rgb '#555555'
-set label "si:1000" at graph 0.436998, graph 0.880046 left front noenhanced textcolor rgb '#d55e00'
-set label "nncg:10" at graph 0.117041, graph 0.827564 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0900995, graph 0.920667 to graph 0.117041, graph 0.827564 nohead lw 0.6 lc rgb '#009e73'
-set label "si:200" at graph 0.353831, graph 0.691805 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.326889, graph 0.924564 to graph 0.353831, graph 0.691805 nohead lw 0.6 lc rgb '#d55e00'
+set label "delassus" at graph 0.271276, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
+set label "nncg:50" at graph 0.0835457, graph 0.0714286 left front noenhanced textcolor rgb '#009e73'
+set label "delassus:1e-3" at graph 0.499609, graph 0.746727 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.321973, graph 0.749347 left front noenhanced textcolor rgb '#e69f00'
+set label "si:50" at graph 0.486765, graph 0.855892 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.347081, graph 0.879611 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.335577, graph 0.93721 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.51968, graph 0.890659 to graph 0.492738, graph 0.93721 nohead lw 0.6 lc rgb '#555555'
+set label "pgs:50" at graph 0.656383, graph 0.869105 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.629414, graph 0.932197 left front noenhanced textcolor rgb '#555555'
+set label "si:1000" at graph 0.793705, graph 0.880046 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.150846, graph 0.920667 left front noenhanced textcolor rgb '#009e73'
+set label "si:200" at graph 0.626604, graph 0.819823 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.599662, graph 0.924564 to graph 0.626604, graph 0.819823 nohead lw 0.6 lc rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -349,7 +340,6 @@ plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
   $marks2_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
   $marks2_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
 unset multiplot
 }

@@ -189,11 +189,6 @@ EOD
 $marks2_11 << EOD
 3.38233 0.12296 3.38233 3.38233
 EOD
-$line2_12 << EOD
-EOD
-$marks2_12 << EOD
-1913.32 1e-12 1913.32 1913.32
-EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
 if (kind eq "png") { set terminal pngcairo size 1200,470 font 'DejaVu Sans,9' background '#ffffff' }
@@ -315,41 +310,38 @@ set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "noise of ground reaction / weight" noenhanced
 set logscale x
-set xtics 100 nomirror
-unset mxtics
-set format x "10^{%T}"
-set xrange [0.0183018:371830]
+set xtics 10 nomirror
+set mxtics
+set format x "%g"
+set xrange [0.0319316:34.7978]
 set xlabel "ms a step" noenhanced
 set logscale y
-set ytics 1000 nomirror
-unset mytics
-set format y "10^{%T}"
-set yrange [1e-13:1]
-set ylabel "noise of ground reaction / weight (lowest: none)" noenhanced
+set ytics 10 nomirror
+set mytics
+set format y "%g"
+set yrange [0.01:1]
+set ylabel "noise of ground reaction / weight" noenhanced
 unset label
 unset arrow
 unset object
-set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.294854, graph 0.905851 left front noenhanced textcolor rgb '#555555'
-set label "nncg:50" at graph 0.182197, graph 0.964205 left front noenhanced textcolor rgb '#009e73'
-set label "delassus" at graph 0.0835457, graph 0.894898 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.00192109, graph 0.964729 left front noenhanced textcolor rgb '#e69f00'
-set label "delassus:1e-3" at graph 0.13, graph 0.836753 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.103058, graph 0.929856 to graph 0.13, graph 0.836753 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.337118, graph 0.778689 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.310176, graph 0.929982 to graph 0.337118, graph 0.778689 nohead lw 0.6 lc rgb '#555555'
-set label "si:10" at graph 0.0885825, graph 0.779175 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0616405, graph 0.930468 to graph 0.0885825, graph 0.779175 nohead lw 0.6 lc rgb '#d55e00'
-set label "pgs:50" at graph 0.246536, graph 0.722866 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.219594, graph 0.932349 to graph 0.246536, graph 0.722866 nohead lw 0.6 lc rgb '#cc79a7'
-set label "si:1000" at graph 0.338237, graph 0.666648 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.311295, graph 0.93432 to graph 0.338237, graph 0.666648 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.165288, graph 0.666897 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.138346, graph 0.934569 to graph 0.165288, graph 0.666897 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:200" at graph 0.0550903, graph 0.725735 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.216742, graph 0.935218 to graph 0.1898, graph 0.725735 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.101391, graph 0.611687 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.0744487, graph 0.937549 to graph 0.101391, graph 0.611687 nohead lw 0.6 lc rgb '#009e73'
+set label "dantzig" at graph 0.380911, graph 0.527685 left front noenhanced textcolor rgb '#555555'
+set label "nncg:50" at graph 0.109856, graph 0.517117 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.0835457, graph 0.62524 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0566038, graph 0.543775 to graph 0.0835457, graph 0.62524 nohead lw 0.6 lc rgb '#0060a8'
+set label "si2:50" at graph 0.340914, graph 0.613628 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.313972, graph 0.543801 to graph 0.340914, graph 0.613628 nohead lw 0.6 lc rgb '#e69f00'
+set label "delassus:1e-3" at graph 0.195315, graph 0.462599 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.168373, graph 0.544065 to graph 0.195315, graph 0.462599 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.693644, graph 0.544881 left front noenhanced textcolor rgb '#555555'
+set label "si:10" at graph 0.0956642, graph 0.676061 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.0687223, graph 0.548043 to graph 0.0956642, graph 0.676061 nohead lw 0.6 lc rgb '#d55e00'
+set label "pgs:50" at graph 0.475703, graph 0.583544 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:1000" at graph 0.696334, graph 0.596359 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.114077, graph 0.574701 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.46884, graph 0.660383 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.441898, graph 0.578918 to graph 0.46884, graph 0.660383 nohead lw 0.6 lc rgb '#d55e00'
+set label "nncg:10" at graph 0.126481, graph 0.733722 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.0995389, graph 0.594067 to graph 0.126481, graph 0.733722 nohead lw 0.6 lc rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -361,7 +353,6 @@ plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
   $marks2_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
   $marks2_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
 unset multiplot
 }

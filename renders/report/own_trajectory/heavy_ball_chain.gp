@@ -49,11 +49,6 @@ EOD
 $marks0_9 << EOD
 0.484868 1e-12 0.484868 0.484868
 EOD
-$line0_10 << EOD
-EOD
-$marks0_10 << EOD
-18.5035 1e-12 18.5035 18.5035
-EOD
 $line1_0 << EOD
 EOD
 $marks1_0 << EOD
@@ -181,8 +176,8 @@ set title "energy gained, J" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "10^{%T}"
-set xrange [0.0236041:386.276]
+set format x "%g"
+set xrange [0.030174:6.44895]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -193,21 +188,21 @@ set ylabel "energy gained, J (lowest: none)" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.192238, graph 0.0355477 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.184393, graph 0.0937373 left front noenhanced textcolor rgb '#0060a8'
-set label "si:10" at graph 0.0835457, graph 0.140289 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.0566038, graph 0.0588235 to graph 0.0835457, graph 0.140289 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:50" at graph 0.0343576, graph 0.0355477 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.314668, graph 0.140289 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.287726, graph 0.0588235 to graph 0.314668, graph 0.140289 nohead lw 0.6 lc rgb '#d55e00'
-set label "si:1000" at graph 0.476191, graph 0.0471856 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.00730822, graph 0.0937373 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.31025, graph 0.186841 left front noenhanced textcolor rgb '#cc79a7'
-set arrow from graph 0.283308, graph 0.0588235 to graph 0.31025, graph 0.186841 nohead lw 0.6 lc rgb '#cc79a7'
-set label "dantzig:1e-6" at graph 0.0151394, graph 0.186841 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.311501, graph 0.0588235 to graph 0.284559, graph 0.186841 nohead lw 0.6 lc rgb '#555555'
-set label "lemke (cut)" at graph 0.713778, graph 0.0588235 left front noenhanced textcolor rgb '#999999'
-set label "dantzig" at graph 0.265472, graph 0.958535 left front noenhanced textcolor rgb '#555555'
+set label "delassus" at graph 0.280133, graph 0.0588235 left front noenhanced textcolor rgb '#0060a8'
+set label "delassus:1e-3" at graph 0.265944, graph 0.105375 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.239002, graph 0.0588235 to graph 0.265944, graph 0.105375 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:10" at graph 0.0835457, graph 0.0588235 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.128933, graph 0.105375 left front noenhanced textcolor rgb '#d55e00'
+set arrow from graph 0.268133, graph 0.0588235 to graph 0.241191, graph 0.105375 nohead lw 0.6 lc rgb '#d55e00'
+set label "si:200" at graph 0.501566, graph 0.0355477 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.793705, graph 0.0588235 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.286759, graph 0.151927 left front noenhanced textcolor rgb '#e69f00'
+set arrow from graph 0.259817, graph 0.0588235 to graph 0.286759, graph 0.151927 nohead lw 0.6 lc rgb '#e69f00'
+set label "pgs:50" at graph 0.493575, graph 0.151927 left front noenhanced textcolor rgb '#cc79a7'
+set arrow from graph 0.466634, graph 0.0588235 to graph 0.493575, graph 0.151927 nohead lw 0.6 lc rgb '#cc79a7'
+set label "dantzig:1e-6" at graph 0.544567, graph 0.198479 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.517625, graph 0.0588235 to graph 0.544567, graph 0.198479 nohead lw 0.6 lc rgb '#555555'
+set label "dantzig" at graph 0.412587, graph 0.958535 left front noenhanced textcolor rgb '#555555'
 plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -217,8 +212,7 @@ plot $marks0_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks0_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
   $marks0_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
   $marks0_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks0_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks0_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+  $marks0_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
 set lmargin at screen 0.395
 set rmargin at screen 0.653333
 set tmargin at screen 0.851064

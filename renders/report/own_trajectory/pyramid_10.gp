@@ -184,16 +184,6 @@ EOD
 $marks2_10 << EOD
 1.55013 0.000915652 1.55013 1.55013
 EOD
-$line2_11 << EOD
-EOD
-$marks2_11 << EOD
-56.651 1e-12 56.651 56.651
-EOD
-$line2_12 << EOD
-EOD
-$marks2_12 << EOD
-942.718 1e-12 942.718 942.718
-EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
 if (kind eq "png") { set terminal pngcairo size 1200,470 font 'DejaVu Sans,9' background '#ffffff' }
@@ -309,10 +299,10 @@ set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "noise of ground reaction / weight" noenhanced
 set logscale x
-set xtics 100 nomirror
-unset mxtics
-set format x "10^{%T}"
-set xrange [0.02451:116128]
+set xtics 10 nomirror
+set mxtics
+set format x "%g"
+set xrange [0.0388774:53.1761]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -324,20 +314,16 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "dantzig:1e-6 (cut)" at graph 0.530847, graph 0.100199 left front noenhanced textcolor rgb '#555555'
-set label "lemke (cut)" at graph 0.713778, graph 0.0536472 left front noenhanced textcolor rgb '#999999'
-set label "si:1000" at graph 0.41716, graph 0.621205 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.23727, graph 0.563456 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.210328, graph 0.633283 to graph 0.23727, graph 0.563456 nohead lw 0.6 lc rgb '#0060a8'
-set label "si:200" at graph 0.313276, graph 0.684668 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.398594, graph 0.732639 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.227346, graph 0.733821 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.140339, graph 0.836115 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.113397, graph 0.766287 to graph 0.140339, graph 0.836115 nohead lw 0.6 lc rgb '#d55e00'
-set label "dantzig" at graph 0.296734, graph 0.789563 left front noenhanced textcolor rgb '#555555'
-set label "si2:50" at graph 0.25326, graph 0.846722 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.162108, graph 0.900243 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.252756, graph 0.95027 left front noenhanced textcolor rgb '#009e73'
+set label "si:1000" at graph 0.793705, graph 0.621205 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.410775, graph 0.633283 left front noenhanced textcolor rgb '#0060a8'
+set label "si:200" at graph 0.572569, graph 0.684668 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.754183, graph 0.732639 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.389651, graph 0.733821 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.204441, graph 0.766287 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.537357, graph 0.766287 left front noenhanced textcolor rgb '#555555'
+set label "si2:50" at graph 0.444814, graph 0.823446 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.250779, graph 0.876967 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.44374, graph 0.938632 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -348,8 +334,6 @@ plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
   $marks2_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
   $marks2_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
-  $marks2_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+  $marks2_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
 unset multiplot
 }

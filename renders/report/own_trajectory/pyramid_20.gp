@@ -154,16 +154,6 @@ EOD
 $marks2_8 << EOD
 3.42703 0.174073 3.42703 3.42703
 EOD
-$line2_9 << EOD
-EOD
-$marks2_9 << EOD
-130.945 1e-12 130.945 130.945
-EOD
-$line2_10 << EOD
-EOD
-$marks2_10 << EOD
-83.3554 1e-12 83.3554 83.3554
-EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
 if (kind eq "png") { set terminal pngcairo size 1200,470 font 'DejaVu Sans,9' background '#ffffff' }
@@ -265,8 +255,8 @@ set title "noise of ground reaction / weight" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "10^{%T}"
-set xrange [0.133521:4088.79]
+set format x "%g"
+set xrange [0.145874:935.749]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -278,16 +268,14 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "pgs:50 (cut)" at graph 0.693796, graph 0.0769231 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.304316, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
-set label "si:1000 (cut)" at graph 0.58449, graph 0.650099 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.135727, graph 0.70367 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.428733, graph 0.712723 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.0097097, graph 0.741184 left front noenhanced textcolor rgb '#d55e00'
-set label "delassus:1e-3" at graph 0.385273, graph 0.76795 left front noenhanced textcolor rgb '#0060a8'
-set label "si2:50" at graph 0.154536, graph 0.813455 left front noenhanced textcolor rgb '#e69f00'
-set label "nncg:10" at graph 0.204042, graph 0.903518 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.341109, graph 0.953233 left front noenhanced textcolor rgb '#009e73'
+set label "si:1000 (cut)" at graph 0.673814, graph 0.650099 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.340798, graph 0.70367 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.490283, graph 0.712723 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.192311, graph 0.741184 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.439074, graph 0.76795 left front noenhanced textcolor rgb '#0060a8'
+set label "si2:50" at graph 0.200823, graph 0.813455 left front noenhanced textcolor rgb '#e69f00'
+set label "nncg:10" at graph 0.225528, graph 0.903518 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.387035, graph 0.941595 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -296,8 +284,6 @@ plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks2_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
   $marks2_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks2_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks2_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
-  $marks2_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
+  $marks2_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73'
 unset multiplot
 }

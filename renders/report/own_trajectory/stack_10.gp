@@ -189,11 +189,6 @@ EOD
 $marks2_11 << EOD
 0.090754 1e-12 0.090754 0.090754
 EOD
-$line2_12 << EOD
-EOD
-$marks2_12 << EOD
-2.01224 1e-12 2.01224 2.01224
-EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
 if (kind eq "png") { set terminal pngcairo size 1200,470 font 'DejaVu Sans,9' background '#ffffff' }
@@ -312,7 +307,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.00384431:34.942]
+set xrange [0.00430362:5.32622]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -324,20 +319,18 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0862381, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0592962, graph 0.0769231 to graph 0.0862381, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6" at graph 0.3738, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
-set label "lemke (cut)" at graph 0.713778, graph 0.0769231 left front noenhanced textcolor rgb '#999999'
-set label "si:50" at graph 0.319435, graph 0.681483 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50" at graph 0.483591, graph 0.730354 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:1000" at graph 0.638355, graph 0.75423 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.177415, graph 0.762008 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.364705, graph 0.797194 left front noenhanced textcolor rgb '#e69f00'
-set label "si:200" at graph 0.471258, graph 0.853969 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.444316, graph 0.772503 to graph 0.471258, graph 0.853969 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.198884, graph 0.901936 left front noenhanced textcolor rgb '#009e73'
-set label "dantzig" at graph 0.100032, graph 0.95229 left front noenhanced textcolor rgb '#555555'
-set label "nncg:50" at graph 0.353991, graph 0.965487 left front noenhanced textcolor rgb '#009e73'
+set label "delassus:1e-3" at graph 0.086992, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0600501, graph 0.0769231 to graph 0.086992, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.455073, graph 0.0769231 left front noenhanced textcolor rgb '#555555'
+set label "si:50" at graph 0.385486, graph 0.681483 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50" at graph 0.595606, graph 0.741992 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:1000" at graph 0.793705, graph 0.75423 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.203699, graph 0.762008 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.443431, graph 0.797194 left front noenhanced textcolor rgb '#e69f00'
+set label "si:200" at graph 0.57982, graph 0.795779 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.231179, graph 0.901936 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.163742, graph 0.95229 left front noenhanced textcolor rgb '#555555'
+set label "nncg:50" at graph 0.429717, graph 0.965487 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -349,7 +342,6 @@ plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
   $marks2_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
   $marks2_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
 unset multiplot
 }

@@ -189,11 +189,6 @@ EOD
 $marks2_11 << EOD
 0.105025 2.43991e-09 0.105025 0.105025
 EOD
-$line2_12 << EOD
-EOD
-$marks2_12 << EOD
-37.5582 1e-12 37.5582 37.5582
-EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
 if (kind eq "png") { set terminal pngcairo size 1200,470 font 'DejaVu Sans,9' background '#ffffff' }
@@ -315,8 +310,8 @@ set title "noise of ground reaction / weight" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "10^{%T}"
-set xrange [0.00433098:2345.83]
+set format x "%g"
+set xrange [0.00669175:1.66371]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -328,21 +323,18 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0854273, graph 0.11798 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0584854, graph 0.0714286 to graph 0.0854273, graph 0.11798 nohead lw 0.6 lc rgb '#0060a8'
-set label "lemke (cut)" at graph 0.713778, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
-set label "dantzig:1e-6" at graph 0.268445, graph 0.313384 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.118059, graph 0.713857 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.221087, graph 0.802407 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.194145, graph 0.744217 to graph 0.221087, graph 0.802407 nohead lw 0.6 lc rgb '#009e73'
-set label "dantzig" at graph 0.183553, graph 0.858274 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.156611, graph 0.765171 to graph 0.183553, graph 0.858274 nohead lw 0.6 lc rgb '#555555'
-set label "si:200" at graph 0.299428, graph 0.745528 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.0210871, graph 0.777726 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.00262112, graph 0.912502 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.267001, graph 0.915007 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:10" at graph 0.14286, graph 0.961487 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.38025, graph 0.965061 left front noenhanced textcolor rgb '#d55e00'
+set label "delassus:1e-3" at graph 0.0880494, graph 0.11798 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0611074, graph 0.0714286 to graph 0.0880494, graph 0.11798 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.5261, graph 0.313384 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.166153, graph 0.725495 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.412751, graph 0.744217 left front noenhanced textcolor rgb '#009e73'
+set label "dantzig" at graph 0.111866, graph 0.776809 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.600259, graph 0.768804 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.331711, graph 0.801002 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.341251, graph 0.92414 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.522644, graph 0.926645 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:10" at graph 0.0593715, graph 0.938211 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.793705, graph 0.941785 left front noenhanced textcolor rgb '#d55e00'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -354,7 +346,6 @@ plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
   $marks2_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
   $marks2_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
 unset multiplot
 }

@@ -189,11 +189,6 @@ EOD
 $marks2_11 << EOD
 3.36663 2.22807e-09 3.36663 3.36663
 EOD
-$line2_12 << EOD
-EOD
-$marks2_12 << EOD
-57.3905 1e-12 57.3905 57.3905
-EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
 if (kind eq "png") { set terminal pngcairo size 1200,470 font 'DejaVu Sans,9' background '#ffffff' }
@@ -308,8 +303,8 @@ set title "noise of ground reaction / weight" noenhanced
 set logscale x
 set xtics 10 nomirror
 set mxtics
-set format x "10^{%T}"
-set xrange [0.0119583:2737]
+set format x "%g"
+set xrange [0.0151872:50.9488]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -321,20 +316,18 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0714286 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0916307, graph 0.11798 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.0646888, graph 0.0714286 to graph 0.0916307, graph 0.11798 nohead lw 0.6 lc rgb '#0060a8'
-set label "lemke (cut)" at graph 0.713778, graph 0.0714286 left front noenhanced textcolor rgb '#999999'
-set label "dantzig:1e-6" at graph 0.483977, graph 0.310566 left front noenhanced textcolor rgb '#555555'
-set label "si:200" at graph 0.372143, graph 0.720536 left front noenhanced textcolor rgb '#d55e00'
-set label "si:1000" at graph 0.501713, graph 0.770243 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.10882, graph 0.759628 left front noenhanced textcolor rgb '#e69f00'
-set label "pgs:50" at graph 0.40512, graph 0.817862 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.265314, graph 0.808716 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.151237, graph 0.889079 left front noenhanced textcolor rgb '#d55e00'
-set label "dantzig" at graph 0.287271, graph 0.915034 left front noenhanced textcolor rgb '#555555'
-set label "nncg:10" at graph 0.154829, graph 0.973958 left front noenhanced textcolor rgb '#009e73'
-set label "nncg:50" at graph 0.285409, graph 0.865518 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.258467, graph 0.946984 to graph 0.285409, graph 0.865518 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus:1e-3" at graph 0.0958363, graph 0.11798 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0688944, graph 0.0714286 to graph 0.0958363, graph 0.11798 nohead lw 0.6 lc rgb '#0060a8'
+set label "dantzig:1e-6" at graph 0.69227, graph 0.310566 left front noenhanced textcolor rgb '#555555'
+set label "si:200" at graph 0.522264, graph 0.720536 left front noenhanced textcolor rgb '#d55e00'
+set label "si:1000" at graph 0.719232, graph 0.746967 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.408662, graph 0.782904 left front noenhanced textcolor rgb '#e69f00'
+set label "pgs:50" at graph 0.572395, graph 0.782948 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.193723, graph 0.78544 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.186447, graph 0.912354 left front noenhanced textcolor rgb '#d55e00'
+set label "dantzig" at graph 0.393244, graph 0.915034 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.191908, graph 0.96232 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.390413, graph 0.97026 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -346,7 +339,6 @@ plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
   $marks2_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
   $marks2_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_12 using 1:2 with points pt 7 ps 0.45 lc rgb '#999999'
+  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
 unset multiplot
 }

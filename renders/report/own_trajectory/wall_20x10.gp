@@ -114,11 +114,6 @@ EOD
 $marks1_10 << EOD
 72.3783 0.00501571 72.3783 72.3783
 EOD
-$line1_11 << EOD
-EOD
-$marks1_11 << EOD
-6003.58 1e-12 6003.58 6003.58
-EOD
 $line2_0 << EOD
 EOD
 $marks2_0 << EOD
@@ -163,21 +158,6 @@ $line2_8 << EOD
 EOD
 $marks2_8 << EOD
 3.11865 0.105036 3.11865 3.11865
-EOD
-$line2_9 << EOD
-EOD
-$marks2_9 << EOD
-113.868 1e-12 113.868 113.868
-EOD
-$line2_10 << EOD
-EOD
-$marks2_10 << EOD
-72.3783 1e-12 72.3783 72.3783
-EOD
-$line2_11 << EOD
-EOD
-$marks2_11 << EOD
-6003.58 1e-12 6003.58 6003.58
 EOD
 do for [kind in "svg png"] {
 if (kind eq "svg") { set terminal svg size 1200,470 font 'DejaVu Sans,12' background '#ffffff' }
@@ -244,10 +224,10 @@ set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "deepest overlap, m" noenhanced
 set logscale x
-set xtics 100 nomirror
-unset mxtics
+set xtics 10 nomirror
+set mxtics
 set format x "10^{%T}"
-set xrange [0.0733217:7.04502e+07]
+set xrange [0.133306:3318.48]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 100 nomirror
@@ -259,22 +239,18 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0909091 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0842209, graph 0.137461 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.057279, graph 0.0909091 to graph 0.0842209, graph 0.137461 nohead lw 0.6 lc rgb '#0060a8'
-set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.0909091 left front noenhanced textcolor rgb '#555555'
-set label "si:1000 (cut)" at graph 0.331002, graph 0.704491 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs:50 (cut)" at graph 0.382201, graph 0.885302 left front noenhanced textcolor rgb '#cc79a7'
-set label "si:50" at graph 0.191076, graph 0.888955 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.254122, graph 0.938948 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.0219556, graph 0.940646 left front noenhanced textcolor rgb '#e69f00'
-set label "dantzig (cut)" at graph 0.360293, graph 0.833102 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.333351, graph 0.972758 to graph 0.360293, graph 0.833102 nohead lw 0.6 lc rgb '#555555'
-set label "nncg:10" at graph 0.140412, graph 0.833415 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.11347, graph 0.97307 to graph 0.140412, graph 0.833415 nohead lw 0.6 lc rgb '#009e73'
-set label "si:10" at graph 0.127904, graph 0.777049 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.100962, graph 0.974893 to graph 0.127904, graph 0.777049 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:50" at graph 0.208262, graph 0.649278 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.18132, graph 0.97514 to graph 0.208262, graph 0.649278 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus:1e-3" at graph 0.0849254, graph 0.137461 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0579835, graph 0.0909091 to graph 0.0849254, graph 0.137461 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:1000 (cut)" at graph 0.58918, graph 0.704491 left front noenhanced textcolor rgb '#d55e00'
+set label "pgs:50 (cut)" at graph 0.693796, graph 0.885302 left front noenhanced textcolor rgb '#cc79a7'
+set label "si:50" at graph 0.303266, graph 0.888955 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.432089, graph 0.92731 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.343055, graph 0.97556 left front noenhanced textcolor rgb '#e69f00'
+set label "dantzig (cut)" at graph 0.649031, graph 0.972758 left front noenhanced textcolor rgb '#555555'
+set label "nncg:10" at graph 0.199743, graph 0.833415 left front noenhanced textcolor rgb '#009e73'
+set arrow from graph 0.172801, graph 0.97307 to graph 0.199743, graph 0.833415 nohead lw 0.6 lc rgb '#009e73'
+set label "si:10" at graph 0.00804138, graph 0.974893 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:50" at graph 0.127337, graph 0.940226 left front noenhanced textcolor rgb '#009e73'
 plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -285,18 +261,17 @@ plot $marks1_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks1_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
   $marks1_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
   $marks1_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
-  $marks1_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks1_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
+  $marks1_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
 set lmargin at screen 0.728333
 set rmargin at screen 0.986667
 set tmargin at screen 0.851064
 set bmargin at screen 0.110638
 set title "noise of ground reaction / weight" noenhanced
 set logscale x
-set xtics 100 nomirror
-unset mxtics
-set format x "10^{%T}"
-set xrange [0.0733217:7.04502e+07]
+set xtics 10 nomirror
+set mxtics
+set format x "%g"
+set xrange [0.14472:843.912]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -308,22 +283,15 @@ unset label
 unset arrow
 unset object
 set label "delassus" at graph 0.0835457, graph 0.0769231 left front noenhanced textcolor rgb '#0060a8'
-set label "delassus:1e-3" at graph 0.0842209, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
-set arrow from graph 0.057279, graph 0.0769231 to graph 0.0842209, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
-set label "pgs:50 (cut)" at graph 0.382201, graph 0.100199 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig (cut)" at graph 0.360293, graph 0.0536472 left front noenhanced textcolor rgb '#555555'
-set label "dantzig:1e-6 (cut)" at graph 0.573905, graph 0.158389 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.546963, graph 0.0769231 to graph 0.573905, graph 0.158389 nohead lw 0.6 lc rgb '#555555'
-set label "si:1000 (cut)" at graph 0.331002, graph 0.644207 left front noenhanced textcolor rgb '#d55e00'
-set label "si:200" at graph 0.254122, graph 0.716969 left front noenhanced textcolor rgb '#d55e00'
-set label "si:50" at graph 0.191076, graph 0.768822 left front noenhanced textcolor rgb '#d55e00'
-set label "si2:50" at graph 0.210549, graph 0.820573 left front noenhanced textcolor rgb '#e69f00'
-set label "si:10" at graph 0.127904, graph 0.873271 left front noenhanced textcolor rgb '#d55e00'
-set arrow from graph 0.100962, graph 0.815081 to graph 0.127904, graph 0.873271 nohead lw 0.6 lc rgb '#d55e00'
-set label "nncg:10" at graph 0.140412, graph 0.949919 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.11347, graph 0.83354 to graph 0.140412, graph 0.949919 nohead lw 0.6 lc rgb '#009e73'
-set label "nncg:50" at graph 0.208262, graph 0.587218 left front noenhanced textcolor rgb '#009e73'
-set arrow from graph 0.18132, graph 0.924718 to graph 0.208262, graph 0.587218 nohead lw 0.6 lc rgb '#009e73'
+set label "delassus:1e-3" at graph 0.0851564, graph 0.123475 left front noenhanced textcolor rgb '#0060a8'
+set arrow from graph 0.0582144, graph 0.0769231 to graph 0.0851564, graph 0.123475 nohead lw 0.6 lc rgb '#0060a8'
+set label "si:1000 (cut)" at graph 0.673814, graph 0.644207 left front noenhanced textcolor rgb '#d55e00'
+set label "si:200" at graph 0.490429, graph 0.716969 left front noenhanced textcolor rgb '#d55e00'
+set label "si:50" at graph 0.340043, graph 0.768822 left front noenhanced textcolor rgb '#d55e00'
+set label "si2:50" at graph 0.197899, graph 0.808935 left front noenhanced textcolor rgb '#e69f00'
+set label "si:10" at graph 0.0232124, graph 0.815081 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg:10" at graph 0.219192, graph 0.856816 left front noenhanced textcolor rgb '#009e73'
+set label "nncg:50" at graph 0.381036, graph 0.924718 left front noenhanced textcolor rgb '#009e73'
 plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_1 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_2 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
@@ -332,9 +300,6 @@ plot $marks2_0 using 1:2 with points pt 7 ps 0.45 lc rgb '#0060a8', \
   $marks2_5 using 1:2 with points pt 7 ps 0.45 lc rgb '#d55e00', \
   $marks2_6 using 1:2 with points pt 7 ps 0.45 lc rgb '#e69f00', \
   $marks2_7 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks2_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73', \
-  $marks2_9 using 1:2 with points pt 7 ps 0.45 lc rgb '#cc79a7', \
-  $marks2_10 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555', \
-  $marks2_11 using 1:2 with points pt 7 ps 0.45 lc rgb '#555555'
+  $marks2_8 using 1:2 with points pt 7 ps 0.45 lc rgb '#009e73'
 unset multiplot
 }

@@ -53,12 +53,12 @@ set object 20 rectangle from screen 0.239219, screen 0.741697 to screen 0.274687
 set object 21 rectangle from screen 0.274688, screen 0.741697 to screen 0.310156, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 22 rectangle from screen 0.310156, screen 0.741697 to screen 0.345625, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 23 rectangle from screen 0.345625, screen 0.741697 to screen 0.381094, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 24 rectangle from screen 0.381094, screen 0.741697 to screen 0.416563, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.398828, screen 0.760148 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 25 rectangle from screen 0.416563, screen 0.741697 to screen 0.452031, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.434297, screen 0.760148 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 26 rectangle from screen 0.452031, screen 0.741697 to screen 0.4875, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.469766, screen 0.760148 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 24 rectangle from screen 0.381094, screen 0.741697 to screen 0.416563, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.398828, screen 0.760148 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 25 rectangle from screen 0.416563, screen 0.741697 to screen 0.452031, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.434297, screen 0.760148 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 26 rectangle from screen 0.452031, screen 0.741697 to screen 0.4875, screen 0.778598 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.469766, screen 0.760148 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 double" at screen 0.126562, screen 0.723247 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 27 rectangle from screen 0.132812, screen 0.704797 to screen 0.168281, screen 0.741697 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 28 rectangle from screen 0.168281, screen 0.704797 to screen 0.20375, screen 0.741697 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -319,12 +319,12 @@ set object 180 rectangle from screen 0.239219, screen 0.306273 to screen 0.27468
 set object 181 rectangle from screen 0.274688, screen 0.306273 to screen 0.310156, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 182 rectangle from screen 0.310156, screen 0.306273 to screen 0.345625, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 183 rectangle from screen 0.345625, screen 0.306273 to screen 0.381094, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 184 rectangle from screen 0.381094, screen 0.306273 to screen 0.416563, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.398828, screen 0.324723 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 185 rectangle from screen 0.416563, screen 0.306273 to screen 0.452031, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.434297, screen 0.324723 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 186 rectangle from screen 0.452031, screen 0.306273 to screen 0.4875, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.469766, screen 0.324723 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 184 rectangle from screen 0.381094, screen 0.306273 to screen 0.416563, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.398828, screen 0.324723 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 185 rectangle from screen 0.416563, screen 0.306273 to screen 0.452031, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.434297, screen 0.324723 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 186 rectangle from screen 0.452031, screen 0.306273 to screen 0.4875, screen 0.343173 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.469766, screen 0.324723 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 double" at screen 0.126562, screen 0.287823 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 187 rectangle from screen 0.132812, screen 0.269373 to screen 0.168281, screen 0.306273 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 188 rectangle from screen 0.168281, screen 0.269373 to screen 0.20375, screen 0.306273 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1

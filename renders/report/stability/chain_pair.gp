@@ -12,7 +12,7 @@ set tmargin 0
 set bmargin 0
 set xrange [0:1]
 set yrange [0:1]
-set label "Ball on 20 links of 1 kg, let go from 30 degrees" at screen 0.5, screen 0.966543 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 14)
+set label "Ball on 20 links of 1 kg, let go from 30 degrees, 1 s instead of 2" at screen 0.5, screen 0.966543 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 14)
 set object 1 rectangle from screen 0.015625, screen 0.899628 to screen 0.0296875, screen 0.933086 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "holds" at screen 0.034375, screen 0.916357 left front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 12)
 set object 2 rectangle from screen 0.0820312, screen 0.899628 to screen 0.0960938, screen 0.933086 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1

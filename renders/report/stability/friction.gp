@@ -624,8 +624,7 @@ set object 375 rectangle from screen 0.132812, screen 0.059126 to screen 0.17714
 set object 376 rectangle from screen 0.177148, screen 0.059126 to screen 0.221484, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 377 rectangle from screen 0.221484, screen 0.059126 to screen 0.26582, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 378 rectangle from screen 0.26582, screen 0.059126 to screen 0.310156, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 379 rectangle from screen 0.310156, screen 0.059126 to screen 0.354492, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.332324, screen 0.0719794 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 379 rectangle from screen 0.310156, screen 0.059126 to screen 0.354492, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 380 rectangle from screen 0.354492, screen 0.059126 to screen 0.398828, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.37666, screen 0.0719794 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 381 rectangle from screen 0.398828, screen 0.059126 to screen 0.443164, screen 0.0848329 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1

@@ -384,8 +384,7 @@ set object 195 rectangle from screen 0.132812, screen 0.136247 to screen 0.20375
 set object 196 rectangle from screen 0.20375, screen 0.136247 to screen 0.274688, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 197 rectangle from screen 0.274688, screen 0.136247 to screen 0.345625, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 198 rectangle from screen 0.345625, screen 0.136247 to screen 0.416562, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 199 rectangle from screen 0.416563, screen 0.136247 to screen 0.4875, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.452031, screen 0.1491 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 199 rectangle from screen 0.416563, screen 0.136247 to screen 0.4875, screen 0.161954 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "si:1000 float" at screen 0.126562, screen 0.123393 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 200 rectangle from screen 0.132812, screen 0.11054 to screen 0.20375, screen 0.136247 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 201 rectangle from screen 0.20375, screen 0.11054 to screen 0.274688, screen 0.136247 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1

@@ -661,12 +661,12 @@ set object 332 rectangle from screen 0.310156, screen 0.5264 to screen 0.345625,
 set label "x" at screen 0.327891, screen 0.5344 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 333 rectangle from screen 0.345625, screen 0.5264 to screen 0.381094, screen 0.5424 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.363359, screen 0.5344 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 334 rectangle from screen 0.381094, screen 0.5264 to screen 0.416563, screen 0.5424 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.398828, screen 0.5344 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 335 rectangle from screen 0.416563, screen 0.5264 to screen 0.452031, screen 0.5424 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.434297, screen 0.5344 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 336 rectangle from screen 0.452031, screen 0.5264 to screen 0.4875, screen 0.5424 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.469766, screen 0.5344 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 334 rectangle from screen 0.381094, screen 0.5264 to screen 0.416563, screen 0.5424 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.398828, screen 0.5344 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 335 rectangle from screen 0.416563, screen 0.5264 to screen 0.452031, screen 0.5424 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.434297, screen 0.5344 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 336 rectangle from screen 0.452031, screen 0.5264 to screen 0.4875, screen 0.5424 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.469766, screen 0.5344 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "delassus float" at screen 0.126562, screen 0.5184 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set arrow from screen 0.250825, screen 0.5264 to screen 0.250825, screen 0.5104 nohead front lw 2.5 lc rgb '#000000'
 set object 337 rectangle from screen 0.132812, screen 0.5104 to screen 0.168281, screen 0.5264 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -732,12 +732,9 @@ set object 366 rectangle from screen 0.452031, screen 0.4784 to screen 0.4875, s
 set label "x" at screen 0.469766, screen 0.4864 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:1000 double" at screen 0.126562, screen 0.4704 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set arrow from screen 0.250825, screen 0.4784 to screen 0.250825, screen 0.4624 nohead front lw 2.5 lc rgb '#000000'
-set object 367 rectangle from screen 0.132812, screen 0.4624 to screen 0.168281, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.150547, screen 0.4704 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 368 rectangle from screen 0.168281, screen 0.4624 to screen 0.20375, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.186016, screen 0.4704 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 369 rectangle from screen 0.20375, screen 0.4624 to screen 0.239219, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.221484, screen 0.4704 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 367 rectangle from screen 0.132812, screen 0.4624 to screen 0.168281, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 368 rectangle from screen 0.168281, screen 0.4624 to screen 0.20375, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 369 rectangle from screen 0.20375, screen 0.4624 to screen 0.239219, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 370 rectangle from screen 0.239219, screen 0.4624 to screen 0.274687, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.256953, screen 0.4704 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 371 rectangle from screen 0.274688, screen 0.4624 to screen 0.310156, screen 0.4784 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -754,12 +751,9 @@ set object 376 rectangle from screen 0.452031, screen 0.4624 to screen 0.4875, s
 set label "x" at screen 0.469766, screen 0.4704 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:1000 float" at screen 0.126562, screen 0.4544 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set arrow from screen 0.250825, screen 0.4624 to screen 0.250825, screen 0.4464 nohead front lw 2.5 lc rgb '#000000'
-set object 377 rectangle from screen 0.132812, screen 0.4464 to screen 0.168281, screen 0.4624 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.150547, screen 0.4544 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 378 rectangle from screen 0.168281, screen 0.4464 to screen 0.20375, screen 0.4624 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.186016, screen 0.4544 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 379 rectangle from screen 0.20375, screen 0.4464 to screen 0.239219, screen 0.4624 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.221484, screen 0.4544 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 377 rectangle from screen 0.132812, screen 0.4464 to screen 0.168281, screen 0.4624 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 378 rectangle from screen 0.168281, screen 0.4464 to screen 0.20375, screen 0.4624 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 379 rectangle from screen 0.20375, screen 0.4464 to screen 0.239219, screen 0.4624 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 380 rectangle from screen 0.239219, screen 0.4464 to screen 0.274687, screen 0.4624 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.256953, screen 0.4544 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 381 rectangle from screen 0.274688, screen 0.4464 to screen 0.310156, screen 0.4624 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -964,7 +958,8 @@ set object 476 rectangle from screen 0.310156, screen 0.3376 to screen 0.345625,
 set object 477 rectangle from screen 0.345625, screen 0.3376 to screen 0.381094, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 478 rectangle from screen 0.381094, screen 0.3376 to screen 0.416563, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 479 rectangle from screen 0.416563, screen 0.3376 to screen 0.452031, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 480 rectangle from screen 0.452031, screen 0.3376 to screen 0.4875, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 480 rectangle from screen 0.452031, screen 0.3376 to screen 0.4875, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.469766, screen 0.3456 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "delassus float" at screen 0.126562, screen 0.3296 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 481 rectangle from screen 0.132812, screen 0.3216 to screen 0.168281, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 482 rectangle from screen 0.168281, screen 0.3216 to screen 0.20375, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -973,11 +968,12 @@ set object 484 rectangle from screen 0.239219, screen 0.3216 to screen 0.274687,
 set object 485 rectangle from screen 0.274688, screen 0.3216 to screen 0.310156, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 486 rectangle from screen 0.310156, screen 0.3216 to screen 0.345625, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 487 rectangle from screen 0.345625, screen 0.3216 to screen 0.381094, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 488 rectangle from screen 0.381094, screen 0.3216 to screen 0.416563, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 489 rectangle from screen 0.416563, screen 0.3216 to screen 0.452031, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.434297, screen 0.3296 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 490 rectangle from screen 0.452031, screen 0.3216 to screen 0.4875, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.469766, screen 0.3296 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 488 rectangle from screen 0.381094, screen 0.3216 to screen 0.416563, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.398828, screen 0.3296 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 489 rectangle from screen 0.416563, screen 0.3216 to screen 0.452031, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.434297, screen 0.3296 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 490 rectangle from screen 0.452031, screen 0.3216 to screen 0.4875, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.469766, screen 0.3296 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 double" at screen 0.126562, screen 0.3136 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 491 rectangle from screen 0.132812, screen 0.3056 to screen 0.168281, screen 0.3216 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.150547, screen 0.3136 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
@@ -1118,7 +1114,8 @@ set object 556 rectangle from screen 0.810156, screen 0.3376 to screen 0.845625,
 set object 557 rectangle from screen 0.845625, screen 0.3376 to screen 0.881094, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 558 rectangle from screen 0.881094, screen 0.3376 to screen 0.916563, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 559 rectangle from screen 0.916563, screen 0.3376 to screen 0.952031, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 560 rectangle from screen 0.952031, screen 0.3376 to screen 0.9875, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 560 rectangle from screen 0.952031, screen 0.3376 to screen 0.9875, screen 0.3536 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.969766, screen 0.3456 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "delassus float" at screen 0.626563, screen 0.3296 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 561 rectangle from screen 0.632812, screen 0.3216 to screen 0.668281, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 562 rectangle from screen 0.668281, screen 0.3216 to screen 0.70375, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -1127,10 +1124,12 @@ set object 564 rectangle from screen 0.739219, screen 0.3216 to screen 0.774687,
 set object 565 rectangle from screen 0.774687, screen 0.3216 to screen 0.810156, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 566 rectangle from screen 0.810156, screen 0.3216 to screen 0.845625, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 567 rectangle from screen 0.845625, screen 0.3216 to screen 0.881094, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 568 rectangle from screen 0.881094, screen 0.3216 to screen 0.916563, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 569 rectangle from screen 0.916563, screen 0.3216 to screen 0.952031, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 570 rectangle from screen 0.952031, screen 0.3216 to screen 0.9875, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.969766, screen 0.3296 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 568 rectangle from screen 0.881094, screen 0.3216 to screen 0.916563, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.898828, screen 0.3296 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 569 rectangle from screen 0.916563, screen 0.3216 to screen 0.952031, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.934297, screen 0.3296 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 570 rectangle from screen 0.952031, screen 0.3216 to screen 0.9875, screen 0.3376 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
+set label "!" at screen 0.969766, screen 0.3296 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 double" at screen 0.626563, screen 0.3136 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 571 rectangle from screen 0.632812, screen 0.3056 to screen 0.668281, screen 0.3216 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 572 rectangle from screen 0.668281, screen 0.3056 to screen 0.70375, screen 0.3216 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1

@@ -346,8 +346,10 @@ set object 209 rectangle from screen 0.721484, screen 0.648915 to screen 0.76582
 set object 210 rectangle from screen 0.76582, screen 0.648915 to screen 0.810156, screen 0.668639 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 211 rectangle from screen 0.810156, screen 0.648915 to screen 0.854492, screen 0.668639 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 212 rectangle from screen 0.854492, screen 0.648915 to screen 0.898828, screen 0.668639 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 213 rectangle from screen 0.898828, screen 0.648915 to screen 0.943164, screen 0.668639 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 214 rectangle from screen 0.943164, screen 0.648915 to screen 0.9875, screen 0.668639 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 213 rectangle from screen 0.898828, screen 0.648915 to screen 0.943164, screen 0.668639 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.920996, screen 0.658777 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 214 rectangle from screen 0.943164, screen 0.648915 to screen 0.9875, screen 0.668639 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.965332, screen 0.658777 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "delassus float" at screen 0.626563, screen 0.639053 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 215 rectangle from screen 0.632812, screen 0.629191 to screen 0.677148, screen 0.648915 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 216 rectangle from screen 0.677148, screen 0.629191 to screen 0.721484, screen 0.648915 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -356,7 +358,8 @@ set object 218 rectangle from screen 0.76582, screen 0.629191 to screen 0.810156
 set object 219 rectangle from screen 0.810156, screen 0.629191 to screen 0.854492, screen 0.648915 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 220 rectangle from screen 0.854492, screen 0.629191 to screen 0.898828, screen 0.648915 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 221 rectangle from screen 0.898828, screen 0.629191 to screen 0.943164, screen 0.648915 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 222 rectangle from screen 0.943164, screen 0.629191 to screen 0.9875, screen 0.648915 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 222 rectangle from screen 0.943164, screen 0.629191 to screen 0.9875, screen 0.648915 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.965332, screen 0.639053 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 double" at screen 0.626563, screen 0.619329 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 223 rectangle from screen 0.632812, screen 0.609467 to screen 0.677148, screen 0.629191 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 224 rectangle from screen 0.677148, screen 0.609467 to screen 0.721484, screen 0.629191 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -518,8 +521,8 @@ set object 329 rectangle from screen 0.721484, screen 0.416174 to screen 0.76582
 set object 330 rectangle from screen 0.76582, screen 0.416174 to screen 0.810156, screen 0.435897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 331 rectangle from screen 0.810156, screen 0.416174 to screen 0.854492, screen 0.435897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 332 rectangle from screen 0.854492, screen 0.416174 to screen 0.898828, screen 0.435897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 333 rectangle from screen 0.898828, screen 0.416174 to screen 0.943164, screen 0.435897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.920996, screen 0.426036 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 333 rectangle from screen 0.898828, screen 0.416174 to screen 0.943164, screen 0.435897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.920996, screen 0.426036 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 334 rectangle from screen 0.943164, screen 0.416174 to screen 0.9875, screen 0.435897 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.626563, screen 0.406312 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 335 rectangle from screen 0.632812, screen 0.39645 to screen 0.677148, screen 0.416174 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1

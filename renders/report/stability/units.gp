@@ -147,20 +147,28 @@ set label "0.2" at screen 0.469766, screen 0.652956 center front noenhanced text
 set label "time step, s" at screen 0.310156, screen 0.62982 center front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "five boxes, the top ten times as heavy: gravity" at screen 0.509375, screen 0.890746 left front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 12)
 set label "delassus double" at screen 0.626563, screen 0.858612 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 87 rectangle from screen 0.632812, screen 0.845758 to screen 0.672222, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 88 rectangle from screen 0.672222, screen 0.845758 to screen 0.711632, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 89 rectangle from screen 0.711632, screen 0.845758 to screen 0.751042, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 90 rectangle from screen 0.751042, screen 0.845758 to screen 0.790451, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 87 rectangle from screen 0.632812, screen 0.845758 to screen 0.672222, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.652517, screen 0.858612 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 88 rectangle from screen 0.672222, screen 0.845758 to screen 0.711632, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.691927, screen 0.858612 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 89 rectangle from screen 0.711632, screen 0.845758 to screen 0.751042, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.731337, screen 0.858612 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 90 rectangle from screen 0.751042, screen 0.845758 to screen 0.790451, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.770747, screen 0.858612 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 91 rectangle from screen 0.790451, screen 0.845758 to screen 0.829861, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 92 rectangle from screen 0.829861, screen 0.845758 to screen 0.869271, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 93 rectangle from screen 0.869271, screen 0.845758 to screen 0.908681, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 94 rectangle from screen 0.908681, screen 0.845758 to screen 0.94809, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 95 rectangle from screen 0.94809, screen 0.845758 to screen 0.9875, screen 0.871465 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set label "delassus float" at screen 0.626563, screen 0.832905 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 96 rectangle from screen 0.632812, screen 0.820051 to screen 0.672222, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 97 rectangle from screen 0.672222, screen 0.820051 to screen 0.711632, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 98 rectangle from screen 0.711632, screen 0.820051 to screen 0.751042, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 99 rectangle from screen 0.751042, screen 0.820051 to screen 0.790451, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 96 rectangle from screen 0.632812, screen 0.820051 to screen 0.672222, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.652517, screen 0.832905 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 97 rectangle from screen 0.672222, screen 0.820051 to screen 0.711632, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.691927, screen 0.832905 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 98 rectangle from screen 0.711632, screen 0.820051 to screen 0.751042, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.731337, screen 0.832905 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 99 rectangle from screen 0.751042, screen 0.820051 to screen 0.790451, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.770747, screen 0.832905 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 100 rectangle from screen 0.790451, screen 0.820051 to screen 0.829861, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 101 rectangle from screen 0.829861, screen 0.820051 to screen 0.869271, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 102 rectangle from screen 0.869271, screen 0.820051 to screen 0.908681, screen 0.845758 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -372,8 +380,10 @@ set object 234 rectangle from screen 0.751042, screen 0.542416 to screen 0.79045
 set object 235 rectangle from screen 0.790451, screen 0.542416 to screen 0.829861, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 236 rectangle from screen 0.829861, screen 0.542416 to screen 0.869271, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 237 rectangle from screen 0.869271, screen 0.542416 to screen 0.908681, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 238 rectangle from screen 0.908681, screen 0.542416 to screen 0.94809, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 239 rectangle from screen 0.94809, screen 0.542416 to screen 0.9875, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 238 rectangle from screen 0.908681, screen 0.542416 to screen 0.94809, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.928385, screen 0.55527 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 239 rectangle from screen 0.94809, screen 0.542416 to screen 0.9875, screen 0.568123 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.967795, screen 0.55527 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "delassus float" at screen 0.626563, screen 0.529563 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 240 rectangle from screen 0.632812, screen 0.51671 to screen 0.672222, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 241 rectangle from screen 0.672222, screen 0.51671 to screen 0.711632, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -382,8 +392,10 @@ set object 243 rectangle from screen 0.751042, screen 0.51671 to screen 0.790451
 set object 244 rectangle from screen 0.790451, screen 0.51671 to screen 0.829861, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 245 rectangle from screen 0.829861, screen 0.51671 to screen 0.869271, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 246 rectangle from screen 0.869271, screen 0.51671 to screen 0.908681, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 247 rectangle from screen 0.908681, screen 0.51671 to screen 0.94809, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 248 rectangle from screen 0.94809, screen 0.51671 to screen 0.9875, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
+set object 247 rectangle from screen 0.908681, screen 0.51671 to screen 0.94809, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.928385, screen 0.529563 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 248 rectangle from screen 0.94809, screen 0.51671 to screen 0.9875, screen 0.542416 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.967795, screen 0.529563 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "si:10 double" at screen 0.626563, screen 0.503856 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 249 rectangle from screen 0.632812, screen 0.491003 to screen 0.672222, screen 0.51671 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.652517, screen 0.503856 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)

@@ -92,8 +92,7 @@ set object 50 rectangle from screen 0.239219, screen 0.665552 to screen 0.274687
 set object 51 rectangle from screen 0.274688, screen 0.665552 to screen 0.310156, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 52 rectangle from screen 0.310156, screen 0.665552 to screen 0.345625, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 53 rectangle from screen 0.345625, screen 0.665552 to screen 0.381094, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 54 rectangle from screen 0.381094, screen 0.665552 to screen 0.416563, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.398828, screen 0.682274 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 54 rectangle from screen 0.381094, screen 0.665552 to screen 0.416563, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 55 rectangle from screen 0.416563, screen 0.665552 to screen 0.452031, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.434297, screen 0.682274 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 56 rectangle from screen 0.452031, screen 0.665552 to screen 0.4875, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
@@ -118,12 +117,12 @@ set object 60 rectangle from screen 0.739219, screen 0.799331 to screen 0.774687
 set object 61 rectangle from screen 0.774687, screen 0.799331 to screen 0.810156, screen 0.832776 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 62 rectangle from screen 0.810156, screen 0.799331 to screen 0.845625, screen 0.832776 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 63 rectangle from screen 0.845625, screen 0.799331 to screen 0.881094, screen 0.832776 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 64 rectangle from screen 0.881094, screen 0.799331 to screen 0.916563, screen 0.832776 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.898828, screen 0.816054 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 65 rectangle from screen 0.916563, screen 0.799331 to screen 0.952031, screen 0.832776 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.934297, screen 0.816054 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 66 rectangle from screen 0.952031, screen 0.799331 to screen 0.9875, screen 0.832776 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#e69f00' lw 1
-set label "!" at screen 0.969766, screen 0.816054 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 64 rectangle from screen 0.881094, screen 0.799331 to screen 0.916563, screen 0.832776 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.898828, screen 0.816054 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 65 rectangle from screen 0.916563, screen 0.799331 to screen 0.952031, screen 0.832776 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.934297, screen 0.816054 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 66 rectangle from screen 0.952031, screen 0.799331 to screen 0.9875, screen 0.832776 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
+set label "x" at screen 0.969766, screen 0.816054 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "μ = 0.1" at screen 0.626563, screen 0.782609 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 67 rectangle from screen 0.632812, screen 0.765886 to screen 0.668281, screen 0.799331 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 68 rectangle from screen 0.668281, screen 0.765886 to screen 0.70375, screen 0.799331 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
@@ -171,8 +170,7 @@ set object 100 rectangle from screen 0.739219, screen 0.665552 to screen 0.77468
 set object 101 rectangle from screen 0.774687, screen 0.665552 to screen 0.810156, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 102 rectangle from screen 0.810156, screen 0.665552 to screen 0.845625, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 103 rectangle from screen 0.845625, screen 0.665552 to screen 0.881094, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 104 rectangle from screen 0.881094, screen 0.665552 to screen 0.916563, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
-set label "x" at screen 0.898828, screen 0.682274 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 104 rectangle from screen 0.881094, screen 0.665552 to screen 0.916563, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 105 rectangle from screen 0.916563, screen 0.665552 to screen 0.952031, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
 set label "x" at screen 0.934297, screen 0.682274 center front noenhanced textcolor rgb '#ffffff' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 106 rectangle from screen 0.952031, screen 0.665552 to screen 0.9875, screen 0.698997 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#d55e00' lw 1
