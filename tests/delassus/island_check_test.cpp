@@ -286,7 +286,8 @@ TEST(IslandCheck, WhatIsNoNumberIsNotFree) {
     }
 }
 
-// Nor is a contact whose bodies part at once, or whose friction is none: no law can be stated there.
+// Nor is a contact whose bodies part at an infinite speed, or whose friction is no number: no law
+// can be stated there.
 TEST(IslandCheck, AContactThatIsNoNumberIsNotFree) {
   constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
   Random random(86);
