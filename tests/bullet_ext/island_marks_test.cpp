@@ -8,6 +8,7 @@
 #include "bullet_ext/step_report.h"
 #include "bullet_ext/workshop.h"
 #include "tests/support/bullet_world.h"
+#include "tests/support/rowless_constraint.h"
 
 namespace delassus::test {
 namespace {
@@ -135,17 +136,11 @@ TEST(RestlessIslands, AreThoseWhoseFirstReactionsWereOthers) {
 }
 
 /// A constraint without rows that lets its body rise at 1 m/s.
-class Lift : public btTypedConstraint {
+class Lift : public RowlessConstraint {
  public:
-  explicit Lift(btRigidBody& body) : btTypedConstraint(MAX_CONSTRAINT_TYPE, body) {}
-  void getInfo1(btConstraintInfo1* info) override { info->m_numConstraintRows = info->nub = 0; }
-  void getInfo2(btConstraintInfo2*) override {}
-  void setParam(int, btScalar, int) override {}
-  btScalar getParam(int, int) const override { return 0; }
+  using RowlessConstraint::RowlessConstraint;
   void solveConstraintObsolete(btSolverBody& body, btSolverBody&, btScalar) override {
-    const btVector3 velocity =
-        body.m_linearVelocity + body.m_externalForceImpulse + body.m_deltaLinearVelocity;
-    body.m_deltaLinearVelocity += btVector3(1, 0, 0) - velocity;
+    body.m_deltaLinearVelocity += btVector3(1, 0, 0) - velocityOf(body);
   }
 };
 

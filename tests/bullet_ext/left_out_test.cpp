@@ -10,6 +10,7 @@
 
 #include "bullet_ext/softness.h"
 #include "tests/support/bullet_world.h"
+#include "tests/support/rowless_constraint.h"
 
 namespace delassus::test {
 namespace {
@@ -371,13 +372,9 @@ TEST(LeftOut, DampingThatIsNoNumberTakesAllRowsOfItsJoint) {
 }
 
 /// Sets velocities that are NaN, in solveConstraintObsolete.
-class BrokenMover : public btTypedConstraint {
+class BrokenMover : public RowlessConstraint {
  public:
-  explicit BrokenMover(btRigidBody& body) : btTypedConstraint(MAX_CONSTRAINT_TYPE, body) {}
-  void getInfo1(btConstraintInfo1* info) override { info->m_numConstraintRows = info->nub = 0; }
-  void getInfo2(btConstraintInfo2*) override {}
-  void setParam(int, btScalar, int) override {}
-  btScalar getParam(int, int) const override { return 0; }
+  using RowlessConstraint::RowlessConstraint;
   void solveConstraintObsolete(btSolverBody& body, btSolverBody&, btScalar) override {
     body.internalApplyImpulse({1, 0, 0}, {0, 0, 0}, notANumber);
   }

@@ -8,6 +8,7 @@
 
 #include "bullet_ext/convert.h"
 #include "tests/support/multibody_world.h"
+#include "tests/support/rowless_constraint.h"
 
 namespace delassus::test {
 namespace {
@@ -171,31 +172,13 @@ TEST(MultiBodyMachines, SameBitsEveryTime) {
   EXPECT_EQ(std::memcmp(once.data(), again.data(), once.size() * sizeof(btScalar)), 0);
 }
 
-/// Keeps a body from falling faster than 1 m/s, in solveConstraintObsolete alone.
-class Parachute : public btTypedConstraint {
- public:
-  explicit Parachute(btRigidBody& body) : btTypedConstraint(MAX_CONSTRAINT_TYPE, body) {}
-  void getInfo1(btConstraintInfo1* info) override { info->m_numConstraintRows = info->nub = 0; }
-  void getInfo2(btConstraintInfo2*) override {}
-  void setParam(int, btScalar, int) override {}
-  btScalar getParam(int, int) const override { return 0; }
-  void solveConstraintObsolete(btSolverBody& body, btSolverBody&, btScalar) override {
-    const btVector3 velocity =
-        body.m_linearVelocity + body.m_externalForceImpulse + body.getDeltaLinearVelocity();
-    const btScalar missing = -1 - velocity.y();
-    if (missing > 0)
-      body.internalApplyImpulse(btVector3(0, 1, 0) * body.internalGetInvMass(), {0, 0, 0},
-                                missing / body.internalGetInvMass().y());
-  }
-};
-
 // The tree is solved again and again while the constraint goes on, and gains only what the last
 // answer gives it.
 TEST(MultiBodyMachines, AConstraintWithoutRowsCarriesATree) {
   DelassusMultiBodyWorld world;
   world.info().m_numIterations = 1000;  // sweeps of the user's own method
   btRigidBody& table = world.addCube({0, 10, 0}, 1);
-  world.addJoint<Parachute>(table);
+  world.addJoint<FallBrake>(table, btScalar(1));
   table.setAngularFactor(0);
   const btScalar radius = btScalar(0.5);
   btMultiBody& ball = world.addTree(0, 1, btVector3(1, 1, 1), false, {0, 10 + 2 * radius, 0});

@@ -6,35 +6,10 @@
 #include <cmath>
 
 #include "tests/support/bullet_world.h"
+#include "tests/support/rowless_constraint.h"
 
 namespace delassus::test {
 namespace {
-
-/// Keeps a body from falling faster than a speed, in solveConstraintObsolete alone.
-class FallBrake : public btTypedConstraint {
- public:
-  FallBrake(btRigidBody& body, btScalar speed)
-      : btTypedConstraint(MAX_CONSTRAINT_TYPE, body), speed_(speed) {}
-  void getInfo1(btConstraintInfo1* info) override { info->m_numConstraintRows = info->nub = 0; }
-  void getInfo2(btConstraintInfo2*) override {
-    FAIL() << "a constraint without rows is not asked for them";
-  }
-  void setParam(int, btScalar, int) override {}
-  btScalar getParam(int, int) const override { return 0; }
-  void solveConstraintObsolete(btSolverBody& body, btSolverBody&, btScalar) override {
-    ++calls;
-    const btVector3 velocity =
-        body.m_linearVelocity + body.m_externalForceImpulse + body.getDeltaLinearVelocity();
-    const btScalar missing = -speed_ - velocity.y();
-    if (missing > 0)
-      body.internalApplyImpulse(btVector3(0, 1, 0) * body.internalGetInvMass(), {0, 0, 0},
-                                missing / body.internalGetInvMass().y());
-  }
-  int calls = 0;
-
- private:
-  btScalar speed_;
-};
 
 TEST(Parity, Row32ConstraintsWithoutRowsSolveThemselves) {
   DelassusWorld ours;
@@ -90,13 +65,9 @@ TEST(Joints, AConstraintWithoutRowsLeavesOtherIslandsAlone) {
 }
 
 /// Pushes its body once, in solveConstraintObsolete, and takes itself out.
-class Starter : public btTypedConstraint {
+class Starter : public RowlessConstraint {
  public:
-  explicit Starter(btRigidBody& body) : btTypedConstraint(MAX_CONSTRAINT_TYPE, body) {}
-  void getInfo1(btConstraintInfo1* info) override { info->m_numConstraintRows = info->nub = 0; }
-  void getInfo2(btConstraintInfo2*) override {}
-  void setParam(int, btScalar, int) override {}
-  btScalar getParam(int, int) const override { return 0; }
+  using RowlessConstraint::RowlessConstraint;
   void solveConstraintObsolete(btSolverBody& body, btSolverBody&, btScalar) override {
     ++calls;
     body.internalApplyImpulse(btVector3(1, 0, 0) * body.internalGetInvMass(), {0, 0, 0}, 1);
@@ -141,13 +112,9 @@ TEST(Joints, TroubleThatAConstraintWithoutRowsEndsIsNotTold) {
 }
 
 /// Looks at its second body, in solveConstraintObsolete.
-class Watcher : public btTypedConstraint {
+class Watcher : public RowlessConstraint {
  public:
-  Watcher(btRigidBody& a, btRigidBody& b) : btTypedConstraint(MAX_CONSTRAINT_TYPE, a, b) {}
-  void getInfo1(btConstraintInfo1* info) override { info->m_numConstraintRows = info->nub = 0; }
-  void getInfo2(btConstraintInfo2*) override {}
-  void setParam(int, btScalar, int) override {}
-  btScalar getParam(int, int) const override { return 0; }
+  using RowlessConstraint::RowlessConstraint;
   void solveConstraintObsolete(btSolverBody&, btSolverBody& body, btScalar) override {
     seen = body.m_originalBody;
     speed = body.m_linearVelocity.x();
