@@ -123,32 +123,38 @@ double View::pixelsPerMetre(Size size) const {
 }
 
 Box stage(const std::vector<Film>& films) {
-  Box box = nothing();
-  for (const Film& film : films) {
-    Box moving = movingBox(film);
-    if (isEmpty(moving)) continue;
-    if (isEmpty(box)) {
-      box = moving;
-      continue;
-    }
-    // Other films may extend the box of the first one, but not so far that it shrinks to a dot.
-    const Vector3d room = Vector3d::Constant(0.35 * extent(box.low, box.high));
-    extend(box, moving.low.cwiseMax(box.low - room), moving.high.cwiseMin(box.high + room));
+  std::vector<Box> moving;
+  for (const Film& film : films)
+    if (const Box box = movingBox(film); !isEmpty(box)) moving.push_back(box);
+  const auto sizeOf = [](const Box& box) { return extent(box.low, box.high); };
+  double smallest = infinite;
+  for (const Box& box : moving) smallest = std::min(smallest, sizeOf(box));
+  // The first film's, unless its bodies have flown apart beside those of another one.
+  constexpr double farApart = 4;
+  const auto base = std::find_if(moving.begin(), moving.end(), [&](const Box& box) {
+    return sizeOf(box) <= farApart * smallest;
+  });
+  Box box = base != moving.end() ? *base : nothing();
+  // Others may extend that box, but not so far that it shrinks to a dot.
+  for (auto other = moving.begin(); other != moving.end(); ++other) {
+    if (other == base) continue;
+    const Vector3d room = Vector3d::Constant(0.35 * sizeOf(box));
+    extend(box, other->low.cwiseMax(box.low - room), other->high.cwiseMin(box.high + room));
   }
   if (isEmpty(box)) box = {Vector3d::Constant(-1), Vector3d::Constant(1)};
   // Adds the fixed things that belong to the scene: those near it and not much larger.
-  const Box moving = box;
-  const double size = extent(moving.low, moving.high);
+  const Box bodies = box;
+  const double size = sizeOf(bodies);
   const Vector3d around = Vector3d::Constant(2 * size);
   for (const Film& film : films) {
     for (const Rope& rope : film.frames.front().ropes)
-      if (isWithin(rope.end, moving.low - around, moving.high + around))
+      if (isWithin(rope.end, bodies.low - around, bodies.high + around))
         extend(box, rope.end, rope.end);
     for (const Frame::Pose& pose : film.frames.front().poses) {
       const Thing& thing = film.things[std::size_t(pose.thing)];
-      const bool near = (pose.low.array() <= moving.high.array() + size).all() &&
-                        (pose.high.array() >= moving.low.array() - size).all();
-      if (thing.mass == 0 && near && !isTerrain(thing, pose, moving))
+      const bool near = (pose.low.array() <= bodies.high.array() + size).all() &&
+                        (pose.high.array() >= bodies.low.array() - size).all();
+      if (thing.mass == 0 && near && !isTerrain(thing, pose, bodies))
         extend(box, pose.low, pose.high);
     }
   }

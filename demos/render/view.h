@@ -40,7 +40,8 @@ struct Wish {
 };
 
 /// The box of the action: everything that moves in the first film, everything near it in the
-/// others, and small fixed things. Things that have fallen out of the scene do not count.
+/// others, and small fixed things. Things that have fallen out of the scene do not count. If the
+/// bodies of the first film have flown apart beside those of another, that one takes its place.
 Box stage(const std::vector<Film>& films);
 
 /// True for fixed things that are much larger than the stage: the ground.

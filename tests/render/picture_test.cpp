@@ -98,6 +98,33 @@ Film filmOf(const std::string& scene, const std::string& name, double time) {
   return record(*world, solver, findScene(scene).hz, {time}, [](double) {});
 }
 
+/// Boxes of a metre in a row, `apart` from one to the next.
+Film fourBoxes(double apart) {
+  Film film;
+  film.up = Eigen::Vector3d::UnitY();
+  Frame& frame = film.frames.emplace_back();
+  for (int i = 0; i < 4; ++i) {
+    film.things.emplace_back().mass = 1;
+    const Eigen::Vector3d low(i * apart, 0, 0);
+    frame.poses.push_back({i, Eigen::Matrix4f::Identity(), low, low + Eigen::Vector3d::Ones()});
+  }
+  return film;
+}
+
+// Where the bodies of one solver have flown apart, those of the others stay in sight.
+TEST(View, IsThatOfBodiesThatKeepTogether) {
+  const auto widthOf = [](const std::vector<Film>& films) {
+    const Box box = stage(films);
+    return box.high.x() - box.low.x();
+  };
+  const Film together = fourBoxes(2), wider = fourBoxes(3), flown = fourBoxes(1000);
+  const double alone = widthOf({together});
+  EXPECT_NEAR(widthOf({together, flown}), alone, alone);
+  EXPECT_EQ(widthOf({flown, together}), widthOf({together, flown}));
+  // Those of the first solver are the scene otherwise.
+  EXPECT_EQ(widthOf({wider, together}), widthOf({wider}));
+}
+
 TEST(Film, MarksCarryTheWeight) {
   const Film film = filmOf("stack_10_heavy_top", "delassus", 0.2);
   ASSERT_EQ(film.frames.size(), 1u);
