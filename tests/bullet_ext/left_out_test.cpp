@@ -10,7 +10,6 @@
 
 #include "bullet_ext/softness.h"
 #include "tests/support/bullet_world.h"
-#include "tests/support/rowless_constraint.h"
 
 namespace delassus::test {
 namespace {
@@ -369,44 +368,6 @@ TEST(LeftOut, DampingThatIsNoNumberTakesAllRowsOfItsJoint) {
   world.advance();
   EXPECT_EQ(world.report().leftOut, 2);
   EXPECT_NEAR(body.getLinearVelocity().y(), -g * h, 100 * precision);
-}
-
-/// Sets velocities that are NaN, in solveConstraintObsolete.
-class BrokenMover : public RowlessConstraint {
- public:
-  using RowlessConstraint::RowlessConstraint;
-  void solveConstraintObsolete(btSolverBody& body, btSolverBody&, btScalar) override {
-    body.internalApplyImpulse({1, 0, 0}, {0, 0, 0}, notANumber);
-  }
-};
-
-/// Pushes its body in every sweep, without end.
-class Mover : public BrokenMover {
- public:
-  using BrokenMover::BrokenMover;
-  void solveConstraintObsolete(btSolverBody& body, btSolverBody&, btScalar) override {
-    body.internalApplyImpulse({1, 0, 0}, {0, 0, 0}, btScalar(0.1));
-  }
-};
-
-TEST(LeftOut, AConstraintThatSolvesItselfToNoNumberIsAskedOnce) {
-  DelassusWorld world;
-  world.addJoint<BrokenMover>(world.addCube({0, 0, 0}));
-  world.addJoint<Mover>(world.addCube({5, 0, 0}));
-  world.advance();
-  EXPECT_EQ(world.report().leftOut, 1);
-}
-
-TEST(LeftOut, AConstraintThatSolvesItselfToNoNumber) {
-  DelassusWorld world;
-  world.addGround();
-  btRigidBody& box = world.addCube({0, btScalar(0.5), 0});
-  world.addJoint<BrokenMover>(box);
-  world.advance(2);
-  EXPECT_THAT(world.report().messages,
-              ElementsAre(AllOf(StartsWith("a joint of body 1 and the world "),
-                                EndsWith("the velocities that it sets are not finite"))));
-  EXPECT_NEAR(box.getLinearVelocity().length(), 0, tolerance(1e-9, 1e-5));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 /// Constraints without rows, which solve themselves (solveConstraintObsolete).
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +11,11 @@
 
 namespace delassus::test {
 namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::StartsWith;
 
 TEST(Parity, Row32ConstraintsWithoutRowsSolveThemselves) {
   DelassusWorld ours;
@@ -140,6 +146,44 @@ TEST(Joints, AConstraintWithoutRowsSeesAKinematicPartnerThatNothingTouches) {
   const btScalar speed = run(ours);
   EXPECT_NEAR(speed, 1, 100 * precision);
   EXPECT_EQ(speed, run(stock));
+}
+
+/// Sets velocities that are NaN, in solveConstraintObsolete.
+class BrokenMover : public RowlessConstraint {
+ public:
+  using RowlessConstraint::RowlessConstraint;
+  void solveConstraintObsolete(btSolverBody& body, btSolverBody&, btScalar) override {
+    body.internalApplyImpulse({1, 0, 0}, {0, 0, 0}, notANumber);
+  }
+};
+
+/// Pushes its body in every sweep, without end.
+class Mover : public BrokenMover {
+ public:
+  using BrokenMover::BrokenMover;
+  void solveConstraintObsolete(btSolverBody& body, btSolverBody&, btScalar) override {
+    body.internalApplyImpulse({1, 0, 0}, {0, 0, 0}, btScalar(0.1));
+  }
+};
+
+TEST(LeftOut, AConstraintThatSolvesItselfToNoNumberIsAskedOnce) {
+  DelassusWorld world;
+  world.addJoint<BrokenMover>(world.addCube({0, 0, 0}));
+  world.addJoint<Mover>(world.addCube({5, 0, 0}));
+  world.advance();
+  EXPECT_EQ(world.report().leftOut, 1);
+}
+
+TEST(LeftOut, AConstraintThatSolvesItselfToNoNumber) {
+  DelassusWorld world;
+  world.addGround();
+  btRigidBody& box = world.addCube({0, btScalar(0.5), 0});
+  world.addJoint<BrokenMover>(box);
+  world.advance(2);
+  EXPECT_THAT(world.report().messages,
+              ElementsAre(AllOf(StartsWith("a joint of body 1 and the world "),
+                                EndsWith("the velocities that it sets are not finite"))));
+  EXPECT_NEAR(box.getLinearVelocity().length(), 0, tolerance(1e-9, 1e-5));
 }
 
 }  // namespace
