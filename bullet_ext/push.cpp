@@ -40,8 +40,8 @@ double gapOf(const PointSource& source) {
 
 /// Lets those contacts take part that pushes would close faster than any contact beside them is to
 /// open: pushes add up along a column, and would drive its foot through the floor. False if there
-/// are none.
-bool addClosed(const Group& group, double h, Pushes& pushes) {
+/// are none. With `all`, lets all others take part if there are any.
+bool addClosed(const Group& group, double h, bool all, Pushes& pushes) {
   pushes.largest.assign(group.bodies.size(), 0);
   for (int i = 0; i < pushes.islands; ++i) {
     const Island& island = pushes.assembler.island(i);
@@ -51,17 +51,19 @@ bool addClosed(const Group& group, double h, Pushes& pushes) {
     for (const int body : island.bodies) pushes.largest[body] = largest;
   }
   const auto largestOf = [&](int body) { return body >= 0 ? pushes.largest[body] : 0; };
+  const auto allowed = [&](std::size_t i) { return gapOf(group.contactSources[i]) / h; };
   const std::size_t before = pushes.contacts.size();
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {
     const Contact& c = group.contacts[i];
     const double most = std::max(largestOf(c.a), largestOf(c.b));
     if (most == 0 || pushes.takesPart[i]) continue;
     const double closes = -c.frame.col(0).dot(slip(pushes.bodies, c));
-    if (!(closes > most)) continue;
-    const double allowed = gapOf(group.contactSources[i]) / h;
-    if (closes > allowed + most) add(group, i, -allowed, pushes);
+    if (closes > most && closes > allowed(i) + most) add(group, i, -allowed(i), pushes);
   }
-  return pushes.contacts.size() > before;
+  const bool found = pushes.contacts.size() > before;
+  for (std::size_t i = 0; all && found && i < group.contacts.size(); ++i)
+    if (!pushes.takesPart[i]) add(group, i, -allowed(i), pushes);
+  return found;
 }
 
 /// Whether bodies of the island slip past each other faster than pushes may move them.
@@ -123,12 +125,12 @@ std::size_t Pushes::bytes() const {
 }
 
 void solvePushes(const Group& group, double h, Workshop& workshop, Pushes& pushes) {
-  // Each time, bodies that lie on what moves may begin to move, too.
-  constexpr int most = 20;
+  // Each time, bodies that lie on what moves may begin to move, too. After a few times all do.
+  constexpr int few = 5;
   pushes.clear();
   findContacts(group, pushes);
   solve(group, workshop, pushes);
-  for (int times = 1; times < most && addClosed(group, h, pushes); ++times)
+  for (int times = 1; addClosed(group, h, times >= few, pushes); ++times)
     solve(group, workshop, pushes);
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "delassus/whole_file.h"
+#include "demos/report/read_file.h"
 
 namespace demos::report {
 
@@ -73,7 +74,7 @@ void CsvTable::write(const std::filesystem::path& file) const {
 }
 
 CsvTable CsvTable::read(const std::filesystem::path& file) {
-  std::istringstream text(delassus::readFile(file));
+  std::istringstream text(readFile(file));
   std::string line;
   std::getline(text, line);
   CsvTable table(split(line));

@@ -9,6 +9,7 @@
 #include "demos/process/other_command.h"
 #include "demos/progress_bar.h"
 #include "demos/report/figure.h"
+#include "demos/report/read_file.h"
 #include "demos/subject.h"
 
 namespace demos::report {
@@ -50,7 +51,7 @@ void stamp(const fs::path& folder, const std::string& command, bool resume,
   const fs::path file = folder / "command.txt";
   const std::string text = command + "\nin " + precisionName() + " precision\n";
   std::error_code ignored;  // of a folder that cannot be read: nor can it be written
-  const std::string made = fs::exists(file, ignored) ? delassus::readFile(file) : "";
+  const std::string made = fs::exists(file, ignored) ? readFile(file) : "";
   if (!made.empty() && made.rfind("delassus report", 0) != 0)
     throw std::runtime_error("'" + file.string() +
                              "' is not of a report: it needs a folder of its own");

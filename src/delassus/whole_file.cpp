@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -22,7 +21,7 @@ std::string write(const fs::path& file, const std::string& text) {
   return errno ? std::strerror(errno) : "output error";
 }
 
-/// The same for a file that already exists or not, which is replaced once the text is complete.
+/// The same; the text becomes the file once it is complete beside it.
 std::string replace(const fs::path& file, const std::string& text) {
   const fs::path unfinished = file.string() + ".unfinished";
   std::string fault = write(unfinished, text);
@@ -46,14 +45,6 @@ void writeFile(const fs::path& file, const std::string& text) {
       fs::is_symlink(file, ignored) ? fs::weakly_canonical(file, ignored) : file;
   const std::string fault = isSpecial ? write(file, text) : replace(target, text);
   if (!fault.empty()) throw std::runtime_error(file.string() + ": cannot be written: " + fault);
-}
-
-std::string readFile(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw std::runtime_error(file.string() + ": cannot be read");
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
 }
 
 }  // namespace delassus

@@ -9,7 +9,5 @@ namespace delassus {
 /// is complete. Pipes and devices are written as they are. Throws std::runtime_error that names the
 /// file and the reason.
 void writeFile(const std::filesystem::path& file, const std::string& text);
-/// The whole contents. Throws std::runtime_error that names the file.
-std::string readFile(const std::filesystem::path& file);
 
 }  // namespace delassus

@@ -74,6 +74,22 @@ TEST(NotSolved, IncompatibleContactsAreToldInEveryStep) {
   }
 }
 
+// What two joints miss, since they hold a body to places that are apart, counts in the root mean
+// square as in the largest residual.
+TEST(NotSolved, WhatJointsMissCountsInTheMeanToo) {
+  BulletWorld world(std::make_unique<btDelassusConstraintSolver>());
+  btRigidBody& body = world.addCube({0, 0, 0});
+  for (const double side : {-1.0, 1.0})
+    world.addJoint<btPoint2PointConstraint>(body, btVector3(btScalar(side * 0.5), 0, 0))
+        .setPivotB({btScalar(side * 0.6), 0, 0});
+  world.advance();
+  const StepReport& report = world.report();
+  EXPECT_EQ(report.incompatible, 1);
+  EXPECT_GT(report.residualMax, 0.1);
+  EXPECT_LE(report.residualMax, 1.001 * std::sqrt(report.rows) * report.residualRms);
+  EXPECT_LE(report.residualRms, report.residualMax);
+}
+
 // The same through Bullet's own narrow phase, with friction, on a row of boxes beside a bystander.
 TEST(NotSolved, APressThatClosesOnBoxesSaysSoAndTheyStay) {
   BulletWorld world(std::make_unique<btDelassusConstraintSolver>());

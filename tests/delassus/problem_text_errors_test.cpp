@@ -92,6 +92,10 @@ TEST(ProblemTextErrors, ErrorsNameTheLineAndWhatWasExpected) {
       {contactText, 15, "1 1 1 0 0 0 1 0 0 0",
        ":16: expected a finite number in entry 3 of 3 of 'W', found 'end'"},
       {contactText, 15, "1 1 1 0 0 0 1 0 0 0 1 1", ":15: expected 'end', found '1'"},
+      {contactText, 15, "1 1 1 0 0 0 1 0 0 0 1e-999",
+       ":15: expected a finite number within the range of a double in entry 3 of 3 of 'W'"},
+      {contactText, 15, "1 1 1 0 0 0 1 0 0 0 +-1", ", found '+-1'"},
+      {contactText, 1, "", ":1: expected 'delassus-problem v1' or 'lcp v1', found an empty line"},
       // The end.
       {contactText, 16, "", ": expected 'end', found the end of the text"},
       {contactText, 16, "end of it", ":16: expected nothing after 'end', found 'of'"},

@@ -56,6 +56,13 @@ TEST(ProblemText, ReadsRows) {
   EXPECT_EQ(unilateral.upper[0], infinity);
 }
 
+TEST(ProblemText, NumbersMayHaveAPlusSign) {
+  const Problem problem =
+      fromText("lcp v1\nname x\nsize 1\nentries 1\nq\n+0.5\nM\n0 0 +1e+0\nend\n");
+  EXPECT_EQ(problem.q[0], 0.5);
+  EXPECT_EQ(problem.W.dense()(0, 0), 1);
+}
+
 TEST(ProblemText, LineBreaksCarryNoMeaningInListsAndEndingsDoNotMatter) {
   std::string oneLine = contactText;
   for (std::size_t i = oneLine.find("mu"); i < oneLine.size(); ++i)

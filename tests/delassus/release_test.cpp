@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <stdexcept>
 
 #include "tests/support/brute_force.h"
 #include "tests/support/random_problems.h"
@@ -44,6 +45,12 @@ TEST(Release, TheEnergyOfTheDifferenceIsTheFormInTheForcedReactions) {
     const double roundOff = 1e-13 * W.norm() * f.squaredNorm();
     ASSERT_NEAR(p.dot(M * p), f.dot(W * f), roundOff);
   }
+}
+
+TEST(Release, SizesThatDoNotFitAreRefused) {
+  EXPECT_THROW(analyseRelease(MatrixXd::Identity(1, 1), VectorXd::Ones(2)), std::invalid_argument);
+  EXPECT_THROW(analyseRelease(MatrixXd::Ones(2, 3), VectorXd::Ones(2)), std::invalid_argument);
+  EXPECT_EQ(analyseRelease(MatrixXd(0, 0), VectorXd()).status, Status::Solved);
 }
 
 TEST(Release, AnswersAgreeWithEnumeration) {

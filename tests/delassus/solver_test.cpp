@@ -298,7 +298,7 @@ TEST(Solver, AGuessThatIsFarWrongAtOneContactIsWorthMoreThanNone) {
 }
 
 TEST(Solver, AToleranceThatIsNoNumberIsRefused) {
-  for (const double wrong : {0.0, -1e-8, infinity, std::numeric_limits<double>::quiet_NaN()}) {
+  for (const double wrong : {0.0, -1e-8, 2.0, infinity, std::numeric_limits<double>::quiet_NaN()}) {
     Options options;
     options.tolerance = wrong;
     EXPECT_THROW(Solver{options}, std::invalid_argument) << wrong;
