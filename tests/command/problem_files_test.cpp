@@ -153,6 +153,23 @@ TEST_F(ProblemFiles, NothingApproachesWhereItIsSolved) {
   }
 }
 
+// No reaction is an answer by the published measures, if not by the law.
+TEST_F(ProblemFiles, AContactThatApproachesIsNotSolved) {
+  const std::string problem =
+      write("steep.fc3d",
+            "delassus-problem v1\nname steep\ncontacts 1\nblocks 1\nmu\n33722426538.861431\nq\n"
+            "-0.013011549919581672 -0.10291165236798777 0.12703675542250514\nW\n0 0 "
+            "3.7799439831603694 1.7871619075166614 -0.33642749722869553 "
+            "1.7871619075166614 0.85535067580058211 -0.17356254580427519 "
+            "-0.33642749722869553 -0.17356254580427519 0.05023352235098906\nend\n");
+  const Outcome outcome = call("solve " + problem + " --json");
+  const json solved = json::parse(outcome.out);
+  EXPECT_LE(solved["rel"].get<double>(), 1e-8);
+  EXPECT_LE(solved["vel"].get<double>(), 1e-8);
+  EXPECT_EQ(solved["status"], "out_of_budget");
+  EXPECT_EQ(outcome.status, 3);
+}
+
 // Names are bytes, but JSON is UTF-8.
 TEST_F(ProblemFiles, TellsAnyNameInJson) {
   const std::string problem = easyProblem();
