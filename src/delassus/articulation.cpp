@@ -25,7 +25,7 @@ bool Articulation::moves(const Island& island) const {
 void RootFinder::find(const MatrixXd& inverseMass, MatrixXd& B) {
   factor_.compute(inverseMass);
   const auto d = factor_.vectorD();
-  // The largest pivots come first; directions without motion come last.
+  // Directions without motion come last: their rows are zero.
   Eigen::Index rank = d.size();
   while (rank > 0 && d[rank - 1] <= 0) --rank;
   L_ = factor_.matrixL();

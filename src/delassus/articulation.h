@@ -50,8 +50,8 @@ struct Articulation {
   }
 };
 
-/// Finds B with M⁻¹ = B Bᵀ by Cholesky with diagonal pivoting. M⁻¹ is symmetric, and positive
-/// semi-definite up to rounding.
+/// Finds B with M⁻¹ = B Bᵀ by an LDLᵀ factor that takes the largest entries of the diagonal of M⁻¹
+/// first. M⁻¹ is symmetric, and positive semi-definite up to rounding: pivots below 0 count as 0.
 class RootFinder {
  public:
   void find(const MatrixXd& inverseMass, MatrixXd& B);

@@ -99,6 +99,7 @@ bool FarkasProof::refine(ProximalWalk<BodyMotion>& walk, const Problem& problem,
     demands_.W.multiply(reactions_, felt_, scratch.u);
     demands_.q.setZero();
     walk.polish(finest, stiff, regionBudget, scratch);
+    regionBudget -= scratch.regions;
     count.addWork(scratch);
     setProblem(problem, map);
     reactions_ = scratch.r;

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <thread>
 
+#include "delassus/quiet_arithmetic.h"
+
 namespace delassus {
 
 /// Threads that a host lends, the caller's among them, to work on one task together.
@@ -15,10 +17,15 @@ class Hands {
   /// are processors, hand 0 in the caller's thread. Returns when all have ended. `work` must not
   /// throw.
   virtual void together(void (*work)(const void* context, int hand), const void* context) = 0;
-  /// The same for work(hand).
+  /// The same for work(hand), with no arithmetic that traps, whatever the host's threads do.
   template <class Work>
   void together(const Work& work) {
-    together([](const void* of, int hand) { (*static_cast<const Work*>(of))(hand); }, &work);
+    together(
+        [](const void* of, int hand) {
+          const QuietArithmetic quiet;
+          (*static_cast<const Work*>(of))(hand);
+        },
+        &work);
   }
 };
 

@@ -82,7 +82,8 @@ bool IslandCheck::isFree(const std::vector<Body>& bodies, const std::vector<Cont
   const auto leaves = [&](int i) {
     const Contact& c = contacts[i];
     const double q = normalVelocity(bodies, c);
-    if (!std::isfinite(q) || !(c.friction >= 0)) return false;  // the solver names it
+    // The solver names what is no number.
+    if (!std::isfinite(q + c.compliance + c.slipCompliance) || !(c.friction >= 0)) return false;
     if (q >= 0) return residuals.add(0);
     const auto normal = [&](int body, const Vec3& arm) {
       return c.frame.col(0).dot(velocityAt(bodies, body, arm));
@@ -92,9 +93,9 @@ bool IslandCheck::isFree(const std::vector<Body>& bodies, const std::vector<Cont
   const auto rests = [&](int i) {
     const Row& c = rows[i];
     if (c.governor >= 0) return residuals.add(0);  // its disk is a point
-    if (c.lower > 0 || c.upper < 0) return false;
+    if (!(c.lower <= 0 && c.upper >= 0)) return false;
     const double q = relativeVelocity(bodies, c);
-    if (!std::isfinite(q)) return false;
+    if (!std::isfinite(q + c.compliance)) return false;
     const double missed = std::max(c.lower < 0 ? q : 0, c.upper > 0 ? -q : 0);
     return missed <= roundOff(along(bodies, c.a, c.jacobianA), along(bodies, c.b, c.jacobianB)) &&
            residuals.add(std::max(missed, 0.0));
@@ -153,7 +154,7 @@ double IslandCheck::move(const std::vector<Body>& bodies, const std::vector<Cont
   for (int i : island.frictional) {
     const Contact& c = contacts[i];
     const Vec3 q = relativeVelocity(bodies, c);
-    demand = std::max({demand, -q[0], std::abs(q[1]), std::abs(q[2])});
+    demand = std::max(demand, contactDemand(q, c.friction));
     r.segment<3>(at) = projectOnCone(r.segment<3>(at), c.friction);
     push(c, c.frame * r.segment<3>(at));
     at += 3;

@@ -129,6 +129,7 @@ bool KeptLaw::keepsNormal(int k) {
 bool KeptLaw::keepsRow(int k) {
   const Row& c = rows_[island_.rows[k]];
   if (c.governor >= 0) return keepsDisk(k);
+  if (!(c.lower <= c.upper)) return false;  // the solver names it
   const double r = solution_.r[rowsBegin() + k];
   return keepsBounds(normals_ + k, relativeVelocity(moved_, c) + c.compliance * r, c.lower, c.upper,
                      diagonal(moved_, c) + c.compliance);

@@ -42,9 +42,13 @@ class KeptVector : public Eigen::Map<Eigen::VectorXd, Eigen::Aligned16> {
     return *this;
   }
 
-  /// The entries are undefined afterwards.
+  /// The entries are undefined afterwards. If there is no memory, the vector is empty.
   void resize(Index size) {
-    if (size > storage_.size()) storage_.resize(size);
+    if (size > storage_.size()) {
+      view(0);
+      storage_.resize(0);  // Eigen would keep a pointer to what it has freed
+      storage_.resize(size);
+    }
     view(size);
   }
   using Map::setConstant;

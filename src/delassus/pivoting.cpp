@@ -232,9 +232,10 @@ PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
 
   const int budget = std::max(0, regionBudget);
   const double wanted = n > 0 ? pivotTolerance * q.cwiseAbs().maxCoeff() : 0;
+  int counted = 0;  // regions, but for small groups
   for (const std::vector<int>& group : linkedRows(W)) {
     const int first = group.front();
-    const int left = std::max(0, budget - result.regions);
+    const int left = std::max(0, budget - counted);
     const PivotResult part =
         group.size() == 1 && W(first, first) == 0
             ? immovableRow(q[first], lower[first], upper[first], wanted)
@@ -245,6 +246,9 @@ PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
     for (const int k : part.blamed) result.blamed.push_back(group[k]);
     result.status = std::max(result.status, part.status);
     result.regions += part.regions;
+    const bool isSmall =
+        static_cast<int>(group.size()) <= smallRegionSize && unilateral(lower(group), upper(group));
+    if (!isSmall) counted += part.regions;
     result.factorisations += part.factorisations;
   }
   std::sort(result.blamed.begin(), result.blamed.end());

@@ -29,9 +29,9 @@ struct PivotResult {
 /// Bounds may be infinite: contacts are [0, ∞), joints (−∞, ∞), motors [−m, m]. W = J M⁻¹ Jᵀ is
 /// symmetric positive semi-definite, often singular. A W that is neither is tried too, with an
 /// honest status but no promise. Rows that are not linked through W are solved on their own.
-/// `regionBudget`: most regions visited, not counting the few for groups of up to six unilateral
-/// rows; work, never time. Sizes that do not match and bounds that cross are errors of the caller
-/// (asserted). If numbers are not finite: NonFinite, no reactions, u = 0.
+/// `regionBudget`: most regions visited, by all groups together, not counting those of groups of up
+/// to six unilateral rows; work, never time. Sizes that do not match and bounds that cross are
+/// errors of the caller (asserted). If numbers are not finite: NonFinite, no reactions, u = 0.
 PivotResult pivot(const MatrixXd& W, const VectorXd& q, const VectorXd& lower,
                   const VectorXd& upper, int regionBudget = 1000);
 

@@ -118,8 +118,8 @@ bool areContactsFit(const Problem& problem) {
 double Problem::demand() const {
   const int n = contacts();
   double largest = 0;
-  for (int at = 0; at < 3 * n; at += 3)
-    largest = std::max({largest, -q[at], std::abs(q[at + 1]), std::abs(q[at + 2])});
+  for (int i = 0; i < n; ++i)
+    largest = std::max(largest, contactDemand(q.segment<3>(3 * i), friction[i]));
   for (int i = 0; i < rows(); ++i) {
     const int at = 3 * n + i;
     if (std::abs(q[at]) > largest)

@@ -41,9 +41,14 @@ struct Problem {
   std::size_t bytes() const { return W.bytes() + bytesOf(q, friction, lower, upper, disks); }
   int disksBegin() const { return disks.empty() ? size() : disks.front().first; }
   int plainRows() const { return disksBegin() - 3 * contacts(); }  ///< those of no disk
-  /// The largest demand, m/s: of contacts −q_n and |q_t|, of rows demandOf; 0 if there is none.
+  /// The largest demand, m/s: contactDemand, and of rows demandOf; 0 if there is none.
   double demand() const;
 };
+
+/// What a contact asks for, m/s: how fast it approaches or, with friction, slides at q.
+inline double contactDemand(const Vec3& q, double friction) {
+  return friction > 0 ? std::max({-q[0], std::abs(q[1]), std::abs(q[2])}) : -q[0];
+}
 
 /// The most that a row can ask for, m/s: |q|, but no more than its own reaction could change if the
 /// row were alone,

@@ -194,8 +194,10 @@ bool QuickAnswer::walk() {
 
 bool QuickAnswer::answers(const ProblemParts& parts, int part) const {
   double demand = 0;
-  for (int k = 0; k < parts.sizeOf(part); ++k)
-    demand = std::max(demand, std::abs(problem_.q[parts.unknown(part, k)]));
+  for (int k = 0; k < parts.sizeOf(part); k += 3) {
+    const int at = parts.unknown(part, k);
+    demand = std::max(demand, contactDemand(problem_.q.segment<3>(at), problem_.friction[at / 3]));
+  }
   const double tolerance = toleranceOf(options_, friction_, demand, problem_.roundOff);
   for (int k = 0; k < parts.sizeOf(part); k += 3)
     if (!(residualOf(parts.unknown(part, k) / 3) <= tolerance)) return false;

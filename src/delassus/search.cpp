@@ -61,8 +61,8 @@ void Search::measure(Solution& candidate) {
 
 void Search::consider(Solution& candidate, Solution& best) {
   measure(candidate);
-  if (candidate.residual < best.residual || (takesEnergy_ && workOf(candidate) < workOf(best)))
-    best.takeReactions(candidate);
+  const bool takesEnergy = candidate.residual <= mostForEnergy_ && workOf(candidate) < workOf(best);
+  if (candidate.residual < best.residual || takesEnergy) best.takeReactions(candidate);
 }
 
 void Search::offer(const VectorXd& r, Solution& best) {
@@ -228,7 +228,9 @@ Outcome Search::walkCold(Engines<Motion>& engines, const Task& task, Solution& b
 Outcome Search::walk(const Task& asked, Solution& best) {
   Task task = asked;
   task.isHurried = isHurried(asked.options);
-  takesEnergy_ = task.isHurried && !task.guess;
+  // Where bodies lie deep in each other, the residual rises by half.
+  constexpr double few = 3;
+  mostForEnergy_ = task.isHurried && !task.guess ? few * best.residual : 0;
   if (!problem_->W.inBodySpace() && problem_->size() > fewUnknowns &&
       sweepAndLearn(task, task.tolerance, best))
     return Outcome::Reached;

@@ -61,7 +61,7 @@ class Search {
   /// The residual is to be brought within the tolerance, m/s.
   void setProblem(const Problem& problem, double tolerance) {
     problem_ = &problem;
-    takesEnergy_ = false;
+    mostForEnergy_ = 0;
     map_.setProblem(problem);
     map_.aimAt(tolerance);
     patchWork_ = {};
@@ -244,8 +244,9 @@ class Search {
   /// Completes u and the residuals of a candidate r.
   void measure(Solution& candidate);
   /// Measures it, and takes it as the best answer if its residual is smaller. With few sweeps from
-  /// nothing, also if it takes more energy: where bodies lie deep in each other, few sweeps may
-  /// raise the residual, and yet are all that moves the bodies apart.
+  /// nothing, also if it takes more energy and its residual is no more than some times that at the
+  /// start: where bodies lie deep in each other, few sweeps may raise the residual, and yet are
+  /// all that moves the bodies apart.
   void consider(Solution& candidate, Solution& best);
   /// Puts the answer of a walk back into cones and bounds, if rounding or a compromise has left
   /// them; only then measures it again.
@@ -256,7 +257,7 @@ class Search {
   NaturalMap map_;
   DenseNewton<Eigen::Dynamic> dense_;
   bool isInner_ = false;  ///< for patches or a varied problem, with the machines of another search
-  bool takesEnergy_ = false;  ///< whether `consider` judges by energy, too
+  double mostForEnergy_ = 0;  ///< up to this residual, m/s, `consider` judges by energy, too
   std::unique_ptr<Machines> own_;
   Machines* machines_ = nullptr;
   Solution trial_;      ///< a candidate

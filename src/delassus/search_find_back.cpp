@@ -145,7 +145,8 @@ void Search::compromise(double tolerance, int regionBudget, Solution& best) {
   take();
   // If none of these reactions are near, the search had not come near either, and walks on.
   if (best.residual > nearly * proof_.missed())
-    engines.walk.walk(tolerance, firstWeight(best, leastWeightAfar), fairWalk, best);
+    engines.walk.walk(tolerance, firstWeight(best, leastWeightAfar),
+                      std::min(fairWalk, regionBudget), best);
 }
 
 /// Goes on in two ways, by turns. In one, sweeps and patches mend the best answer, and the walk

@@ -40,9 +40,11 @@ void writeFile(const fs::path& file, const std::string& text) {
   std::error_code ignored;
   const fs::file_status status = fs::status(file, ignored);
   const bool isSpecial = fs::exists(status) && !fs::is_regular_file(status);
-  // A link stays one.
-  const fs::path target =
-      fs::is_symlink(file, ignored) ? fs::weakly_canonical(file, ignored) : file;
+  // A link stays one, wherever it leads.
+  constexpr int mostLinks = 40;  // as in Linux
+  fs::path target = file;
+  for (int k = 0; k < mostLinks && fs::is_symlink(target, ignored); ++k)
+    target = target.parent_path() / fs::read_symlink(target, ignored);
   const std::string fault = isSpecial ? write(file, text) : replace(target, text);
   if (!fault.empty()) throw std::runtime_error(file.string() + ": cannot be written: " + fault);
 }

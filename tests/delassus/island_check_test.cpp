@@ -268,21 +268,27 @@ TEST(IslandCheck, WhatMustPushIsNotFree) {
     }
 }
 
-TEST(IslandCheck, WhatIsNoNumberIsNotFree) {
+TEST(IslandCheck, WhatIsNoNumberIsNeitherFreeNorKept) {
   Random random(85);
   for (const double lower : {-1.0, 0.0})
-    for (const bool ofTarget : {true, false}) {
+    for (const int spoilt : {0, 1, 2, 3, 4}) {
+      SCOPED_TRACE(spoilt);
       Pile pile = mixedTower(1, random);
       pile.contacts.clear();
       pile.rows.resize(1);
-      pile.rows[0].lower = lower;
-      pile.rows[0].upper = infinity;
-      (ofTarget ? pile.rows[0].target : pile.bodies[0].velocity[5]) =
-          std::numeric_limits<double>::quiet_NaN();
+      Row& row = pile.rows[0];
+      row.lower = lower;
+      row.upper = infinity;
+      double* const numbers[] = {&row.target, &pile.bodies[0].velocity[5], &row.lower, &row.upper,
+                                 &row.compliance};
+      *numbers[spoilt] = std::numeric_limits<double>::quiet_NaN();
+      const Island island = splitIslands(pile.bodies, pile.contacts, pile.rows).at(0);
       Solution seen;
-      EXPECT_FALSE(IslandCheck(Options()).isFree(
-          pile.bodies, pile.contacts, pile.rows,
-          splitIslands(pile.bodies, pile.contacts, pile.rows).at(0), seen));
+      IslandCheck check{Options()};
+      EXPECT_FALSE(check.isFree(pile.bodies, pile.contacts, pile.rows, island, seen));
+      std::vector<Body> moved = pile.bodies;
+      seen.r.setZero(1);
+      EXPECT_FALSE(check.isKept(pile.bodies, pile.contacts, pile.rows, island, 1, moved, seen));
     }
 }
 

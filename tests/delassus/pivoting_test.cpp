@@ -320,6 +320,18 @@ TEST(Pivoting, NoBudgetLeavesWhatTheBoundsAsk) {
   }
 }
 
+// Lone contacts, be they ever so many, leave a larger group its budget.
+TEST(Pivoting, SmallGroupsDoNotCount) {
+  constexpr int lone = 1100, linked = 7;
+  MatrixXd W = MatrixXd::Identity(lone + linked, lone + linked);
+  VectorXd q = VectorXd::Constant(lone + linked, -1);
+  for (int i = lone + 1; i < lone + linked; ++i) W(i, i - 1) = W(i - 1, i) = -0.25;
+  for (int i = lone; i < lone + linked; i += 2) q[i] = 0.15;
+  const PivotResult answer = pivotContacts(W, q);
+  EXPECT_EQ(answer.status, Status::Solved);
+  EXPECT_LE(answer.r.cwiseMin(answer.u).cwiseAbs().maxCoeff(), 1e-12);
+}
+
 TEST(Pivoting, ReactionsThatOverflowAreNone) {
   const PivotResult answer =
       pivotContacts(MatrixXd::Constant(1, 1, 1e-300), VectorXd::Constant(1, -1e10));

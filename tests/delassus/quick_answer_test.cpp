@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "delassus/solver.h"
+#include "delassus/tolerance.h"
 #include "tests/support/explicit_problems.h"
 
 namespace delassus {
@@ -55,6 +56,33 @@ Problem coupledContacts(int n, double coupling, Random& random) {
   W += coupling * randomDelassus(3 * n, 10, random);
   problem.W = matrix(W);
   return problem;
+}
+
+// A contact that flies apart asks for nothing, and lets the others leave no more.
+TEST(QuickAnswer, WhatFliesApartIsNoDemand) {
+  Random random(64);
+  int solved = 0;
+  for (int k = 0; k < 100; ++k) {
+    constexpr int stuck = 18, size = 30;  // a body on six contacts, and four contacts beside it
+    const MatrixXd J = normalVector(stuck * 6, random).reshaped(stuck, 6);
+    const MatrixXd beside =
+        MatrixXd::Identity(12, 12) + 0.12 * normalVector(12 * 12, random).reshaped(12, 12);
+    MatrixXd W = MatrixXd::Zero(size, size);
+    W.topLeftCorner<stuck, stuck>() = J * J.transpose();
+    W.bottomRightCorner<12, 12>() = beside * beside.transpose();
+    Problem problem;
+    problem.W = matrix(W);
+    problem.friction = VectorXd::Constant(size / 3, 0.5);
+    problem.q = normalVector(size, random);
+    problem.q.head<stuck>() = J * normalVector(6, random);
+    for (int i = stuck; i < size; i += 3) problem.q[i] = -std::abs(problem.q[i]);
+    problem.q.tail<3>() = Vec3(1e5, 0, 0);
+    const Solution solution = solve(problem);
+    if (solution.status != Status::Solved) continue;
+    ++solved;
+    EXPECT_LE(solution.residual, toleranceOf(Options(), problem)) << k;
+  }
+  EXPECT_GT(solved, 50);
 }
 
 TEST(QuickAnswer, ContactsThatFeelLittleOfEachOtherNeedFewSweeps) {

@@ -99,5 +99,14 @@ TEST(KeptVector, KeepsItsStorageAndIsOtherwiseAVector) {
   EXPECT_EQ(VectorXd().size(), 0);
 }
 
+TEST(KeptVector, WithoutMemoryItIsEmpty) {
+  constexpr VectorXd::Index tooMany = std::numeric_limits<VectorXd::Index>::max() / 16;
+  VectorXd x = VectorXd::LinSpaced(5, 1, 5);
+  EXPECT_THROW(x.resize(tooMany), std::bad_alloc);
+  EXPECT_EQ(x.size(), 0);
+  x.setConstant(2, 7);
+  EXPECT_EQ(x, Vec2(7, 7));
+}
+
 }  // namespace
 }  // namespace delassus
