@@ -233,24 +233,40 @@ bool isLocked(const Group& group, int body) {
          group.bodies[body].inverseMass.minCoeff() == 0;
 }
 
-/// Whether the contact's push moves neither body: in a plane world the contact of two bodies one
-/// behind the other, or that of a link beside its rail.
+/// Whether the contact's push cannot move this body.
+bool isDeaf(const Group& group, int index, const Vec3& arm, const Vec3& n) {
+  if (!group.movable(index)) return true;
+  if (const Articulation::Limb* limb = group.articulation.limbOf(index))
+    return responseOf(group, index, arm, n) <=
+           inVain * (limb->motion.topRows<3>().squaredNorm() +
+                     arm.squaredNorm() * limb->motion.bottomRows<3>().squaredNorm());
+  const Body& body = group.bodies[index];
+  const Vec3 turn = arm.cross(n);
+  return n.dot(body.inverseMass.cwiseProduct(n)) + turn.dot(body.inverseInertia * turn) <=
+         inVain * group.bodySources[index].rigid->getInvMass();
+}
+
+/// Whether the contact's push cannot move its bodies apart, since they are limbs of one tree that
+/// no joint lets part along the normal.
+bool movesAsOne(const Group& group, const Contact& c, const Vec3& n) {
+  const Articulation::Limb *a = group.articulation.limbOf(c.a), *b = group.articulation.limbOf(c.b);
+  if (!a || !b || a->tree != b->tree) return false;
+  const Vec3 turnA = c.armA.cross(n), turnB = c.armB.cross(n);
+  double apart = 0, each = 0;
+  for (Eigen::Index k = 0; k < a->motion.cols(); ++k) {
+    const double ofA = motionAlong(*a, k, n, turnA), ofB = motionAlong(*b, k, n, turnB);
+    apart += (ofA - ofB) * (ofA - ofB);
+    each += ofA * ofA + ofB * ofB;
+  }
+  return apart <= inVain * each;
+}
+
+/// Whether the contact's push moves nothing: in a plane world the contact of two bodies one behind
+/// the other, or that of a link beside its rail, or of two links with a fixed joint between them.
 bool pushesNothing(const Group& group, const Contact& c) {
   const Vec3 n = c.frame.col(0);
-  const auto isDeaf = [&](int index, const Vec3& arm) {
-    if (!group.movable(index)) return true;
-    const Vec3 turn = arm.cross(n);
-    if (const Articulation::Limb* limb = group.articulation.limbOf(index)) {
-      const auto linear = limb->motion.topRows<3>(), angular = limb->motion.bottomRows<3>();
-      return (n.transpose().lazyProduct(linear) + turn.transpose().lazyProduct(angular))
-                 .squaredNorm() <=
-             inVain * (linear.squaredNorm() + arm.squaredNorm() * angular.squaredNorm());
-    }
-    const Body& body = group.bodies[index];
-    return n.dot(body.inverseMass.cwiseProduct(n)) + turn.dot(body.inverseInertia * turn) <=
-           inVain * group.bodySources[index].rigid->getInvMass();
-  };
-  return isDeaf(c.a, c.armA) && isDeaf(c.b, c.armB);
+  return (isDeaf(group, c.a, c.armA, n) && isDeaf(group, c.b, c.armB, n)) ||
+         movesAsOne(group, c, n);
 }
 
 /// A body that may turn but keeps its place does not collide with standing bodies, as in Bullet.

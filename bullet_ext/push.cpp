@@ -89,7 +89,13 @@ void pushIsland(const Island& island, Bench& bench, Pushes& pushes) {
 /// Solves the push problem of the contacts that take part.
 void solve(const Group& group, Workshop& workshop, Pushes& pushes) {
   pushes.bodies = group.bodies;
-  for (Body& body : pushes.bodies) body.velocity.setZero();
+  for (std::size_t i = 0; i < pushes.bodies.size(); ++i) {
+    Body& body = pushes.bodies[i];
+    body.velocity.setZero();
+    if (!group.isLimb(static_cast<int>(i))) continue;
+    body.inverseMass.setZero();
+    body.inverseInertia.setZero();
+  }
   pushes.assembler.split(pushes.bodies, pushes.contacts, {});
   pushes.islands = pushes.assembler.islands();
   pushes.isSoftened.assign(pushes.islands, 0);

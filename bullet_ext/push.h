@@ -16,8 +16,9 @@ struct Group;
 ///
 ///     0 ≤ r' ⟂ W r' + s' r' − p ≥ 0
 ///
-/// Bodies start from rest. Contacts with p > 0 take part, without friction or joints. So do, with p
-/// = −gap/h, others that pushes would close faster than the largest p of the island opens.
+/// Bodies start from rest; articulated ones are immovable. Contacts with p > 0 take part, without
+/// friction or joints. So do, with p = −gap/h, others that pushes would close faster than the
+/// largest p of the island opens.
 ///
 /// A body pinched between faces that lean against each other by ε would leave them at p/ε. In a
 /// plane world so would a body that can move only along a small part of a normal. If bodies of an

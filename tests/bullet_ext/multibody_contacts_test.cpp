@@ -21,12 +21,6 @@ double normalSum(MultiBodyWorld& world) {
   return sum;
 }
 
-btVector3 boxInertia(const btVector3& half, btScalar mass) {
-  btVector3 inertia;
-  btBoxShape(half).calculateLocalInertia(mass, inertia);
-  return inertia;
-}
-
 TEST(MultiBodyContacts, FreeBoxCarriesItsWeight) {
   DelassusMultiBodyWorld world;
   world.addGround();

@@ -12,6 +12,12 @@
 
 namespace delassus::test {
 
+inline btVector3 boxInertia(const btVector3& half, btScalar mass) {
+  btVector3 inertia;
+  btBoxShape(half).calculateLocalInertia(mass, inertia);
+  return inertia;
+}
+
 /// A world that owns its articulated bodies too. These are undamped and never sleep.
 class MultiBodyWorld : public OwningWorld<btMultiBodyDynamicsWorld, btMultiBodyConstraintSolver> {
  public:
