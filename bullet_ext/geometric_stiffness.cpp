@@ -117,6 +117,11 @@ Mat3 tooFast(const Mat3& inverseInertia, const Mat3& K, double limit) {
 
 }  // namespace
 
+/// The share of the springs that turns along with a body that turns by so much in a step, rad.
+double GeometricStiffness::shareAlong(double turn) {
+  return along * std::clamp(2 - turn / slowly, 0.0, 1.0);
+}
+
 int GeometricStiffness::stiffen(Group& group, const btContactSolverInfo& info, double lastStep) {
   const double h = info.m_timeStep;
   if (group.joints.empty()) return 0;
@@ -133,7 +138,8 @@ int GeometricStiffness::stiffen(Group& group, const btContactSolverInfo& info, d
     add(first.b, joint.lastLoad.onB.head<3>(), arms.onB);
   }
 
-  const double limit = lastStep == 0 || lastStep == h ? 4 : 0.5;  // of (ω h)²
+  const bool isSteady = lastStep == 0 || lastStep == h;
+  const double limit = isSteady ? 4 : 0.5;  // of (ω h)²
   int changed = 0;
   for (std::size_t i = 0; i < group.bodies.size(); ++i) {
     Body& body = group.bodies[i];
@@ -144,7 +150,10 @@ int GeometricStiffness::stiffen(Group& group, const btContactSolverInfo& info, d
     if (!slowed.allFinite()) continue;
     const Mat3 inverse = slowed * body.inverseInertia;
     body.inverseInertia = 0.5 * (inverse + inverse.transpose());
-    body.velocity.tail<3>() = (slowed * body.velocity.tail<3>()).eval();
+    const Vec3 before = group.bodySources[i].before.tail<3>();
+    const double share = isSteady ? shareAlong(before.norm() * h) : 0;
+    body.velocity.tail<3>() =
+        (share * before + slowed * (body.velocity.tail<3>() - share * before)).eval();
     ++changed;
   }
   return changed;

@@ -24,13 +24,22 @@ struct Group;
 /// this step as if it were held by implicit springs of that stiffness (Tournier, Nesme, Gilles,
 /// Faure 2015; only where it is needed: Andrews, Teichmann, Kövecses 2017),
 ///
-///     (I + h² K') ω' = I ω + h T + moments of the reactions,
+///     (I + h² K') ω' = (I + s h² K') ω + h T + moments of the reactions,
 ///
 /// K' being the part of K in these directions. It reaches its full size once (ω h)² is an eighth
-/// above its bound. If the last step had another length, ω h is bounded by 0.7 instead of 2, since
-/// such steps can follow less. Other bodies stay as they are.
+/// above its bound. Springs at rest, s = 0, would stop within a step or two all that turns with its
+/// pulls: a load that whirls on a rod, the links of a track where they meet a wheel. So the springs
+/// turn along with the body, all but a tenth: s = `along`. With less of a rest, taut chains would
+/// tremble for ever, and ropes gain energy. So would those whose links spin: from 0.2 rad a step on
+/// (`slowly`) ever less turns along, and from twice that on nothing.
+///
+/// If the last step had another length, ω h is bounded by 0.7 instead of 2, and s = 0, since such
+/// steps can follow less. Other bodies stay as they are.
 class GeometricStiffness {
  public:
+  static constexpr double along = 0.9, slowly = 0.2;
+  static double shareAlong(double turn);
+
   /// Changes the inertia and the free velocity of such bodies; call it when all is gathered and
   /// recalled. The forces are those of the last step (JointSource::lastLoad). The arms are
   /// those of the joint's pivots or frames, so only Bullet's own kinds of joints count. `lastStep`:
