@@ -17,7 +17,7 @@ void gatherGroup(Group& group, const GroupInput& input, StepReport& report, Exte
   gatherJoined(group, input);
   gatherContacts(group, input, report);
   gatherJoints(group, input, report);
-  addTo(report.held, group.held.soften(group, input.info->m_timeStep));
+  addTo(report.held, group.held.soften(group, *input.info));
   if (extension) extension->gatherRows(group, input, report);
   gatherTurningFriction(group, asStock);
   stateAlongArcs(group);

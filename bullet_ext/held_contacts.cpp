@@ -5,6 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
+#include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "bullet_ext/convert.h"
 #include "bullet_ext/group.h"
@@ -68,6 +70,26 @@ double squaresOf(const std::vector<double>& numbers) {
   double sum = 0;
   for (const double x : numbers) sum += x * x;
   return sum;
+}
+
+/// Lets the bodies overlap by so much more before the contact acts.
+void letOverlap(const btManifoldPoint& point, const btContactSolverInfo& info, double slop,
+                Contact& contact, double& push) {
+  const double d = static_cast<double>(point.getDistance()) + info.m_linearSlop;
+  double& asked = contact.target[0];
+  if (d + slop >= 0) {
+    asked = std::min(asked, -(d + slop) / info.m_timeStep);
+    push = 0;
+  } else {  // both are in proportion to the overlap
+    asked *= (d + slop) / d;
+    push *= (d + slop) / d;
+  }
+}
+
+/// The longer arm of those of its bodies that can move, m.
+double longerArm(const Group& group, const Contact& contact) {
+  return std::max(isRigid(group, contact.a) ? contact.armA.norm() : 0,
+                  isRigid(group, contact.b) ? contact.armB.norm() : 0);
 }
 
 }  // namespace
@@ -213,6 +235,23 @@ double HeldContacts::leftOf(const Group& group, const Impulse& push, bool withLi
   return left;
 }
 
+/// Whether each of the two bodies grazes: what motion joints leave its point of the contact is
+/// hardly along the normal.
+bool HeldContacts::grazes(const Group& group, const Contact& contact) {
+  double apart = 0;
+  const auto left = [&](bool ofA, int axis) {
+    Impulse push = impulseOf(group, contact, axis);
+    (ofA ? push.b : push.a) = none;
+    return leftOf(group, push, false, 0, apart);
+  };
+  const auto grazesAlone = [&](bool ofA) {
+    const double along = left(ofA, 0);
+    return along <= shareOfGrazing * (along + left(ofA, 1) + left(ofA, 2));
+  };
+  return (!isRigid(group, contact.a) || grazesAlone(true)) &&
+         (!isRigid(group, contact.b) || grazesAlone(false));
+}
+
 /// `asked`: the speed at which the contact is to part, m/s. Sets `apart` to the speed at which its
 /// joints ask it to.
 HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contact, double asked,
@@ -220,23 +259,19 @@ HeldContacts::Held HeldContacts::judge(const Group& group, const Contact& contac
   const Impulse push = impulseOf(group, contact);
   // Kinematic bodies stand, but may move.
   Vec3 standing = Vec3::Zero();
-  double arm = 0;
-  if (push.a == none)
-    standing += velocityAt(group.bodies, contact.a, contact.armA);
-  else
-    arm = contact.armA.norm();
-  if (push.b == none)
-    standing -= velocityAt(group.bodies, contact.b, contact.armB);
-  else
-    arm = std::max(arm, contact.armB.norm());
+  if (push.a == none) standing += velocityAt(group.bodies, contact.a, contact.armA);
+  if (push.b == none) standing -= velocityAt(group.bodies, contact.b, contact.armB);
   // Joints mend their errors; normals lean.
-  const double harmless = standing.isZero(0) ? still * arm / h : std::sqrt(share) * standing.norm();
+  const double harmless = standing.isZero(0) ? still * longerArm(group, contact) / h
+                                             : std::sqrt(share) * standing.norm();
   const double size = ImpulseSpan::product(group.bodies, push, push);
   const double step = size > 0 ? std::max(asked, 0.0) / size : 0;
   for (const bool withLimits : {false, true}) {
     apart = contact.frame.col(0).dot(standing);
-    if (leftOf(group, push, withLimits, step, apart) > share * size) continue;
+    const bool isHeld = leftOf(group, push, withLimits, step, apart) <= share * size;
+    if (!isHeld && (withLimits || !grazes(group, contact))) continue;
     if (apart < -harmless) return Held::No;
+    if (!isHeld) return Held::Grazing;
     if (withLimits) return Held::ByLimit;
     return isWhollyHeld(group, contact) ? Held::Wholly : Held::Along;
   }
@@ -257,7 +292,7 @@ bool HeldContacts::isWhollyHeld(const Group& group, const Contact& contact) {
   return true;
 }
 
-int HeldContacts::soften(Group& group, double h) {
+int HeldContacts::soften(Group& group, const btContactSolverInfo& info) {
   if (group.contacts.empty() || group.joints.empty()) return 0;
   collect(group);
   if (holds_.empty()) return 0;
@@ -270,9 +305,15 @@ int HeldContacts::soften(Group& group, double h) {
   for (const int i : candidates_) {
     Contact& contact = group.contacts[i];
     double &asked = contact.target[0], &push = group.pushes[i], apart = 0;
-    const Held held = judge(group, contact, std::max(asked, push), h, apart);
+    const Held held = judge(group, contact, std::max(asked, push), info.m_timeStep, apart);
     if (held == Held::No) continue;
     ++count;
+    if (held == Held::Grazing) {
+      const PointSource& source = group.contactSources[i];
+      letOverlap(source.manifold->getContactPoint(source.point), info,
+                 play * longerArm(group, contact), contact, push);
+      continue;
+    }
     if (held == Held::ByLimit)
       asked += push;
     else

@@ -8,6 +8,8 @@
 #include "delassus/contact.h"
 #include "delassus/disjoint_sets.h"
 
+struct btContactSolverInfo;
+
 namespace delassus::bullet {
 
 struct Group;
@@ -29,6 +31,10 @@ struct Group;
 ///   - Only a limit blocks it that the bodies reach in this step: they can go the other way. The
 ///     contact gives by joinedSoftness and is not split, as contacts of bodies that a joint links.
 ///
+/// A contact grazes if what motion joints leave its point on either body leans from the contact's
+/// plane by less than four degrees. Its bodies may overlap by `play` of the arm before it acts: the
+/// corners of a door that fits its frame exactly pass the frame, as rigid ones would not.
+///
 /// A contact is not held where something drives the bodies together by more than `still` of the arm
 /// a step: the joints themselves, or the place where they are fixed, or anything kinematic. So a
 /// servo does not press its arm through a table, and a weld breaks in a press.
@@ -38,12 +44,13 @@ struct Group;
 /// Springs hold nothing, nor do motors, unless they may push without bounds.
 class HeldContacts {
  public:
-  /// Call it when contacts and joints are gathered. h: the step, s. Returns the number of contacts
-  /// held.
-  int soften(Group& group, double h);
+  /// Call it when contacts and joints are gathered. Returns the number of contacts held, those that
+  /// graze included.
+  int soften(Group& group, const btContactSolverInfo& info);
 
   /// In float normals lean by more.
   static constexpr double share = sizeof(btScalar) == sizeof(double) ? 5e-5 : 5e-4;
+  static constexpr double shareOfGrazing = 5e-3, play = 2.5e-3;
   static constexpr double softness = 1, still = 2e-4;
   static constexpr int mostRows = 64;
 
@@ -51,7 +58,7 @@ class HeldContacts {
 
  private:
   using Impulse = ImpulseSpan::Impulse;
-  enum class Held { No, ByLimit, Along, Wholly };
+  enum class Held { No, Grazing, ByLimit, Along, Wholly };
   /// A row that holds.
   struct Hold {
     int row, a, b;  ///< the row and its bodies that can move; −1: none
@@ -76,6 +83,7 @@ class HeldContacts {
                  double step, double& apart);
   double leftOf(const Group& group, const Impulse& push, bool withLimits, double step,
                 double& apart);
+  bool grazes(const Group& group, const Contact& contact);
   Held judge(const Group& group, const Contact& contact, double asked, double h, double& apart);
   bool isWhollyHeld(const Group& group, const Contact& contact);
 

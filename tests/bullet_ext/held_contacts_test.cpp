@@ -2,11 +2,13 @@
 
 #include <BulletDynamics/ConstraintSolver/btFixedConstraint.h>
 #include <BulletDynamics/ConstraintSolver/btGeneric6DofSpring2Constraint.h>
+#include <BulletDynamics/ConstraintSolver/btSliderConstraint.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 #include "tests/support/bullet_world.h"
 
@@ -51,6 +53,90 @@ TEST(HeldContacts, ADoorThatGrazesTheFloorSwingsAsIfItDidNot) {
       EXPECT_NEAR(Door(overlap, hinges).angleAfterPush(), free, tolerance(1e-5, 1e-4));
     }
   }
+}
+
+/// How far, rad, a double door opens in a second that is pushed at the middle. Its leaves of 1 m
+/// by 6 cm overlap each other by `overlap`. Pushed with 20 N.
+double openedDoubleDoor(double overlap) {
+  DelassusWorld world;
+  std::vector<btRigidBody*> leaves;
+  std::vector<btHingeConstraint*> hinges;
+  for (const int side : {-1, 1}) {
+    const double x = 0.5 * side * (1 - overlap);
+    leaves.push_back(&world.addBox({0.5, btScalar(0.6), btScalar(0.03)}, {btScalar(x), 2, 0}, 10));
+    leaves.back()->setDamping(0, 0);
+    hinges.push_back(&world.addJoint<btHingeConstraint>(
+        *leaves.back(), btVector3(btScalar(0.5 * side), 0, 0), btVector3(0, 1, 0)));
+  }
+  for (int step = 0; step < 60; ++step) {
+    for (const int k : {0, 1})
+      leaves[k]->applyForce({0, 0, 20}, {btScalar(k == 0 ? 0.5 : -0.5), 0, 0});
+    world.advance();
+  }
+  return std::min(std::abs(hinges[0]->getHingeAngle()), std::abs(hinges[1]->getHingeAngle()));
+}
+
+// Rigid corners would lock it.
+TEST(HeldContacts, ADoorThatFitsExactlyOpens) {
+  const double free = openedDoubleDoor(-0.05);
+  ASSERT_GT(free, 1);
+  for (const double overlap : {-2e-4, 0.0, 1e-3}) {
+    SCOPED_TRACE(overlap);
+    EXPECT_NEAR(openedDoubleDoor(overlap), free, 0.2 * free);
+  }
+}
+
+// A stop close behind the hinge blocks one way, and carries what presses against it.
+TEST(HeldContacts, AStopNearTheHingeHolds) {
+  DelassusWorld world;
+  btRigidBody& leaf = world.addBox({0.5, 1, btScalar(0.05)}, {0.5, 1, 0}, 20);
+  auto& hinge = world.addJoint<btHingeConstraint>(leaf, btVector3(-0.5, 0, 0), btVector3(0, 1, 0));
+  world.addBox({btScalar(0.01), 0.5, 0.1}, {btScalar(0.05), 1, btScalar(0.15)}, 0);
+  for (int step = 0; step < 60; ++step) {
+    leaf.applyForce({0, 0, 20}, {0.5, 0, 0});
+    world.advance();
+  }
+  EXPECT_LT(std::abs(hinge.getHingeAngle()), 0.02);
+}
+
+// Nor does a slope of few degrees let go: a slider runs up to it, and a little into it.
+TEST(HeldContacts, AShallowRampStopsASlider) {
+  for (const double degrees : {isDouble ? 1.0 : 2.0, 3.9, 8.0}) {  // in float, 1 degree is held
+    SCOPED_TRACE(degrees);
+    DelassusWorld world;
+    world->setGravity({0, 0, 0});
+    btRigidBody& slider = world.addBox({0.25, 0.25, 0.25}, {0, 0, 0}, 1);
+    world.addJoint<btSliderConstraint>(slider, DelassusWorld::at({0, 0, 0}), true);
+    const btQuaternion tilt(btVector3(0, 0, 1), btScalar(degrees * M_PI / 180));
+    btRigidBody& ramp = world.addBody(
+        std::make_unique<btBoxShape>(btVector3(2, 0.5, 1)),
+        btTransform(tilt, btVector3(0, 0, 0) + quatRotate(tilt, {2, btScalar(-0.5), 0}) +
+                              btVector3(0.5, btScalar(-0.25), 0)),
+        0);
+    ramp.setFriction(0);
+    for (int step = 0; step < 120; ++step) {
+      slider.applyCentralForce({40, 0, 0});
+      world.advance();
+    }
+    const double slope = std::tan(degrees * M_PI / 180), play = 2.5e-3 * 0.36;
+    EXPECT_LT(slider.getWorldTransform().getOrigin().x(), 0.25 + 2 * play / slope + 0.03);
+    EXPECT_LT(slider.getLinearVelocity().length(), 0.05);
+  }
+}
+
+// A prop is light and free to turn; what it bears is heavy, and has no other hold.
+TEST(HeldContacts, PropsBearAGate) {
+  DelassusWorld world;
+  btRigidBody& gate = world.addBox({1, btScalar(0.1), 0.5}, {0, 2, 0}, 200);
+  world.addJoint<btSliderConstraint>(
+      gate, btTransform(btQuaternion(btVector3(0, 0, 1), btScalar(M_PI / 2)), {0, 0, 0}), true);
+  for (const double x : {-0.5, 0.5}) {
+    btRigidBody& prop = world.addBox({btScalar(0.05), btScalar(0.45), btScalar(0.05)},
+                                     {btScalar(x), btScalar(1.45), 0}, 1);
+    world.addJoint<btHingeConstraint>(prop, btVector3(0, btScalar(-0.45), 0), btVector3(0, 0, 1));
+  }
+  world.advance(120);
+  EXPECT_NEAR(gate.getWorldTransform().getOrigin().y(), 2, 0.001);
 }
 
 // A wheel on an axle of the world, a millimetre deep in the floor.
