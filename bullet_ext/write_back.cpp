@@ -140,8 +140,10 @@ btScalar writtenImpulse(const Group& group, const JointSource& joint, const Answ
 void writeJoints(const Group& group, const Answer& answer, const btContactSolverInfo& info) {
   for (const JointSource& source : group.joints) {
     btTypedConstraint& joint = *source.constraint;
-    // Read before anything is disabled: the joint breaks as a whole, after its last feedback.
-    const double breakingImpulse = joint.getBreakingImpulseThreshold();
+    // Read before anything is disabled: the joint breaks as a whole, after its last feedback. A
+    // reaction at its bound may be a little below it.
+    constexpr double rounding = 1e-9;
+    const double breakingImpulse = (1 - rounding) * joint.getBreakingImpulseThreshold();
     bool breaks = breakingImpulse <= 0;  // then none of its rows takes part
     for (int row = source.firstRow; row < source.firstRow + source.rowCount; ++row)
       breaks |= std::abs(answer.rows[row]) >= breakingImpulse / group.arcOf(row);

@@ -172,6 +172,32 @@ TEST(Parity, Row30BreaksAboveItsThreshold) {
   }
 }
 
+// A reaction that has reached its bound may be a last digit below it, and is kept from then on.
+TEST(Parity, Row30BreaksUnderALoadThatGrows) {
+  constexpr double rate = 40, settled = 0.5, step = 1.0 / 240;  // N/s, s
+  for (const double threshold : {0.05, 0.1, 0.15, 0.2, 0.25, 0.3})
+    for (const double offset : {0.0, 0.02}) {
+      SCOPED_TRACE(testing::Message() << threshold << " N·s, " << offset);
+      DelassusWorld world;
+      world->setGravity({0, -10, 0});
+      const btVector3 half(btScalar(0.1), btScalar(0.1), btScalar(0.1));
+      btRigidBody& upper = world.addBox(half, {0, 1, 0}, 1);
+      btRigidBody& lower = world.addBox(half, {0, btScalar(0.7), 0}, 1);
+      auto& weld = world.addJoint<btFixedConstraint>(upper, lower,
+                                                     DelassusWorld::at({0, btScalar(-0.15), 0}),
+                                                     DelassusWorld::at({0, btScalar(0.15), 0}));
+      weld.setBreakingImpulseThreshold(btScalar(threshold));
+      world.addJoint<btPoint2PointConstraint>(upper, btVector3(0, 0, 0));
+      const double due = settled + (threshold / step - 10) / rate;
+      for (int k = 0; k * step < due + 0.1; ++k) {
+        const double pull = rate * std::max(k * step - settled, 0.0);
+        lower.applyForce({0, btScalar(-pull), 0}, {btScalar(offset), 0, 0});
+        world->stepSimulation(btScalar(step), 0);
+      }
+      EXPECT_FALSE(weld.isEnabled());
+    }
+}
+
 /// Stock breaks a joint whose impulse reaches its threshold, here 0 ≥ 0.
 TEST(Parity, Row30JointThatBearsNothingBreaksAtOnce) {
   Hanging hanging;
