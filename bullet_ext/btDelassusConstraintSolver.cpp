@@ -76,8 +76,8 @@ void countTier(Tier tier, StepReport& report) {
 /// The reason that messages give after the name of a blamed contact or joint.
 const char* reasonOf(const IslandResult& result) {
   if (result.isSoftened)
-    return ": rigid bodies have no answer here, or one that would throw a body or wedge it; the "
-           "one taken is as if contacts gave a little, or joints asked for less";
+    return ": no exact answer, or only one that throws or wedges a body; solved as if contacts "
+           "gave a little, or joints asked for less";
   switch (result.status) {
     case Status::OutOfBudget:
       return ": the budget of its island ended above the tolerance; the error is largest here";

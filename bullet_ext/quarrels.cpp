@@ -92,8 +92,7 @@ Quarrel quarrelOf(const Group& group, const Island& island, double demand,
   constexpr double times = 1e3;
   const bool hasJoints = !island.rows.empty();
   if (!island.hasContacts()) return Quarrel::None;
-  if (solution.status == Status::Incompatible)
-    return hasJoints || driveOf(group, island) == 0 ? Quarrel::Strained : Quarrel::None;
+  if (solution.status == Status::Incompatible) return hasJoints ? Quarrel::Strained : Quarrel::None;
   const auto isLocked = [&](int k) { return hasLockedAxis(group.bodies[k]); };
   const bool isHeld =
       hasJoints || std::any_of(island.bodies.begin(), island.bodies.end(), isLocked);

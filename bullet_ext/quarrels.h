@@ -11,15 +11,14 @@ struct Group;
 
 // Contacts and joints that ask for what no motion gives. A plate lies two millimetres deep in the
 // floor and is pinned at its middle: no corner can rise unless another one sinks, though no single
-// contact is held (held_contacts.h). A body is made static where it overlaps its neighbours. Or a
-// body lies so in the floor that its joint and friction wedge it. To rest breaks no law. But what
-// joints give by (softness.h) is so little that they would press with 1e10 N, and Coulomb's law may
-// answer a small demand with reactions of any size.
+// contact is held (held_contacts.h). Or a body lies so in the floor that its joint and friction
+// wedge it. To rest breaks no law. But what joints give by (softness.h) is so little that they
+// would press with 1e10 N, and Coulomb's law may answer a small demand with reactions of any size.
 
 /// How far contacts and joints of the island strain each other: the largest velocity, m/s, that one
 /// normal reaction, or that of one row of a joint, would give its bodies if nothing else held them;
-/// the lesser of the two. Neither springs count nor what drives
-/// joints. In islands without joints that of contacts.
+/// the lesser of the two. Neither springs count nor what drives joints. In islands without joints
+/// that of contacts.
 double strainOf(const Group& group, const Island& island, const Solution& solution);
 
 /// What a solution may tell of a quarrel. Loads can do the same, but less recovery does not relieve
@@ -28,8 +27,8 @@ enum class Quarrel {
   None,
   Breaking,  ///< a joint that holds reaches the threshold at which it breaks
   /// The demands are incompatible; or contacts and joints, or contacts and locked axes, strain each
-  /// other by a thousand times what the island demands, m/s. A press that closes on islands without
-  /// joints does not count: it does not ask for recovery.
+  /// other by a thousand times what the island demands, m/s. Incompatible contacts without joints
+  /// do not count: with less recovery, jaws would let go of what they pinch.
   Strained
 };
 Quarrel quarrelOf(const Group& group, const Island& island, double demand,

@@ -135,47 +135,6 @@ const Problem& putOnBench(const Group& group, const Island& island, const Answer
 /// An island that jams may be answered this many times as far from the law as what was found.
 constexpr double nearly = 2;
 
-/// How a search ended.
-enum class SearchEnd { Whole, Short, Jammed };
-
-/// Solves the problem on the bench. A short search comes first where something may squeeze the
-/// island, to tell whether it jams, and where whole searches have been in vain. An island that
-/// comes near an answer does not jam: the whole search goes on from there.
-SearchEnd searchFor(const Group& group, const Island& island, bool mayJam, const Problem& problem,
-                    Bench& bench, Answer& answer, IslandResult& result) {
-  constexpr double near = 1e-4;  // share of the demands that is left
-  Solution& solution = bench.solution;
-  const auto solve = [&] {
-    bench.solver.solve(problem, bench.guess, solution);
-    bench.counts.add(solution);
-  };
-  const IslandMarks last = marksOf(group, island);
-  const bool wasLost = last.lostSteps > 0;
-  if (mayJam && (wasLost || mayBeSqueezed(group, island))) {
-    {
-      ShortSearch meanwhile(bench.solver);
-      if (!wasLost) meanwhile.loosen(near);
-      solve();
-    }
-    const double enough = polishedShare * bench.solver.options().tolerance * problem.demand();
-    if (!wasLost && solution.status == Status::Solved && solution.residual > enough) {
-      const double startResidual = solution.startResidual;
-      bench.guess = solution.r;
-      solve();
-      solution.startResidual = startResidual;
-      return SearchEnd::Whole;
-    }
-    if (solution.status != Status::OutOfBudget || willDo(solution, last)) return SearchEnd::Short;
-    bench.guess.resize(0);
-    if (isFarOff(solution, problem.demand()) &&
-        answerJam(group, island, nearly * solution.residual, bench, answer, result))
-      return SearchEnd::Jammed;
-    putOnBench(group, island, answer, bench);
-  }
-  solve();
-  return SearchEnd::Whole;
-}
-
 constexpr double muchCut = 0.1;  ///< of recovery, that tells of a quarrel
 
 void markLost(const Group& group, const Island& island, bool afterWhole, double residual,
@@ -217,12 +176,86 @@ bool answerQuarrel(const Group& group, const Island& island, double demand, Benc
   return false;
 }
 
+/// Whether joints hold bodies of the island that contacts ask to recover.
+bool mayQuarrel(const Group& group, const Island& island) {
+  bool recovers = false;
+  island.eachContact([&](int i) { recovers = recovers || group.contacts[i].target[0] > 0; });
+  return recovers && std::any_of(island.rows.begin(), island.rows.end(),
+                                 [&](int k) { return group.rows[k].governor < 0; });
+}
+
+/// Whether a whole search is due where joints and contacts may quarrel: they bear a load, for which
+/// there is no other answer; or they have quarrelled for so long that it is looked at anew.
+bool isTurnOfSearch(const IslandMarks& last) {
+  constexpr int many = 128;
+  const bool isLoaded = last.loadedSteps > 0 && !isTurnOfWhole(last.loadedSteps + 1);
+  return isLoaded || last.quarrelSteps + 1 >= many;
+}
+
+/// How a search ended; answered: otherwise than exactly.
+enum class SearchEnd { Whole, Short, Answered };
+
+/// Solves the problem on the bench. A short search comes first
+///
+///   - where something may squeeze the island, to tell whether it jams, and where whole searches
+///     have been in vain. An island that comes near an answer does not jam: the whole search goes
+///     on from there;
+///   - where joints and contacts may quarrel: if they do, a whole search is in vain.
+SearchEnd searchFor(const Group& group, const Island& island, bool mayJam, const Problem& problem,
+                    Bench& bench, Answer& answer, IslandResult& result) {
+  constexpr double near = 1e-4;  // share of the demands that is left
+  Solution& solution = bench.solution;
+  const auto solve = [&] {
+    bench.solver.solve(problem, bench.guess, solution);
+    bench.counts.add(solution);
+  };
+  const IslandMarks last = marksOf(group, island);
+  const bool wasLost = last.lostSteps > 0;
+  const auto startAnew = [&] { putOnBench(group, island, answer, bench); };
+  const bool isSqueezed = mayJam && (wasLost || mayBeSqueezed(group, island));
+  if (mayJam && !isSqueezed && mayQuarrel(group, island) && !isTurnOfSearch(last)) {
+    {
+      ShortSearch meanwhile(bench.solver);
+      meanwhile.sweepLess();
+      solve();
+    }
+    if (solution.status != Status::OutOfBudget) return SearchEnd::Whole;
+    if (answerQuarrel(group, island, problem.demand(), bench, answer, result))
+      return SearchEnd::Answered;
+    result.marks = {};
+    startAnew();
+  }
+  if (isSqueezed) {
+    {
+      ShortSearch meanwhile(bench.solver);
+      if (!wasLost) meanwhile.loosen(near);
+      solve();
+    }
+    const double enough = polishedShare * bench.solver.options().tolerance * problem.demand();
+    if (!wasLost && solution.status == Status::Solved && solution.residual > enough) {
+      const double startResidual = solution.startResidual;
+      bench.guess = solution.r;
+      solve();
+      solution.startResidual = startResidual;
+      return SearchEnd::Whole;
+    }
+    if (solution.status != Status::OutOfBudget || willDo(solution, last)) return SearchEnd::Short;
+    bench.guess.resize(0);
+    if (isFarOff(solution, problem.demand()) &&
+        answerJam(group, island, nearly * solution.residual, bench, answer, result))
+      return SearchEnd::Answered;
+    startAnew();
+  }
+  solve();
+  return SearchEnd::Whole;
+}
+
 void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& bench,
                   Answer& answer, IslandResult& result) {
   const Problem& problem = putOnBench(group, island, answer, bench);
   const double demand = problem.demand();
   const SearchEnd end = searchFor(group, island, mayJam, problem, bench, answer, result);
-  if (end == SearchEnd::Jammed) return;
+  if (end == SearchEnd::Answered) return;
   const Solution& solution = bench.solution;
   note(solution, island, result);
   if (solution.status == Status::OutOfBudget)
@@ -247,10 +280,20 @@ void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& 
   const bool isLost = end == SearchEnd::Whole && isFarOff(solution, demand);
   if (answerQuarrel(group, island, demand, bench, answer, result)) return;
   bench.guess.resize(0);
-  if (mayJam && !jointsThrow && (isLost || contactsHurry) &&
+  // Bodies may be pinched between others that overlap them and do not give way. They press, as in
+  // stock, or friction would not hold them.
+  const bool isPinched =
+      solution.status == Status::Incompatible && island.rows.empty() && !isLost && !contactsHurry;
+  const std::vector<int> blamed = isPinched ? solution.blamed : std::vector<int>();
+  if (mayJam && !jointsThrow && (isLost || contactsHurry || isPinched) &&
       answerJam(group, island, isLost ? nearly * solution.residual : infinity, bench, answer,
-                result))
+                result)) {
+    if (isPinched) {  // the exact search was short, and tells more
+      result.blamed = blamed;
+      result.marks.isJammed = false;
+    }
     return;
+  }
   if (jointsThrow)
     answerHeldBack(group, island, work, contactsThrow, bench, answer, result);
   else if (contactsThrow)

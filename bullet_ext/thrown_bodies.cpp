@@ -130,6 +130,17 @@ double workOfForces(const Group& group, const Island& island) {
   return std::max(taken, given);
 }
 
+/// The largest speed of bodies that touch the island and do not give way, m/s.
+double driveOf(const Group& group, const Island& island) {
+  double drive = 0;
+  island.eachContact([&](int k) {
+    const Contact& c = group.contacts[k];
+    if (!group.movable(c.a)) drive = std::max(drive, speedOf(group.bodies, c.a, c.armA));
+    if (!group.movable(c.b)) drive = std::max(drive, speedOf(group.bodies, c.b, c.armB));
+  });
+  return drive;
+}
+
 }  // namespace
 
 bool contactsThrowOne(const Group& group, const Island& island, double demand, const Answer& answer,
@@ -184,16 +195,6 @@ double energyOf(const Island& island, const std::vector<Body>& bodies, double le
     if (inverse > 0) sum += 0.5 / inverse * speed * speed;
   }
   return sum;
-}
-
-double driveOf(const Group& group, const Island& island) {
-  double drive = 0;
-  island.eachContact([&](int k) {
-    const Contact& c = group.contacts[k];
-    if (!group.movable(c.a)) drive = std::max(drive, speedOf(group.bodies, c.a, c.armA));
-    if (!group.movable(c.b)) drive = std::max(drive, speedOf(group.bodies, c.b, c.armB));
-  });
-  return drive;
 }
 
 bool hasLockedAxis(const Body& body) {

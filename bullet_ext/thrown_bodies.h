@@ -61,8 +61,6 @@ bool isSpring(const Group& group, const Row& row);
 /// which the joint breaks does not count: until then the joint holds.
 bool drives(const Group& group, int row, bool up);
 
-/// The largest speed of bodies that touch the island and do not give way, m/s.
-double driveOf(const Group& group, const Island& island);
 /// Whether these bodies may squeeze the island: one that moves does not go the same way as all else
 /// that holds it, be it another one, a joint's other body, or what locks an axis. (Several of which
 /// one turns count as going different ways.) Otherwise the island can go along as a whole, and what

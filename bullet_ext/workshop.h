@@ -80,6 +80,10 @@ class ShortSearch {
   /// 1e-4, not of 1e-3.
   void takeAnyNear() {
     loosen(1e-4);
+    sweepLess();
+  }
+
+  void sweepLess() {
     Options options = solver_.options();
     options.sweepBudget = std::min(options.sweepBudget, 2000);
     solver_.setOptions(options);

@@ -1,6 +1,7 @@
 /// What a step leaves to the next about an island: reactions that stopped something are kept once
 /// they are the reactions of rest, and searches in vain grow rarer.
 
+#include <BulletDynamics/ConstraintSolver/btPoint2PointConstraint.h>
 #include <gtest/gtest.h>
 
 #include "bullet_ext/group.h"
@@ -203,21 +204,18 @@ TEST(JammedIslands, AreSolvedExactlyWhereNothingSqueezes) {
   }
 }
 
-/// A body of 1 kg that falls with 1 m/s between a floor and a ceiling that overlap it: each asks it
-/// to part at 0.1 m/s. What it loads is the floor.
+/// A body of 1 kg that falls with 1 m/s between a floor that overlaps it and a limit of a joint
+/// that it has passed above: each asks it to part at 0.1 m/s. What it loads is the floor.
 struct Squeezed : Falling {
   Squeezed(const IslandMarks& before, bool isLimb) {
-    const std::size_t floor = group.contacts.size();
-    for (std::size_t i = 0; i < floor; ++i) {
-      group.contacts[i].target[0] = 0.1;
-      Contact above = group.contacts[i];
-      above.armA[0] = 1;
-      above.frame = Eigen::DiagonalMatrix<double, 3>(-1, -1, 1).toDenseMatrix();
-      group.contacts.push_back(above);
-      group.contactSources.push_back({&manifold_, 0});
-      group.guess.push_back(Vec3::Zero());
-      group.pushes.push_back(0);
-    }
+    for (Contact& contact : group.contacts) contact.target[0] = 0.1;
+    Row& limit = group.rows.emplace_back();
+    limit.a = 0;
+    limit.jacobianA[0] = -1;
+    limit.target = 0.1;
+    limit.lower = 0;
+    group.rowGuess.push_back(0);
+    group.joints.push_back({&joint_, 0, 1, 0, 0});
     if (isLimb) {
       const MatrixXd unit = MatrixXd::Identity(6, 6);
       group.articulation.trees.push_back({unit});
@@ -225,11 +223,13 @@ struct Squeezed : Falling {
     }
     solve(before);
   }
-  double pressure(std::size_t from) const {
-    return answer.contacts[from][0] + answer.contacts[from + 1][0] + answer.contacts[from + 2][0];
+  double onFloor() const {
+    return answer.contacts[0][0] + answer.contacts[1][0] + answer.contacts[2][0];
   }
-  double onFloor() const { return pressure(0); }
-  double onCeiling() const { return pressure(3); }
+  double onLimit() const { return answer.rows[0]; }
+
+ private:
+  btPoint2PointConstraint joint_{rigid_, {0, 0, 0}};
 };
 
 IslandMarks quarrelled(int steps) {
@@ -243,9 +243,9 @@ TEST(QuarrellingIslands, PressWithTheirLoads) {
     const Squeezed squeezed(quarrelled(steps), false);
     EXPECT_EQ(squeezed.answer.results[0].status, Status::Incompatible) << steps;
     EXPECT_FALSE(squeezed.answer.results[0].isSoftened) << steps;
-    EXPECT_NEAR(squeezed.onFloor(), 1, 1e-3) << steps;
-    EXPECT_NEAR(squeezed.onCeiling(), 0, 1e-3) << steps;
-    EXPECT_NEAR(squeezed.answer.results[0].residualMax, 0.1, 0.02) << "what they still ask for";
+    EXPECT_NEAR(squeezed.onFloor(), 1, 0.1) << "its fall is stopped, and some recovery made";
+    EXPECT_NEAR(squeezed.onLimit(), 0, 1e-3) << steps;
+    EXPECT_NEAR(squeezed.answer.results[0].residualMax, 0.2, 0.02) << "what they still ask for";
     // Every step that is no power of two begins with the recovery.
     EXPECT_EQ(squeezed.marks().quarrelSteps, steps == 2 ? 3 : 0) << steps;
   }
@@ -261,7 +261,7 @@ TEST(QuarrellingIslands, AreSolvedExactlyOnceNothingQuarrels) {
 TEST(QuarrellingIslands, OfArticulatedBodiesMoveTheTree) {
   const Squeezed squeezed(quarrelled(2), true);
   ASSERT_EQ(squeezed.answer.gains.of.size(), 1u);
-  EXPECT_NEAR(squeezed.answer.gains.of[0][0], 1, 1e-3) << "its fall is stopped";
+  EXPECT_NEAR(squeezed.answer.gains.of[0][0], 1, 0.1) << "its fall is stopped";
 }
 
 // If less recovery did not relieve the island, it is tried again after twice as many steps.
@@ -271,7 +271,7 @@ TEST(LoadedIslands, AreLookedAtEverLessOften) {
     marks.loadedSteps = steps - 1;
     const Squeezed squeezed(marks, false);
     const bool isLookedAt = (steps & (steps - 1)) == 0;
-    EXPECT_EQ(squeezed.onCeiling() < 1e-3, isLookedAt) << steps;
+    EXPECT_EQ(squeezed.onLimit() < 1e-3, isLookedAt) << steps;
     EXPECT_EQ(squeezed.marks().loadedSteps, isLookedAt ? 0 : steps);
   }
 }

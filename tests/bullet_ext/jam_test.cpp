@@ -227,5 +227,27 @@ TEST(Jam, OfWhatGivesWayIsSoonRuledOut) {
   EXPECT_LT(sweeps, steps * mostSweeps);
 }
 
+// Jaws that stand and overlap what they hold ask for what no motion gives. Their grip is that of
+// contacts that give a little, and friction holds.
+TEST(Jam, JawsThatStandHoldWhatTheyGrip) {
+  constexpr double mass = 0.2, halfSize = 0.04;
+  for (const bool isRound : {false, true})
+    for (const double overlap : {1e-6, 1e-4, 1e-3, 1e-2}) {
+      SCOPED_TRACE(testing::Message() << (isRound ? "ball, " : "box, ") << overlap);
+      DelassusWorld world;
+      const auto radius = btScalar(halfSize);
+      btRigidBody& held = isRound ? world.addSphere(radius, {0, 1, 0}, btScalar(mass))
+                                  : world.addBox({radius, radius, radius}, {0, 1, 0}, mass);
+      held.setFriction(1);
+      for (const int side : {-1, 1})
+        world
+            .addBox({btScalar(0.01), btScalar(0.05), btScalar(0.03)},
+                    {btScalar(side * (halfSize + 0.01 - overlap)), 1, 0}, 0)
+            .setFriction(1);
+      world.advance(60);
+      EXPECT_NEAR(held.getWorldTransform().getOrigin().y(), 1, 1e-4);
+    }
+}
+
 }  // namespace
 }  // namespace delassus::test

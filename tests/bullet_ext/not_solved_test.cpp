@@ -67,7 +67,7 @@ TEST(NotSolved, IncompatibleContactsAreToldInEveryStep) {
     solver.solveGroup(bodies, 3, manifolds, 2, nullptr, 0, btContactSolverInfo(), nullptr, nullptr);
     EXPECT_EQ(solver.report().incompatible, 1);
     EXPECT_THAT(solver.report().messages,
-                AllOf(SizeIs(1), Each(HasSubstr("no motion meets its demand"))));
+                AllOf(SizeIs(1), Each(HasSubstr("solved as if contacts gave a little"))));
     ASSERT_EQ(troubles.size(), 2u);
     for (const ContactEvent& event : troubles) EXPECT_EQ(event.trouble, Trouble::Incompatible);
     EXPECT_NEAR(ball.getLinearVelocity().length(), 0, 1e-6) << "the compromise";

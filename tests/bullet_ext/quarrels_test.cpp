@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "tests/support/bullet_world.h"
+#include "tests/support/random_problems.h"
 
 namespace delassus::test {
 namespace {
@@ -38,6 +39,28 @@ struct PinnedPlate {
 };
 
 constexpr double weight = 9.81;
+
+// Planks on hinges of the world that lie in each other: what they ask for has no answer, and is not
+// searched for as long as an answer would be.
+TEST(Quarrels, AreSoonTold) {
+  constexpr int mostSweeps = 10000;
+  Random random(5);
+  for (int start = 0; start < 8; ++start) {
+    SCOPED_TRACE(start);
+    DelassusWorld world;
+    world.addGround();
+    for (int k = 0; k < 3; ++k) {
+      const btVector3 place(btScalar(uniform(random, -1, 1)), btScalar(uniform(random, 1.2, 1.32)),
+                            btScalar(uniform(random, -0.4, 0.4)));
+      btRigidBody& plank = world.addBox({1.5, btScalar(0.05), btScalar(0.3)}, place, 8);
+      world.addJoint<btHingeConstraint>(plank, btVector3(0, 0, 0), btVector3(0, 0, 1));
+    }
+    for (int step = 0; step < 120; ++step) {
+      world.advance();
+      EXPECT_LT(world.report().sweeps, mostSweeps) << step;
+    }
+  }
+}
 
 // Wherever the pin is, some corner can rise only if another one sinks. What the plate presses with
 // is its weight, and what it takes to recover.
