@@ -179,11 +179,8 @@ int dumpProblems(const DumpArguments& arguments) {
 
 void addDumpCommand(CLI::App& app, Action& chosen) {
   auto arguments = std::make_shared<DumpArguments>();
-  CLI::App* command = app.add_subcommand("dump",
-                                         "writes the problems of one step, an island a file; rows "
-                                         "of joints beside contacts are written as contacts; "
-                                         "islands with rolling or spinning friction are left out: "
-                                         "no format holds it");
+  CLI::App* command =
+      app.add_subcommand("dump", "writes the problems of one step, an island a file");
   command->add_option("subject", arguments->subject, "a built-in scene or a .bullet file")
       ->required()
       ->type_name("SCENE|FILE.bullet");
@@ -201,7 +198,9 @@ void addDumpCommand(CLI::App& app, Action& chosen) {
   command->footer(
       "A problem file has W as entries, and no reactions of a last step. 'solve' may take far "
       "longer\n"
-      "over it than the step took in its world.");
+      "over it than the step took in its world. Rows of joints beside contacts are written as "
+      "contacts.\n"
+      "Islands with rolling or spinning friction are left out: no format holds it.");
   command->callback(
       [&chosen, arguments] { chosen = [arguments] { return dumpProblems(*arguments); }; });
 }

@@ -8,6 +8,7 @@
 
 #include "demos/command.h"
 #include "demos/number_checks.h"
+#include "demos/process/interrupt.h"
 #ifdef DELASSUS_RENDER
 #include "demos/progress_bar.h"
 #include "demos/render/picture.h"
@@ -126,12 +127,19 @@ void makeVideo(const RenderArguments& arguments, std::vector<NamedSolver>& solve
                const std::string& file) {
   render::Studio studio(recordAll(arguments, solvers, times), wish, look, 1);
   ProgressBar bar(look.title + " video");
-  render::Video video(file, look.size, framesPerSecond);
-  for (int i = 0; i < int(times.size()); ++i) {
-    video.add(studio.picture({i}));
-    bar.show(double(i + 1) / double(times.size()));
+  const InterruptWatch watch;
+  try {
+    render::Video video(file, look.size, framesPerSecond);
+    for (int i = 0; i < int(times.size()); ++i) {
+      InterruptWatch::throwIfAsked();
+      video.add(studio.picture({i}));
+      bar.show(double(i + 1) / double(times.size()));
+    }
+    video.finish();
+  } catch (const render::OutputError&) {
+    InterruptWatch::throwIfAsked();  // Ctrl-C ends ffmpeg, too
+    throw;
   }
-  video.finish();
   bar.clear();
   say(file);
 }

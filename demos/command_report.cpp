@@ -2,6 +2,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "demos/command.h"
 #include "demos/number_checks.h"
@@ -34,12 +37,17 @@ void tellWhatIsIdle(const report::ReportArguments& arguments) {
     tell("--solvers", "same_problem, persisting, own_trajectory, time_step and scaling");
 }
 
+/// Each name once, in the order in which they were first named.
+void keepOnce(std::vector<std::string>& names) {
+  std::vector<std::string> once;
+  for (const std::string& name : names)
+    if (std::find(once.begin(), once.end(), name) == once.end()) once.push_back(name);
+  names = std::move(once);
+}
+
 int writeReport(report::ReportArguments arguments) {
-  // Each part once, in the order in which they were first named.
-  std::vector<std::string> parts;
-  for (const std::string& part : arguments.parts)
-    if (std::find(parts.begin(), parts.end(), part) == parts.end()) parts.push_back(part);
-  arguments.parts = parts;
+  for (std::vector<std::string>* names : {&arguments.parts, &arguments.scenes, &arguments.solvers})
+    keepOnce(*names);
   tellWhatIsIdle(arguments);
   const bool complete =
       arguments.stability ? report::stability::makeMap(arguments) : report::makeReport(arguments);

@@ -72,6 +72,7 @@ nlohmann::ordered_json toJson(const std::string& scene, const RunSummary& run) {
   if (run.lawError) json["law_error"] = *run.lawError;
   if (run.regions) {
     json["left_out"] = run.regions->leftOut;
+    json["push_unsolved"] = run.regions->pushUnsolved;
     json["stiffened"] = run.regions->stiffened;
     json["messages"] = nlohmann::ordered_json::array();
     for (const RunSummary::Message& message : run.regions->messages)
@@ -80,11 +81,15 @@ nlohmann::ordered_json toJson(const std::string& scene, const RunSummary& run) {
   return json;
 }
 
+std::string counted(int count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
 void printMessages(std::FILE* out, const std::vector<RunSummary::Message>& messages) {
   constexpr std::size_t most = 10;
   for (std::size_t i = 0; i < std::min(most, messages.size()); ++i)
-    std::fprintf(out, "  %s (%d %s)\n", messages[i].text.c_str(), messages[i].steps,
-                 messages[i].steps == 1 ? "step" : "steps");
+    std::fprintf(out, "  %s (%s)\n", messages[i].text.c_str(),
+                 counted(messages[i].steps, "step", "steps").c_str());
   if (messages.size() > most)
     std::fprintf(out, "  and %zu more; --json has them\n", messages.size() - most);
 }
@@ -148,8 +153,11 @@ void printTable(std::FILE* out, const std::vector<RunSummary>& runs) {
         run.solver.c_str(), run.regions->perStep, run.regions->factorisationsPerStep,
         run.regions->solved, run.regions->outOfBudget, run.regions->incompatible,
         run.regions->nonFinite, run.regions->leftOut);
+    if (const long count = run.regions->pushUnsolved; count > 0)
+      std::fprintf(out, "; %ld push problems not solved", count);
     if (const int most = run.regions->stiffened; most > 0)
-      std::fprintf(out, "; %d %s stiffened in a step at most", most, most == 1 ? "body" : "bodies");
+      std::fprintf(out, "; %s stiffened in a step at most",
+                   counted(most, "body", "bodies").c_str());
     std::fprintf(out, "\n");
     printMessages(out, run.regions->messages);
   }
@@ -166,9 +174,10 @@ void printLawErrors(std::FILE* out, const Law& law, const std::vector<RunSummary
 void printRuns(std::FILE* out, const RunArguments& arguments, const std::optional<Law>& law,
                const std::vector<RunSummary>& runs) {
   if (runs.empty()) return;
-  std::fprintf(out, "%s: %d steps at %g Hz, %d bodies, up to %d contacts, %s precision\n",
-               arguments.subject.c_str(), runs[0].steps, runs[0].hz, runs[0].bodies,
-               runs[0].contactsMax, precisionName());
+  std::fprintf(out, "%s: %s at %g Hz, %s, up to %s, %s precision\n", arguments.subject.c_str(),
+               counted(runs[0].steps, "step", "steps").c_str(), runs[0].hz,
+               counted(runs[0].bodies, "body", "bodies").c_str(),
+               counted(runs[0].contactsMax, "contact", "contacts").c_str(), precisionName());
   printTable(out, runs);
   if (law) printLawErrors(out, *law, runs);
   for (const RunSummary& run : runs)

@@ -1,4 +1,4 @@
-// The library in forty lines: a world as in Bullet's own hello world, with another solver.
+// The library in one page: a world as in Bullet's own hello world, with another solver.
 #include <btBulletDynamicsCommon.h>
 
 #include <cstdio>

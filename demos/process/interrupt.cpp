@@ -12,16 +12,14 @@ void ask(int) { interruptAsked = 1; }
 
 }  // namespace
 
-InterruptWatch::InterruptWatch() {
+InterruptWatch::InterruptWatch()
+    : beforeInterrupt_(signal(SIGINT, ask)), beforeTerminate_(signal(SIGTERM, ask)) {
   interruptAsked = 0;
-  signal(SIGINT, ask);
-  signal(SIGTERM, ask);
 }
 
 InterruptWatch::~InterruptWatch() {
-  interruptAsked = 0;
-  signal(SIGINT, SIG_DFL);
-  signal(SIGTERM, SIG_DFL);
+  signal(SIGINT, beforeInterrupt_);
+  signal(SIGTERM, beforeTerminate_);
 }
 
 bool InterruptWatch::asked() { return interruptAsked != 0; }

@@ -21,6 +21,10 @@ class InterruptWatch {
 
   static bool asked();
   static void throwIfAsked();
+
+ private:
+  void (*beforeInterrupt_)(int);
+  void (*beforeTerminate_)(int);
 };
 
 }  // namespace demos

@@ -61,6 +61,9 @@ void stamp(const fs::path& folder, const std::string& command, bool resume,
     throw std::runtime_error("'" + folder.string() + "' was begun by '" + line +
                              "': only the same report can go on");
   }
+  if (resume && made.empty())
+    std::fprintf(stderr, "delassus: '%s' has no report to go on with: this one begins anew\n",
+                 folder.string().c_str());
   for (const Part& part : parts) makeFolder(folder / part.name);
   // Measures of an earlier report must not pass for those of this one.
   if (!resume) removeMeasures(folder, parts);

@@ -38,6 +38,7 @@ void count(RunSummary& summary, const delassus::StepReport& report) {
   regions.incompatible += report.incompatible;
   regions.nonFinite += report.nonFinite;
   regions.leftOut += report.leftOut;
+  regions.pushUnsolved += report.pushUnsolved;
   regions.stiffened = std::max(regions.stiffened, report.stiffened);
   collect(report.messages, regions.messages);
   regions.totals.add(report);

@@ -60,8 +60,9 @@ struct RunSummary {
   struct Regions {
     double perStep = 0, factorisationsPerStep = 0;
     long solved = 0, outOfBudget = 0, incompatible = 0, nonFinite = 0;  ///< islands, all steps
-    long leftOut = 0;   ///< bodies, contacts and rows solved around, all steps
-    int stiffened = 0;  ///< largest number of bodies in a step that geometric stiffness slowed
+    long leftOut = 0;       ///< bodies, contacts and rows solved around, all steps
+    long pushUnsolved = 0;  ///< islands of the push problem, all steps
+    int stiffened = 0;      ///< largest number of bodies in a step that geometric stiffness slowed
     std::vector<Message> messages;
     StepTotals totals;
   };
