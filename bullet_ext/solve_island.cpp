@@ -284,6 +284,12 @@ void solveExactly(const Group& group, const Island& island, bool mayJam, Bench& 
   // stock, or friction would not hold them.
   const bool isPinched =
       solution.status == Status::Incompatible && island.rows.empty() && !isLost && !contactsHurry;
+  // Few sweeps prove nothing. But where they end no nearer to the law than they would without
+  // reactions, bodies that squeeze each other may be left without a grip.
+  constexpr double stuck = 0.9;  // of the demand
+  const bool isStuck = bench.solver.options().isHurried() && island.rows.empty() &&
+                       solution.status == Status::OutOfBudget && solution.residual > stuck * demand;
+  if (isStuck && answerJam(group, island, solution.residual, bench, answer, result)) return;
   const std::vector<int> blamed = isPinched ? solution.blamed : std::vector<int>();
   if (mayJam && !jointsThrow && (isLost || contactsHurry || isPinched) &&
       answerJam(group, island, isLost ? nearly * solution.residual : infinity, bench, answer,

@@ -227,6 +227,38 @@ TEST(Jam, OfWhatGivesWayIsSoonRuledOut) {
   EXPECT_LT(sweeps, steps * mostSweeps);
 }
 
+// Jaws close on a box, each by 3 mm more than there is room, and lift it: also with few sweeps,
+// which get no nearer to what they ask for than no reactions at all.
+TEST(Jam, FewSweepsGiveJawsAGrip) {
+  for (const int sweeps : {3, 10}) {
+    SCOPED_TRACE(sweeps);
+    constexpr double halfSize = 0.04, overlap = 3e-3, step = 1.0 / 240;
+    OwningWorld<btDiscreteDynamicsWorld, btDelassusConstraintSolver> world(
+        std::make_unique<btDelassusConstraintSolver>(Options::bounded(sweeps)));
+    world.addGround();
+    const auto half = btScalar(halfSize);
+    btRigidBody& box = world.addBox({half, half, half}, {0, half, 0}, btScalar(0.2));
+    box.setFriction(1);
+    std::vector<btRigidBody*> jaws;
+    for (const int side : {-1, 1}) {
+      jaws.push_back(&world.addBox({btScalar(0.01), btScalar(0.05), btScalar(0.03)},
+                                   {btScalar(0.08 * side), btScalar(0.06), 0}, 0));
+      jaws.back()->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+      jaws.back()->setFriction(1);
+    }
+    for (int k = 0; k < 480; ++k) {
+      const double time = k * step;
+      const double apart = std::max(halfSize + 0.01 - overlap, 0.08 - 0.1 * time);
+      const double height = 0.06 + 0.2 * std::max(time - 1, 0.0);
+      for (const int j : {0, 1})
+        jaws[j]->setWorldTransform(
+            world.at({btScalar(j == 0 ? -apart : apart), btScalar(height), 0}));
+      world->stepSimulation(btScalar(step), 0);
+    }
+    EXPECT_NEAR(box.getWorldTransform().getOrigin().y(), halfSize + 0.2, 0.01);
+  }
+}
+
 // Jaws that stand and overlap what they hold ask for what no motion gives. Their grip is that of
 // contacts that give a little, and friction holds.
 TEST(Jam, JawsThatStandHoldWhatTheyGrip) {
