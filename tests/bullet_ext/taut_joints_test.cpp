@@ -15,6 +15,17 @@ namespace {
 
 constexpr double linkLength = 0.5;
 
+double energyOf(const std::vector<btRigidBody*>& bodies) {
+  double sum = 0;
+  for (const btRigidBody* body : bodies)
+    sum += (0.5 * body->getLinearVelocity().length2() +
+            BulletWorld::gravity * body->getCenterOfMassPosition().y()) /
+               body->getInvMass() +
+           0.5 * body->getAngularVelocity().dot(body->getInvInertiaTensorWorld().inverse() *
+                                                body->getAngularVelocity());
+  return sum;
+}
+
 /// Twenty links of 1 kg and a ball, let go from 30 degrees beside the vertical.
 struct Rope : DelassusWorld {
   static constexpr int links = 20;
@@ -50,16 +61,7 @@ struct Rope : DelassusWorld {
     start = energy();
   }
 
-  double energy() const {
-    double sum = 0;
-    for (const btRigidBody* body : hung)
-      sum += (0.5 * body->getLinearVelocity().length2() +
-              gravity * body->getCenterOfMassPosition().y()) /
-                 body->getInvMass() +
-             0.5 * body->getAngularVelocity().dot(body->getInvInertiaTensorWorld().inverse() *
-                                                  body->getAngularVelocity());
-    return sum;
-  }
+  double energy() const { return energyOf(hung); }
   /// Energy gained, as a share of the energy of the swing.
   double gain() const {
     return (energy() - start) / (gravity * ball * links * linkLength * (1 - std::cos(swing)));
@@ -138,31 +140,38 @@ TEST(TautJoints, LeavesAloneWhatStepsFollow) {
         << i;
 }
 
-// Links that spin turn by so much in a step that springs which turn along would drive them.
-TEST(TautJoints, SpinningLinksGainNoEnergy) {
+// A link that spins turns by so much in a step that springs which turn along would drive it.
+TEST(TautJoints, ASpinningLinkGainsNoEnergy) {
+  constexpr int links = 5;
+  constexpr double length = 0.3, radius = 0.2;
   for (const double ballMass : {100.0, 1000.0}) {
     SCOPED_TRACE(ballMass);
-    Rope rope(ballMass, true);
-    rope->setGravity({0, 0, 0});
-    for (btRigidBody* body : rope.hung) {
-      body->setGravity({0, 0, 0});
-      body->setDamping(0, 0);
-    }
-    rope.hung.back()->setLinearVelocity({0, 0, 3});
-    for (std::size_t i = 0; i + 1 < rope.hung.size(); i += 4)
-      rope.hung[i]->setAngularVelocity({0, btScalar(i % 8 == 0 ? 38 : -38), 0});
-    const auto kinetic = [&] {
-      double sum = 0;
-      for (const btRigidBody* body : rope.hung)
-        sum += 0.5 * body->getLinearVelocity().length2() / body->getInvMass() +
-               0.5 * body->getAngularVelocity().dot(body->getInvInertiaTensorWorld().inverse() *
-                                                    body->getAngularVelocity());
-      return sum;
+    DelassusWorld world;
+    std::vector<btRigidBody*> hung;
+    const auto hang = [&](btRigidBody& body, double halfLength) {
+      body.setDamping(0, 0);
+      body.setCollisionFlags(btCollisionObject::CF_NO_CONTACT_RESPONSE);
+      const btVector3 top(0, btScalar(halfLength), 0), bottom(0, btScalar(-0.5 * length), 0);
+      if (hung.empty())
+        world.addJoint<btPoint2PointConstraint>(body, top);
+      else
+        world.addJoint<btPoint2PointConstraint>(*hung.back(), body, bottom, top);
+      hung.push_back(&body);
     };
-    const double start = kinetic();
-    for (int step = 0; step < 120; ++step) {
-      rope.advance();
-      EXPECT_LT(kinetic(), 1.01 * start) << step;
+    for (int i = 0; i < links; ++i)
+      hang(world.addBox({btScalar(0.03), btScalar(0.5 * length), btScalar(0.03)},
+                        {0, btScalar(-(i + 0.5) * length), 0}, 1),
+           0.5 * length);
+    hang(world.addSphere(btScalar(radius), {0, btScalar(-links * length - radius), 0},
+                         btScalar(ballMass)),
+         radius);
+    world.advance(60);
+    hung[links / 2]->applyCentralImpulse({5, 0, 0});
+    hung[links / 2]->applyTorqueImpulse({0, 0, btScalar(0.3)});
+    const double start = energyOf(hung);
+    for (int step = 0; step < 300; ++step) {
+      world.advance();
+      ASSERT_LT(energyOf(hung), start + 0.1) << step;
     }
   }
 }
