@@ -100,7 +100,7 @@ TEST(KeptVector, KeepsItsStorageAndIsOtherwiseAVector) {
 }
 
 TEST(KeptVector, WithoutMemoryItIsEmpty) {
-  constexpr VectorXd::Index tooMany = std::numeric_limits<VectorXd::Index>::max() / 16;
+  constexpr VectorXd::Index tooMany = std::numeric_limits<VectorXd::Index>::max() / 2;
   VectorXd x = VectorXd::LinSpaced(5, 1, 5);
   EXPECT_THROW(x.resize(tooMany), std::bad_alloc);
   EXPECT_EQ(x.size(), 0);
