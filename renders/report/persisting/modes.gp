@@ -543,44 +543,47 @@ EOD
 $marks12_4 << EOD
 EOD
 $line13_0 << EOD
-0.020487 36.068 0.020487 0.020487
-0.0292297 33.118 0.0292297 0.0292297
-0.0469127 31.5676 0.0469127 0.0469127
-0.100248 30.7924 0.100248 0.100248
+0.0162477 36.7647 0.0162477 0.0162477
+0.0238853 34.2647 0.0238853 0.0238853
+0.0391287 31.7647 0.0391287 0.0391287
+0.08512 29.5098 0.08512 0.08512
 EOD
 $marks13_0 << EOD
 EOD
 $line13_1 << EOD
-0.0238157 11.3049 0.0238157 0.0238157
-0.0385873 3.87597 0.0385873 0.0385873
-0.121069 1.55039 0.121069 0.121069
+0.0197867 11.8137 0.0197867 0.0197867
+0.0289367 5.83333 0.0289367 0.0289367
+0.0475177 3.33333 0.0475177 0.0475177
 EOD
 $marks13_1 << EOD
 EOD
 $line13_2 << EOD
-0.0238087 39.944 0.0238087 0.0238087
-0.0358967 36.2188 0.0358967 0.0358967
-0.0610003 34.6684 0.0610003 0.0610003
-0.135851 33.8932 0.135851 0.135851
+0.0191187 44.4118 0.0191187 0.0191187
+0.028883 34.2647 0.028883 0.028883
+0.049861 31.7647 0.049861 0.049861
+0.111904 29.5098 0.111904 0.111904
 EOD
 $marks13_2 << EOD
 EOD
 $line13_3 << EOD
-0.106253 36.068 0.106253 0.106253
-0.146216 33.118 0.146216 0.146216
-0.180951 31.5676 0.180951 0.180951
-0.32883 30.7924 0.32883 0.32883
+0.0743847 36.7647 0.0743847 0.0743847
+0.090485 34.2647 0.090485 0.090485
+0.121782 31.7647 0.121782 0.121782
+0.212334 29.5098 0.212334 0.212334
 EOD
 $marks13_3 << EOD
 EOD
 $line13_4 << EOD
-0.364496 30.7924 0.364496 0.364496
+0.275271 34.1176 0.275271 0.275271
 EOD
 $marks13_4 << EOD
 EOD
 $line13_5 << EOD
-0.0669253 25.3876 0.0669253 0.0669253
-0.0701437 0 0.0701437 0.0701437
+0.0485653 38.5784 0.0485653 0.0485653
+0.050111 38.4314 0.050111 0.050111
+0.0579997 6.81373 0.0579997 0.0579997
+0.0666823 0.833333 0.0666823 0.0666823
+0.0678747 0 0.0678747 0.0678747
 EOD
 $marks13_5 << EOD
 EOD
@@ -1240,23 +1243,23 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0159912:1.27277]
+set xrange [0.0127357:0.940997]
 set xlabel "ms a step" noenhanced
 unset logscale y
 set ytics autofreq nomirror
 set mytics
 set format y "%g"
-set yrange [-1.9972:43.9384]
+set yrange [-2.22059:48.8529]
 set ylabel "contacts in a wrong mode, %" noenhanced
 unset label
 unset arrow
 unset object
-set label "delassus" at graph 0.0709965, graph 0.0434783 left front noenhanced textcolor rgb '#0060a8'
-set label "si2" at graph 0.4973, graph 0.0772296 left front noenhanced textcolor rgb '#e69f00'
-set label "si" at graph 0.454185, graph 0.713817 left front noenhanced textcolor rgb '#d55e00'
-set label "pgs" at graph 0.568984, graph 0.676661 left front noenhanced textcolor rgb '#cc79a7'
-set label "dantzig" at graph 0.749111, graph 0.713817 left front noenhanced textcolor rgb '#555555'
-set label "nncg" at graph 0.52362, graph 0.799898 left front noenhanced textcolor rgb '#009e73'
+set label "delassus" at graph 0.4237, graph 0.0434783 left front noenhanced textcolor rgb '#0060a8'
+set label "si2" at graph 0.184227, graph 0.0715877 left front noenhanced textcolor rgb '#e69f00'
+set label "si" at graph 0.34872, graph 0.584113 left front noenhanced textcolor rgb '#d55e00'
+set label "nncg" at graph 0.539906, graph 0.565535 left front noenhanced textcolor rgb '#009e73'
+set label "pgs" at graph 0.688775, graph 0.621269 left front noenhanced textcolor rgb '#cc79a7'
+set label "dantzig" at graph 0.749111, graph 0.711489 left front noenhanced textcolor rgb '#555555'
 plot $line13_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line13_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line13_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \

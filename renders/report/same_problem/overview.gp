@@ -357,27 +357,30 @@ EOD
 $marks12_2 << EOD
 EOD
 $line13_0 << EOD
-0.020487 0.967776 0.0204663 0.0205303
-0.0238157 0.96587 0.0237783 0.0238957
-0.0358967 0.964371 0.0358033 0.0360103
-0.0385873 0.963755 0.038313 0.0388277
-0.0563367 0.962538 0.0562463 0.056577
-0.121069 0.960593 0.120889 0.121393
-0.185825 0.959986 0.185644 0.186333
-0.228058 0.95768 0.227614 0.228758
-0.361789 0.954387 0.359389 0.373172
-0.364496 0.276732 0.361522 0.370261
+0.0162477 0.969869 0.0162307 0.0162743
+0.0197867 0.969488 0.019693 0.0198693
+0.0238853 0.968635 0.023849 0.023912
+0.028883 0.966044 0.0288563 0.0289433
+0.08512 0.964702 0.0850167 0.0852137
+0.104823 0.964345 0.10457 0.105093
+0.161291 0.960235 0.161057 0.161581
+0.200229 0.959859 0.199638 0.202746
+0.275271 0.186719 0.274166 0.277938
 EOD
 $marks13_0 << EOD
 EOD
 $line13_1 << EOD
 EOD
 $marks13_1 << EOD
-0.0292297 0.965964 0.0292297 0.0292297
+0.0238853 0.968635 0.0238853 0.0238853
 EOD
 $line13_2 << EOD
-0.0669253 0.445739 0.066338 0.078623
-0.0701437 9.38355e-05 0.06978 0.0740797
+0.0485653 0.130355 0.0484523 0.048796
+0.050111 0.103788 0.0499743 0.050365
+0.0579997 0.0639843 0.0578897 0.0581367
+0.0666823 0.0423076 0.0665423 0.0668793
+0.0678747 0.00529938 0.0677413 0.0681117
+0.0682617 0.000235948 0.067781 0.0688927
 EOD
 $marks13_2 << EOD
 EOD
@@ -836,7 +839,7 @@ set logscale x
 set xtics 10 nomirror
 set mxtics
 set format x "%g"
-set xrange [0.0139679:12.1317]
+set xrange [0.0111499:8.63216]
 set xlabel "ms a step" noenhanced
 set logscale y
 set ytics 1000 nomirror
@@ -847,11 +850,11 @@ set ylabel "error" noenhanced
 unset label
 unset arrow
 unset object
-set object 1 rectangle from graph 0, graph 0 to graph 1, first 9.38355e-05 behind fillstyle solid noborder fillcolor '#eeeeee'
-set label "delassus" at graph 0.273285, graph 0.640883 left front noenhanced textcolor rgb '#0060a8'
-set label "best of Bullet's" at graph 0.516822, graph 0.888719 left front noenhanced textcolor rgb '#d55e00'
-set label "si:10" at graph 0.143924, graph 0.555938 left front noenhanced textcolor rgb '#555555'
-set arrow from graph 0.109124, graph 0.927497 to graph 0.143924, graph 0.555938 nohead lw 0.6 lc rgb '#555555'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 0.000235948 behind fillstyle solid noborder fillcolor '#eeeeee'
+set label "delassus" at graph 0.307194, graph 0.669487 left front noenhanced textcolor rgb '#0060a8'
+set label "best of Bullet's" at graph 0.516822, graph 0.876513 left front noenhanced textcolor rgb '#d55e00'
+set label "si:10" at graph 0.14933, graph 0.630335 left front noenhanced textcolor rgb '#555555'
+set arrow from graph 0.11453, graph 0.927583 to graph 0.14933, graph 0.630335 nohead lw 0.6 lc rgb '#555555'
 plot $line13_0 using 1:2:3:4 with xerrorbars pt 0 lw 0.8 lc rgb '#a0d55e00', \
   $line13_0 using 1:2 with lines lw 1.5 lc rgb '#d55e00', \
   $line13_0 using 1:2 with points pt 7 ps 0.575 lc rgb '#d55e00', \
