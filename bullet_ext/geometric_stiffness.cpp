@@ -117,7 +117,6 @@ Mat3 tooFast(const Mat3& inverseInertia, const Mat3& K, double limit) {
 
 }  // namespace
 
-/// The share of the springs that turns along with a body that turns by so much in a step, rad.
 double GeometricStiffness::shareAlong(double turn) {
   return along * std::clamp(2 - turn / slowly, 0.0, 1.0);
 }

@@ -38,6 +38,7 @@ struct Group;
 class GeometricStiffness {
  public:
   static constexpr double along = 0.9, slowly = 0.2;
+  /// s, for a body that turns by so much in a step, rad.
   static double shareAlong(double turn);
 
   /// Changes the inertia and the free velocity of such bodies; call it when all is gathered and
