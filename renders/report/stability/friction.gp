@@ -611,8 +611,7 @@ set object 367 rectangle from screen 0.132812, screen 0.0848329 to screen 0.1771
 set object 368 rectangle from screen 0.177148, screen 0.0848329 to screen 0.221484, screen 0.11054 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 369 rectangle from screen 0.221484, screen 0.0848329 to screen 0.26582, screen 0.11054 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 370 rectangle from screen 0.26582, screen 0.0848329 to screen 0.310156, screen 0.11054 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
-set object 371 rectangle from screen 0.310156, screen 0.0848329 to screen 0.354492, screen 0.11054 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.332324, screen 0.0976864 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 371 rectangle from screen 0.310156, screen 0.0848329 to screen 0.354492, screen 0.11054 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#0072b2' lw 1
 set object 372 rectangle from screen 0.354492, screen 0.0848329 to screen 0.398828, screen 0.11054 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
 set label "t" at screen 0.37666, screen 0.0976864 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 373 rectangle from screen 0.398828, screen 0.0848329 to screen 0.443164, screen 0.11054 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1

@@ -411,8 +411,8 @@ set object 260 rectangle from screen 0.854492, screen 0.530572 to screen 0.89882
 set label "o" at screen 0.87666, screen 0.540434 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 261 rectangle from screen 0.898828, screen 0.530572 to screen 0.943164, screen 0.550296 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.920996, screen 0.540434 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
-set object 262 rectangle from screen 0.943164, screen 0.530572 to screen 0.9875, screen 0.550296 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#bbbbbb' lw 1
-set label "t" at screen 0.965332, screen 0.540434 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
+set object 262 rectangle from screen 0.943164, screen 0.530572 to screen 0.9875, screen 0.550296 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
+set label "o" at screen 0.965332, screen 0.540434 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
 set label "dantzig:1e-6 float" at screen 0.626563, screen 0.52071 right front noenhanced textcolor rgb '#333333' font sprintf("DejaVu Sans,%g", scale * 11)
 set object 263 rectangle from screen 0.632812, screen 0.510848 to screen 0.677148, screen 0.530572 fillstyle solid border lc rgb '#ffffff' fillcolor rgb '#56b4e9' lw 1
 set label "o" at screen 0.65498, screen 0.52071 center front noenhanced textcolor rgb '#000000' font sprintf("DejaVu Sans,%g", scale * 11)
